@@ -1,0 +1,1 @@
+"""motionbook: workbooks of machine motion, generated, verified cell by cell, read back."""

@@ -1,0 +1,57 @@
+"""From a machine description to a workbook file, and the committed templates."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from workbook.entries import Entries, read_machine, write_machine
+from workbook.files import open_book
+from workbook.machine import Machine
+from workbook.same import same_book
+from workbook.templates import TEMPLATES, Template
+from workbook.write import refuse_existing, replace, save, to_workbook
+
+
+def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
+    """Write the workbook of ``machine``; raise WriteError where ``path`` exists or cannot be written."""
+    template = TEMPLATES[machine.template]
+    book = template.declare(machine)
+    save(to_workbook(book, template.model), book, path, overwrite)
+
+
+def inputs(path: Path) -> tuple[Machine, list[str]]:
+    """Return what an engineer entered into a workbook, with the cells whose formula was taken by its value."""
+    entries = Entries(open_book(path))
+    return entries.machine(), entries.computed
+
+
+def write_inputs(machine: Machine, path: Path, overwrite: bool = False) -> None:
+    """Write a machine description, whole or not at all; raise WriteError as :func:`build` does."""
+    refuse_existing(path, overwrite)
+    replace(path, lambda draft: write_text(draft, write_machine(machine)))
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write UTF-8 with plain line ends on every system."""
+    path.write_bytes(text.encode())
+
+
+def write_templates() -> list[Path]:
+    """Generate the workbook of every committed machine description."""
+    for template in TEMPLATES.values():
+        build(read_machine(template.description), template.book, overwrite=True)
+    return [template.book for template in TEMPLATES.values()]
+
+
+def stale_templates() -> list[Path]:
+    """Return the committed workbooks that today's code would generate differently."""
+    return [template.book for template in TEMPLATES.values() if stale(template)]
+
+
+def stale(template: Template) -> bool:
+    """Whether a template's committed workbook differs from a fresh one."""
+    with tempfile.TemporaryDirectory() as folder:
+        fresh = Path(folder) / template.book.name
+        build(read_machine(template.description), fresh)
+        return not template.book.exists() or not same_book(fresh, template.book)

@@ -1,0 +1,176 @@
+"""Machine descriptions in and out: from TOML or from a workbook's input cells, checked by the same models."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import tomli_w
+from pydantic import ValidationError
+
+from workbook.declare import Block, Quantity
+from workbook.errors import InputError, ReadError
+from workbook.files import BookFile, Place
+from workbook.machine import EntryError, Machine
+from workbook.templates import TEMPLATES, Template
+from workbook.witnesses.pycel_witness import PycelModel
+
+Where = Callable[[str], str]
+
+
+def template_named(name: object, where: str) -> Template:
+    """Return a template by name; raise InputError, listing the known ones, where there is none."""
+    if name not in TEMPLATES:
+        raise InputError([f"{where}: no template is named {name!r}; expected one of {', '.join(TEMPLATES)}"])
+    return TEMPLATES[str(name)]
+
+
+def read_machine(path: Path) -> Machine:
+    """Read a machine description; raise ReadError or InputError with a line for each fault."""
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError as error:
+        raise ReadError(f"{path}: there is no such file") from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise ReadError(f"{path}: cannot be read as text ({error})") from error
+    except tomllib.TOMLDecodeError as error:
+        raise ReadError(f"{path}: not valid TOML: {error}") from error
+    template = template_named(data.get("template"), f"{path}: template")
+    return checked(template, data, lambda key: f"{path}: {key}")
+
+
+def write_machine(machine: Machine) -> str:
+    """Return the TOML of a machine description."""
+    return tomli_w.dumps(machine.model_dump(exclude_none=True))
+
+
+def checked(template: Template, data: dict[str, Any], where: Where) -> Machine:
+    """Validate entries; raise InputError whose lines say where each fault is and what is expected."""
+    try:
+        return template.model.model_validate(data)
+    except ValidationError as error:
+        raise InputError([fault(found, where) for found in error.errors(include_url=False)]) from None
+
+
+def fault(found: Any, where: Where) -> str:
+    """Return one line: where, what was found, what is expected."""
+    key = ".".join(str(part) for part in found["loc"])
+    cause = found.get("ctx", {}).get("error")
+    if isinstance(cause, EntryError):
+        return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
+    if found["type"] == "missing" or found["input"] == {}:
+        return f"{where(key)}: empty; a value is expected"
+    if found["type"] == "extra_forbidden":
+        return f"{where(key)}: unknown entry"
+    expected = found["msg"].removeprefix("Input should be ").removeprefix("a valid ").replace("valid ", "")
+    return f"{where(key)}: found {found['input']!r}; expected {expected}"
+
+
+class Entries:
+    """The input cells of a workbook as a machine description."""
+
+    def __init__(self, file: BookFile) -> None:
+        self.file = file
+        self.cells: dict[str, str] = {}
+        self.computed: list[str] = []
+        self.template = self._template()
+        self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
+        self.missing: list[str] = []
+        default = read_machine(self.template.description)
+        roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
+        small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
+        layout = self.template.declare(default.model_copy(update={"sizes": type(default.sizes)(**small)}))
+        self._formulas: PycelModel | None = None
+        for block in layout.blocks.values():
+            self._read_block(block)
+
+    def machine(self) -> Machine:
+        """Return what was entered; raise InputError whose lines name the sheet, the cell and what is expected."""
+        if self.missing:
+            raise InputError(
+                [
+                    f"{self.file.path}: the name {name} is missing; its inputs cannot be found"
+                    for name in self.missing
+                ]
+            )
+        return checked(self.template, self.data, self._where)
+
+    def _template(self) -> Template:
+        place = self.file.places.get("book_template")
+        if place is None:
+            raise ReadError(
+                f"{self.file.path}: not a workbook of motionbook: it has no cell named book_template"
+            )
+        address = place.cell(0, 0)
+        return template_named(self.file.value(address), f"{self.file.path}: {address}")
+
+    def _sizes(self) -> dict[str, int]:
+        return {
+            size: self.file.places[block].rows - extra
+            for size, (block, extra) in self.template.sizes.items()
+            if block in self.file.places
+        }
+
+    def _read_block(self, block: Block) -> None:
+        inputs = [(j, q) for j, q in enumerate(block.quantities) if q.role == "input"]
+        if not inputs:
+            return
+        place = self.file.places.get(block.name)
+        if place is None:
+            self.missing.append(block.name)
+            return
+        rows = [[self._entered(place, i, j) for j, _ in inputs] for i in range(place.rows)]
+        used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
+        for i in range(place.rows if "*" not in inputs[0][1].key else used):
+            for (j, q), value in zip(inputs, rows[i], strict=True):
+                self._store(q, i, str(place.cell(i, j)), value)
+
+    def _store(self, q: Quantity, i: int, cell: str, value: Any) -> None:
+        key = q.key.replace("*", str(i))
+        self.cells[key] = f"{cell} ({q.label})"
+        if value is not None:
+            put(self.data, key.split("."), value)
+        elif "*" in q.key or key[-1].isdigit():
+            put(self.data, key.split("."), None)
+
+    def _entered(self, place: Place, i: int, j: int) -> Any:
+        value = self.file.value(place.cell(i, j))
+        if isinstance(value, str) and value.startswith("="):
+            self.computed.append(str(place.cell(i, j)))
+            if self._formulas is None:
+                self._formulas = PycelModel(self.file.workbook)
+            return self._formulas.evaluate().get(place.cell(i, j))
+        return value
+
+    def _where(self, key: str) -> str:
+        """Return the cell of ``key``, or of the first entry below or above it."""
+        best = self.cells.get(key) or next(
+            (c for k, c in self.cells.items() if k.startswith(f"{key}.")), None
+        )
+        while best is None and "." in key:
+            key = key.rpartition(".")[0]
+            best = self.cells.get(key) or next(
+                (c for k, c in self.cells.items() if k.startswith(f"{key}.")), None
+            )
+        return f"{self.file.path.name}: {best or key}"
+
+
+def put(data: Any, path: list[str], value: Any) -> None:
+    """Set an entry of nested dicts and lists, making room on the way; None only makes room."""
+    for part, after in zip(path, [*path[1:], ""], strict=True):
+        empty: Any = None if not after else [] if after.isdigit() else {}
+        if isinstance(data, list):
+            index = int(part)
+            data.extend({} for _ in range(index + 1 - len(data)))
+            if not after:
+                data[index] = value if value is not None else data[index]
+            elif not data[index] and isinstance(empty, list):
+                data[index] = empty
+            data = data[index]
+        elif not after:
+            if value is not None:
+                data[part] = value
+        else:
+            data = data.setdefault(part, empty)

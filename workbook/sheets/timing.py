@@ -1,0 +1,258 @@
+"""The Timing sheet: three axes over one turn of the master shaft, their movements, diagram and checks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from engine import timing as engine_timing
+from engine.motion import Motion
+from engine.timing import Movement, shaft_speed
+from workbook.declare import Book, Chart, Quantity, Series, Sheet, calc, check, constant, given, result
+from workbook.machine import Axis, Sizes
+from workbook.reference import MM, Cutting
+from workbook.sheets import sampling
+from workbook.sheets.stack import CODES
+
+S1 = "S1, slide 'Timing diagram for a cutting machine'"
+CLOSE = 1e-9  # relative: what a check takes for zero
+
+
+def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
+    """Declare the sheet: what to enter at the top, the diagram beside it, the table over the cycle below."""
+    timing, sizes = machine.machine.timing, machine.machine.sizes
+    sheet = book.sheet(
+        "Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram."
+    )
+    sheet.heading("What to enter")
+    sheet.rows(
+        given("timing_rate", "Production rate", "n", "pieces/min", timing.rate, "timing.rate", format="0.0##", source="one piece a turn of the master shaft"),
+        calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", 1 / machine.rate, source="60 / n"),
+        calc("timing_omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*timing_rate/60", shaft_speed(machine.rate), source="2π n / 60"),
+        calc("timing_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", 360 * 1e-12, format="0E+00", source="an angle this near to a phase's begin counts as on it"),
+    )  # fmt: skip
+    axes_table(sheet, machine)
+    draw_diagram(sheet, timing.axes, sizes)
+    sheet.row = max(sheet.row, 31)
+    for i, axis in enumerate(timing.axes, 1):
+        phases(sheet, machine, i, axis, sizes)
+    draw_curves(sheet, timing.axes)
+    sheet.heading("Table over the cycle")
+    cycle(sheet, machine, pieces)
+    sheet.print_columns = 17
+
+
+def movements(machine: Cutting, i: int) -> list[Movement]:
+    """Return the engine's movements of axis ``i``, by phase."""
+    name = machine.machine.timing.axes[i - 1].name
+    return [m for m in machine.diagram.movements(machine.rate) if m.axis == name]
+
+
+def axes_table(sheet: Sheet, machine: Cutting) -> None:
+    """Declare the names of the axes and what each comes to."""
+    axes = machine.machine.timing.axes
+    best = [movements(machine, i) for i in (1, 2, 3)]
+    sheet.row += 1
+    sheet.table(
+        "axes", "Axes", 3,
+        given("group", "group", "", "", [a.group for a in axes], "timing.axes.*.group"),
+        given("name", "axis", "", "", [a.name for a in axes], "timing.axes.*.name"),
+        given("closes", "closes in", "", "", [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
+        calc("travel", "travel a cycle", "Σh", "mm", [f"=SUM([axis{i}.lift])" for i in (1, 2, 3)],
+             [sum(p.lift for p in a.phases) for a in axes], scale=1.0),
+        result("v", "greatest velocity", "ẏ_max", "m/s", [f"=MAX([axis{i}.v])" for i in (1, 2, 3)], [max((m.v_max for m in b), default=0.0) for b in best], scale=1e-3),
+        result("a", "greatest acceleration", "ÿ_max", "m/s²", [f"=MAX([axis{i}.a])" for i in (1, 2, 3)], [max((m.a_max for m in b), default=0.0) for b in best], scale=1e-3),
+    )  # fmt: skip
+
+
+def phases(sheet: Sheet, machine: Cutting, i: int, axis: Axis, sizes: Sizes) -> None:
+    """Declare the phases of one axis: what is entered, what each movement comes to, how the phases join."""
+    n, used = sizes.phases, len(axis.phases)
+    motion = machine.axes[i - 1].motion
+    moves = {m.phase: m for m in movements(machine, i)}
+    pad = [None] * (n - used)
+
+    def entered(name: str) -> list[Any]:
+        return [getattr(p, name) for p in axis.phases] + pad
+
+    def of(name: str) -> list[float]:
+        return [getattr(moves[k], name) if k in moves else 0.0 for k in range(n)]
+
+    numbers = [CODES.index(p.law) + 1 for p in axis.phases] + [1] * len(pad)
+    lifts = np.array([p.lift * MM for p in axis.phases] + [0.0] * len(pad))
+    spans = np.array([*np.diff(motion.edges), *[0.0] * len(pad)])
+    kinds = [
+        "dwell" if p.law == "DWL" or p.lift == 0 else "rise" if p.lift > 0 else "return" for p in axis.phases
+    ]
+    ends = phase_ends(motion, n)
+    key = f"timing.axes.{i - 1}.phases.*"
+    sheet.heading(f"Axis {i}: {axis.name}, {axis.group}")
+    sheet.table(
+        f"axis{i}", "Phases: fill one row each, in order; leave spare rows empty", n,
+        calc("kind", "phase", "", "", KIND, kinds + ["spare"] * len(pad)),
+        given("start", "from", "", "°", entered("start"), f"{key}.start", format="0.0##"),
+        given("stop", "to", "", "°", entered("stop"), f"{key}.stop", format="0.0##"),
+        given("lift", "lift", "h", "mm", entered("lift"), f"{key}.lift", format="0.0##"),
+        given("law", "law", "", "", entered("law"), f"{key}.law", choices="=law_code"),
+        result("y1", "geometric velocity", "y'max", "m/rad", "=IF([span]>0,INDEX(law_cv,[no])*ABS([h])/[span],0)", of("y1_max"), source="C_v h/δ", scale=1e-3),
+        result("y2", "geometric acceleration", "y''max", "m/rad²", f"=IF([span]>0,{CA}*ABS([h])/[span]^2,0)", of("y2_max"), source="C_a h/δ²", scale=1e-3),
+        result("v", "velocity", "ẏmax", "m/s", "=[y1]*timing_omega", of("v_max"), source="y' ω", scale=1e-3),
+        result("a", "acceleration", "ÿmax", "m/s²", "=[y2]*timing_omega^2", of("a_max"), source="y'' ω²", scale=1e-3),
+        result("rms", "RMS acceleration", "ÿrms", "m/s²", "=IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)*timing_omega^2", of("a_rms"), source="C_a,rms h/δ² ω²", scale=1e-3),
+        constant("k", "row", "k", "", list(range(1, n + 1))),
+        calc("no", "law number", "", "", '=IF([law]="",1,MATCH([law],law_code,0))', numbers, format="0"),
+        calc("h", "lift", "h", "m", "=[lift]/1000", lifts, scale=1e-3, source="conversion"),
+        calc("span", "duration", "δ", "rad", '=IF([stop]="",0,RADIANS([stop]-[start]))', spans, scale=1.0, source="conversion"),
+        calc("begin", "begins at", "", "°", '=IF([stop]="",360,[start])', [p.start for p in axis.phases] + [360.0] * len(pad), format="0.0##", scale=1.0),
+        calc("y0", "position at begin", "y_0", "m", "=IF([k]=1,0,[y0-1]+[h-1])", np.concatenate([[0.0], np.cumsum(lifts)[:-1]]), scale=1e-3, source="lifts before"),
+        calc("gap", "gap before", "", "°", '=IF([stop]="",0,[start]-IF([k]=1,0,[stop-1]))', [0.0] * n, scale=360.0),
+        calc("v0", "y' at begin", "", "m/rad", AT_END.format("v0", ""), ends["v0"], scale=1.0),
+        calc("v1", "y' at end", "", "m/rad", CARRIED.format("v1", ""), ends["v1"], scale=1.0, source="carried over spare rows"),
+        calc("a0", "y'' at begin", "", "m/rad²", AT_END.format("a0", "^2"), ends["a0"], scale=1.0),
+        calc("a1", "y'' at end", "", "m/rad²", CARRIED.format("a1", "^2"), ends["a1"], scale=1.0, source="carried over spare rows"),
+        calc("jump_y", "jump of y", "Δy", "m", "=[h]*(1-INDEX(law_s1,[no]))", ends["jump_y"], scale=1.0, source="at its end: the law's lack"),
+        calc("jump_v", "jump of y'", "Δy'", "m/rad", f"=IF([span]>0,[v0]-IF([k]=1,[axis{i}.v1.last],[v1-1]),0)", ends["jump_v"], scale=1.0, source="at its begin"),
+        calc("jump_a", "jump of y''", "Δy''", "m/rad²", f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)", ends["jump_a"], scale=1.0, source="reported, no fault"),
+    )  # fmt: skip
+    joined(sheet, i, axis, ends)
+
+
+KIND = '=IF([stop]="","spare",IF(OR([law]="DWL",[lift]=0),"dwell",IF([lift]>0,"rise","return")))'
+CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
+AT_END = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},0)"
+CARRIED = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},IF([k]=1,0,[{0}-1]))"
+
+
+def phase_ends(motion: Motion, n: int) -> dict[str, list[float]]:
+    """Return the engine's values at the ends of each phase and its jumps, with the spare rows filled up."""
+    rows: dict[str, list[float]] = {
+        name: [] for name in ("v0", "v1", "a0", "a1", "jump_y", "jump_v", "jump_a")
+    }
+    junctions = {j.after: j for j in motion.junctions()}
+    for k, phase in enumerate(motion.phases):
+        per_v, per_a = phase.lift / phase.duration, phase.lift / phase.duration**2
+        values = (phase.law.start.v * per_v, phase.law.end.v * per_v, phase.law.start.a * per_a, phase.law.end.a * per_a,
+                  phase.lift * (1 - phase.law.end.s), junctions[k].jump_v, junctions[k].jump_a)  # fmt: skip
+        for name, value in zip(rows, values, strict=True):
+            rows[name].append(value)
+    for name, values_so_far in rows.items():
+        carried = values_so_far[-1] if name in ("v1", "a1") else 0.0
+        values_so_far += [carried] * (n - len(values_so_far))
+    return rows
+
+
+def joined(sheet: Sheet, i: int, axis: Axis, ends: dict[str, list[float]]) -> None:
+    """Declare the checks of one axis."""
+    t = f"axis{i}"
+    y1 = f"MAX([{t}.y1])"
+    largest = max(abs(x) for x in ends["jump_v"])
+    rests = largest <= CLOSE * max(abs(x) for x in (*ends["v0"], *ends["v1"], 1.0))
+    lift = max(abs(p.lift) for p in axis.phases) * MM
+    sheet.checks(
+        check(f"{t}_forward", f"{axis.name}: every phase runs forward", f'COUNTIF([{t}.span],">0")=COUNT([{t}.stop])', True),
+        check(f"{t}_follows", f"{axis.name}: the phases follow on", f"MAX(MAX([{t}.gap]),-MIN([{t}.gap]))<1E-9", True),
+        check(f"{t}_fills", f"{axis.name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<1E-9", True),
+        check(f"{t}_position", f"{axis.name}: no jump of position", f"MAX(MAX([{t}.jump_y]),-MIN([{t}.jump_y]))<=1E-9*MAX(MAX([{t}.h]),-MIN([{t}.h]))",
+              max(abs(x) for x in ends["jump_y"]) <= CLOSE * lift),
+        check(f"{t}_velocity", f"{axis.name}: no jump of velocity", f"MAX(MAX([{t}.jump_v]),-MIN([{t}.jump_v]))<=1E-9*(1+{y1})", rests),
+        check(f"{t}_closes", f"{axis.name}: the cycle closes", f'OR(INDEX([axes.closes],{i})="feed",ABS(INDEX([axes.travel],{i}))<1E-9)',
+              axis.closes == "feed" or abs(sum(p.lift for p in axis.phases)) < CLOSE, "in position, or, as a feed, in velocity"),
+    )  # fmt: skip
+
+
+def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
+    """Declare the table over the cycle: results of the three axes, then the workings of each."""
+    theta, speed = machine.angles, shaft_speed(machine.rate)
+    results: list[Quantity] = []
+    lanes: list[Quantity] = []
+    workings: list[Quantity] = []
+    for i, axis in enumerate(machine.axes, 1):
+        at, name = axis.motion.at(np.deg2rad(theta)), axis.name
+        y = at.y / MM
+        results += [
+            result(f"y{i}", f"{name} position", "y", "mm", f"=(INDEX([axis{i}.y0],[p{i}])+INDEX([axis{i}.h],[p{i}])*[s{i}])*1000", y, source="y_0 + h s", scale=1.0),
+            result(f"g{i}", f"{name} geometric velocity", "y'", "m/rad", f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])*[v{i}]", at.y1, source="h v/δ", scale=1e-3),
+            result(f"gg{i}", f"{name} geometric acceleration", "y''", "m/rad²", f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])^2*[a{i}]", at.y2, source="h a/δ²", scale=1e-3),
+            result(f"t{i}", f"{name} velocity", "ẏ", "m/s", f"=[g{i}]*timing_omega", at.y1 * speed, source="y' ω", scale=1e-3),
+            result(f"tt{i}", f"{name} acceleration", "ÿ", "m/s²", f"=[gg{i}]*timing_omega^2", at.y2 * speed**2, source="y'' ω²", scale=1e-3),
+        ]  # fmt: skip
+        lanes.append(
+            calc(
+                f"lane{i}",
+                f"{name} in the diagram",
+                "",
+                "",
+                f"={3 - i}+IF(MAX([cycle.y{i}])>MIN([cycle.y{i}]),0.8*([y{i}]-MIN([cycle.y{i}]))/(MAX([cycle.y{i}])-MIN([cycle.y{i}])),0)",
+                lane(y, 3 - i),
+            )
+        )
+        workings += located(i, axis, theta, pieces)
+    sheet.table(
+        "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(theta),
+        calc("theta", "master angle", "θ", "°", "=[k]*360/[cycle.k.last]", theta, format="0.0##"),
+        *results, *lanes,
+        constant("k", "sample", "k", "", list(range(len(theta)))),
+        *workings,
+    )  # fmt: skip
+
+
+def lane(y: np.ndarray, floor: int) -> np.ndarray:
+    """Return the axis as the timing diagram shows it: its travel as 0.8 of its own lane."""
+    travel = y.max() - y.min()
+    return floor + 0.8 * (y - y.min()) / travel if travel > 0 else np.full(len(y), float(floor))
+
+
+def located(i: int, axis: engine_timing.Axis, theta: np.ndarray, pieces: sampling.Pieces) -> list[Quantity]:
+    """Return the workings of one axis: phase, ξ, law, piece, and the law's s, v, a."""
+    x = np.deg2rad(theta)
+    phase, xi = axis.motion.phase_index(x), axis.motion.xi(x)
+    numbers = np.array([CODES.index(p.law.code) + 1 for p in axis.motion.phases])[phase]
+    found = np.empty((3, len(theta)))
+    values = {d: np.empty(len(theta)) for d in "sva"}
+    for k in np.unique(phase):
+        here = phase == k
+        law = axis.motion.phases[k].law
+        found[:, here] = pieces.locate(int(numbers[here][0]), xi[here])
+        for d, value in zip("sva", law.evaluate(xi[here]), strict=False):
+            values[d][here] = value
+    t = f"axis{i}"
+    begins = f"MATCH(MIN([theta]+timing_eps,360-timing_eps),[{t}.begin],1)"
+    span = f"(INDEX([{t}.stop],[p{i}])-INDEX([{t}.start],[p{i}]))"
+    row, u, sine = found
+    return [
+        calc(f"p{i}", f"{axis.name} phase", "", "", f"={begins}", phase + 1, format="0", source="last begin not above θ"),
+        calc(f"xi{i}", f"{axis.name} abscissa", "ξ", "", f"=([theta]-INDEX([{t}.start],[p{i}]))/{span}", xi, scale=1.0, source="(θ − from)/δ"),
+        calc(f"n{i}", f"{axis.name} law", "", "", f"=INDEX([{t}.no],[p{i}])", numbers, format="0"),
+        *sampling.finding(f"[n{i}]", f"xi{i}", (row, u, sine), str(i)),
+        *sampling.columns(values, "sva", str(i)),
+    ]  # fmt: skip
+
+
+def draw_diagram(sheet: Sheet, axes: list[Axis]) -> None:
+    """Place the timing diagram: one lane an axis over the master angle."""
+    names = " · ".join(a.name for a in reversed(axes))
+    chart = Chart(
+        "Timing diagram", "master angle θ [°]", f"{names} (bottom to top)",
+        tuple(Series(f"{a.name} {a.group}", "[cycle.theta]", f"[cycle.lane{i}]") for i, a in enumerate(axes, 1)),
+        f"Timing diagram: rises, dwells and returns of {names} over one turn of the master shaft",
+        (0, 360, 30), (0, 3, 1), hide_y=True,
+    )  # fmt: skip
+    sheet.chart(chart, column=10, row=5, width=9, height=25)
+
+
+def draw_curves(sheet: Sheet, axes: list[Axis]) -> None:
+    """Place the charts of y, y', y'' of the three axes."""
+    sheet.heading("Position, geometric velocity and acceleration over the cycle")
+    kinds = (
+        ("y", "y [mm]", "Position"),
+        ("g", "y' [m/rad]", "Geometric velocity"),
+        ("gg", "y'' [m/rad²]", "Geometric acceleration"),
+    )
+    sheet.chart_row(
+        *(Chart(title, "master angle θ [°]", label,
+                tuple(Series(a.name, "[cycle.theta]", f"[cycle.{column}{i}]") for i, a in enumerate(axes, 1)),
+                f"{title} of the three axes over the master angle", (0, 360, 60))
+          for column, label, title in kinds),
+        width=6, height=18,
+    )  # fmt: skip

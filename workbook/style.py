@@ -1,0 +1,111 @@
+"""How cells look: Excel's own cell styles for inputs, workings, results and checks, so that a theme restyles them."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from openpyxl import Workbook
+from openpyxl.cell import Cell
+from openpyxl.formatting.rule import CellIsRule
+from openpyxl.styles import Alignment, Font, PatternFill, Protection
+from openpyxl.styles.differential import DifferentialStyle
+from openpyxl.worksheet.worksheet import Worksheet
+
+from workbook.declare import Quantity
+
+COLOURS = ("1F4E79", "C55A11", "548235", "7030A0", "BF9000", "404040")
+GRID = "D9D9D9"
+
+CELL_STYLES = {
+    "input": "Input",
+    "calculation": "Calculation",
+    "result": "Output",
+    "check": "Check Cell",
+    "constant": "Explanatory Text",
+}
+TEXT_STYLES: dict[str, dict[str, Any]] = {
+    "title": {"style": "Title"},
+    "heading": {"style": "Headline 2"},
+    "subheading": {"style": "Headline 4"},
+    "label": {},
+    "symbol": {"font": Font(italic=True), "alignment": Alignment(horizontal="center")},
+    "unit": {},
+    "note": {"style": "Explanatory Text"},
+    "link": {"style": "Hyperlink"},
+    "header": {
+        "font": Font(bold=True),
+        "fill": PatternFill("solid", fgColor="DDEBF7"),
+        "alignment": Alignment(wrap_text=True, horizontal="center", vertical="center"),
+    },
+    "units": {
+        "font": Font(italic=True),
+        "fill": PatternFill("solid", fgColor="DDEBF7"),
+        "alignment": Alignment(horizontal="center"),
+    },
+    "equation": {
+        "style": "Explanatory Text",
+        "alignment": Alignment(wrap_text=True, horizontal="center", vertical="top"),
+    },
+}
+
+
+class Styles:
+    """Cell styles of one workbook, each made once on a scratch cell and then copied by reference."""
+
+    def __init__(self, workbook: Workbook) -> None:
+        self._scratch = workbook.create_sheet("scratch")
+        self._workbook = workbook
+        self.quantity = cache(self._quantity)
+        self.text = cache(self._text)
+
+    def close(self) -> None:
+        """Remove the scratch sheet."""
+        self._workbook.remove(self._scratch)
+
+    def _quantity(self, role: str, number_format: str, table: bool) -> Any:
+        cell = self._scratch.cell(1, 1)
+        cell.style = CELL_STYLES[role]  # first: it resets number format and protection
+        cell.number_format = number_format or "General"
+        cell.protection = Protection(locked=role != "input")
+        if table or role in ("check", "input"):
+            cell.alignment = Alignment(horizontal="center" if role in ("check", "constant") else None)
+        return cell._style
+
+    def _text(self, kind: str) -> Any:
+        cell = self._scratch.cell(1, 1)
+        settings = TEXT_STYLES[kind]
+        cell.style = settings.get("style", "Normal")
+        for attribute in ("font", "fill", "alignment"):
+            if attribute in settings:
+                setattr(cell, attribute, settings[attribute])
+        return cell._style
+
+
+def apply(cell: Cell, style: Any) -> None:
+    """Give ``cell`` a style array that this workbook already holds."""
+    cell._style = style
+
+
+def number_format(q: Quantity, value: Any) -> str:
+    """Return the format of a quantity: its own, or decimals that suit the size of its values."""
+    if q.format:
+        return q.format
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return "General"
+    if isinstance(value, int):
+        return "0"
+    size = abs(value)
+    if size and (size < 1e-3 or size >= 1e6):
+        return "0.000E+00"
+    return "0.0000" if size < 10 else "0.000" if size < 1000 else "0.0"
+
+
+def mark_checks(sheet: Worksheet, cells: str) -> None:
+    """Colour OK and FAIL in ``cells``; the words stay, so the colour is not the only sign."""
+    for word, ink, ground in (("OK", "006100", "C6EFCE"), ("FAIL", "9C0006", "FFC7CE")):
+        rule = CellIsRule(operator="equal", formula=[f'"{word}"'])
+        rule.dxf = DifferentialStyle(
+            font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid")
+        )
+        sheet.conditional_formatting.add(cells, rule)

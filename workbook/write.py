@@ -1,0 +1,186 @@
+"""Write a declared book to a file: cells, styles, names, charts, cached values, the same bytes each time."""
+
+from __future__ import annotations
+
+import os
+import re
+import tempfile
+import zipfile
+from collections.abc import Callable
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import formualizer
+from openpyxl import Workbook
+from openpyxl.utils import get_column_letter, quote_sheetname
+from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.workbook.properties import CalcProperties
+from openpyxl.worksheet.hyperlink import Hyperlink
+from openpyxl.worksheet.worksheet import Worksheet
+from pydantic import BaseModel
+
+from workbook import charts, rules, style
+from workbook.declare import FIRST, Block, Book, Sheet
+from workbook.errors import WriteError
+
+EPOCH = (2020, 1, 1, 0, 0, 0)  # written into the file instead of the time of day
+WIDTHS = {1: 2, FIRST: 34}
+COLUMN_WIDTH = 12
+LAST_PAGE_COLUMN = 9
+
+
+def to_workbook(book: Book, model: type[BaseModel]) -> Workbook:
+    """Return ``book`` as an openpyxl workbook without cached values."""
+    workbook = Workbook()
+    workbook.remove(workbook.worksheets[0])
+    sheets = {sheet.title: workbook.create_sheet(sheet.title) for sheet in book.sheets}
+    styles = style.Styles(workbook)
+    for sheet in book.sheets:
+        page = sheets[sheet.title]
+        write_texts(sheet, page, styles)
+        for block in sheet.blocks:
+            write_block(block, page, styles)
+            validate(block, page, model)
+        for chart, row, column, width, height in sheet.charts:
+            page.add_chart(
+                charts.draw(chart, book, workbook, width, height), f"{get_column_letter(column)}{row}"
+            )
+        set_up_page(sheet, page)
+    for name, target in book.names():
+        workbook.defined_names[name] = DefinedName(name, attr_text=target)
+    styles.close()
+    workbook.properties.title = book.title
+    workbook.properties.creator = "motionbook"
+    workbook.calculation = CalcProperties(fullCalcOnLoad=True)
+    return workbook
+
+
+def write_texts(sheet: Sheet, page: Worksheet, styles: style.Styles) -> None:
+    """Write titles, labels and headers."""
+    for text in sheet.texts:
+        cell = page.cell(text.row, text.column, text.text)
+        style.apply(cell, styles.text(text.style))
+        if text.link:
+            target = f"{quote_sheetname(text.link)}!A1"
+            cell.hyperlink = Hyperlink(cell.coordinate, location=target, tooltip=f"Go to {text.link}")
+        if text.style == "equation":
+            page.row_dimensions[text.row].height = 44
+        elif text.style == "header":
+            page.row_dimensions[text.row].height = 32
+
+
+def write_block(block: Block, page: Worksheet, styles: style.Styles) -> None:
+    """Write the cells of one block, each column in one style."""
+    formats: dict[str, Any] = {}
+    for q in block.quantities:
+        values = (
+            q.value
+            if q.format or not hasattr(q.value, "__len__") or isinstance(q.value, str)
+            else list(q.value)
+        )
+        sample = peak(values) if isinstance(values, list) else values
+        formats[q.name] = styles.quantity(q.role, style.number_format(q, sample), block.is_table)
+    for q, _, row, column, content in (c[1:6] for c in block.cells()):
+        cell = page.cell(row, column, content)
+        style.apply(cell, formats[q.name])
+    for q in block.quantities:
+        if q.role == "check":
+            style.mark_checks(page, block.reference(q.name).replace("$", ""))
+
+
+def peak(values: list[Any]) -> Any:
+    """Return the number of largest size among ``values``, or the first of them."""
+    numbers = [v for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
+    return max(numbers, key=abs) if numbers else (values[0] if values else None)
+
+
+def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
+    """Attach the rule of each input to its cells."""
+    for q in block.quantities:
+        if q.role == "input":
+            rule = rules.validation(model, q)
+            rule.add(block.reference(q.name).replace("$", ""))
+            page.add_data_validation(rule)
+
+
+def set_up_page(sheet: Sheet, page: Worksheet) -> None:
+    """Columns, panes, protection without a password, and how it prints."""
+    used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
+    for column in range(1, max(used, LAST_PAGE_COLUMN) + 1):
+        page.column_dimensions[get_column_letter(column)].width = WIDTHS.get(column, COLUMN_WIDTH)
+    page.sheet_view.showGridLines = False
+    page.freeze_panes = "A4"
+    page.protection.sheet = True
+    page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
+    page.page_setup.orientation, page.page_setup.paperSize = "landscape", 9
+    page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, 0
+    page.sheet_properties.pageSetUpPr.fitToPage = True
+    page.print_title_rows = "1:3"
+    right = get_column_letter(sheet.print_columns or max(used, LAST_PAGE_COLUMN))
+    page.print_area = f"A1:{right}{max(sheet.row, 30)}"
+    page.oddFooter.left.text, page.oddFooter.center.text = "&F", "&A"
+    page.oddFooter.right.text = "Page &P of &N"
+
+
+def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) -> None:
+    """Save with cached values filled in: beside the target first, then renamed onto it.
+
+    Raises WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written.
+    """
+    refuse_existing(path, overwrite)
+
+    def write(draft: Path) -> None:
+        workbook.save(draft)
+        formualizer.recalculate_file(str(draft))
+        normalise(draft, [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts])
+
+    replace(path, write)
+
+
+def refuse_existing(path: Path, overwrite: bool) -> None:
+    """Raise WriteError where ``path`` exists and may not be replaced."""
+    if path.exists() and not overwrite:
+        raise WriteError(
+            f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)"
+        )
+
+
+def replace(path: Path, write: Callable[[Path], None]) -> None:
+    """Let ``write`` fill a new file beside ``path``, then move it there; a failure leaves the old file whole."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
+    except OSError as error:
+        raise WriteError(f"{path}: cannot be written: {error.strerror or error}") from error
+    os.close(handle)
+    draft = Path(name)
+    try:
+        write(draft)
+        draft.chmod(0o644)
+        draft.replace(path)
+    except PermissionError as error:
+        raise WriteError(f"{path}: cannot be written; close it in the other program and try again") from error
+    except OSError as error:
+        raise WriteError(f"{path}: cannot be written: {error.strerror or error}") from error
+    finally:
+        draft.unlink(missing_ok=True)
+
+
+def normalise(path: Path, abouts: list[tuple[str, str]]) -> None:
+    """Rewrite the archive with fixed times, and with alternative text on its charts, which openpyxl lacks."""
+    with zipfile.ZipFile(path) as old:
+        members = [(info.filename, old.read(info)) for info in old.infolist()]
+    titles = iter(abouts)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as new:
+        for name, data in members:
+            if name == "docProps/core.xml":
+                data = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, data)
+            elif re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
+                data = re.sub(rb'name="Chart \d+"', lambda _: describe(*next(titles)), data)
+            new.writestr(zipfile.ZipInfo(name, EPOCH), data, zipfile.ZIP_DEFLATED)
+
+
+def describe(title: str, about: str) -> bytes:
+    """Return the name and description attributes of a chart."""
+    return f'name="{escape(title)}" descr="{escape(about)}"'.encode()
