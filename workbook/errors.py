@@ -21,3 +21,7 @@ class ReadError(MotionbookError):
 
 class WriteError(MotionbookError):
     """A file that cannot be written, or must not be."""
+
+
+class WitnessError(MotionbookError):
+    """A witness that is absent, or that cannot evaluate the file."""

@@ -1,0 +1,40 @@
+"""What a witness is: something that takes a workbook file and says what each formula cell computes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Protocol
+
+import openpyxl
+from openpyxl import Workbook
+
+from workbook.address import Address
+from workbook.files import BookFile
+
+
+class Witness(Protocol):
+    """One way to evaluate a workbook, independent of the others."""
+
+    name: str
+
+    def version(self) -> str | None:
+        """Return the version of the program that evaluates, or None where it is not on this machine."""
+
+    def values(self, file: BookFile) -> dict[Address, Any]:
+        """Return the value of every formula cell; raise WitnessError where that cannot be had."""
+
+
+def formula_cells(workbook: Workbook) -> Iterator[Address]:
+    """Yield the address of every formula cell."""
+    for sheet in workbook.worksheets:
+        for row in sheet.iter_rows():
+            for cell in row:
+                if cell.data_type == "f":
+                    yield Address(sheet.title, cell.row, cell.column)
+
+
+def cached_values(path: Path, file: BookFile) -> dict[Address, Any]:
+    """Return what the file at ``path`` holds as results of the formula cells of ``file``."""
+    held = openpyxl.load_workbook(path, data_only=True)
+    return {a: held[a.sheet].cell(a.row, a.column).value for a in formula_cells(file.workbook)}
