@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from typing import cast
 
@@ -55,7 +54,7 @@ def cutting_machine(machine: Machine) -> Book:
     axes = [a.name for a in given.timing.axes]
     about_sheet(
         book,
-        version("motionbook"),
+        workbook.__version__,
         "A three-axis cutting machine: motion laws, timing diagram, and the drive of the feeding group.",
         [result(f"about_a{i}", f"Greatest acceleration of {name}", "ÿ_max", "m/s²", f"=INDEX([axes.a],{i})",
                 max((m.a_max for m in reference.diagram.movements(reference.rate) if m.axis == name), default=0.0), scale=1e-3)

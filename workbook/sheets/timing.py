@@ -33,7 +33,7 @@ def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
         calc("timing_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", 360 * 1e-12, format="0E+00", source="an angle this near to a phase's begin counts as on it"),
     )  # fmt: skip
     axes_table(sheet, machine)
-    draw_diagram(sheet, timing.axes, sizes)
+    draw_diagram(sheet, timing.axes)
     sheet.row = max(sheet.row, 31)
     for i, axis in enumerate(timing.axes, 1):
         phases(sheet, machine, i, axis, sizes)
