@@ -8,7 +8,7 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 ``[xi]``              the cell of column ``xi`` in the same row of the same table
 ``[xi-1]``            the cell one row above it
 ``[samples.xi]``      the whole column ``xi`` of table ``samples``, absolute
-``[samples.xi.first]``, ``.last``   its first and last cell
+``[samples.xi.first]``, ``.last``, ``.3``   its first, last, third cell
 ``drive_rate``        anything else is Excel's own text; scalars go by defined name
 ====================  ==========================================================
 """
@@ -24,7 +24,7 @@ from typing import Any, Literal, NamedTuple
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 Role = Literal["input", "calculation", "result", "check", "constant"]
-REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last)?\]")
+REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
 
 
 @dataclass(frozen=True)
@@ -112,10 +112,11 @@ class Block:
         return span(self.row, self.column, self.row + self.size - 1, self.column + len(self.quantities) - 1)
 
     def reference(self, quantity: str, end: str = "") -> str:
-        """Return the absolute range of one column, or its first or last cell."""
+        """Return the absolute range of one column, or one cell of it: ``.first``, ``.last``, or its number."""
         top, bottom = self.row, self.row + self.size - 1
         if end:
-            top = bottom = top if end == ".first" else bottom
+            row = {".first": 1, ".last": self.size}.get(end) or int(end[1:])
+            top = bottom = self.row + row - 1
         column = self.columns[quantity]
         return span(top, column, bottom, column)
 

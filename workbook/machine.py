@@ -233,9 +233,9 @@ class Sizes(Model):
     cycle: Annotated[int, Field(ge=4, le=7200)] = 360
     law: Annotated[int, Field(ge=4, le=1000)] = 100
     own_law: Annotated[int, Field(ge=4, le=1000)] = 200
-    phases: Annotated[int, Field(ge=1, le=60)] = 8
-    rotors: Annotated[int, Field(ge=1, le=60)] = 6
-    pieces: Annotated[int, Field(ge=1, le=60)] = 8
+    phases: Annotated[int, Field(ge=2, le=60)] = 8
+    rotors: Annotated[int, Field(ge=2, le=60)] = 6
+    pieces: Annotated[int, Field(ge=2, le=60)] = 8
 
 
 class Machine(Model):

@@ -195,7 +195,7 @@ def stack(sheet: Sheet, rows: list[Row], sizes: Sizes) -> None:
             if r.law == "DWL" or (r.law != "OWN" and name in ("c2", "c3")):
                 found.append("=1" if name == "d" else "=0")
             else:
-                found.append(f"=INDEX([{table}.{name}],{k})")
+                found.append(f"=[{table}.{name}.{k}]")
         return found
 
     block = sheet.table(

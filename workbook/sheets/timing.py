@@ -53,6 +53,8 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
     """Declare the names of the axes and what each comes to."""
     axes = machine.machine.timing.axes
     best = [movements(machine, i) for i in (1, 2, 3)]
+    positions = [a.motion.at(np.deg2rad(machine.angles)).y / MM for a in machine.axes]
+    lows, highs = [float(y.min()) for y in positions], [float(y.max()) for y in positions]
     sheet.row += 1
     sheet.table(
         "axes", "Axes", 3,
@@ -61,6 +63,8 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
         given("closes", "closes in", "", "", [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
         calc("travel", "travel a cycle", "Σh", "mm", [f"=SUM([axis{i}.lift])" for i in (1, 2, 3)],
              [sum(p.lift for p in a.phases) for a in axes], scale=1.0),
+        calc("low", "lowest position", "", "mm", [f"=MIN([cycle.y{i}])" for i in (1, 2, 3)], lows, scale=1.0),
+        calc("high", "highest position", "", "mm", [f"=MAX([cycle.y{i}])" for i in (1, 2, 3)], highs, scale=1.0),
         result("v", "greatest velocity", "ẏ_max", "m/s", [f"=MAX([axis{i}.v])" for i in (1, 2, 3)], [max((m.v_max for m in b), default=0.0) for b in best], scale=1e-3),
         result("a", "greatest acceleration", "ÿ_max", "m/s²", [f"=MAX([axis{i}.a])" for i in (1, 2, 3)], [max((m.a_max for m in b), default=0.0) for b in best], scale=1e-3),
     )  # fmt: skip
@@ -177,16 +181,7 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
             result(f"t{i}", f"{name} velocity", "ẏ", "m/s", f"=[g{i}]*timing_omega", at.y1 * speed, source="y' ω", scale=1e-3),
             result(f"tt{i}", f"{name} acceleration", "ÿ", "m/s²", f"=[gg{i}]*timing_omega^2", at.y2 * speed**2, source="y'' ω²", scale=1e-3),
         ]  # fmt: skip
-        lanes.append(
-            calc(
-                f"lane{i}",
-                f"{name} in the diagram",
-                "",
-                "",
-                f"={3 - i}+IF(MAX([cycle.y{i}])>MIN([cycle.y{i}]),0.8*([y{i}]-MIN([cycle.y{i}]))/(MAX([cycle.y{i}])-MIN([cycle.y{i}])),0)",
-                lane(y, 3 - i),
-            )
-        )
+        lanes.append(calc(f"lane{i}", f"{name} in the diagram", "", "", LANE.format(i, 3 - i), lane(y, 3 - i)))
         workings += located(i, axis, theta, pieces)
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(theta),
@@ -195,6 +190,9 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
         constant("k", "sample", "k", "", list(range(len(theta)))),
         *workings,
     )  # fmt: skip
+
+
+LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],0.8*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
 
 
 def lane(y: np.ndarray, floor: int) -> np.ndarray:
