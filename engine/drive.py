@@ -1,29 +1,28 @@
-"""The drive of one axis: reflected inertia, load torque, inverse dynamics, limits of the motor (S1, feeding group)."""
+"""The drive of an axis: reflected inertia, load, transmission, motor; torque, power and limits. SI units."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from math import sqrt
-from typing import Any, Literal, NamedTuple
+from dataclasses import dataclass, field
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+from engine.laws.base import Array, require_finite
+from engine.motion import Phase
 
 STANDSTILL = 1e-9
-"""rad/s at the load shaft; slower than this counts as standing, so that rounding never decides the power's sign."""
-
-
-def _positive(what: str, value: float, zero: bool = False) -> None:
-    if not (value >= 0 if zero else value > 0):
-        raise ValueError(f"{what}: expected a number {'of at least' if zero else 'above'} 0, found {value:g}")
+"""rad/s at the load shaft; a slower shaft counts as standing"""
 
 
 @dataclass(frozen=True)
 class Inertia:
-    """``count`` parts of moment of inertia ``J`` (kg m²) that turn ``speed_ratio`` times as fast as the load shaft."""
+    """``count`` equal parts of inertia ``J`` (kg m²); ``speed_ratio`` is ω_i/ω_1, 1 the load shaft.
+
+    Raises ValueError for a negative count or inertia.
+    """
 
     name: str
     count: float
@@ -31,26 +30,31 @@ class Inertia:
     speed_ratio: float = 1.0
 
     def __post_init__(self) -> None:
-        _positive(f"count of {self.name}", self.count, zero=True)
-        _positive(f"inertia of {self.name}", self.J, zero=True)
+        """Check what was given."""
+        _not_negative(self.name, count=self.count, J=self.J)
+        require_finite(speed_ratio=self.speed_ratio)
 
     @property
     def reflected(self) -> float:
-        """The inertia at the load shaft: count · J · (ω_i/ω_1)²."""
+        """Inertia at the load shaft, count · J · (ω_i/ω_1)², in kg m²."""
         return self.count * self.J * self.speed_ratio**2
 
 
 def reflected_inertia(parts: Sequence[Inertia]) -> float:
-    """Return J_tot = Σ count · J · (ω_i/ω_1)² in kg m², from equal kinetic energies (S1, 'equivalent J')."""
-    return sum(part.reflected for part in parts)
+    """Return J_tot = Σ count · J · (ω_i/ω_1)², in kg m² at the load shaft.
+
+    Source: S1, 'Feeding group layout', J_tot = 4 J1 + 4 J2.
+    """
+    return math.fsum(part.reflected for part in parts)
 
 
 @dataclass(frozen=True)
 class Load:
-    """What turns with the load shaft: ``inertia`` J_tot (kg m²) and ``torque`` C_r = F_r R (Nm).
+    """Inertia J_tot (kg m²) and resisting torque C_r = F_r R (Nm) at the load shaft.
 
-    ``always``: the torque acts in one direction, also at rest. ``moving``: it opposes the motion, and is
-    zero at rest.
+    ``always``: the torque acts in one direction, also at rest, like a weight. ``moving``: it opposes the
+    motion, C_r sign(ω_r), and is zero at standstill, like friction.
+    Raises ValueError for a negative inertia or another word. Source: S1, 'Feeding group'.
     """
 
     inertia: float
@@ -58,65 +62,94 @@ class Load:
     resists: Literal["always", "moving"] = "always"
 
     def __post_init__(self) -> None:
-        _positive("inertia of the load", self.inertia, zero=True)
+        """Check what was given."""
+        _not_negative("load", inertia=self.inertia)
+        require_finite(torque=self.torque)
         if self.resists not in ("always", "moving"):
-            raise ValueError(f"the load resists 'always' or 'moving', not {self.resists!r}")
+            raise ValueError(f"resists is {self.resists!r}; expected 'always' or 'moving'")
 
 
 @dataclass(frozen=True)
 class Transmission:
-    """A reducer of constant ``ratio`` τ = ω_r/ω_m and ``efficiency`` η in (0, 1]."""
+    """Transmission ratio τ = ω_r/ω_m (load to motor) and efficiency η.
+
+    Raises ValueError unless τ > 0 and 0 < η ≤ 1.
+    """
 
     ratio: float
     efficiency: float = 1.0
 
     def __post_init__(self) -> None:
-        _positive("transmission ratio", self.ratio)
-        if not 0 < self.efficiency <= 1:
-            raise ValueError(f"efficiency: expected more than 0 and at most 1, found {self.efficiency:g}")
+        """Check what was given."""
+        require_finite(ratio=self.ratio)
+        if not self.ratio > 0.0:
+            raise ValueError(f"ratio is {self.ratio:g}; expected more than 0")
+        if not 0.0 < self.efficiency <= 1.0:
+            raise ValueError(f"efficiency is {self.efficiency:g}; expected more than 0 and at most 1")
 
 
 @dataclass(frozen=True)
 class Motor:
-    """A motor: ``inertia`` J_m (kg m²), ``rated_torque`` and ``peak_torque`` (Nm), ``max_speed`` (rad/s)."""
+    """Inertia (kg m²), rated and peak torque (Nm) and largest speed (rad/s); no limit is given by infinity.
+
+    Raises ValueError for a negative inertia or a limit that is not above 0.
+    """
 
     inertia: float
-    rated_torque: float
-    peak_torque: float
-    max_speed: float
+    rated_torque: float = math.inf
+    peak_torque: float = math.inf
+    max_speed: float = math.inf
 
     def __post_init__(self) -> None:
-        _positive("inertia of the motor", self.inertia, zero=True)
-        _positive("rated torque", self.rated_torque)
-        _positive("peak torque", self.peak_torque)
-        _positive("largest speed", self.max_speed)
-
-
-class OperatingPoints(NamedTuple):
-    """Speed (rad/s), torque (Nm) and power (W) of the motor, one for each sample."""
-
-    speed: Any
-    torque: Any
-    power: Any
+        """Check what was given."""
+        _not_negative("motor", inertia=self.inertia)
+        for name in ("rated_torque", "peak_torque", "max_speed"):
+            if not getattr(self, name) > 0.0:
+                raise ValueError(f"motor: {name} is {getattr(self, name):g}; expected more than 0")
 
 
 @dataclass(frozen=True)
-class LimitCheck:
-    """One limit of the motor: what is used of it, and whether that fits."""
+class OperatingPoints:
+    """Speed (rad/s), torque (Nm) and power (W) at the motor shaft, sample by sample.
 
-    name: str
-    value: float
-    limit: float
+    ``time`` (s) of each sample, or None for equal steps.
+    """
+
+    speed: Array
+    torque: Array
+    power: Array
+    time: Array | None = field(default=None)
 
     @property
-    def ok(self) -> bool:
-        """Whether the limit holds."""
-        return self.value <= self.limit
+    def peak_torque(self) -> float:
+        """max |C_m|"""
+        return float(np.abs(self.torque).max())
+
+    @property
+    def highest_torque(self) -> float:
+        """Largest C_m, with its sign."""
+        return float(self.torque.max())
+
+    @property
+    def lowest_torque(self) -> float:
+        """Lowest C_m, with its sign."""
+        return float(self.torque.min())
+
+    @property
+    def max_speed(self) -> float:
+        """max |ω_m|"""
+        return float(np.abs(self.speed).max())
+
+    @property
+    def rms_torque(self) -> float:
+        """sqrt(∫C_m² dt / t), by the trapezoidal rule on the samples."""
+        time = np.arange(len(self.torque), dtype=np.float64) if self.time is None else self.time
+        return math.sqrt(float(np.trapezoid(self.torque**2, time)) / float(time[-1] - time[0]))
 
 
 @dataclass(frozen=True)
 class Drive:
-    """Load, reducer and motor; speeds ``w`` (rad/s) and accelerations ``dw`` (rad/s²) are the load shaft's."""
+    """Load, transmission and motor in line; speeds ω_r and accelerations ω̇_r are those of the load shaft."""
 
     load: Load
     transmission: Transmission
@@ -124,69 +157,107 @@ class Drive:
 
     @property
     def effective_inertia(self) -> float:
-        """What the motor feels per unit of ω̇_r without losses: J_m/τ + τ J_tot, in kg m²."""
-        tau = self.transmission.ratio
-        return self.motor.inertia / tau + tau * self.load.inertia
+        """J_m/τ + τ J_tot (kg m²): the motor's torque per unit of ω̇_r, without losses."""
+        return self.motor.inertia / self.transmission.ratio + self.transmission.ratio * self.load.inertia
 
-    def load_torque(self, w: ArrayLike) -> Any:
-        """Return C_r in Nm: constant, or against the motion and zero at rest."""
-        speed = np.asarray(w, dtype=np.float64)
+    def load_torque(self, w_r: ArrayLike) -> Array:
+        """Return the resisting torque C_r (Nm) at the speed ω_r (rad/s)."""
+        w = np.asarray(w_r, dtype=np.float64)
         if self.load.resists == "always":
-            return np.full_like(speed, self.load.torque)
-        return np.where(np.abs(speed) < STANDSTILL, 0.0, np.sign(speed) * self.load.torque)
+            return np.full(w.shape, self.load.torque)
+        return self.load.torque * np.where(_stands(w), 0.0, np.sign(w))
 
-    def total_load_torque(self, w: ArrayLike, dw: ArrayLike) -> Any:
-        """Return C*_r = C_r + J_tot ω̇_r in Nm (S1)."""
-        return self.load_torque(w) + self.load.inertia * np.asarray(dw, dtype=np.float64)
+    def total_load_torque(self, w_r: ArrayLike, dw_r: ArrayLike) -> Array:
+        """Return C*_r = C_r + J_tot ω̇_r (Nm). Source: S1, 'Feeding group'."""
+        return self.load_torque(w_r) + self.load.inertia * np.asarray(dw_r, dtype=np.float64)
 
-    def loss_factor(self, w: ArrayLike, dw: ArrayLike) -> Any:
-        """Return 1/η where the motor drives the load, η where the load drives the motor."""
-        speed, eta = np.asarray(w, dtype=np.float64), self.transmission.efficiency
-        drives = (self.total_load_torque(w, dw) * speed >= 0) | (np.abs(speed) < STANDSTILL)
-        return np.where(drives, 1 / eta, eta)
+    def loss_factor(self, w_r: ArrayLike, dw_r: ArrayLike) -> Array:
+        """Return f: 1/η where the motor drives the load, C*_r ω_r ≥ 0, or the shaft stands; else η.
 
-    def motor_torque(self, w: ArrayLike, dw: ArrayLike) -> Any:
-        """Return C_m = (J_m/τ) ω̇_r + τ C*_r f in Nm, with f the loss factor (S1's equation has f = 1)."""
-        tau = self.transmission.ratio
-        inertial = self.motor.inertia / tau * np.asarray(dw, dtype=np.float64)
-        return inertial + tau * self.total_load_torque(w, dw) * self.loss_factor(w, dw)
-
-    def motor_speed(self, w: ArrayLike) -> Any:
-        """Return ω_m = ω_r/τ in rad/s."""
-        return np.asarray(w, dtype=np.float64) / self.transmission.ratio
-
-    def power(self, w: ArrayLike, dw: ArrayLike) -> Any:
-        """Return C_m ω_m in W; negative where the motor brakes."""
-        return self.motor_torque(w, dw) * self.motor_speed(w)
-
-    def operating_points(self, w: ArrayLike, dw: ArrayLike) -> OperatingPoints:
-        """Return speed, torque and power of the motor, S1's torque-against-rpm plot."""
-        return OperatingPoints(self.motor_speed(w), self.motor_torque(w, dw), self.power(w, dw))
-
-    def rms_lossless(self, dw_rms: float, resisting_share: float = 1.0) -> float:
-        """Return the exact RMS torque in Nm for η = 1, of a cycle whose phases start and end at rest.
-
-        √((J_m/τ + τ J_tot)² ω̇²_rms + τ² C_r² φ), with ω̇_rms over the whole cycle and φ the share of it in
-        which the load resists; the mixed term vanishes, as each phase gives back the speed it took.
+        Where the load drives the motor, the losses help to brake.
         """
-        return sqrt(
-            (self.effective_inertia * dw_rms) ** 2
-            + (self.transmission.ratio * self.load.torque) ** 2 * resisting_share
-        )
+        w, eta = np.asarray(w_r, dtype=np.float64), self.transmission.efficiency
+        driven = (self.total_load_torque(w, dw_r) * w >= 0.0) | _stands(w)
+        return np.where(driven, 1.0 / eta, eta)
+
+    def motor_torque(self, w_r: ArrayLike, dw_r: ArrayLike) -> Array:
+        """Return C_m = (J_m/τ) ω̇_r + τ C*_r f (Nm), f the loss factor.
+
+        Source: S1, 'Feeding group', last equation, where f = 1.
+        """
+        tau = self.transmission.ratio
+        inertial = self.motor.inertia / tau * np.asarray(dw_r, dtype=np.float64)
+        return inertial + tau * self.total_load_torque(w_r, dw_r) * self.loss_factor(w_r, dw_r)
+
+    def motor_speed(self, w_r: ArrayLike) -> Array:
+        """Return ω_m = ω_r/τ (rad/s)."""
+        return np.asarray(w_r, dtype=np.float64) / self.transmission.ratio
+
+    def power(self, w_r: ArrayLike, dw_r: ArrayLike) -> Array:
+        """Return the motor's power C_m ω_m (W), negative where it brakes."""
+        return self.motor_torque(w_r, dw_r) * self.motor_speed(w_r)
+
+    def operating_points(
+        self, w_r: ArrayLike, dw_r: ArrayLike, time: ArrayLike | None = None
+    ) -> OperatingPoints:
+        """Return speed, torque and power at the motor for samples of ω_r (rad/s) and ω̇_r (rad/s²)."""
+        torque, speed = self.motor_torque(w_r, dw_r), self.motor_speed(w_r)
+        at = None if time is None else np.asarray(time, dtype=np.float64)
+        return OperatingPoints(speed, torque, torque * speed, at)
 
 
-def rms(values: ArrayLike) -> float:
-    """Return the root mean square of equally spaced samples that include both ends, by the trapezoidal rule."""
-    squares = np.asarray(values, dtype=np.float64) ** 2
-    if squares.size < 2:
-        raise ValueError("the RMS of a cycle needs at least two samples")
-    return sqrt(float(np.mean((squares[1:] + squares[:-1]) / 2)))
+def rms_lossless(drive: Drive, phases: Sequence[Phase], radius: float) -> float:
+    """Return the exact RMS torque (Nm) of the motor over the phases, for η = 1, from the laws' coefficients.
+
+    C_m,rms² = (J_m/τ + τ J_tot)² ⟨ω̇²⟩ + 2 (J_m/τ + τ J_tot) τ ⟨ω̇ C_r⟩ + τ² ⟨C_r²⟩
+
+    A phase of lift h (m) in the duration t (s), on a wheel of ``radius`` R (m), adds C_a,rms² (h/R)²/t³ to
+    ∫ω̇² dt, and C_r times its gain of ω (of |ω|, where the load resists only while moving) to ∫ω̇ C_r dt.
+    The transmission's efficiency is left out; a movement is taken to stand still at single instants only.
+    Raises ValueError for no phases or a radius that is not above 0.
+    """
+    if not phases or not (math.isfinite(radius) and radius > 0.0):
+        raise ValueError(f"{len(phases)} phases and radius {radius:g}; expected a phase and a radius above 0")
+    time = math.fsum(p.duration for p in phases)
+    square = math.fsum((p.law.coefficients.ca_rms * p.lift / radius) ** 2 / p.duration**3 for p in phases)
+    always = drive.load.resists == "always"
+    gained = math.fsum(_speed_gain(p, signed=always) / radius for p in phases)
+    resisting = time if always else math.fsum(p.duration for p in phases if p.lift != 0.0)
+    inertia, torque = drive.effective_inertia, drive.transmission.ratio * drive.load.torque
+    total = inertia**2 * square + 2.0 * inertia * torque * gained + torque**2 * resisting
+    return math.sqrt(max(total, 0.0) / time)
+
+
+class LimitCheck(NamedTuple):
+    """A quantity against the motor's limit, in the limit's unit."""
+
+    name: str
+    value: float
+    limit: float
+    ok: bool
 
 
 def checks(points: OperatingPoints, motor: Motor) -> tuple[LimitCheck, ...]:
-    """Return the three checks of a motor: RMS within rated torque, peak torque, largest speed (S5, conditions of [6])."""
-    return (
-        LimitCheck("RMS torque", rms(points.torque), motor.rated_torque),
-        LimitCheck("peak torque", float(np.max(np.abs(points.torque))), motor.peak_torque),
-        LimitCheck("speed", float(np.max(np.abs(points.speed))), motor.max_speed),
+    """Return RMS torque, peak torque and speed, each against the motor's limit."""
+    found = (
+        ("RMS torque", points.rms_torque, motor.rated_torque),
+        ("peak torque", points.peak_torque, motor.peak_torque),
+        ("speed", points.max_speed, motor.max_speed),
     )
+    return tuple(LimitCheck(name, value, limit, value <= limit) for name, value, limit in found)
+
+
+def _speed_gain(phase: Phase, signed: bool) -> float:
+    per = phase.lift / phase.duration
+    begin, end = per * phase.law.start.v, per * phase.law.end.v
+    return end - begin if signed else abs(end) - abs(begin)
+
+
+def _stands(w: Array) -> NDArray[np.bool_]:
+    return np.abs(w) < STANDSTILL
+
+
+def _not_negative(where: str, **quantities: float) -> None:
+    for name, value in quantities.items():
+        if not (math.isfinite(value) and value >= 0.0):
+            raise ValueError(f"{where}: {name} is {value:g}; expected a finite number, 0 or more")

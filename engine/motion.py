@@ -1,43 +1,40 @@
-"""Phases joined into a motion over an abscissa: y = h s(ξ) + what came before (S3, with its misprint mended)."""
+"""Phases joined into a motion over an abscissa: the angle of a shaft, time, or the travel of a product."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from functools import cached_property
+from typing import Any, Generic, NamedTuple, Self, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.laws import Law, law
-from engine.laws.base import BREAK_TOLERANCE
+from engine.laws import Dwell, Law, law
+from engine.laws.base import Array, Real, require_finite, unwrap
 
-Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Phase:
-    """One phase: a law, its lift (m, rad …) and its duration, in units of the abscissa (rad, s, m …)."""
-
-    law: Law
-    lift: float
-    duration: float
-
-    def __post_init__(self) -> None:
-        if not self.duration > 0:
-            raise ValueError(f"phase {self.law.code}: expected a duration above 0, found {self.duration:g}")
+EDGE_TOLERANCE = 1e-12
+"""A sample this near to an edge, in units of the whole abscissa, counts as on it."""
 
 
-class MotionValues(NamedTuple):
-    """Position and its first two derivatives: per unit of the abscissa, or of time."""
+class MotionValues(NamedTuple, Generic[Real]):
+    """Position y, geometric velocity y' and acceleration y'', per unit of the abscissa."""
 
-    y: Any
-    y1: Any
-    y2: Any
+    y: Real
+    y1: Real
+    y2: Real
+
+
+class TimeValues(NamedTuple, Generic[Real]):
+    """Position y, velocity ẏ and acceleration ÿ in time."""
+
+    y: Real
+    v: Real
+    a: Real
 
 
 class MotionSamples(NamedTuple):
-    """N samples of a motion over its whole abscissa."""
+    """A motion sampled at equal steps of its abscissa."""
 
     abscissa: Array
     y: Array
@@ -46,8 +43,31 @@ class MotionSamples(NamedTuple):
 
 
 @dataclass(frozen=True)
+class Phase:
+    """A law, carried out over a lift (negative for a return) in a duration (in units of the abscissa).
+
+    Raises ValueError unless the duration is positive, both are finite, and a dwell has no lift.
+    """
+
+    law: Law
+    lift: float
+    duration: float
+
+    def __post_init__(self) -> None:
+        """Check what was given."""
+        require_finite(lift=self.lift, duration=self.duration)
+        if self.duration <= 0.0:
+            raise ValueError(f"duration is {self.duration:g}; expected more than 0")
+        if isinstance(self.law, Dwell) and self.lift != 0.0:
+            raise ValueError(f"lift is {self.lift:g} in a dwell; expected 0")
+
+
+@dataclass(frozen=True)
 class Junction:
-    """Where phase ``before`` ends and phase ``after`` begins: the steps of y, y', y'' from one to the other."""
+    """Where phase ``before`` ends and phase ``after`` begins, with the jumps (after less before) at ``x``.
+
+    At the wrap of the cycle, ``jump_y`` is what the cycle does not close by: y(end) − y(start).
+    """
 
     x: float
     before: int
@@ -58,107 +78,140 @@ class Junction:
 
 
 class Motion:
-    """Phases one after the other, each beginning where the lifts before it add up to.
+    """Phases one after the other: y = y_k + h s(ξ), y' = h v(ξ)/δ, y'' = h a(ξ)/δ², ξ = (x − x_k)/δ.
 
-    A law that does not reach s = 1 shows as a jump of position at the end of its phase. At a junction the
-    values are those of the later phase; a sample within 1e-12 of the whole abscissa counts as on it.
+    The abscissa begins at ``start``, the position at ``position``, and each phase takes over the position
+    where the lifts before have brought it. (S3's listing leaves that out, so that a dwell after a rise would
+    drop to 0.) Right-continuous at the edges; at the last edge the left limit.
+    Raises ValueError for no phases. Source: S3, function motionlaw.
     """
 
     def __init__(self, phases: Sequence[Phase], start: float = 0.0, position: float = 0.0) -> None:
-        edges = start + np.concatenate([[0.0], np.cumsum([p.duration for p in phases])])
-        self._set(tuple(phases), edges, position)
+        self._set(phases, start + np.cumsum([0.0, *(p.duration for p in phases)]), position)
 
     @classmethod
     def from_edges(
         cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0
-    ) -> Motion:
-        """Return the motion whose phase k lies between ``edges[k]`` and ``edges[k + 1]``, to the last bit.
+    ) -> Self:
+        """Return the motion whose phases run between ``edges``, one more than lifts and laws, kept exactly.
 
-        Raises ValueError where the lengths do not match, or the edges do not rise.
+        Raises ValueError where the numbers do not go together or the edges do not rise.
         """
-        x = np.asarray(edges, dtype=np.float64)
-        if not len(x) - 1 == len(lifts) == len(laws):
+        bounds = np.array(edges, dtype=np.float64)
+        if not len(bounds) - 1 == len(lifts) == len(laws):
             raise ValueError(
-                f"{len(x) - 1} phases between edges, but {len(lifts)} lifts and {len(laws)} laws"
+                f"{len(bounds)} edges, {len(lifts)} lifts and {len(laws)} laws are given; "
+                "expected one lift and one law between each two edges"
             )
+        made = []
+        for k, (one, lift, duration) in enumerate(zip(laws, lifts, np.diff(bounds), strict=True), 1):
+            made.append(_phase(k, one, float(lift), float(duration)))
         motion = cls.__new__(cls)
-        phases = tuple(Phase(w, float(h), float(d)) for w, h, d in zip(laws, lifts, np.diff(x), strict=True))
-        motion._set(phases, x, position)
+        motion._set(made, bounds, position)
         return motion
 
-    def _set(self, phases: tuple[Phase, ...], edges: Array, position: float) -> None:
+    def _set(self, phases: Sequence[Phase], edges: Array, position: float) -> None:
         if not phases:
-            raise ValueError("a motion needs at least one phase")
-        self.phases, self.edges = phases, edges
-        self.total = float(edges[-1] - edges[0])
-        self.positions = position + np.concatenate([[0.0], np.cumsum([p.lift for p in phases])])
+            raise ValueError("a motion has no phases; expected at least one")
+        require_finite(start=float(edges[0]), position=position)
+        self.phases = tuple(phases)
+        self.edges = edges
+        self.edges.flags.writeable = False
+        self.position = position
 
-    @property
+    @cached_property
+    def total(self) -> float:
+        """Length of the abscissa."""
+        return float(self.edges[-1] - self.edges[0])
+
+    @cached_property
     def lifts_sum(self) -> float:
-        """The travel over the whole abscissa."""
-        return float(self.positions[-1] - self.positions[0])
+        """Sum of the lifts: the travel of a cycle."""
+        return float(sum(p.lift for p in self.phases))
 
-    def phase_index(self, x: ArrayLike) -> NDArray[np.intp]:
-        """Return the phase, from 0, of each abscissa; raise ValueError outside the motion."""
-        values = np.asarray(x, dtype=np.float64)
-        near = BREAK_TOLERANCE * self.total
-        if values.size and not (
-            values.min() >= self.edges[0] - near and values.max() <= self.edges[-1] + near
-        ):
-            raise ValueError(
-                f"the abscissa must lie in [{self.edges[0]:g}, {self.edges[-1]:g}], "
-                f"found values from {values.min():g} to {values.max():g}"
-            )
-        inside = np.minimum(values + near, self.edges[-1] - near)
-        return np.searchsorted(self.edges, inside, side="right") - 1
+    @cached_property
+    def _begins(self) -> Array:
+        """Position at the begin of each phase."""
+        return self.position + np.cumsum([0.0, *(p.lift for p in self.phases[:-1])])
 
-    def xi(self, x: ArrayLike) -> Any:
-        """Return the abscissa of each sample within its phase, from 0 to 1."""
-        values, k = np.asarray(x, dtype=np.float64), self.phase_index(x)
-        xi = (values - self.edges[k]) / (self.edges[k + 1] - self.edges[k])
-        return np.clip(xi, 0.0, 1.0)
+    @overload
+    def phase_index(self, x: float) -> int: ...
+    @overload
+    def phase_index(self, x: Array) -> NDArray[np.intp]: ...
+    def phase_index(self, x: float | Array) -> int | NDArray[np.intp]:
+        """Return the index of the phase at x: an int of a number, an array of x's shape of an array.
 
-    def at(self, x: ArrayLike) -> MotionValues:
-        """Return y, y', y'' at ``x``: floats for a scalar, else arrays of its shape. ValueError outside."""
-        given = np.asarray(x, dtype=np.float64)
-        flat = given.reshape(-1)
-        k, xi = self.phase_index(flat), self.xi(flat)
-        out = np.empty((3, flat.size))
-        for i in np.unique(k):
-            here, phase = k == i, self.phases[i]
-            s, v, a, _ = phase.law.evaluate(xi[here])
-            out[0, here] = self.positions[i] + phase.lift * s
-            out[1, here] = phase.lift / phase.duration * v
-            out[2, here] = phase.lift / phase.duration**2 * a
-        if given.ndim == 0:
-            return MotionValues(*(float(row[0]) for row in out))
-        return MotionValues(*(row.reshape(given.shape) for row in out))
-
-    def at_speed(self, x: ArrayLike, speed: float) -> MotionValues:
-        """Return y, dy/dt, d²y/dt² where the abscissa runs at a constant ``speed``: ẏ = y'ω, ÿ = y''ω² (S1)."""
-        y, y1, y2 = self.at(x)
-        return MotionValues(y, y1 * speed, y2 * speed**2)
-
-    def junctions(self) -> tuple[Junction, ...]:
-        """Return the jumps at every junction; the last is the wrap from the end to the begin.
-
-        There ``jump_y`` is what is missing for the cycle to close: y(begin) − y(end).
+        Raises ValueError outside the abscissa.
         """
-        return tuple(self._junction(k, (k + 1) % len(self.phases)) for k in range(len(self.phases)))
+        at = np.asarray(x, dtype=np.float64)
+        return unwrap(x, [self._locate(at.reshape(-1)).reshape(at.shape)])[0]  # type: ignore[no-any-return]
+
+    def xi(self, x: Real) -> Real:
+        """Return ξ, the share of its phase that has passed at x. Raises ValueError outside the abscissa."""
+        at = np.asarray(x, dtype=np.float64)
+        flat = at.reshape(-1)
+        return unwrap(x, [self._share(flat, self._locate(flat)).reshape(at.shape)])[0]  # type: ignore[no-any-return]
+
+    def at(self, x: Real) -> MotionValues[Real]:
+        """Return y, y', y'' at x: floats of a number, arrays of x's shape of an array.
+
+        Raises ValueError outside the abscissa.
+        """
+        at = np.asarray(x, dtype=np.float64)
+        flat = at.reshape(-1)
+        index = self._locate(flat)
+        xi = self._share(flat, index)
+        table = np.empty((3, flat.size))
+        for k in np.unique(index):
+            here, phase = index == k, self.phases[k]
+            values = phase.law.evaluate(xi[here])
+            per = phase.lift / phase.duration
+            table[0, here] = self._begins[k] + phase.lift * values.s
+            table[1, here] = per * values.v
+            table[2, here] = per / phase.duration * values.a
+        return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
+
+    def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:
+        """Return y, ẏ = y' w, ÿ = y'' w² at x, where the abscissa advances at the constant speed w."""
+        y, y1, y2 = self.at(x)
+        return TimeValues(y, y1 * speed, y2 * speed**2)
+
+    def junctions(self, periodic: bool = True) -> tuple[Junction, ...]:
+        """Return the jumps between the phases in order; of a periodic motion, the wrap last."""
+        last = len(self.phases) - 1
+        found = [self._junction(k, k + 1) for k in range(last)]
+        return tuple([*found, self._junction(last, 0)] if periodic else found)
 
     def _junction(self, before: int, after: int) -> Junction:
-        one, two = self.phases[before], self.phases[after]
-        end, start = one.law.end, two.law.start
-        reached = self.positions[before] + one.lift * end.s
-        begins = self.positions[after] + two.lift * start.s
+        one, other = self.phases[before], self.phases[after]
+        y_end = float(self._begins[before]) + one.lift * one.law.end.s
+        y_begin = float(self._begins[after]) + other.lift * other.law.start.s
         return Junction(
             x=float(self.edges[before + 1]),
             before=before,
             after=after,
-            jump_y=float(begins - reached),
-            jump_v=two.lift / two.duration * start.v - one.lift / one.duration * end.v,
-            jump_a=two.lift / two.duration**2 * start.a - one.lift / one.duration**2 * end.a,
+            jump_y=y_begin - y_end if after > before else y_end - y_begin,
+            jump_v=other.lift * other.law.start.v / other.duration - one.lift * one.law.end.v / one.duration,
+            jump_a=other.lift * other.law.start.a / other.duration**2
+            - one.lift * one.law.end.a / one.duration**2,
         )
+
+    def _locate(self, x: Array) -> NDArray[np.intp]:
+        tolerance = EDGE_TOLERANCE * self.total
+        if x.size:
+            low, high = x.min(), x.max()
+            if not (low >= self.edges[0] - tolerance and high <= self.edges[-1] + tolerance):
+                raise ValueError(
+                    f"x reaches from {low:.15g} to {high:.15g}; "
+                    f"expected numbers from {self.edges[0]:.15g} to {self.edges[-1]:.15g}"
+                )
+        found = np.searchsorted(self.edges, x + tolerance, side="right") - 1
+        return np.clip(found, 0, len(self.phases) - 1)
+
+    def _share(self, x: Array, index: NDArray[np.intp]) -> Array:
+        durations = np.array([p.duration for p in self.phases])
+        xi: Array = (x - self.edges[index]) / durations[index]
+        return np.minimum(np.maximum(xi, 0.0), 1.0)
 
 
 def motionlaw(
@@ -166,23 +219,39 @@ def motionlaw(
     lifts: Sequence[float],
     durations: Sequence[float],
     n: int,
-    parameters: Mapping[str, Mapping[str, Any]] | None = None,
+    parameters: Sequence[Mapping[str, Any] | None] | None = None,
 ) -> MotionSamples:
-    """Return ``n`` samples of a motion composed of named laws: S3's function of the same name.
+    """Return n samples, at equal steps, of the phases that three lists describe: S3's call in Python.
 
-    ``parameters`` gives a law's own parameters by its name. Velocity is per unit of the abscissa,
-    acceleration per its square. Raises ValueError where the lists differ in length or ``n`` < 2,
-    UnknownLawError for a name that no law has.
+    ``laws`` are names of the catalogue, ``lifts`` in any unit of y, ``durations`` in any unit of the
+    abscissa, ``parameters`` (if given) a mapping or None a phase, handed to its law.
+    Raises ValueError for lists of unequal length, fewer than two samples, or a phase that cannot be
+    (which says the phase), UnknownLawError for a name that is not in the catalogue.
+    Source: S3, function motionlaw, its misprint mended (see :class:`Motion`).
     """
-    if not len(laws) == len(lifts) == len(durations):
-        raise ValueError(
-            f"laws, lifts and durations must be of the same length; found {len(laws)}, {len(lifts)} and {len(durations)}"
-        )
+    given = {"laws": laws, "lifts": lifts, "durations": durations}
+    if parameters is not None:
+        given["parameters"] = parameters
+    lengths = {name: len(values) for name, values in given.items()}
+    if len(set(lengths.values())) > 1:
+        counts = ", ".join(f"{count} {name}" for name, count in lengths.items())
+        raise ValueError(f"{counts} are given; expected as many of each")
     if n < 2:
-        raise ValueError(f"expected at least 2 samples, found {n}")
-    given = parameters or {}
-    motion = Motion(
-        [Phase(law(w, **given.get(w, {})), h, d) for w, h, d in zip(laws, lifts, durations, strict=True)]
-    )
-    x = np.linspace(0.0, motion.total, n)
-    return MotionSamples(x, *motion.at(x))
+        raise ValueError(f"n is {n}; expected at least 2 samples")
+    settings = parameters if parameters is not None else [None] * len(laws)
+    phases = [
+        _phase(k, law(name, **(more or {})), lift, duration)
+        for k, (name, lift, duration, more) in enumerate(
+            zip(laws, lifts, durations, settings, strict=True), 1
+        )
+    ]
+    motion = Motion(phases)
+    abscissa = np.linspace(0.0, motion.total, n)
+    return MotionSamples(abscissa, *motion.at(abscissa))
+
+
+def _phase(number: int, one: Law, lift: float, duration: float) -> Phase:
+    try:
+        return Phase(one, lift, duration)
+    except ValueError as error:
+        raise ValueError(f"phase {number}: {error}") from None

@@ -1,24 +1,33 @@
-"""A timing diagram: named axes over one cycle of the master shaft, and what each movement demands (S1)."""
+"""A timing diagram: named axes over one cycle of the master shaft, and what each movement asks for."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import pi
 
+from engine.laws import Law
 from engine.motion import Motion
 
+FULL_TURN = 2.0 * math.pi  # rad
+FILL_TOLERANCE = 1e-9  # of the cycle
+CLOSE_TOLERANCE = 1e-9  # of the largest lift, or of the largest y'
 
-def shaft_speed(rate: float, cycle: float = 2 * pi) -> float:
-    """Return the speed of the master shaft in rad/s for ``rate`` cycles a second: ω = 2π · rate (S1)."""
-    if not rate > 0:
-        raise ValueError(f"expected a production rate above 0, found {rate:g}")
-    return cycle * rate
+
+def shaft_speed(rate: float) -> float:
+    """Return the speed of the master shaft, ω = 2π n, in rad/s, of n cycles per second (one piece a turn).
+
+    Raises ValueError unless n is finite and above 0.
+    Source: S1, 'Timing diagram for a cutting machine', 200 pieces per minute = 20.944 rad/s.
+    """
+    if not (math.isfinite(rate) and rate > 0.0):
+        raise ValueError(f"rate is {rate:g}; expected a finite number above 0")
+    return FULL_TURN * rate
 
 
 @dataclass(frozen=True)
 class Axis:
-    """A named axis: its motion over the cycle (m over rad). A ``feed`` advances every cycle and does not come back."""
+    """A named motion; a ``feed`` advances every cycle and does not come back."""
 
     name: str
     motion: Motion
@@ -26,82 +35,122 @@ class Axis:
 
     @property
     def closes(self) -> bool:
-        """Whether the cycle ends where it began: in position, or, for a feed, in velocity."""
+        """Whether the cycle joins the next without a jump of velocity and, but for a feed, of position."""
         wrap = self.motion.junctions()[-1]
-        scale = max(abs(p.lift) for p in self.motion.phases)
-        steady = abs(wrap.jump_v) <= 1e-9 * (scale / self.motion.total or 1.0)
-        return steady and (self.feed or abs(wrap.jump_y) <= 1e-9 * (scale or 1.0))
+        phases = self.motion.phases
+        lift = max(abs(p.lift) for p in phases)
+        speed = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in phases)
+        at_rest = abs(wrap.jump_v) <= CLOSE_TOLERANCE * speed
+        return at_rest and (self.feed or abs(wrap.jump_y) <= CLOSE_TOLERANCE * lift)
 
 
 @dataclass(frozen=True)
 class Movement:
-    """A phase that moves, in SI: geometric extremes per rad, and time extremes at the production rate.
+    """One rise or return of an axis and its peaks, in m, rad and s.
 
-    y'_max = C_v h/δ and y''_max = C_a h/δ²; ẏ_max = y'_max ω and ÿ_max = y''_max ω²; ÿ_rms over the movement (S1).
+    y'_max = C_v |h|/δ, y''_max = C_a |h|/δ²; at the shaft's speed ω, ẏ_max = y'_max ω,
+    ÿ_max = y''_max ω², and ÿ_rms = C_a,rms |h|/δ² ω² over the movement.
+    Source: S1, 'Timing diagram for a cutting machine', ÿ_max = c_a h/t_a².
     """
 
     axis: str
     phase: int
-    law: str
+    law: Law
     lift: float
     start: float
     stop: float
-    y1_max: float
-    y2_max: float
-    v_max: float
-    a_max: float
-    a_rms: float
+    speed: float
+    """of the abscissa, e.g. ω in rad/s"""
+
+    @property
+    def duration(self) -> float:
+        """δ, in units of the abscissa."""
+        return self.stop - self.start
+
+    @property
+    def y1_max(self) -> float:
+        """max |y'|"""
+        return self.law.coefficients.cv * abs(self.lift) / self.duration
+
+    @property
+    def y2_max(self) -> float:
+        """max |y''|"""
+        return self.law.coefficients.ca * abs(self.lift) / self.duration**2
+
+    @property
+    def y2_highest(self) -> float:
+        """Largest y'', with its sign."""
+        k = self.law.coefficients
+        return (k.ca_max if self.lift >= 0.0 else k.ca_min) * self.lift / self.duration**2
+
+    @property
+    def y2_lowest(self) -> float:
+        """Lowest y'', with its sign."""
+        k = self.law.coefficients
+        return (k.ca_min if self.lift >= 0.0 else k.ca_max) * self.lift / self.duration**2
+
+    @property
+    def v_max(self) -> float:
+        """max |ẏ|"""
+        return self.y1_max * self.speed
+
+    @property
+    def a_max(self) -> float:
+        """max |ÿ|"""
+        return self.y2_max * self.speed**2
+
+    @property
+    def a_rms(self) -> float:
+        """Root of the mean of ÿ² over the movement."""
+        return self.law.coefficients.ca_rms * abs(self.lift) / self.duration**2 * self.speed**2
 
 
 class Diagram:
-    """Axes over one cycle of the master shaft.
+    """Axes over one cycle of the master shaft, 2π rad unless said otherwise.
 
-    Raises ValueError for two axes of one name, or an axis whose phases do not fill the cycle.
+    Raises ValueError where two axes share a name, or the phases of one do not run from 0 to the cycle's end.
     """
 
-    def __init__(self, axes: Sequence[Axis], cycle: float = 2 * pi) -> None:
-        for i, axis in enumerate(axes):
-            if any(other.name == axis.name for other in axes[:i]):
+    def __init__(self, axes: Sequence[Axis], cycle: float = FULL_TURN) -> None:
+        if not (math.isfinite(cycle) and cycle > 0.0):
+            raise ValueError(f"cycle is {cycle:g}; expected a finite number above 0")
+        self.axes = tuple(axes)
+        self.cycle = cycle
+        seen: set[str] = set()
+        for axis in self.axes:
+            if axis.name in seen:
                 raise ValueError(f"two axes are named {axis.name!r}; expected a name of its own for each")
-            if abs(axis.motion.total - cycle) > 1e-9 * cycle:
+            seen.add(axis.name)
+            begin, end = float(axis.motion.edges[0]), float(axis.motion.edges[-1])
+            if max(abs(begin), abs(end - cycle)) > FILL_TOLERANCE * cycle:
                 raise ValueError(
-                    f"axis {axis.name!r} covers {axis.motion.total:g} rad; expected the cycle, {cycle:g}"
+                    f"axis {axis.name!r} runs from {begin:.10g} to {end:.10g}; expected 0 to {cycle:.10g}"
                 )
-        self.axes, self.cycle = tuple(axes), cycle
 
     def axis(self, name: str) -> Axis:
-        """Return the axis of that name; raise KeyError, listing the names, where there is none."""
+        """Return the axis of this name. Raises ValueError, which lists the names there are."""
         for axis in self.axes:
             if axis.name == name:
                 return axis
-        raise KeyError(f"no axis is named {name!r}; there are {', '.join(a.name for a in self.axes)}")
+        raise ValueError(f"no axis is named {name!r}; expected one of {', '.join(a.name for a in self.axes)}")
 
-    def movements(self, rate: float) -> list[Movement]:
-        """Return every movement, axis by axis, at ``rate`` cycles a second."""
-        omega = shaft_speed(rate, self.cycle)
-        return [
-            movement(axis, k, omega)
+    def movements(self, rate: float) -> tuple[Movement, ...]:
+        """Return every phase that lifts, axis by axis, at ``rate`` cycles per second.
+
+        Raises ValueError unless the rate is finite and above 0.
+        """
+        speed = shaft_speed(rate) * (self.cycle / FULL_TURN)
+        return tuple(
+            Movement(
+                axis.name,
+                k,
+                phase.law,
+                phase.lift,
+                float(axis.motion.edges[k]),
+                float(axis.motion.edges[k + 1]),
+                speed,
+            )
             for axis in self.axes
             for k, phase in enumerate(axis.motion.phases)
-            if phase.lift and phase.law.code != "DWL"
-        ]
-
-
-def movement(axis: Axis, k: int, omega: float) -> Movement:
-    """Return the extremes of phase ``k`` of an axis, from its law's coefficients."""
-    phase, c = axis.motion.phases[k], axis.motion.phases[k].law.coefficients
-    y1 = c.cv * abs(phase.lift) / phase.duration
-    y2 = c.ca * abs(phase.lift) / phase.duration**2
-    return Movement(
-        axis=axis.name,
-        phase=k,
-        law=phase.law.code,
-        lift=phase.lift,
-        start=float(axis.motion.edges[k]),
-        stop=float(axis.motion.edges[k + 1]),
-        y1_max=y1,
-        y2_max=y2,
-        v_max=y1 * omega,
-        a_max=y2 * omega**2,
-        a_rms=c.ca_rms * abs(phase.lift) / phase.duration**2 * omega**2,
-    )
+            if phase.lift != 0.0
+        )

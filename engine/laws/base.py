@@ -1,124 +1,197 @@
-"""What every motion law has: s, v, a, j over ξ in [0, 1], and its coefficients."""
+"""What every motion law offers: s, v, a, j over ξ in [0, 1], exact coefficients, a catalogue entry."""
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
-Array = NDArray[np.float64]
+from numpy.typing import NDArray
 
 BREAK_TOLERANCE = 1e-12
-"""A sample within this of a break, in units of ξ, counts as on it: rounding never decides the side of a jump."""
+"""A sample this near to a break, in units of ξ, counts as on it.
 
-BLOCK = 16_384  # samples evaluated at a time, so that the intermediate arrays stay in the processor's cache
+Laws are right-continuous: at a break they have the value of the later stage, at ξ = 1 the left limit.
+"""
+
+BLOCK = 8192  # samples evaluated at a time, so that what lies between stays in the cache
+
+Array = NDArray[np.float64]
+Real = TypeVar("Real", float, Array)
 
 
-class Kinematics(NamedTuple):
-    """Dimensionless position, velocity, acceleration and jerk: floats for a scalar ξ, else arrays of its shape."""
+class Kinematics(NamedTuple, Generic[Real]):
+    """Dimensionless position s, velocity v, acceleration a and jerk j: floats, or arrays of one shape."""
 
-    s: Any
-    v: Any
-    a: Any
-    j: Any
+    s: Real
+    v: Real
+    a: Real
+    j: Real
 
 
 @dataclass(frozen=True)
 class Coefficients:
-    """Extremes of a law for unit rise and unit time.
-
-    ``cv`` = max|v|; ``ca_max`` and ``ca_min`` the largest and the lowest a; ``ca_rms`` = √∫a² dξ;
-    ``cj`` = max|j|, infinite where a jumps (at the ends, against rest); ``va_max``, ``va_min`` the
-    largest and the lowest v·a, which size the power when driving and when braking.
-    """
+    """Extremes of a law for unit rise and unit time; one-sided limits at breaks count."""
 
     cv: float
+    """C_v = max |v|"""
     ca_max: float
+    """largest a"""
     ca_min: float
+    """lowest a, negative"""
     ca_rms: float
+    """C_a,rms = sqrt(∫ a² dξ)"""
     cj: float
+    """C_j = max |j|; infinite where a jumps, also at the ends against rest"""
     va_max: float
+    """largest v·a: the greatest power that an inertia asks for"""
     va_min: float
+    """lowest v·a: the greatest power that an inertia gives back, negative"""
 
     @property
     def ca(self) -> float:
-        """C_a = max|a|."""
-        return max(self.ca_max, -self.ca_min)
+        """C_a = max |a|."""
+        return max(abs(self.ca_max), abs(self.ca_min))
 
     @property
     def va(self) -> float:
-        """The largest |v·a|."""
-        return max(self.va_max, -self.va_min)
+        """Max |v·a|."""
+        return max(abs(self.va_max), abs(self.va_min))
 
 
 class Law(ABC):
-    """A motion law s(ξ): y = h s(t/t_a), with h the rise and t_a its time (S3, equation 1).
-
-    Laws are right-continuous: at a break the value is that of the later stage, at ξ = 1 the limit from the left.
-    """
+    """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ."""
 
     code: ClassVar[str]
     name: ClassVar[str]
 
     @abstractmethod
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        """Return s, v, a, j of a one-dimensional array within [0, 1]."""
+    def _block(self, xi: Array) -> tuple[Array | float, Array | float, Array | float, Array | float]:
+        """Return s, v, a, j of a flat array of ξ in [0, 1]."""
 
     @abstractmethod
     def _coefficients(self) -> Coefficients:
-        """Return the coefficients from closed forms."""
+        """Return the coefficients in closed form."""
 
-    def evaluate(self, xi: ArrayLike) -> Kinematics:
-        """Return s, v, a, j at ``xi``: floats for a scalar, else arrays of its shape.
+    def evaluate(self, xi: Real) -> Kinematics[Real]:
+        """Return s, v, a, j at ξ: floats of a number, arrays of ξ's shape of an array.
 
-        Raises ValueError where a value is not a number, or lies outside [0, 1] by more than BREAK_TOLERANCE.
+        Raises ValueError where ξ is not a number from 0 to 1.
         """
-        given = np.asarray(xi, dtype=np.float64)
-        flat = np.ascontiguousarray(given).reshape(-1)
-        if flat.size and not (flat.min() >= -BREAK_TOLERANCE and flat.max() <= 1 + BREAK_TOLERANCE):
-            raise ValueError(
-                f"{self.code}: ξ must lie in [0, 1], found values from {flat.min():g} to {flat.max():g}"
-            )
-        out = np.empty((4, flat.size))
+        x = _checked(xi)
+        flat = x.reshape(-1)
+        table = np.empty((4, flat.size))
         for begin in range(0, flat.size, BLOCK):
-            block = slice(begin, begin + BLOCK)
-            for row, values in zip(out, self._kinematics(flat[block]), strict=True):
-                row[block] = values
-        if given.ndim == 0:
-            return Kinematics(*(float(row[0]) for row in out))
-        return Kinematics(*(row.reshape(given.shape) for row in out))
+            here = slice(begin, begin + BLOCK)
+            inside = np.minimum(np.maximum(flat[here], 0.0), 1.0)
+            for row, values in zip(table, self._block(inside), strict=True):
+                row[here] = values
+        return Kinematics(*unwrap(xi, [row.reshape(x.shape) for row in table]))
 
-    def s(self, xi: ArrayLike) -> Any:
-        """Return the dimensionless position at ``xi``."""
+    def s(self, xi: Real) -> Real:
+        """Return the position s(ξ)."""
         return self.evaluate(xi).s
 
-    def v(self, xi: ArrayLike) -> Any:
-        """Return the dimensionless velocity ds/dξ at ``xi``."""
+    def v(self, xi: Real) -> Real:
+        """Return the velocity v = ds/dξ."""
         return self.evaluate(xi).v
 
-    def a(self, xi: ArrayLike) -> Any:
-        """Return the dimensionless acceleration d²s/dξ² at ``xi``."""
+    def a(self, xi: Real) -> Real:
+        """Return the acceleration a = dv/dξ."""
         return self.evaluate(xi).a
 
-    def j(self, xi: ArrayLike) -> Any:
-        """Return the dimensionless jerk d³s/dξ³ at ``xi``; jumps of a are left out."""
+    def j(self, xi: Real) -> Real:
+        """Return the jerk j = da/dξ, within the stages: a jump of a adds no value."""
         return self.evaluate(xi).j
 
     @cached_property
     def coefficients(self) -> Coefficients:
-        """The law's coefficients, exact."""
+        """The exact coefficients C_v, C_a, C_a,rms, C_j, max(v·a)."""
         return self._coefficients()
 
     @cached_property
-    def start(self) -> Kinematics:
+    def start(self) -> Kinematics[float]:
         """Values at ξ = 0."""
         return self.evaluate(0.0)
 
     @cached_property
-    def end(self) -> Kinematics:
+    def end(self) -> Kinematics[float]:
         """Values at ξ = 1, from the left."""
         return self.evaluate(1.0)
+
+
+@dataclass(frozen=True)
+class Claims:
+    """What a law promises, with its default parameters; one test measures every claim of every law.
+
+    ``order_ends`` and ``order_inside`` are the highest derivative of s that is continuous, at the ends
+    against rest and between them. The coefficients are formulas in Python's notation, over the functions
+    of ``math``, the names in ``where`` and the coefficients before.
+    """
+
+    order_ends: float
+    order_inside: float
+    coefficients: Mapping[str, str]
+    where: Mapping[str, str] = field(default_factory=dict)
+    start: tuple[float, float] = (0.0, 0.0)  # s, v
+    end: tuple[float, float] = (1.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A law in the catalogue: its class, the names that documents give it, its source and its claims."""
+
+    law: type[Law]
+    aliases: tuple[str, ...]
+    source: str
+    claims: Claims
+    example: Callable[[], Law]
+    """makes the law with its default parameters"""
+
+    @property
+    def code(self) -> str:
+        """The code of three letters."""
+        return self.law.code
+
+    @property
+    def name(self) -> str:
+        """The name in words."""
+        return self.law.name
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name that the law is known by."""
+        return (self.code, self.name, *self.aliases)
+
+
+def stage_of(xi: Array, starts: Array) -> NDArray[np.intp]:
+    """Return the stage of each ξ: the last that begins at or before it; ξ = 1 is in the last that lasts."""
+    reached = np.minimum(xi + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
+    return np.searchsorted(starts, reached, side="right") - 1
+
+
+def require_finite(**quantities: float) -> None:
+    """Raise ValueError for the first quantity that is not a finite number."""
+    for name, value in quantities.items():
+        if not math.isfinite(value):
+            raise ValueError(f"{name} is {value}; expected a finite number")
+
+
+def unwrap(given: object, arrays: list[NDArray[Any]]) -> Any:
+    """Return arrays as Python numbers if a plain number was given, as they are otherwise."""
+    scalar = np.ndim(given) == 0 and not isinstance(given, np.ndarray)  # type: ignore[arg-type]
+    return [array.item() for array in arrays] if scalar else arrays
+
+
+def _checked(xi: object) -> Array:
+    x = np.asarray(xi, dtype=np.float64)
+    if x.size:
+        low, high = x.min(), x.max()  # NaN, if there is one
+        if not (low >= -BREAK_TOLERANCE and high <= 1.0 + BREAK_TOLERANCE):
+            found = "holds NaN" if math.isnan(low) else f"reaches from {low:.15g} to {high:.15g}"
+            raise ValueError(f"xi {found}; expected numbers from 0 to 1")
+    return x

@@ -1,29 +1,51 @@
-"""Constant acceleration, symmetric (ACS): S3, figure 1."""
+"""Constant acceleration, symmetric (ACS)."""
 
 from __future__ import annotations
 
-from math import inf
-from typing import ClassVar
+import math
+from dataclasses import dataclass
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law
+from engine.laws.base import BREAK_TOLERANCE, Array, Claims, Coefficients, Entry, Law
 
 
+@dataclass(frozen=True)
 class ConstantAcceleration(Law):
-    """Constant acceleration over the first half of the rise, the same deceleration over the second.
+    """a = 4 over the first half of the rise, a = −4 over the second; s = 2ξ², then 1 − 2(1 − ξ)².
 
-    s = 2ξ² before ξ = ½, 1 − 2(1 − ξ)² after; v = 4ξ, 4(1 − ξ); a = ±4 (S3, figure 1; S1 quotes C_a = 4).
+    Source: S3, figure 1 and 'ACS'; S1 quotes its C_a = 4.
     """
 
-    code: ClassVar[str] = "ACS"
-    name: ClassVar[str] = "Constant acceleration, symmetric"
+    code = "ACS"
+    name = "Constant acceleration"
 
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, float]:
         late = xi >= 0.5 - BREAK_TOLERANCE
-        rest = np.where(late, 1 - xi, xi)  # time from the nearer end
-        half = 2 * rest * rest
-        return np.where(late, 1 - half, half), 4 * rest, np.where(late, -4.0, 4.0), np.zeros_like(xi)
+        t = np.where(late, 1.0 - xi, xi)  # to the nearer end
+        travel = 2.0 * t * t
+        return np.where(late, 1.0 - travel, travel), 4.0 * t, np.where(late, -4.0, 4.0), 0.0
 
     def _coefficients(self) -> Coefficients:
-        return Coefficients(cv=2, ca_max=4, ca_min=-4, ca_rms=4, cj=inf, va_max=8, va_min=-8)
+        return Coefficients(cv=2.0, ca_max=4.0, ca_min=-4.0, ca_rms=4.0, cj=math.inf, va_max=8.0, va_min=-8.0)
+
+
+ENTRY = Entry(
+    law=ConstantAcceleration,
+    aliases=("constant acceleration symmetric", "symmetric constant acceleration", "parabolic"),
+    source="S3, figure 1 and 'ACS'; S1, 'Timing diagram for a cutting machine' (C_a = 4)",
+    claims=Claims(
+        order_ends=1,
+        order_inside=1,
+        coefficients={
+            "cv": "2",
+            "ca_max": "4",
+            "ca_min": "-4",
+            "ca_rms": "4",
+            "cj": "inf",
+            "va_max": "8",
+            "va_min": "-8",
+        },
+    ),
+    example=ConstantAcceleration,
+)

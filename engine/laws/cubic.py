@@ -1,24 +1,55 @@
-"""Cubic (CUB): S1, S3."""
+"""Cubic (CUB)."""
 
 from __future__ import annotations
 
-from math import inf, sqrt
-from typing import ClassVar
+import math
+from dataclasses import dataclass
 
-from engine.laws.base import Array, Coefficients, Law
+from engine.laws.base import Array, Claims, Coefficients, Entry, Law
 
 
+@dataclass(frozen=True)
 class Cubic(Law):
-    """The cubic at rest at both ends: s = 3ξ² − 2ξ³, v = 6ξ(1 − ξ), a = 6 − 12ξ, j = −12 (S3, law CUB)."""
+    """The cubic that starts and ends at rest: s = ξ²(3 − 2ξ); v = 6ξ(1 − ξ); a = 6 − 12ξ; j = −12.
 
-    code: ClassVar[str] = "CUB"
-    name: ClassVar[str] = "Cubic"
+    Source: S1, 'Cubic curve'; S3, 'CUB'.
+    """
 
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        return xi * xi * (3 - 2 * xi), 6 * xi * (1 - xi), 6 - 12 * xi, 0 * xi - 12
+    code = "CUB"
+    name = "Cubic"
+
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, float]:
+        return xi * xi * (3.0 - 2.0 * xi), 6.0 * xi * (1.0 - xi), 6.0 - 12.0 * xi, -12.0
 
     def _coefficients(self) -> Coefficients:
-        peak = 2 * sqrt(3)  # 36 ξ (1 − ξ)(1 − 2ξ) at ξ = (3 − √3)/6
+        power = 2.0 * math.sqrt(3.0)  # 36 ξ(1 − ξ)(1 − 2ξ) at ξ = (3 − √3)/6
         return Coefficients(
-            cv=1.5, ca_max=6, ca_min=-6, ca_rms=2 * sqrt(3), cj=inf, va_max=peak, va_min=-peak
+            cv=1.5,
+            ca_max=6.0,
+            ca_min=-6.0,
+            ca_rms=math.sqrt(12.0),
+            cj=math.inf,
+            va_max=power,
+            va_min=-power,
         )
+
+
+ENTRY = Entry(
+    law=Cubic,
+    aliases=("cubic curve",),
+    source="S1, 'Cubic curve'; S3, 'CUB'",
+    claims=Claims(
+        order_ends=1,
+        order_inside=math.inf,
+        coefficients={
+            "cv": "3/2",
+            "ca_max": "6",
+            "ca_min": "-6",
+            "ca_rms": "sqrt(12)",
+            "cj": "inf",
+            "va_max": "2*sqrt(3)",
+            "va_min": "-2*sqrt(3)",
+        },
+    ),
+    example=Cubic,
+)

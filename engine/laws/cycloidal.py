@@ -1,28 +1,57 @@
-"""Cycloidal (CIC): S2, movement equation; S3."""
+"""Cycloidal (CIC)."""
 
 from __future__ import annotations
 
-from math import pi, sqrt
-from typing import ClassVar
+import math
+from dataclasses import dataclass
 
 import numpy as np
 
-from engine.laws.base import Array, Coefficients, Law
+from engine.laws.base import Array, Claims, Coefficients, Entry, Law
+
+TURN = 2.0 * math.pi
 
 
+@dataclass(frozen=True)
 class Cycloidal(Law):
-    """One full sine of acceleration: s = ξ − sin(2πξ)/2π, v = 1 − cos 2πξ, a = 2π sin 2πξ, j = 4π² cos 2πξ (S2)."""
+    """a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. Source: S3, 'CIC'."""
 
-    code: ClassVar[str] = "CIC"
-    name: ClassVar[str] = "Cycloidal"
+    code = "CIC"
+    name = "Cycloidal"
 
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        x = 2 * pi * xi
-        sine, cosine = np.sin(x), np.cos(x)
-        return xi - sine / (2 * pi), 1 - cosine, 2 * pi * sine, 4 * pi**2 * cosine
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
+        sin, cos = np.sin(TURN * xi), np.cos(TURN * xi)
+        return xi - sin / TURN, 1.0 - cos, TURN * sin, TURN**2 * cos
 
     def _coefficients(self) -> Coefficients:
-        peak = 3 * sqrt(3) / 2 * pi  # 2π (1 − cos x) sin x at x = 2π/3
+        power = TURN * 3.0 * math.sqrt(3.0) / 4.0  # 2π sin θ (1 − cos θ) at θ = 2π/3
         return Coefficients(
-            cv=2, ca_max=2 * pi, ca_min=-2 * pi, ca_rms=pi * sqrt(2), cj=4 * pi**2, va_max=peak, va_min=-peak
+            cv=2.0,
+            ca_max=TURN,
+            ca_min=-TURN,
+            ca_rms=TURN / math.sqrt(2.0),
+            cj=TURN**2,
+            va_max=power,
+            va_min=-power,
         )
+
+
+ENTRY = Entry(
+    law=Cycloidal,
+    aliases=("cycloid",),
+    source="S1, 'Cycloidal curve'; S3, 'CIC'",
+    claims=Claims(
+        order_ends=2,
+        order_inside=math.inf,
+        coefficients={
+            "cv": "2",
+            "ca_max": "2*pi",
+            "ca_min": "-2*pi",
+            "ca_rms": "pi*sqrt(2)",
+            "cj": "4*pi**2",
+            "va_max": "3*sqrt(3)*pi/2",
+            "va_min": "-3*sqrt(3)*pi/2",
+        },
+    ),
+    example=Cycloidal,
+)

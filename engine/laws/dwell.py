@@ -1,22 +1,36 @@
-"""Dwell (DWL): S3."""
+"""Dwell."""
 
 from __future__ import annotations
 
-from typing import ClassVar
+import math
+from dataclasses import dataclass
 
-import numpy as np
-
-from engine.laws.base import Array, Coefficients, Law
+from engine.laws.base import Array, Claims, Coefficients, Entry, Law
 
 
+@dataclass(frozen=True)
 class Dwell(Law):
-    """No motion: s = v = a = j = 0 (S3, law Dwell)."""
+    """Rest: s = v = a = j = 0 throughout. Source: S3, function motionlaw."""
 
-    code: ClassVar[str] = "DWL"
-    name: ClassVar[str] = "Dwell"
+    code = "DWL"
+    name = "Dwell"
 
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        return np.zeros_like(xi), np.zeros_like(xi), np.zeros_like(xi), np.zeros_like(xi)
+    def _block(self, xi: Array) -> tuple[float, float, float, float]:
+        return 0.0, 0.0, 0.0, 0.0
 
     def _coefficients(self) -> Coefficients:
-        return Coefficients(0, 0, 0, 0, 0, 0, 0)
+        return Coefficients(cv=0.0, ca_max=0.0, ca_min=0.0, ca_rms=0.0, cj=0.0, va_max=0.0, va_min=0.0)
+
+
+ENTRY = Entry(
+    law=Dwell,
+    aliases=("rest",),
+    source="S3, function motionlaw, 'Dwell'",
+    claims=Claims(
+        order_ends=math.inf,
+        order_inside=math.inf,
+        end=(0.0, 0.0),
+        coefficients=dict.fromkeys(("cv", "ca_max", "ca_min", "ca_rms", "cj", "va_max", "va_min"), "0"),
+    ),
+    example=Dwell,
+)

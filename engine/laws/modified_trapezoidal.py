@@ -1,168 +1,178 @@
-"""Modified trapezoidal acceleration with seven durations (MTP): S1, S3 figure 2."""
+"""Modified trapezoidal acceleration with seven durations (MTP)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
 from dataclasses import dataclass
-from math import inf, pi, sqrt
-from typing import ClassVar
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law
+from engine.laws.base import Array, Claims, Coefficients, Entry, Law, stage_of
 
+SUM_TOLERANCE = 1e-9
+K = 2.0 / math.pi  # mean of a quarter sine
+QUARTER = math.pi / 2.0
 CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
-K = 2 / pi  # the mean of a quarter sine
 
 
-@dataclass(frozen=True)
-class Lobe:
-    """A lobe of unit acceleration from rest: quarter sine up, constant, quarter sine down.
+class Lobe(NamedTuple):
+    """Three stages of unit acceleration from rest: a quarter sine up, a constant, a quarter sine down.
 
-    With p the share of the first part that has passed, q that of the third::
-
-        a = sin(πp/2) cos(πq/2)
-
-    so that v and s follow in closed form without a case for each part. ``closed`` tells that time never runs
-    past the end: there a third part without duration belongs to what follows, not to the lobe.
+    With t from its begin, a = sin x, where the angle x turns from 0 to π/2 over d1, stands over d2, and
+    turns on to π over d3. So a deceleration is the same thing seen backwards from its end.
     """
 
-    up: float
-    flat: float
-    down: float
-    closed: bool
+    d1: float
+    d2: float
+    d3: float
 
     @property
-    def speed(self) -> float:
-        """The velocity gained over the lobe."""
-        return K * self.up + self.flat + K * self.down
+    def velocities(self) -> tuple[float, float, float]:
+        """Velocity at the end of each stage."""
+        return K * self.d1, K * self.d1 + self.d2, K * self.d1 + self.d2 + K * self.d3
 
     @property
-    def stroke(self) -> float:
-        """The travel over the lobe."""
-        first = K * (1 - K) * self.up**2
-        second = K * self.up * self.flat + self.flat**2 / 2
-        return first + second + (K * self.up + self.flat) * self.down + (K * self.down) ** 2
+    def travels(self) -> tuple[float, float, float]:
+        """Travel up to the end of each stage."""
+        v1, v2, _ = self.velocities
+        first = K * (1.0 - K) * self.d1**2
+        second = first + v1 * self.d2 + self.d2**2 / 2.0
+        return first, second, second + v2 * self.d3 + (K * self.d3) ** 2
+
+    @property
+    def square(self) -> float:
+        """∫ a² dt."""
+        return self.d1 / 2.0 + self.d2 + self.d3 / 2.0
 
     @property
     def power(self) -> float:
-        """The largest v·a: on the third part, where 2G sin²x + v₂ sin x = G with v₂ the velocity at its begin."""
-        v, gain = K * self.up + self.flat, K * self.down
-        sine = 2 * gain / (v + sqrt(v * v + 8 * gain * gain)) if v or gain else 0.0
-        return sqrt(1 - sine * sine) * (v + gain * sine)
-
-    @property
-    def mean_square(self) -> float:
-        """∫a² over the lobe."""
-        return self.up / 2 + self.flat + self.down / 2
+        """Largest v·a: on the last quarter, cos x (v2 + g sin x) with 2g sin²x + v2 sin x = g."""
+        v2, g = self.velocities[1], K * self.d3
+        sin = 2.0 * g / (v2 + math.hypot(v2, math.sqrt(8.0) * g))
+        return math.sqrt(1.0 - sin * sin) * (v2 + g * sin)
 
     @property
     def jerk(self) -> float:
-        """The largest |j|; infinite where a part without duration makes a jump."""
-        shortest = min(self.up, self.down)
-        return pi / 2 / shortest if shortest > 0 else inf
+        """Largest |j|; infinite without both quarter sines."""
+        shorter = min(self.d1, self.d3)
+        return 1.0 / (K * shorter) if shorter > 0.0 else math.inf
 
-    def kinematics(self, t: Array) -> tuple[Array, Array, Array, Array]:
-        """Return s, v, a, j at times ``t`` from the lobe's begin, and of the uniform motion that follows it."""
-        second, third = self.up, self.up + self.flat
-        n = t - third
-        if self.up > 0:
-            p = np.minimum(t, second) * (pi / 2 / self.up)
-            sin_p, cos_p = np.sin(p), np.cos(p)
-        else:
-            sin_p, cos_p = np.ones_like(t), np.zeros_like(t)
-        if self.down > 0:
-            within = np.maximum(n, 0.0)
-            q = np.minimum(within, self.down) * (pi / 2 / self.down)
-            sin_q, cos_q = np.sin(q), np.cos(q)
-        else:
-            within = np.maximum(n, 0.0)
-            past = (n >= -BREAK_TOLERANCE) & (not self.closed)
-            sin_q, cos_q = past.astype(float), (~past).astype(float)
-        k1, k3 = K * self.up, K * self.down
-        m = np.clip(t - second, 0.0, self.flat)
-        v2 = k1 + self.flat
-        v = k1 * (1 - cos_p) + m + k3 * sin_q
-        s = k1 * (np.minimum(t, second) - k1 * sin_p) + m * (k1 + m / 2) + within * v2
-        if self.down > 0:
-            s += np.maximum(n - self.down, 0.0) * k3 + k3 * k3 * (1 - cos_q)
-        a = sin_p * cos_q
-        j = np.zeros_like(t)
-        if self.up > 0:
-            j += cos_p * (pi / 2 / self.up)
-        if self.down > 0:
-            inside = True if self.closed else n < self.down - BREAK_TOLERANCE
-            j -= np.where(inside, sin_q, 0.0) * (pi / 2 / self.down)
-        return s, v, a, j
+    def rows(self, amplitude: float, sign: float, origin: float, s: float) -> list[tuple[float, ...]]:
+        """Return the coefficients by which :meth:`ModifiedTrapezoidal._block` evaluates the three stages."""
+        (v1, v2, _), (s1, s2, _) = self.velocities, self.travels
+        r1, r3 = K * self.d1, K * self.d3
+        begins = (0.0, self.d1, self.d1 + self.d2)
+        parts = ((0.0, r1, 0.0, r1, 0.0), (s1, v1, 1.0, 0.0, QUARTER), (s2 + r3 * r3, v2, 0.0, r3, QUARTER))
+        f = amplitude
+        return [
+            (sign, origin - t, 1.0 / r if r else 0.0, x,
+             s + sign * f * s0, f * v0, f * c, f * r, sign * f * r * r, sign * f, f / r if r else 0.0)
+            for t, (s0, v0, c, r, x) in zip(begins, parts, strict=True)
+        ]  # fmt: skip
 
 
+@dataclass(frozen=True)
 class ModifiedTrapezoidal(Law):
-    """Seven stages: 1, 3, 5, 7 quarter sines, 2 and 6 constant, 4 without acceleration (S3, figure 2).
+    """Seven stages: a = A sin(πu/2d1), A, A cos(πu/2d3), 0, −B sin(πu/2d5), −B, −B cos(πu/2d7).
 
-    ``durations`` d1 … d7, as shares of the rise, are not negative and sum to 1; zeros and asymmetry are allowed.
-    With k = 2/π, m = k d1 + d2 + k d3, n = k d7 + d6 + k d5 and S_a, S_d the strokes of both lobes for unit
-    acceleration, rest at the end and s(1) = 1 give::
-
-        A = 1 / (S_a + m d4 + (m/n) S_d),   B = A m/n
-
-    The deceleration is the mirror image, in time, of a lobe like the acceleration's.
-    Raises ValueError for durations that are not seven, negative, do not sum to 1 within 1e-9, or leave
-    stages 1 to 3 or 5 to 7 without any.
+    ``durations`` are the seven shares of the rise: not negative, of sum 1 (within 1e-9), neither the first
+    three nor the last three all zero; else ValueError. With k = 2/π, m = k d1 + d2 + k d3 and
+    n = k d5 + d6 + k d7, A m = B n = C_v and A = 1/(S_a + m d4 + S_d m/n), where S_a and S_d are the travels
+    of the two lobes for unit acceleration.
+    Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'.
     """
 
-    code: ClassVar[str] = "MTP"
-    name: ClassVar[str] = "Modified trapezoidal"
+    code = "MTP"
+    name = "Modified trapezoidal"
 
-    def __init__(self, durations: Sequence[float] = CLASSIC) -> None:
-        d = tuple(float(x) for x in durations)
-        if len(d) != 7:
-            raise ValueError(f"modified trapezoidal: expected seven durations, found {len(d)}")
-        if not all(x >= 0 for x in d):
-            raise ValueError(f"modified trapezoidal: expected durations of at least 0, found {min(d):g}")
-        if abs(sum(d) - 1) > 1e-9:
-            raise ValueError(f"modified trapezoidal: expected durations that sum to 1, found {sum(d):.10g}")
-        if not sum(d[:3]) or not sum(d[4:]):
-            raise ValueError(
-                "modified trapezoidal: expected stages 1 to 3, and 5 to 7, of some duration each"
-            )
-        self.durations = d
-        self.rise = Lobe(d[0], d[1], d[2], closed=False)
-        self.fall = Lobe(d[6], d[5], d[4], closed=True)
-        ratio = self.rise.speed / self.fall.speed
-        self.acceleration = 1 / (self.rise.stroke + self.rise.speed * d[3] + ratio * self.fall.stroke)
-        self.deceleration = self.acceleration * ratio
-        self.fall_begins = d[0] + d[1] + d[2] + d[3]
+    durations: tuple[float, float, float, float, float, float, float] = CLASSIC
 
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        falling = xi >= self.fall_begins - BREAK_TOLERANCE
-        if not falling.any():
-            return self._rising(xi)
-        if falling.all():
-            return self._falling(xi)
-        out = np.empty((4, xi.size))
-        rows = np.flatnonzero(~falling)
-        out[:, rows] = self._rising(xi[rows])
-        rows = np.flatnonzero(falling)
-        out[:, rows] = self._falling(xi[rows])
-        return out[0], out[1], out[2], out[3]
+    def __post_init__(self) -> None:
+        """Check what was given."""
+        durations = tuple(float(d) for d in self.durations)
+        if len(durations) != 7:
+            raise ValueError(f"{len(durations)} durations are given; expected seven")
+        for i, d in enumerate(durations, 1):
+            if not 0.0 <= d <= 1.0 + SUM_TOLERANCE:
+                raise ValueError(f"the duration of stage {i} is {d:g}; expected a share from 0 to 1")
+        if abs(sum(durations) - 1.0) > SUM_TOLERANCE:
+            raise ValueError(f"the seven durations sum to {sum(durations):.12g}; expected 1")
+        for stages, part in (("1 to 3", durations[:3]), ("5 to 7", durations[4:])):
+            if not sum(part) > 0.0:
+                raise ValueError(f"the durations of stages {stages} are all zero; expected one that lasts")
+        object.__setattr__(self, "durations", durations)
 
-    def _rising(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        s, v, a, j = self.rise.kinematics(xi)
-        return s * self.acceleration, v * self.acceleration, a * self.acceleration, j * self.acceleration
+    @cached_property
+    def lobes(self) -> tuple[Lobe, Lobe]:
+        """The acceleration from its begin and the deceleration from its end, for unit acceleration."""
+        d1, d2, d3, _, d5, d6, d7 = self.durations
+        return Lobe(d1, d2, d3), Lobe(d7, d6, d5)
 
-    def _falling(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        s, v, a, j = self.fall.kinematics(1 - xi)
-        b = self.deceleration
-        return 1 - b * s, b * v, -b * a, b * j
+    @cached_property
+    def acceleration(self) -> float:
+        """A: the height of the acceleration, from s(1) = 1."""
+        rise, fall = self.lobes
+        m, n = rise.velocities[2], fall.velocities[2]
+        return 1.0 / (rise.travels[2] + m * self.durations[3] + fall.travels[2] * m / n)
+
+    @cached_property
+    def deceleration(self) -> float:
+        """B = A m/n: the height of the deceleration, positive."""
+        rise, fall = self.lobes
+        return self.acceleration * rise.velocities[2] / fall.velocities[2]
+
+    @cached_property
+    def _stages(self) -> tuple[Array, Array]:
+        """Begin of each stage, and its coefficients: one column a stage."""
+        rise, fall = self.lobes
+        up, down = self.acceleration, self.deceleration
+        accelerated = sum(self.durations[:3])
+        coast = (1.0, -accelerated, 0.0, 0.0, up * rise.travels[2], up * rise.velocities[2], 0, 0, 0, 0, 0)
+        backwards = fall.rows(down, -1.0, sum(self.durations), 1.0)[::-1]
+        starts = np.cumsum((0.0, *self.durations[:6]))
+        return starts, np.array([*rise.rows(up, 1.0, 0.0, 0.0), coast, *backwards]).T.copy()
+
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
+        starts, table = self._stages
+        sign, origin, rate, x0, s0, v0, c, q, r, p, w = table.take(stage_of(xi, starts), axis=1)
+        t = sign * xi + origin  # since the begin of the stage, or until its end
+        x = rate * t + x0
+        sin, cos = np.sin(x), np.cos(x)
+        s = s0 + sign * t * (v0 + c / 2.0 * t) - r * sin
+        return s, v0 + c * t - q * cos, p * sin, w * cos
 
     def _coefficients(self) -> Coefficients:
-        a, b, rise, fall = self.acceleration, self.deceleration, self.rise, self.fall
+        (rise, fall), up, down = self.lobes, self.acceleration, self.deceleration
         return Coefficients(
-            cv=a * rise.speed,
-            ca_max=a,
-            ca_min=-b,
-            ca_rms=sqrt(a * a * rise.mean_square + b * b * fall.mean_square),
-            cj=max(a * rise.jerk, b * fall.jerk),
-            va_max=a * a * rise.power,
-            va_min=-b * b * fall.power,
+            cv=up * rise.velocities[2],
+            ca_max=up,
+            ca_min=-down,
+            ca_rms=math.sqrt(up**2 * rise.square + down**2 * fall.square),
+            cj=max(up * rise.jerk, down * fall.jerk),
+            va_max=up**2 * rise.power,
+            va_min=-(down**2) * fall.power,
         )
+
+
+ENTRY = Entry(
+    law=ModifiedTrapezoidal,
+    aliases=("ModTVP", "modified trapezoidal acceleration", "modified trapezoid"),
+    source="S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'",
+    claims=Claims(
+        order_ends=2,
+        order_inside=2,
+        where={"y": "2/(1 + pi + sqrt((1 + pi)**2 + 8))"},  # sin x where v·a is greatest
+        coefficients={
+            "cv": "2",
+            "ca_max": "8*pi/(2 + pi)",
+            "ca_min": "-ca_max",
+            "ca_rms": "ca_max*sqrt(3)/2",
+            "cj": "4*pi*ca_max",
+            "va_max": "ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2)",
+            "va_min": "-va_max",
+        },
+    ),
+    example=ModifiedTrapezoidal,
+)

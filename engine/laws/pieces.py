@@ -1,26 +1,28 @@
-"""The engineer's own law (OWN): pieces of polynomial and sine, carried on from one to the next."""
+"""The engineer's own law, piece by piece (OWN)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf, sqrt
-from typing import ClassVar
+from functools import cached_property
 
 import numpy as np
-from numpy.polynomial import Chebyshev, Polynomial
-from numpy.polynomial.legendre import leggauss
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law
+from engine.laws.base import Array, Claims, Coefficients, Entry, Law, require_finite, stage_of
+from engine.laws.pieces_extremes import stationary
 
-JUMP = 1e-9  # a step of acceleration that counts as a jump
+SUM_TOLERANCE = 1e-9
+JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
 @dataclass(frozen=True)
 class Piece:
-    """One piece: a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ), with u from the piece's begin.
+    """a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ) over a duration, u from its begin.
 
-    Raises ValueError for a negative duration, or a sine without ω.
+    ``amplitude`` is P, ``omega`` ω, ``phase`` φ in rad. Raises ValueError for a negative duration, for
+    coefficients that are not four, and for what is not finite.
     """
 
     duration: float
@@ -30,115 +32,161 @@ class Piece:
     phase: float = 0.0
 
     def __post_init__(self) -> None:
-        if not self.duration >= 0:
-            raise ValueError(f"own law: expected durations of at least 0, found {self.duration:g}")
-        if self.amplitude and not self.omega > 0:
-            raise ValueError(f"own law: expected ω > 0 for a sine, found {self.omega:g}")
+        """Check what was given."""
+        if len(self.c) != 4:
+            raise ValueError(
+                f"{len(self.c)} coefficients of the polynomial are given; expected c0, c1, c2, c3"
+            )
+        require_finite(duration=self.duration, amplitude=self.amplitude, omega=self.omega, phase=self.phase)
+        require_finite(**{f"c{i}": c for i, c in enumerate(self.c)})
+        if self.duration < 0.0:
+            raise ValueError(f"the duration of a piece is {self.duration:g}; expected 0 or more")
+        object.__setattr__(self, "c", tuple(float(c) for c in self.c))
 
-    def kinematics(self, u: Array, s: float, v: float) -> tuple[Array, Array, Array, Array]:
-        """Return s, v, a, j at ``u`` for a piece that begins at position ``s`` with velocity ``v``."""
-        a = Polynomial(self.c)
-        dv, ds = a.integ(1), a.integ(2)
-        if not self.amplitude:
-            return s + v * u + ds(u), v + dv(u), a(u), a.deriv()(u)
-        p, w, phi = self.amplitude, self.omega, self.phase
-        sine, cosine = np.sin(w * u + phi), np.cos(w * u + phi)
-        slope = v + p / w * np.cos(phi)
-        return (
-            s + slope * u + ds(u) - p / w**2 * (sine - np.sin(phi)),
-            slope + dv(u) - p / w * cosine,
-            a(u) + p * sine,
-            a.deriv()(u) + p * w * cosine,
-        )
+    @property
+    def row(self) -> tuple[float, ...]:
+        """c0, c1, c2, c3, P, ω, sin φ, cos φ: what :func:`gains` needs."""
+        return (*self.c, self.amplitude, self.omega, math.sin(self.phase), math.cos(self.phase))
 
 
+def gains(u: Array, row: Array) -> tuple[Array, Array, Array, Array]:
+    """Return ∬a, ∫a, a and da/du of pieces from their begin to u; ``row`` is :attr:`Piece.row`, in columns.
+
+    With h = ωu/2 and m, n the sine and cosine of φ + h, the integrals of the sine are
+    ∫ = u m sin h/h and ∬ = u² (sin φ (sin h/h)²/2 + cos φ (2h − sin 2h)/(2h)²): right for ω = 0 too.
+    """
+    c0, c1, c2, c3, p, w, sin_phi, cos_phi = row
+    h = w * u / 2.0
+    sin, cos = np.sin(h), np.cos(h)
+    m, n = sin_phi * cos + cos_phi * sin, cos_phi * cos - sin_phi * sin
+    sinc = np.divide(sin, h, out=np.ones_like(h), where=h != 0.0)
+    s = u * u * (c0 / 2 + u * (c1 / 6 + u * (c2 / 12 + u * (c3 / 20))))
+    v = u * (c0 + u * (c1 / 2 + u * (c2 / 3 + u * (c3 / 4))))
+    a = c0 + u * (c1 + u * (c2 + u * c3))
+    j = c1 + u * (2 * c2 + u * 3 * c3)
+    return (
+        s + p * u * u * (sin_phi * sinc * sinc / 2.0 + cos_phi * lag(h, sin, cos)),
+        v + p * u * m * sinc,
+        a + p * (m * cos + n * sin),
+        j + p * w * (n * cos - m * sin),
+    )
+
+
+def lag(h: Array, sin: Array, cos: Array) -> Array:
+    """Return (2h − sin 2h)/(2h)²; by its series where the difference would lose digits."""
+    y = 4.0 * h * h
+    series = h / 3.0
+    term = np.ones_like(h)
+    for divisor in (210.0, 156.0, 110.0, 72.0, 42.0, 20.0):
+        term = 1.0 - y / divisor * term
+    small = y < 1.0
+    direct = np.divide(h - sin * cos, 2.0 * h * h, out=np.zeros_like(h), where=~small)
+    return np.where(small, series * term, direct)
+
+
+@dataclass(frozen=True)
 class PieceLaw(Law):
-    """A law given by its acceleration, piece by piece; position and velocity start at 0 and are carried on.
+    """A law given by its acceleration, piece by piece; s and v are carried on from s = v = 0.
 
-    Nothing makes such a law end at s = 1 or at rest: ``end`` tells. Raises ValueError unless the durations
-    sum to 1 within 1e-9.
+    The durations sum to 1 (within 1e-9), else ValueError. Whether the law ends at s = 1 and at rest is
+    the engineer's affair: see ``end``.
     """
 
-    code: ClassVar[str] = "OWN"
-    name: ClassVar[str] = "Own law"
+    code = "OWN"
+    name = "Own law"
+
+    pieces: tuple[Piece, ...]
 
     def __init__(self, pieces: Sequence[Piece]) -> None:
-        total = sum(p.duration for p in pieces)
-        if abs(total - 1) > 1e-9:
-            raise ValueError(f"own law: expected durations that sum to 1, found {total:.10g}")
-        self.pieces = tuple(p for p in pieces if p.duration > 0)
-        self.begins = np.concatenate([[0.0], np.cumsum([p.duration for p in self.pieces])[:-1]])
-        self.carried = [(0.0, 0.0)]
-        for piece in self.pieces[:-1]:
-            s, v, _, _ = piece.kinematics(np.array([piece.duration]), *self.carried[-1])
-            self.carried.append((float(s[0]), float(v[0])))
+        object.__setattr__(self, "pieces", tuple(pieces))
+        total = sum(p.duration for p in self.pieces)
+        if abs(total - 1.0) > SUM_TOLERANCE:
+            raise ValueError(
+                f"the durations of the {len(self.pieces)} pieces sum to {total:.12g}; expected 1"
+            )
 
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        last = np.minimum(xi + BREAK_TOLERANCE, 1 - BREAK_TOLERANCE)
-        found = np.searchsorted(self.begins, last, side="right") - 1
-        out = np.empty((4, xi.size))
-        for k in np.unique(found):
-            here = found == k
-            out[:, here] = self.pieces[k].kinematics(xi[here] - self.begins[k], *self.carried[k])
-        return out[0], out[1], out[2], out[3]
+    @cached_property
+    def _carried(self) -> tuple[Array, Array, Array, Array]:
+        """Begin, position and velocity at the begin, and coefficients of each piece."""
+        rows = np.array([p.row for p in self.pieces]).T
+        durations = np.array([p.duration for p in self.pieces])
+        ds, dv, _, _ = gains(durations, rows)
+        starts, v = _before(durations), _before(dv)
+        return starts, _before(ds + v * durations), v, rows
+
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
+        starts, s0, v0, rows = self._carried
+        k = stage_of(xi, starts)
+        u = xi - starts.take(k)
+        s, v, a, j = gains(u, rows.take(k, axis=1))
+        begin = v0.take(k)
+        return s0.take(k) + begin * u + s, begin + v, a, j
 
     def _coefficients(self) -> Coefficients:
-        v, a, j, va = (self._extremes(pick) for pick in (_velocity, _acceleration, _jerk, _power))
+        found = [self._extremes(k) for k, p in enumerate(self.pieces) if p.duration > 0.0]
+        v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
         return Coefficients(
-            cv=max(v[1], -v[0]),
-            ca_max=a[1],
-            ca_min=a[0],
+            cv=float(np.abs(v).max()),
+            ca_max=float(a.max()),
+            ca_min=float(a.min()),
             ca_rms=self._rms(),
-            cj=inf if self._jumps() else max(j[1], -j[0]),
-            va_max=va[1],
-            va_min=va[0],
+            cj=math.inf if self._jumps([values[1] for values in found]) else float(np.abs(j).max()),
+            va_max=float((v * a).max()),
+            va_min=float((v * a).min()),
         )
 
-    def _extremes(self, pick: Callable[[tuple[Array, Array, Array, Array]], Array]) -> tuple[float, float]:
-        """Return the lowest and the largest value: at the ends of pieces, or where the slope vanishes."""
-        low, high = inf, -inf
-        for piece, carried in zip(self.pieces, self.carried, strict=True):
-            degree = 32 + int(8 * piece.omega * piece.duration) if piece.amplitude else 12
-            fitted = Chebyshev.interpolate(
-                lambda u, p=piece, c=carried: pick(p.kinematics(u, *c)), degree, domain=[0, piece.duration]
-            )
-            roots = fitted.deriv().roots()
-            inner = roots.real[np.abs(roots.imag) < 1e-6]
-            at = np.concatenate([[0.0, piece.duration], np.clip(inner, 0.0, piece.duration)])
-            values = pick(piece.kinematics(at, *carried))
-            low, high = min(low, float(values.min())), max(high, float(values.max()))
-        return low, high
+    def _extremes(self, k: int) -> tuple[Array, Array, Array]:
+        """Return v, a, j at the begin of a piece, where v, a, j or v·a is stationary, and at its end."""
+        piece, v0 = self.pieces[k], float(self._carried[2][k])
+        inner = stationary(piece.c, piece.amplitude, piece.omega, piece.phase, piece.duration, v0)
+        u = np.array([0.0, *sorted(inner), piece.duration])
+        _, v, a, j = gains(u, np.array(piece.row)[:, None])
+        return v0 + v, a, j
+
+    @staticmethod
+    def _jumps(accelerations: list[Array]) -> bool:
+        """Whether a jumps between pieces that last, or at the ends against rest."""
+        before = [0.0, *(float(a[-1]) for a in accelerations)]
+        after = [*(float(a[0]) for a in accelerations), 0.0]
+        largest = max(float(np.abs(a).max()) for a in accelerations)
+        return max(abs(x - y) for x, y in zip(before, after, strict=True)) > JUMP * largest
 
     def _rms(self) -> float:
-        total = 0.0
+        """Return sqrt(∫a²) by Gauss-Legendre, exact for the polynomial, on at most half a turn of ωu."""
+        square = 0.0
         for piece in self.pieces:
-            nodes, weights = leggauss(16 + int(4 * piece.omega * piece.duration))
-            a = piece.kinematics(piece.duration * (nodes + 1) / 2, 0.0, 0.0)[2]
-            total += piece.duration / 2 * float(weights @ a**2)
-        return sqrt(total)
-
-    def _jumps(self) -> bool:
-        """Whether the acceleration jumps, between pieces or against rest at the ends."""
-        reached = 0.0
-        for piece in self.pieces:
-            ends = piece.kinematics(np.array([0.0, piece.duration]), 0.0, 0.0)[2]
-            if abs(ends[0] - reached) > JUMP:
-                return True
-            reached = float(ends[1])
-        return abs(reached) > JUMP
+            parts = 1 + int(abs(piece.omega) * piece.duration / math.pi)
+            width = piece.duration / parts
+            u = (np.arange(parts)[:, None] + (NODES + 1.0) / 2.0).ravel() * width
+            a = gains(u, np.array(piece.row)[:, None])[2]
+            square += float(np.tile(WEIGHTS, parts) @ (a * a)) * width / 2.0
+        return math.sqrt(square)
 
 
-def _velocity(k: tuple[Array, Array, Array, Array]) -> Array:
-    return k[1]
+def _before(gained: Array) -> Array:
+    """Return the sum of what was gained before each piece."""
+    return np.concatenate([[0.0], np.cumsum(gained)[:-1]])
 
 
-def _acceleration(k: tuple[Array, Array, Array, Array]) -> Array:
-    return k[2]
+POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
 
-
-def _jerk(k: tuple[Array, Array, Array, Array]) -> Array:
-    return k[3]
-
-
-def _power(k: tuple[Array, Array, Array, Array]) -> Array:
-    return k[1] * k[2]
+ENTRY = Entry(
+    law=PieceLaw,
+    aliases=("own", "pieces"),
+    source="own law of the engineer; the example is the polynomial 3-4-5",
+    claims=Claims(
+        order_ends=2,
+        order_inside=math.inf,
+        where={"x": "sqrt(3/7 - 4*sqrt(2)/21)"},  # 2ξ − 1, negative, where v·a is greatest
+        coefficients={
+            "cv": "15/8",
+            "ca_max": "10/sqrt(3)",
+            "ca_min": "-ca_max",
+            "ca_rms": "sqrt(120/7)",
+            "cj": "60",
+            "va_max": "225/4*x*(1 - x**2)**3",
+            "va_min": "-va_max",
+        },
+    ),
+    example=lambda: PieceLaw(POLYNOMIAL_345),
+)

@@ -1,49 +1,100 @@
-"""Trapezoidal velocity (TVP), asymmetric in general: S1, slides on the asymmetric trapezoidal speed profile."""
+"""Trapezoidal velocity (TVP), symmetric or not."""
 
 from __future__ import annotations
 
-from math import inf, sqrt
-from typing import ClassVar
+import math
+from dataclasses import dataclass
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law
+from engine.laws.base import BREAK_TOLERANCE, Array, Claims, Coefficients, Entry, Law, require_finite
 
 
+@dataclass(frozen=True)
 class TrapezoidalVelocity(Law):
-    """Constant acceleration A up to α_v, uniform velocity up to α_w, constant deceleration B to the end.
+    """Constant acceleration A up to ξ = α_v, uniform velocity A α_v, constant deceleration B from ξ = α_w on.
 
-    With α_s = 1 and h = 1 (S1, second system of equations)::
-
-        A = 2 / (α_v (1 − α_v + α_w)),   B = 2 / ((1 − α_w)(1 − α_v + α_w)),   A/B = (1 − α_w)/α_v
-
-    ``rise_end`` is α_v, ``fall_start`` α_w. S3's TVP is the symmetric case with e_v = 1/3.
-    Raises ValueError unless 0 < α_v ≤ α_w < 1.
+    A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)).
+    ``rise_end`` is α_v and ``fall_start`` α_w, both as shares of the rise (α_s = 1):
+    0 < α_v ≤ α_w < 1, else ValueError.
+    Source: S1, 'Asymmetric trapezoidal speed profile', equations of A and B; S3, function TVP (e_v = 1/3).
     """
 
-    code: ClassVar[str] = "TVP"
-    name: ClassVar[str] = "Trapezoidal velocity"
+    code = "TVP"
+    name = "Trapezoidal velocity"
 
-    def __init__(self, rise_end: float = 1 / 3, fall_start: float = 2 / 3) -> None:
-        if not 0 < rise_end <= fall_start < 1:
+    rise_end: float = 1 / 3
+    fall_start: float = 2 / 3
+
+    def __post_init__(self) -> None:
+        """Check what was given."""
+        require_finite(rise_end=self.rise_end, fall_start=self.fall_start)
+        if not 0.0 < self.rise_end <= self.fall_start < 1.0:
             raise ValueError(
-                f"trapezoidal velocity: expected 0 < rise_end <= fall_start < 1, found {rise_end:g} and {fall_start:g}"
+                f"rise_end is {self.rise_end:g} and fall_start {self.fall_start:g}; "
+                "expected 0 < rise_end <= fall_start < 1"
             )
-        self.rise_end, self.fall_start = rise_end, fall_start
-        width = 1 - rise_end + fall_start
-        self.acceleration = 2 / (rise_end * width)
-        self.deceleration = 2 / ((1 - fall_start) * width)
 
-    def _kinematics(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        a, b, first, second = self.acceleration, self.deceleration, self.rise_end, self.fall_start
-        early, late = xi < first - BREAK_TOLERANCE, xi >= second - BREAK_TOLERANCE
-        rest, top = 1 - xi, a * first
-        s = np.where(early, a / 2 * xi * xi, np.where(late, 1 - b / 2 * rest * rest, top * (xi - first / 2)))
-        v = np.where(early, a * xi, np.where(late, b * rest, top))
-        return s, v, np.where(early, a, np.where(late, -b, 0.0)), np.zeros_like(xi)
+    @property
+    def acceleration(self) -> float:
+        """A: the constant acceleration up to α_v."""
+        return 2.0 / (self.rise_end * (1.0 - self.rise_end + self.fall_start))
+
+    @property
+    def deceleration(self) -> float:
+        """B: the constant deceleration from α_w on, positive."""
+        return 2.0 / ((1.0 - self.fall_start) * (1.0 - self.rise_end + self.fall_start))
+
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, float]:
+        up, down = self.acceleration, self.deceleration
+        top = up * self.rise_end
+        fall = xi >= self.fall_start - BREAK_TOLERANCE
+        rise = (xi < self.rise_end - BREAK_TOLERANCE) & ~fall
+        t = 1.0 - xi
+        s = np.where(
+            rise,
+            up / 2 * xi * xi,
+            np.where(fall, 1.0 - down / 2 * t * t, top * (xi - self.rise_end / 2)),
+        )
+        v = np.where(rise, up * xi, np.where(fall, down * t, top))
+        return s, v, np.where(rise, up, np.where(fall, -down, 0.0)), 0.0
 
     def _coefficients(self) -> Coefficients:
-        a, b, first, second = self.acceleration, self.deceleration, self.rise_end, self.fall_start
-        top = a * first
-        rms = sqrt(first * a**2 + (1 - second) * b**2)
-        return Coefficients(cv=top, ca_max=a, ca_min=-b, ca_rms=rms, cj=inf, va_max=top * a, va_min=-top * b)
+        up, down = self.acceleration, self.deceleration
+        top = up * self.rise_end
+        square = self.rise_end * up**2 + (1.0 - self.fall_start) * down**2
+        return Coefficients(
+            cv=top,
+            ca_max=up,
+            ca_min=-down,
+            ca_rms=math.sqrt(square),
+            cj=math.inf,
+            va_max=top * up,
+            va_min=-top * down,
+        )
+
+
+ENTRY = Entry(
+    law=TrapezoidalVelocity,
+    aliases=(
+        "trapezoidal speed",
+        "asymmetric trapezoidal",
+        "asymmetric trapezoidal speed profile",
+        "s-shape",
+    ),
+    source="S1, 'Asymmetric trapezoidal speed profile'; S3, function TVP",
+    claims=Claims(
+        order_ends=1,
+        order_inside=1,
+        coefficients={
+            "cv": "3/2",
+            "ca_max": "9/2",
+            "ca_min": "-9/2",
+            "ca_rms": "9/2*sqrt(2/3)",
+            "cj": "inf",
+            "va_max": "27/4",
+            "va_min": "-27/4",
+        },
+    ),
+    example=TrapezoidalVelocity,
+)
