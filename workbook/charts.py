@@ -6,7 +6,11 @@ from openpyxl.chart import Reference, ScatterChart
 from openpyxl.chart import Series as ChartSeries
 from openpyxl.chart.layout import Layout, ManualLayout
 from openpyxl.chart.shapes import GraphicalProperties
+from openpyxl.chart.text import RichText
+from openpyxl.chart.text import Text as ChartText
+from openpyxl.chart.title import Title
 from openpyxl.drawing.line import LineProperties
+from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
 from openpyxl.workbook import Workbook
 
 from workbook.declare import Book, Chart, Series
@@ -19,16 +23,23 @@ CM_PER_ROW = 0.53
 def draw(chart: Chart, book: Book, workbook: Workbook, width: int, height: int) -> ScatterChart:
     """Return the openpyxl chart for ``chart``, ``width`` columns by ``height`` rows large."""
     drawn = ScatterChart()
-    drawn.title, drawn.style, drawn.scatterStyle = chart.title, 2, "lineMarker"
+    drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, 1300), 2, "lineMarker"
     drawn.width, drawn.height = width * CM_PER_COLUMN, height * CM_PER_ROW
     for i, series in enumerate(chart.series):
         drawn.series.append(line(series, book, COLOURS[i % len(COLOURS)]))
     drawn.legend.position = "b"
     if len(chart.series) == 1:
         drawn.legend = None
-    drawn.title.overlay = False
     axes(drawn, chart)
     return drawn
+
+
+def heading(text: str, size: int) -> Title:
+    """Return a title of a chart or an axis, in bold of ``size`` hundredths of a point."""
+    properties = CharacterProperties(sz=size, b=True)
+    run = RegularTextRun(rPr=properties, t=text)
+    paragraph = Paragraph(pPr=ParagraphProperties(defRPr=properties), r=[run])
+    return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=False)
 
 
 def line(series: Series, book: Book, colour: str) -> ChartSeries:
@@ -53,14 +64,16 @@ def axes(drawn: ScatterChart, chart: Chart) -> None:
         (drawn.x_axis, chart.x, chart.x_range),
         (drawn.y_axis, chart.y, chart.y_range),
     ):
-        axis.title, axis.delete = title, False  # Excel hides an axis that does not say so
+        axis.title, axis.delete = heading(title, 1000), False  # Excel hides an axis that does not say so
         axis.number_format, axis.majorTickMark = "General", "out"
-        axis.title.overlay = False
         axis.majorGridlines.spPr = GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350))
         if limits:
             axis.scaling.min, axis.scaling.max, axis.majorUnit = limits
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.hide_y:
-        drawn.y_axis.tickLblPos, drawn.y_axis.majorGridlines = "none", None
-        drawn.y_axis.majorTickMark = "none"
-    drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=0.13, y=0.14, w=0.82, h=0.58))
+        drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
+    drawn.layout = Layout(
+        ManualLayout(
+            xMode="edge", yMode="edge", x=0.13, y=0.12, w=0.82, h=0.66 if len(chart.series) > 1 else 0.7
+        )
+    )

@@ -48,6 +48,7 @@ class Quantity:
     scale: float | None = None
     format: str = ""
     choices: str = ""
+    align: str = ""
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:
@@ -192,6 +193,7 @@ class Sheet:
     blocks: list[Block] = field(default_factory=list)
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
+    one_page: bool = False
 
     def heading(self, text: str, note: str = "") -> None:
         """Begin a section."""
@@ -228,12 +230,17 @@ class Sheet:
     def table(self, name: str, title: str, size: int, *quantities: Quantity) -> Block:
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations."""
         self.texts.append(Text(self.row, FIRST, title, "subheading"))
+        explained = any(q.source for q in quantities)
         for i, q in enumerate(quantities):
             unit = f"{q.symbol} [{q.unit}]" if q.unit else q.symbol
-            for k, (text, style) in enumerate(((q.label, "header"), (unit, "units"), (q.source, "equation"))):
+            lines = [(q.label, "header"), (unit, "units")]
+            if explained:
+                lines.append((q.source, "equation"))
+            for k, (text, style) in enumerate(lines):
                 self.texts.append(Text(self.row + 1 + k, FIRST + i, text, style))
-        block = self._place(Block(name, self, self.row + 4, FIRST, quantities, size, title))
-        self.row += 5 + size
+        top = self.row + (4 if explained else 3)
+        block = self._place(Block(name, self, top, FIRST, quantities, size, title))
+        self.row = top + size + 1
         return block
 
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:

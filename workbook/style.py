@@ -17,6 +17,12 @@ from workbook.declare import Quantity
 COLOURS = ("1F4E79", "C55A11", "548235", "7030A0", "BF9000", "404040")
 GRID = "D9D9D9"
 
+
+def font(**more: Any) -> Font:
+    """Return the book's own font; openpyxl's bare Font names none, and each program then takes another."""
+    return Font(name="Calibri", size=11, **more)
+
+
 CELL_STYLES = {
     "input": "Input",
     "calculation": "Calculation",
@@ -29,17 +35,17 @@ TEXT_STYLES: dict[str, dict[str, Any]] = {
     "heading": {"style": "Headline 2"},
     "subheading": {"style": "Headline 4"},
     "label": {},
-    "symbol": {"font": Font(italic=True), "alignment": Alignment(horizontal="center")},
-    "unit": {},
+    "symbol": {"font": font(italic=True), "alignment": Alignment(horizontal="center")},
+    "unit": {"alignment": Alignment(indent=1)},
     "note": {"style": "Explanatory Text"},
     "link": {"style": "Hyperlink"},
     "header": {
-        "font": Font(bold=True),
+        "font": font(bold=True),
         "fill": PatternFill("solid", fgColor="DDEBF7"),
         "alignment": Alignment(wrap_text=True, horizontal="center", vertical="center"),
     },
     "units": {
-        "font": Font(italic=True),
+        "font": font(italic=True),
         "fill": PatternFill("solid", fgColor="DDEBF7"),
         "alignment": Alignment(horizontal="center"),
     },
@@ -63,13 +69,12 @@ class Styles:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
-    def _quantity(self, role: str, number_format: str, table: bool) -> Any:
+    def _quantity(self, role: str, number_format: str, align: str) -> Any:
         cell = self._scratch.cell(1, 1)
         cell.style = CELL_STYLES[role]  # first: it resets number format and protection
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
-        if table or role in ("check", "input"):
-            cell.alignment = Alignment(horizontal="center" if role in ("check", "constant") else None)
+        cell.alignment = Alignment(horizontal=align)
         return cell._style
 
     def _text(self, kind: str) -> Any:
@@ -85,6 +90,15 @@ class Styles:
 def apply(cell: Cell, style: Any) -> None:
     """Give ``cell`` a style array that this workbook already holds."""
     cell._style = style
+
+
+def alignment(q: Quantity, value: Any, table: bool) -> str:
+    """Return how a quantity stands in its cell: numbers to the right, counters and texts of tables centred."""
+    if q.align:
+        return q.align
+    if q.role == "check" or (table and (isinstance(value, str | None) or q.role == "constant")):
+        return "center"
+    return "right" if not isinstance(value, str) or len(value) < 10 else "left"
 
 
 def number_format(q: Quantity, value: Any) -> str:

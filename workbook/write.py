@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import tempfile
@@ -80,7 +81,9 @@ def write_block(block: Block, page: Worksheet, styles: style.Styles) -> None:
             else list(q.value)
         )
         sample = peak(values) if isinstance(values, list) else values
-        formats[q.name] = styles.quantity(q.role, style.number_format(q, sample), block.is_table)
+        formats[q.name] = styles.quantity(
+            q.role, style.number_format(q, sample), style.alignment(q, sample, block.is_table)
+        )
     for q, _, row, column, content in (c[1:6] for c in block.cells()):
         cell = page.cell(row, column, content)
         style.apply(cell, formats[q.name])
@@ -114,7 +117,7 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
     page.page_setup.orientation, page.page_setup.paperSize = "landscape", 9
-    page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, 0
+    page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(sheet.one_page)
     page.sheet_properties.pageSetUpPr.fitToPage = True
     page.print_title_rows = "1:3"
     right = get_column_letter(sheet.print_columns or max(used, LAST_PAGE_COLUMN))
@@ -130,12 +133,11 @@ def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) ->
     """
     refuse_existing(path, overwrite)
 
-    def write(draft: Path) -> None:
-        workbook.save(draft)
-        formualizer.recalculate_file(str(draft))
-        normalise(draft, [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts])
-
-    replace(path, write)
+    draft = io.BytesIO()
+    workbook.save(draft)
+    filled = formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"]
+    abouts = [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts]
+    replace(path, lambda beside: normalise(filled, beside, abouts))
 
 
 def refuse_existing(path: Path, overwrite: bool) -> None:
@@ -167,9 +169,9 @@ def replace(path: Path, write: Callable[[Path], None]) -> None:
         draft.unlink(missing_ok=True)
 
 
-def normalise(path: Path, abouts: list[tuple[str, str]]) -> None:
-    """Rewrite the archive with fixed times, and with alternative text on its charts, which openpyxl lacks."""
-    with zipfile.ZipFile(path) as old:
+def normalise(data: bytes, path: Path, abouts: list[tuple[str, str]]) -> None:
+    """Write the archive with fixed times, and with alternative text on its charts, which openpyxl lacks."""
+    with zipfile.ZipFile(io.BytesIO(data)) as old:
         members = [(info.filename, old.read(info)) for info in old.infolist()]
     titles = iter(abouts)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as new:

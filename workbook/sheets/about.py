@@ -16,6 +16,8 @@ SOURCES = {
 def about_sheet(book: Book, version: str, purpose: str, key_results: list[Quantity]) -> None:
     """Declare the sheet's head; the contents follow once every sheet is there (:func:`contents`)."""
     sheet = book.sheet("About", purpose)
+    sheet.one_page = True
+    sheet.print_columns = 13
     sheet.heading("How to use this book")
     for line in (
         "1  Enter: change the cells in the style Input (orange on the sheets below). Everything else follows, tables and charts too.",

@@ -8,6 +8,7 @@ from workbook.declare import Book, Quantity, Sheet, calc, check, constant, resul
 def checks_sheet(book: Book) -> Sheet:
     """Declare the sheet; to be called when every check of the book is declared."""
     sheet = book.sheet("Checks", "Every check of this book; one FAIL fails the book.")
+    sheet.one_page = True
     found = book.checks
     verdicts = [str(q.value) for _, q in found]
     sheet.heading("What comes out")
@@ -22,7 +23,7 @@ def checks_sheet(book: Book) -> Sheet:
     sheet.row += 1
     sheet.table(
         "checks", "Checks", len(found),
-        constant("what", "check", "", "", [q.label for _, q in found]),
+        constant("what", "check", "", "", [q.label for _, q in found], align="left"),
         constant("k", "number", "", "", list(range(1, len(found) + 1))),
         result("verdict", "verdict", "", "", [f"={q.name}" for _, q in found], verdicts),
         constant("where", "sheet", "", "", [s.title for s, _ in found]),

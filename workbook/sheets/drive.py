@@ -57,7 +57,7 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
     sheet.heading("Table over the cycle")
     table(sheet, machine, omega)
     limits(sheet, machine)
-    sheet.print_columns = 15
+    sheet.print_columns = 18
 
 
 def inertia_table(sheet: Sheet, machine: Cutting) -> None:

@@ -181,7 +181,9 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
             result(f"t{i}", f"{name} velocity", "ẏ", "m/s", f"=[g{i}]*timing_omega", at.y1 * speed, source="y' ω", scale=1e-3),
             result(f"tt{i}", f"{name} acceleration", "ÿ", "m/s²", f"=[gg{i}]*timing_omega^2", at.y2 * speed**2, source="y'' ω²", scale=1e-3),
         ]  # fmt: skip
-        lanes.append(calc(f"lane{i}", f"{name} in the diagram", "", "", LANE.format(i, 3 - i), lane(y, 3 - i)))
+        lanes.append(
+            calc(f"lane{i}", f"{name} in the diagram", "", "", LANE.format(i, 3 - i), lane(y, 3 - i))
+        )
         workings += located(i, axis, theta, pieces)
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(theta),
@@ -192,7 +194,9 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
     )  # fmt: skip
 
 
-LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],0.8*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
+LANE = (
+    "={1}+IF([axes.high.{0}]>[axes.low.{0}],0.8*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
+)
 
 
 def lane(y: np.ndarray, floor: int) -> np.ndarray:
@@ -236,7 +240,7 @@ def draw_diagram(sheet: Sheet, axes: list[Axis]) -> None:
         f"Timing diagram: rises, dwells and returns of {names} over one turn of the master shaft",
         (0, 360, 30), (0, 3, 1), hide_y=True,
     )  # fmt: skip
-    sheet.chart(chart, column=10, row=5, width=9, height=25)
+    sheet.chart(chart, column=10, row=5, width=8, height=25)
 
 
 def draw_curves(sheet: Sheet, axes: list[Axis]) -> None:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import shutil
-import tempfile
+import io
 from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 import formualizer
@@ -27,11 +25,8 @@ class Formualizer:
 
     def values(self, file: BookFile) -> dict[Address, Any]:
         """Return the value of every formula cell."""
-        with tempfile.TemporaryDirectory() as folder:
-            copy = Path(folder) / f"book{file.path.suffix}"
-            shutil.copyfile(file.path, copy)
-            try:
-                formualizer.recalculate_file(str(copy))
-            except Exception as error:
-                raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
-            return cached_values(copy, file)
+        try:
+            filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]
+        except Exception as error:
+            raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
+        return cached_values(io.BytesIO(filled), file)

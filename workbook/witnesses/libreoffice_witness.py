@@ -71,7 +71,9 @@ class LibreOffice:
         if soffice is None:
             return None
         environment = os.environ | {"HOME": tempfile.gettempdir()} if sys.platform != "win32" else None
-        said = subprocess.run([soffice, "--version"], capture_output=True, text=True, check=False, env=environment)  # noqa: S603
+        said = subprocess.run(
+            [soffice, "--version"], capture_output=True, text=True, check=False, env=environment
+        )  # noqa: S603
         found = re.search(r"\d+(\.\d+)+", said.stdout)
         return found.group() if found else "unknown version"
 

@@ -75,7 +75,9 @@ def _compiled(shape: str, functions: frozenset[str]) -> Callable[[], Any]:
         if name not in all_excel_functions:
             raise FormulaError("#NAME?", f"{name} is no function of Excel")
         if name in REFERENCES:
-            raise FormulaError("#NAME?", f"{name} depends on where a cell stands, which pycel cannot be asked here")
+            raise FormulaError(
+                "#NAME?", f"{name} depends on where a cell stands, which pycel cannot be asked here"
+            )
     try:
         code, names = ExcelFormula(shape).compiled_python
     except RecursionError as error:
@@ -124,7 +126,14 @@ class PycelModel:
         self._failed: Cells = {}
         self._titles = {title.lower(): title for title in workbook.sheetnames}
         self._names = {
-            name.lower(): Area(p.sheet, p.row, p.column, p.row + p.rows - 1, p.column + p.columns - 1, p.rows == p.columns == 1)
+            name.lower(): Area(
+                p.sheet,
+                p.row,
+                p.column,
+                p.row + p.rows - 1,
+                p.column + p.columns - 1,
+                p.rows == p.columns == 1,
+            )
             for name, p in find_places(workbook).items()
         }
         formulas: dict[Address, Formula] = {}
@@ -132,11 +141,15 @@ class PycelModel:
             for row in sheet.iter_rows():
                 for cell in row:
                     if cell.value is not None:
-                        self._take(Address(sheet.title, cell.row, cell.column), cell.value, cell.data_type, formulas)
+                        self._take(
+                            Address(sheet.title, cell.row, cell.column), cell.value, cell.data_type, formulas
+                        )
         self._steps = self._prepared(formulas)
         self._order = self._ordered()
 
-    def evaluate(self, inputs: Mapping[Address, Any] | None = None, assumed: Mapping[Address, Any] | None = None) -> Cells:
+    def evaluate(
+        self, inputs: Mapping[Address, Any] | None = None, assumed: Mapping[Address, Any] | None = None
+    ) -> Cells:
         """Return the value of every formula cell.
 
         ``inputs`` stand in for constant cells. ``assumed`` are values that formulas find in other formula
@@ -161,7 +174,9 @@ class PycelModel:
             return
         try:
             if not isinstance(value, str):
-                raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
+                raise FormulaError(
+                    "#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated"
+                )
             formulas[address] = read(value, address.sheet, self._area)
         except FormulaError as error:
             self._fail(address, error)
@@ -261,14 +276,19 @@ def plain(value: Any) -> Any:
 
 def cells_of(area: Area) -> list[Address]:
     """Return the addresses of an area, row by row."""
-    return [Address(area.sheet, r, c) for r in range(area.top, area.bottom + 1) for c in range(area.left, area.right + 1)]
+    return [
+        Address(area.sheet, r, c)
+        for r in range(area.top, area.bottom + 1)
+        for c in range(area.left, area.right + 1)
+    ]
 
 
 def table_of(area: Area, values: Cells) -> tuple[tuple[Any, ...], ...]:
     """Return the values of an area as pycel's functions take them: a tuple of rows."""
     columns = range(area.left, area.right + 1)
     return tuple(
-        tuple(values.get(Address(area.sheet, r, c)) for c in columns) for r in range(area.top, area.bottom + 1)
+        tuple(values.get(Address(area.sheet, r, c)) for c in columns)
+        for r in range(area.top, area.bottom + 1)
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Protocol
+from typing import IO, Any, Protocol
 
 import openpyxl
 from openpyxl import Workbook
@@ -34,7 +34,7 @@ def formula_cells(workbook: Workbook) -> Iterator[Address]:
                     yield Address(sheet.title, cell.row, cell.column)
 
 
-def cached_values(path: Path, file: BookFile) -> dict[Address, Any]:
-    """Return what the file at ``path`` holds as results of the formula cells of ``file``."""
+def cached_values(path: Path | IO[bytes], file: BookFile) -> dict[Address, Any]:
+    """Return what another copy of the file holds as results of the formula cells of ``file``."""
     held = openpyxl.load_workbook(path, data_only=True)
     return {a: held[a.sheet].cell(a.row, a.column).value for a in formula_cells(file.workbook)}

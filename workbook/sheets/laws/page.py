@@ -50,8 +50,8 @@ COEFFICIENTS = (
     ("ca_min", "Deceleration coefficient", "C_a−"),
     ("ca_rms", "RMS acceleration coefficient", "C_a,rms"),
     ("cj", "Jerk coefficient", "C_j"),
-    ("va_max", "Largest velocity times acceleration, driving", "max(v·a)"),
-    ("va_min", "Lowest velocity times acceleration, braking", "min(v·a)"),
+    ("va_max", "Largest v·a, when driving", "max(v·a)"),
+    ("va_min", "Lowest v·a, when braking", "min(v·a)"),
 )
 
 
@@ -131,6 +131,7 @@ def law_sheet(
     )
     draw(sheet, code)
     sheet.row = max(sheet.row, 50)
+    sheet.print_columns = 19
     sheet.heading("Table")
     samples(sheet, code, law, number, lift, time, intervals, stack)
 
@@ -149,12 +150,12 @@ def pieces_table(sheet: Sheet, page: LawPage, law: Law) -> None:
     }
     sheet.table(
         f"{page.code}_pieces", "Pieces of the law", len(rows),
-        constant("name", "piece", "", "", text["name"]),
+        constant("name", "piece", "", "", text["name"], align="left"),
         constant("k", "number", "k", "", list(range(1, len(rows) + 1))),
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", values["xi"], scale=1.0),
         calc("d", "duration", "d", "", text["d"], values["d"], scale=1.0),
         *(calc(n, *labels[n], "", text[n], values[n], scale=1.0) for n in labels),
-        constant("equation", "equation in the books", "", "", text["equation"]),
+        constant("equation", "equation in the books", "", "", text["equation"], align="left"),
     )  # fmt: skip
 
 
