@@ -18,6 +18,7 @@ from workbook.style import COLOURS, GRID
 
 CM_PER_COLUMN = 2.15
 CM_PER_ROW = 0.53
+BELOW, BELOW_WITH_LEGEND = 1.5, 2.2  # cm for the labels of the abscissa, its title, the legend
 
 
 def draw(chart: Chart, book: Book, workbook: Workbook, width: int, height: int) -> ScatterChart:
@@ -72,6 +73,8 @@ def axes(drawn: ScatterChart, chart: Chart) -> None:
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.hide_y:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
+    below = BELOW_WITH_LEGEND if len(chart.series) > 1 else BELOW
+    room = 0.88 - below / drawn.height
     drawn.layout = Layout(
         ManualLayout(
             xMode="edge", yMode="edge", x=0.13, y=0.12, w=0.82, h=0.66 if len(chart.series) > 1 else 0.7

@@ -36,7 +36,7 @@ TEXT_STYLES: dict[str, dict[str, Any]] = {
     "subheading": {"style": "Headline 4"},
     "label": {},
     "symbol": {"font": font(italic=True), "alignment": Alignment(horizontal="center")},
-    "unit": {"alignment": Alignment(indent=1)},
+    "unit": {"alignment": Alignment(horizontal="left", indent=1)},
     "note": {"style": "Explanatory Text"},
     "link": {"style": "Hyperlink"},
     "header": {

@@ -34,7 +34,7 @@ def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
     )  # fmt: skip
     axes_table(sheet, machine)
     draw_diagram(sheet, timing.axes)
-    sheet.row = max(sheet.row, 31)
+    sheet.row = max(sheet.row, 26)
     for i, axis in enumerate(timing.axes, 1):
         phases(sheet, machine, i, axis, sizes)
     draw_curves(sheet, timing.axes)
@@ -240,7 +240,7 @@ def draw_diagram(sheet: Sheet, axes: list[Axis]) -> None:
         f"Timing diagram: rises, dwells and returns of {names} over one turn of the master shaft",
         (0, 360, 30), (0, 3, 1), hide_y=True,
     )  # fmt: skip
-    sheet.chart(chart, column=10, row=5, width=8, height=25)
+    sheet.chart(chart, column=10, row=5, width=8, height=21)
 
 
 def draw_curves(sheet: Sheet, axes: list[Axis]) -> None:
