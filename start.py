@@ -1,0 +1,98 @@
+"""Set motionbook up and run it, with nothing but Python 3.11 or newer; no arguments: what it can do."""
+
+import hashlib
+import importlib.util
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent
+VENV = ROOT / ".venv"
+STAMP, LOG = VENV / "set-up.txt", VENV / "set-up.log"
+LOCKS = {"run": ROOT / "requirements.lock", "dev": ROOT / "requirements-dev.lock"}  # dev includes run
+CHECKS = ("ruff format --check .", "ruff check .", "mypy", "lint-imports", "motionbook templates --check")
+OFFLINE = re.compile("(NewConnection|NameResolution|ConnectTimeout|ReadTimeout|Proxy)Error")
+USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook into the current folder
+{0} start.py COMMAND ...               any other motionbook command; COMMAND --help explains it
+{0} start.py test [PYTEST ARGUMENTS]   run the tests
+{0} start.py check                     format, lint, types, import rule, templates up to date
+The first run sets motionbook up in the folder .venv beside start.py."""
+
+
+def require(version: "tuple[int, int]", modules: "tuple[str, ...]" = ("venv", "ensurepip")) -> None:
+    """Raise RuntimeError if this Python cannot set motionbook up: too old, or one of the modules missing."""
+    if version < (3, 11):  # so this file has to parse under old Pythons too
+        this = "{}.{} ({})".format(*version, sys.executable)
+        raise RuntimeError(f"it needs Python 3.11 or newer, this is {this}; see www.python.org/downloads")
+    for name in modules:
+        if importlib.util.find_spec(name) is None:
+            raise RuntimeError(f"this Python has no {name} (Debian, Ubuntu: sudo apt install python3-venv)")
+
+
+def diagnosis(output: str) -> str:
+    """Tell in one line why pip failed."""
+    if OFFLINE.search(output):
+        return f"no connection to the Python package index; connect, then run this again (details: {LOG})"
+    errors = [line[6:].strip() for line in output.splitlines() if line.startswith("ERROR:")]
+    return f"{errors[0] if errors else 'pip ended early'} (details: {LOG})"
+
+
+def program(name: str) -> str:
+    """Path of one of the environment's programs."""
+    return str(VENV / "Scripts" / (name + ".exe") if os.name == "nt" else VENV / "bin" / name)
+
+
+def pip_install(*arguments: str) -> None:
+    """Install with the environment's own pip, silently; RuntimeError says why if it fails."""
+    options = ["--no-input", "--disable-pip-version-check", "--retries=2", "install", "--no-user", *arguments]
+    command = [program("python"), "-I", "-m", "pip", *options]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace")
+    if done.returncode:
+        LOG.write_text(done.stdout, encoding="utf-8")
+        raise RuntimeError(diagnosis(done.stdout))
+
+
+def set_up(kind: str) -> None:
+    """Make .venv anew unless it was finished with this Python, in this place, from this metadata and lock."""
+    files = [ROOT / "pyproject.toml", *LOCKS.values()]
+    origin = "\0".join([sys.version, str(ROOT)] + [path.read_text(encoding="utf-8") for path in files])
+    wanted = hashlib.sha256(origin.encode()).hexdigest()
+    usable = STAMP.exists() and os.path.exists(program("python"))
+    if usable and STAMP.read_text(encoding="utf-8") in (f"{wanted} {kind}", f"{wanted} dev"):
+        return
+    import venv  # not above: where it is missing, require() has to speak first
+
+    print("Setting up (once, about a minute) …", file=sys.stderr, flush=True)
+    venv.EnvBuilder(clear=True, with_pip=True, symlinks=os.name != "nt").create(VENV)
+    pip_install("--only-binary=:all:", "--require-hashes", "-r", str(LOCKS[kind]))
+    pip_install("--no-deps", "--no-build-isolation", "-e", str(ROOT))
+    STAMP.write_text(f"{wanted} {kind}", encoding="utf-8")
+
+
+def main(arguments: "list[str]") -> int:
+    """Carry the arguments out; exit code 2 if the set-up fails, motionbook's code for what cannot be read."""
+    command = arguments[0] if arguments else "--help"
+    if command in ("-h", "--help"):
+        print(USAGE.format("py" if os.name == "nt" else "python3"))
+        return 0
+    try:
+        require(sys.version_info[:2])
+        set_up("dev" if command in ("test", "check") else "run")
+        if command == "test":
+            return subprocess.call([program("pytest"), *arguments[1:]], cwd=ROOT)
+        if command == "check":
+            failed = [c for c in CHECKS if subprocess.call([program(c.split()[0]), *c.split()[1:]], cwd=ROOT)]
+            print("Failed: " + ", ".join(failed) if failed else "Every check passed.")
+            return int(bool(failed))
+        return subprocess.call([program("motionbook"), *arguments])
+    except (OSError, RuntimeError, subprocess.SubprocessError) as error:
+        print(f"Set-up failed: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

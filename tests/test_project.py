@@ -1,0 +1,91 @@
+"""What the project promises about itself: its files, its locks, the README's commands."""
+
+import re
+import subprocess
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+ROOT = Path(__file__).parents[1]
+LOCKS = {"requirements.lock": ["build"], "requirements-dev.lock": ["build", "dev"]}
+PACKAGE_INDEX = re.compile(
+    r"\b(?:pypi|pythonhosted|npmjs|crates|debian)\.(?:org|io)\b|--(?:extra-)?index[-]url|--find[-]links"
+)
+OWN_PATH = re.compile(r"(?<![\w.~/-])/(?:home|root|Users|work)/")
+PIN = re.compile(r"(?P<name>[a-z0-9-]+)==\S+(?: ; .+)? \\")
+
+
+def pins(lock: str) -> list[Requirement]:
+    lines = (ROOT / lock).read_text(encoding="utf-8").splitlines()
+    return [Requirement(line.removesuffix(" \\")) for line in lines if PIN.fullmatch(line)]
+
+
+def declared(lock: str) -> dict[str, Requirement]:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    texts = list(project["project"]["dependencies"])
+    for group in LOCKS[lock]:
+        texts += project["dependency-groups"][group]
+    return {canonicalize_name(found.name): found for found in map(Requirement, texts)}
+
+
+def tracked_texts() -> Iterator[tuple[str, str]]:
+    listing = subprocess.run(
+        ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, encoding="utf-8"
+    )
+    if listing.returncode:
+        pytest.skip("not a git checkout: nothing says which files are the project's")
+    for name in filter(None, listing.stdout.split("\0")):
+        try:
+            yield name, (ROOT / name).read_text(encoding="utf-8")
+        except (UnicodeDecodeError, FileNotFoundError):
+            continue  # a workbook or a picture; or deleted and not yet committed
+
+
+@pytest.mark.parametrize(
+    "pattern", [PACKAGE_INDEX, OWN_PATH], ids=["package index", "path of one's own machine"]
+)
+def test_no_tracked_text_names_a(pattern: re.Pattern[str]) -> None:
+    found = [f"{name}: {match[0]}" for name, text in tracked_texts() for match in pattern.finditer(text)]
+    assert found == []
+
+
+@pytest.mark.parametrize(
+    "command", ["python3 start.py build", "python3 start.py test", "py start.py build", "py start.py test"]
+)
+def test_the_readme_gives_each_set_up_command(command: str) -> None:
+    assert command in (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("lock", LOCKS)
+def test_a_lock_pins_exactly_what_pyproject_asks_for(lock: str) -> None:
+    text = (ROOT / lock).read_text(encoding="utf-8")
+    blocks = re.findall(r"^([a-z0-9-]+)==[^\n]*\n((?:[ ]+[^\n]*\n)+)", text, re.MULTILINE)
+    asked_for = {name for name, block in blocks if "motionbook (pyproject.toml" in block}
+    assert asked_for == set(declared(lock))
+    for pin in pins(lock):
+        (version,) = (item.version for item in pin.specifier)
+        wanted = declared(lock).get(canonicalize_name(pin.name))
+        assert wanted is None or version in wanted.specifier, f"{pin} in {lock}, {wanted} in pyproject.toml"
+
+
+@pytest.mark.parametrize("lock", LOCKS)
+def test_a_lock_holds_pins_with_hashes_and_nothing_else(lock: str) -> None:
+    lines = (ROOT / lock).read_text(encoding="utf-8").splitlines()
+    content = [line for line in lines if not line.lstrip().startswith("#")]
+    hashes = re.compile(r"    --hash=sha256:[0-9a-f]{64}(?: \\)?")
+    assert [line for line in content if not PIN.fullmatch(line) and not hashes.fullmatch(line)] == []
+    unhashed = [
+        a
+        for a, b in zip(content, [*content[1:], ""], strict=True)
+        if PIN.fullmatch(a) and not hashes.fullmatch(b)
+    ]
+    assert unhashed == []
+
+
+def test_the_tests_run_on_the_very_versions_that_users_get() -> None:
+    run, dev = ({str(pin) for pin in pins(lock)} for lock in LOCKS)
+    assert run - dev == set()
