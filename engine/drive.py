@@ -30,7 +30,6 @@ class Inertia:
     speed_ratio: float = 1.0
 
     def __post_init__(self) -> None:
-        """Check what was given."""
         _not_negative(self.name, count=self.count, J=self.J)
         require_finite(speed_ratio=self.speed_ratio)
 
@@ -62,7 +61,6 @@ class Load:
     resists: Literal["always", "moving"] = "always"
 
     def __post_init__(self) -> None:
-        """Check what was given."""
         _not_negative("load", inertia=self.inertia)
         require_finite(torque=self.torque)
         if self.resists not in ("always", "moving"):
@@ -80,7 +78,6 @@ class Transmission:
     efficiency: float = 1.0
 
     def __post_init__(self) -> None:
-        """Check what was given."""
         require_finite(ratio=self.ratio)
         if not self.ratio > 0.0:
             raise ValueError(f"ratio is {self.ratio:g}; expected more than 0")
@@ -101,7 +98,6 @@ class Motor:
     max_speed: float = math.inf
 
     def __post_init__(self) -> None:
-        """Check what was given."""
         _not_negative("motor", inertia=self.inertia)
         for name in ("rated_torque", "peak_torque", "max_speed"):
             if not getattr(self, name) > 0.0:
@@ -197,9 +193,7 @@ class Drive:
         """Return the motor's power C_m ω_m (W), negative where it brakes."""
         return self.motor_torque(w_r, dw_r) * self.motor_speed(w_r)
 
-    def operating_points(
-        self, w_r: ArrayLike, dw_r: ArrayLike, time: ArrayLike | None = None
-    ) -> OperatingPoints:
+    def operating_points(self, w_r: ArrayLike, dw_r: ArrayLike, time: ArrayLike | None = None) -> OperatingPoints:
         """Return speed, torque and power at the motor for samples of ω_r (rad/s) and ω̇_r (rad/s²)."""
         torque, speed = self.motor_torque(w_r, dw_r), self.motor_speed(w_r)
         at = None if time is None else np.asarray(time, dtype=np.float64)

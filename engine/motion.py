@@ -54,7 +54,6 @@ class Phase:
     duration: float
 
     def __post_init__(self) -> None:
-        """Check what was given."""
         require_finite(lift=self.lift, duration=self.duration)
         if self.duration <= 0.0:
             raise ValueError(f"duration is {self.duration:g}; expected more than 0")
@@ -90,9 +89,7 @@ class Motion:
         self._set(phases, start + np.cumsum([0.0, *(p.duration for p in phases)]), position)
 
     @classmethod
-    def from_edges(
-        cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0
-    ) -> Self:
+    def from_edges(cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0) -> Self:
         """Return the motion whose phases run between ``edges``, one more than lifts and laws, kept exactly.
 
         Raises ValueError where the numbers do not go together or the edges do not rise.
@@ -192,8 +189,7 @@ class Motion:
             after=after,
             jump_y=y_begin - y_end if after > before else y_end - y_begin,
             jump_v=other.lift * other.law.start.v / other.duration - one.lift * one.law.end.v / one.duration,
-            jump_a=other.lift * other.law.start.a / other.duration**2
-            - one.lift * one.law.end.a / one.duration**2,
+            jump_a=other.lift * other.law.start.a / other.duration**2 - one.lift * one.law.end.a / one.duration**2,
         )
 
     def _locate(self, x: Array) -> NDArray[np.intp]:
@@ -241,9 +237,7 @@ def motionlaw(
     settings = parameters if parameters is not None else [None] * len(laws)
     phases = [
         _phase(k, law(name, **(more or {})), lift, duration)
-        for k, (name, lift, duration, more) in enumerate(
-            zip(laws, lifts, durations, settings, strict=True), 1
-        )
+        for k, (name, lift, duration, more) in enumerate(zip(laws, lifts, durations, settings, strict=True), 1)
     ]
     motion = Motion(phases)
     abscissa = np.linspace(0.0, motion.total, n)

@@ -123,9 +123,7 @@ class Diagram:
             seen.add(axis.name)
             begin, end = float(axis.motion.edges[0]), float(axis.motion.edges[-1])
             if max(abs(begin), abs(end - cycle)) > FILL_TOLERANCE * cycle:
-                raise ValueError(
-                    f"axis {axis.name!r} runs from {begin:.10g} to {end:.10g}; expected 0 to {cycle:.10g}"
-                )
+                raise ValueError(f"axis {axis.name!r} runs from {begin:.10g} to {end:.10g}; expected 0 to {cycle:.10g}")
 
     def axis(self, name: str) -> Axis:
         """Return the axis of this name. Raises ValueError, which lists the names there are."""

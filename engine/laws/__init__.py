@@ -19,7 +19,8 @@ from engine.laws.cubic import Cubic
 from engine.laws.cycloidal import Cycloidal
 from engine.laws.dwell import Dwell
 from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
-from engine.laws.pieces import Piece, PieceLaw
+from engine.laws.piece import Piece
+from engine.laws.pieces import PieceLaw
 from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
 
 __all__ = [

@@ -90,7 +90,6 @@ class ModifiedTrapezoidal(Law):
     durations: tuple[float, float, float, float, float, float, float] = CLASSIC
 
     def __post_init__(self) -> None:
-        """Check what was given."""
         durations = tuple(float(d) for d in self.durations)
         if len(durations) != 7:
             raise ValueError(f"{len(durations)} durations are given; expected seven")
@@ -162,7 +161,7 @@ ENTRY = Entry(
     source="S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'",
     claims=Claims(
         order_ends=2,
-        order_inside=2,
+        order_inside=3,  # with equal sines at the middle; else 2
         where={"y": "2/(1 + pi + sqrt((1 + pi)**2 + 8))"},  # sin x where v·a is greatest
         coefficients={
             "cv": "2",

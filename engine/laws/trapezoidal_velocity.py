@@ -27,7 +27,6 @@ class TrapezoidalVelocity(Law):
     fall_start: float = 2 / 3
 
     def __post_init__(self) -> None:
-        """Check what was given."""
         require_finite(rise_end=self.rise_end, fall_start=self.fall_start)
         if not 0.0 < self.rise_end <= self.fall_start < 1.0:
             raise ValueError(
