@@ -3,34 +3,33 @@
 from __future__ import annotations
 
 from openpyxl.chart import Reference, ScatterChart
-from openpyxl.chart import Series as ChartSeries
+from openpyxl.chart.axis import ChartLines, NumericAxis
 from openpyxl.chart.layout import Layout, ManualLayout
+from openpyxl.chart.legend import Legend
+from openpyxl.chart.marker import Marker
+from openpyxl.chart.series import XYSeries
+from openpyxl.chart.series_factory import SeriesFactory
 from openpyxl.chart.shapes import GraphicalProperties
 from openpyxl.chart.text import RichText
 from openpyxl.chart.text import Text as ChartText
 from openpyxl.chart.title import Title
 from openpyxl.drawing.line import LineProperties
 from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
-from openpyxl.workbook import Workbook
 
 from workbook.declare import Book, Chart, Series
 from workbook.style import COLOURS, GRID
 
-CM_PER_COLUMN = 2.15
-CM_PER_ROW = 0.53
 BELOW, BELOW_WITH_LEGEND = 1.5, 2.2  # cm for the labels of the abscissa, its title, the legend
 
 
-def draw(chart: Chart, book: Book, workbook: Workbook, width: int, height: int) -> ScatterChart:
-    """Return the openpyxl chart for ``chart``, ``width`` columns by ``height`` rows large."""
+def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
+    """Return the openpyxl chart for ``chart``, ``width`` by ``height`` cm large."""
     drawn = ScatterChart()
     drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, 1300), 2, "lineMarker"
-    drawn.width, drawn.height = width * CM_PER_COLUMN, height * CM_PER_ROW
+    drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
         drawn.series.append(line(series, book, COLOURS[i % len(COLOURS)]))
-    drawn.legend.position = "b"
-    if len(chart.series) == 1:
-        drawn.legend = None
+    drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 else None
     axes(drawn, chart)
     return drawn
 
@@ -43,16 +42,13 @@ def heading(text: str, size: int) -> Title:
     return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=False)
 
 
-def line(series: Series, book: Book, colour: str) -> ChartSeries:
+def line(series: Series, book: Book, colour: str) -> XYSeries:
     """Return one line between the points, never a spline, which would bend a step backwards."""
     x, y = (Reference(range_string=book.range(r)) for r in (series.x, series.y))
-    drawn = ChartSeries(y, x, title=series.name)
-    drawn.smooth = False
-    drawn.marker.symbol = "none"
+    drawn: XYSeries = SeriesFactory(y, x, title=series.name)
+    drawn.smooth, drawn.marker = False, Marker(symbol="none")
     drawn.graphicalProperties = GraphicalProperties(
-        ln=LineProperties(
-            solidFill=series.color or colour, w=19050, prstDash="dash" if series.dashed else None
-        )
+        ln=LineProperties(solidFill=series.color or colour, w=19050, prstDash="dash" if series.dashed else None)
     )
     if series.points:
         drawn.graphicalProperties.line.noFill = True
@@ -67,16 +63,12 @@ def axes(drawn: ScatterChart, chart: Chart) -> None:
     ):
         axis.title, axis.delete = heading(title, 1000), False  # Excel hides an axis that does not say so
         axis.number_format, axis.majorTickMark = "General", "out"
-        axis.majorGridlines.spPr = GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350))
-        if limits:
+        axis.majorGridlines = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
+        if limits and isinstance(axis, NumericAxis):
             axis.scaling.min, axis.scaling.max, axis.majorUnit = limits
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.hide_y:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
     below = BELOW_WITH_LEGEND if len(chart.series) > 1 else BELOW
     room = 0.88 - below / drawn.height
-    drawn.layout = Layout(
-        ManualLayout(
-            xMode="edge", yMode="edge", x=0.13, y=0.12, w=0.82, h=0.66 if len(chart.series) > 1 else 0.7
-        )
-    )
+    drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=0.13, y=0.12, w=0.82, h=room))

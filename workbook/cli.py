@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
@@ -29,6 +29,16 @@ app = typer.Typer(
 out = Console()
 err = Console(stderr=True)
 
+
+def to(metavar: str, words: str) -> Any:
+    """Return the option that names an output file."""
+    return typer.Option("-o", "--output", metavar=metavar, help=words)
+
+
+Machine = Annotated[
+    Path | None,
+    typer.Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."),
+]
 Book = Annotated[Path, typer.Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
 Force = Annotated[bool, typer.Option("--force", help="Replace the output file if it exists.")]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table.")]
@@ -36,10 +46,10 @@ Json = Annotated[bool, typer.Option("--json", help="Print JSON for machines inst
 
 @app.command()
 def build(
-    machine: Annotated[Path | None, typer.Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named.")] = None,
-    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="BOOK.xlsx", help="Where to write; else beside you, named like the description.")] = None,
+    machine: Machine = None,
+    output: Annotated[Path | None, to("BOOK.xlsx", "Where to write; else here, named like the description.")] = None,
     force: Force = False,
-) -> None:  # fmt: skip
+) -> None:
     """Build a workbook from a machine description."""
     source = machine or TEMPLATES["cutting-machine"].description
     target = output or Path(f"{source.stem}.xlsx")
@@ -66,9 +76,9 @@ def verify(book: Book, as_json: Json = False) -> None:
 @app.command()
 def inputs(
     book: Book,
-    output: Annotated[Path | None, typer.Option("-o", "--output", metavar="MACHINE.toml", help="Where to write; else to the terminal.")] = None,
+    output: Annotated[Path | None, to("MACHINE.toml", "Where to write; else to the terminal.")] = None,
     force: Force = False,
-) -> None:  # fmt: skip
+) -> None:
     """Read what was entered into a workbook, as a machine description."""
     with err.status(f"Reading {book} …"):
         machine, computed = make.inputs(book)
@@ -84,9 +94,9 @@ def inputs(
 @app.command()
 def regenerate(
     book: Book,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="NEW.xlsx", help="Where to write the new workbook.")],
+    output: Annotated[Path, to("NEW.xlsx", "Where to write the new workbook.")],
     force: Force = False,
-) -> None:  # fmt: skip
+) -> None:
     """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
     with err.status(f"Regenerating {book} …"):
         machine, computed = make.inputs(book)
@@ -98,9 +108,7 @@ def regenerate(
 
 @app.command()
 def templates(
-    check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; fail if a template is stale.")
-    ] = False,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail if a template is stale.")] = False,
 ) -> None:
     """Generate the workbooks in templates/ from the machine descriptions beside them."""
     with err.status("Generating the templates …"):

@@ -17,9 +17,7 @@ MOST = 40  # findings that the terminal shows; --json has them all
 
 def plain(value: Any) -> Any:
     """Return a value as JSON can hold it."""
-    return (
-        value if value is None or isinstance(value, bool | int | str) or math.isfinite(value) else str(value)
-    )
+    return value if value is None or isinstance(value, bool | int | str) or math.isfinite(value) else str(value)
 
 
 def report_json(report: Report) -> str:
@@ -81,11 +79,9 @@ def show_report(report: Report, console: Console) -> None:
     if report.unmatched:
         shown = ", ".join(report.unmatched[:8]) + (" …" if len(report.unmatched) > 8 else "")
         console.print(
-            f"Not compared, as they belong to nothing that was generated: {len(report.unmatched)} formula cells ({shown})"
+            f"Not compared, as nothing generated stands there: {len(report.unmatched)} formula cells ({shown})"
         )
-    verdict = (
-        "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
-    )
+    verdict = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
     console.print(f"{report.compared:,} formula cells compared by {report.witness}: {verdict}.")
 
 
@@ -94,22 +90,25 @@ def figure(value: Any) -> str:
     return f"{value:.10g}" if isinstance(value, float) else "empty" if value is None else str(value)
 
 
+FIGURES = {"C_v": "cv", "C_a+": "ca_max", "C_a−": "ca_min", "C_a,rms": "ca_rms", "C_j": "cj", "max(v·a)": "va_max"}
+
+
 def catalogue() -> list[dict[str, Any]]:
-    """Return every law of the catalogue with its coefficients."""
-    rows = []
-    for entry in CATALOGUE:
-        k = entry.example().coefficients
-        rows.append({"code": entry.code, "name": entry.name, "aliases": list(entry.aliases), "C_v": k.cv, "C_a": k.ca_max, "C_a-": k.ca_min, "C_a,rms": k.ca_rms, "C_j": plain(k.cj), "max(v·a)": k.va_max, "source": entry.source})  # fmt: skip
-    return rows
+    """Return every law of the catalogue with its coefficients, for its parameters as delivered."""
+    return [
+        {"code": e.code, "name": e.name, "aliases": list(e.aliases), "source": e.source}
+        | {figure: plain(getattr(e.example().coefficients, field)) for figure, field in FIGURES.items()}
+        for e in CATALOGUE
+    ]
 
 
 def show_catalogue(console: Console) -> None:
     """Print the catalogue of laws."""
-    table = Table("Code", "Law", "C_v", "C_a+", "C_a−", "C_a,rms", "C_j", "max(v·a)", "Source")
+    table = Table()
+    for heading in ("Code", "Law", *FIGURES):
+        table.add_column(heading, no_wrap=heading != "Law", justify="left" if heading in ("Code", "Law") else "right")
     for row in catalogue():
-        figures = [
-            row[k] if isinstance(row[k], str) else f"{row[k]:.6g}"
-            for k in ("C_v", "C_a", "C_a-", "C_a,rms", "C_j", "max(v·a)")
-        ]
-        table.add_row(row["code"], row["name"], *("∞" if x == "inf" else x for x in figures), row["source"])
+        figures = ("∞" if row[f] == "inf" else f"{row[f]:.5g}" for f in FIGURES)
+        table.add_row(row["code"], row["name"], *figures)
     console.print(table)
+    console.print("Unit rise and time, parameters as delivered. --json adds aliases and sources.")

@@ -90,19 +90,14 @@ class Entries:
         """Return what was entered; raise InputError whose lines name the sheet, the cell and what is expected."""
         if self.missing:
             raise InputError(
-                [
-                    f"{self.file.path}: the name {name} is missing; its inputs cannot be found"
-                    for name in self.missing
-                ]
+                [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
             )
         return checked(self.template, self.data, self._where)
 
     def _template(self) -> Template:
         place = self.file.places.get("book_template")
         if place is None:
-            raise ReadError(
-                f"{self.file.path}: not a workbook of motionbook: it has no cell named book_template"
-            )
+            raise ReadError(f"{self.file.path}: not a workbook of motionbook: it has no cell named book_template")
         address = place.cell(0, 0)
         return template_named(self.file.value(address), f"{self.file.path}: {address}")
 
@@ -146,14 +141,10 @@ class Entries:
 
     def _where(self, key: str) -> str:
         """Return the cell of ``key``, or of the first entry below or above it."""
-        best = self.cells.get(key) or next(
-            (c for k, c in self.cells.items() if k.startswith(f"{key}.")), None
-        )
+        best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
         while best is None and "." in key:
             key = key.rpartition(".")[0]
-            best = self.cells.get(key) or next(
-                (c for k, c in self.cells.items() if k.startswith(f"{key}.")), None
-            )
+            best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
         return f"{self.file.path.name}: {best or key}"
 
 

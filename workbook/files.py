@@ -57,9 +57,7 @@ def open_book(path: Path) -> BookFile:
     if path.is_dir():
         raise ReadError(f"{path}: this is a folder; expected a workbook")
     if path.suffix.lower() not in SUFFIXES:
-        raise ReadError(
-            f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first"
-        )
+        raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
@@ -93,8 +91,6 @@ def find_places(workbook: Workbook) -> dict[str, Place]:
             left, top, right, bottom = range_boundaries(cells)
         except ValueError:
             continue
-        if None not in (left, top, right, bottom):
-            places[name] = Place(
-                titles[sheet.lower()], int(top), int(left), int(bottom - top + 1), int(right - left + 1)
-            )
+        if left is not None and top is not None and right is not None and bottom is not None:
+            places[name] = Place(titles[sheet.lower()], top, left, bottom - top + 1, right - left + 1)
     return places

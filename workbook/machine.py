@@ -96,9 +96,7 @@ class Piece(Model):
     @model_validator(mode="after")
     def _turning(self) -> Self:
         if self.amplitude and not self.omega:
-            raise EntryError(
-                "omega", f"the sine of amplitude {self.amplitude:g} has no ω; expected more than 0"
-            )
+            raise EntryError("omega", f"the sine of amplitude {self.amplitude:g} has no ω; expected more than 0")
         return self
 
 
@@ -138,9 +136,7 @@ class Phase(Model):
     @model_validator(mode="after")
     def _forward(self) -> Self:
         if self.stop <= self.start:
-            raise EntryError(
-                "stop", f"the angles run backwards: {self.stop:g}° does not lie after {self.start:g}°"
-            )
+            raise EntryError("stop", f"the angles run backwards: {self.stop:g}° does not lie after {self.start:g}°")
         if self.law == "DWL" and self.lift != 0:
             raise EntryError("lift", f"a dwell has no lift; expected 0, or another law, not {self.lift:g} mm")
         return self
@@ -159,9 +155,7 @@ class Axis(Model):
         reached = 0.0
         for i, phase in enumerate(self.phases):
             if abs(phase.start - reached) > ANGLE_TOLERANCE:
-                raise EntryError(
-                    f"phases.{i}.start", f"the phase begins at {phase.start:g}°; expected {reached:g}°"
-                )
+                raise EntryError(f"phases.{i}.start", f"the phase begins at {phase.start:g}°; expected {reached:g}°")
             reached = phase.stop
         if abs(reached - 360) > ANGLE_TOLERANCE:
             raise EntryError(
@@ -181,9 +175,7 @@ class Timing(Model):
         names = [axis.name for axis in self.axes]
         for i, name in enumerate(names):
             if name in names[:i]:
-                raise EntryError(
-                    f"axes.{i}.name", f"a second axis is named {name!r}; expected a name of its own"
-                )
+                raise EntryError(f"axes.{i}.name", f"a second axis is named {name!r}; expected a name of its own")
         return self
 
 
@@ -258,19 +250,12 @@ class CuttingMachine(Machine):
     def _fits(self) -> Self:
         names = [axis.name for axis in self.timing.axes]
         if self.drive.axis not in names:
-            raise EntryError(
-                "drive.axis", f"no axis is named {self.drive.axis!r}; expected one of {', '.join(names)}"
-            )
+            raise EntryError("drive.axis", f"no axis is named {self.drive.axis!r}; expected one of {', '.join(names)}")
         for path, filled, room in (
-            *(
-                (f"timing.axes.{i}.phases", len(a.phases), self.sizes.phases)
-                for i, a in enumerate(self.timing.axes)
-            ),
+            *((f"timing.axes.{i}.phases", len(a.phases), self.sizes.phases) for i, a in enumerate(self.timing.axes)),
             ("drive.rotors", len(self.drive.rotors), self.sizes.rotors),
             ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces),
         ):
             if filled > room:
-                raise EntryError(
-                    path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}"
-                )
+                raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         return self

@@ -31,16 +31,15 @@ PER_MINUTE = 1 / 60  # 1/s
 
 def laws(given: entered.Laws) -> dict[str, Law]:
     """Return the engine's laws by code, in the order in which the Laws sheet numbers them."""
-    pieces = [
-        Piece(p.duration, (p.c0, p.c1, p.c2, p.c3), p.amplitude, p.omega, p.phase) for p in given.OWN.pieces
-    ]
+    pieces = [Piece(p.duration, (p.c0, p.c1, p.c2, p.c3), p.amplitude, p.omega, p.phase) for p in given.OWN.pieces]
+    d = given.MTP.durations
     return {
         "DWL": Dwell(),
         "ACS": ConstantAcceleration(),
         "TVP": TrapezoidalVelocity(given.TVP.rise_end, given.TVP.fall_start),
         "CIC": Cycloidal(),
         "CUB": Cubic(),
-        "MTP": ModifiedTrapezoidal(tuple(given.MTP.durations)),
+        "MTP": ModifiedTrapezoidal((d[0], d[1], d[2], d[3], d[4], d[5], d[6])),
         "OWN": PieceLaw(pieces),
     }
 

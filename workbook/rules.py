@@ -62,8 +62,9 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
 
 def number_rule(constraints: list[Any]) -> tuple[DataValidation, str]:
     """Return the rule for a number within bounds, and the bounds in words."""
-    low, low_word = -1e300, ""
-    high, high_word = 1e300, ""
+    low: Any = -1e300
+    high: Any = 1e300
+    low_word = high_word = ""
     for c in constraints:
         if isinstance(c, Gt):
             low, low_word = c.gt, f"greater than {c.gt:g}"

@@ -7,7 +7,7 @@ from typing import Any
 
 from openpyxl import Workbook
 from openpyxl.cell import Cell
-from openpyxl.formatting.rule import CellIsRule
+from openpyxl.formatting.rule import Rule
 from openpyxl.styles import Alignment, Font, PatternFill, Protection
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.worksheet.worksheet import Worksheet
@@ -89,7 +89,7 @@ class Styles:
 
 def apply(cell: Cell, style: Any) -> None:
     """Give ``cell`` a style array that this workbook already holds."""
-    cell._style = style
+    setattr(cell, "_style", style)  # noqa: B010 - openpyxl copies a style by this attribute; its stubs hide it
 
 
 def alignment(q: Quantity, value: Any, table: bool) -> str:
@@ -118,8 +118,6 @@ def number_format(q: Quantity, value: Any) -> str:
 def mark_checks(sheet: Worksheet, cells: str) -> None:
     """Colour OK and FAIL in ``cells``; the words stay, so the colour is not the only sign."""
     for word, ink, ground in (("OK", "006100", "C6EFCE"), ("FAIL", "9C0006", "FFC7CE")):
-        rule = CellIsRule(operator="equal", formula=[f'"{word}"'])
-        rule.dxf = DifferentialStyle(
-            font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid")
-        )
+        look = DifferentialStyle(font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid"))
+        rule = Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look)
         sheet.conditional_formatting.add(cells, rule)

@@ -29,9 +29,7 @@ class Template:
     name: str
     model: type[Machine]
     declare: Callable[[Machine], Book]
-    sizes: dict[
-        str, tuple[str, int]
-    ]  # entry of sizes: the block that tells it, and by how many rows it is longer
+    sizes: dict[str, tuple[str, int]]  # entry of sizes: the block that tells it, and by how many rows it is longer
 
     @property
     def description(self) -> Path:
@@ -52,13 +50,20 @@ def cutting_machine(machine: Machine) -> Book:
     rows = stacked(reference.laws, given.laws.OWN.pieces, given.sizes)
     stack = locator(rows)
     axes = [a.name for a in given.timing.axes]
+    movements = reference.diagram.movements(reference.rate)
+
+    def greatest(axis: str) -> float:
+        return max((m.a_max for m in movements if m.axis == axis), default=0.0)
+
     about_sheet(
         book,
         workbook.__version__,
         "A three-axis cutting machine: motion laws, timing diagram, and the drive of the feeding group.",
-        [result(f"about_a{i}", f"Greatest acceleration of {name}", "ÿ_max", "m/s²", f"=INDEX([axes.a],{i})",
-                max((m.a_max for m in reference.diagram.movements(reference.rate) if m.axis == name), default=0.0), scale=1e-3)
-         for i, name in enumerate(axes, 1)],
+        [
+            result(f"about_a{i}", f"Greatest acceleration of {name}", "ÿ_max", "m/s²",
+                   f"=INDEX([axes.a],{i})", greatest(name), scale=1e-3)
+            for i, name in enumerate(axes, 1)
+        ],
     )  # fmt: skip
     timing_sheet(book, reference, stack)
     drive_sheet(book, reference)
@@ -76,9 +81,7 @@ def finish(book: Book, sources: tuple[str, ...]) -> Book:
     repeat_verdict(book)
     contents(book, sources)
     for sheet in book.sheets:
-        sheet.texts.append(
-            Text(1, FIRST, sheet.title if sheet.title != "About" else TITLES[book.template], "title")
-        )
+        sheet.texts.append(Text(1, FIRST, sheet.title if sheet.title != "About" else TITLES[book.template], "title"))
         sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))
         if sheet.title != "About":
             sheet.texts.append(Text(3, FIRST + 4, "Contents", "link", "About"))
@@ -90,6 +93,5 @@ TITLES = {"cutting-machine": "Cutting machine"}
 LAW_SIZES = {"law": ("ACS_samples", 1), "own_law": ("own_samples", 1), "pieces": ("own_pieces", 0)}
 CUTTING_SIZES = {"cycle": ("cycle", 1), "phases": ("axis1", 0), "rotors": ("rotors", 0)}
 TEMPLATES = {
-    t.name: t
-    for t in (Template("cutting-machine", CuttingMachine, cutting_machine, LAW_SIZES | CUTTING_SIZES),)
+    t.name: t for t in (Template("cutting-machine", CuttingMachine, cutting_machine, LAW_SIZES | CUTTING_SIZES),)
 }

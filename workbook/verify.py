@@ -99,7 +99,7 @@ def compare(file: BookFile, declared: Book, report: Report) -> None:
 def compare_cell(
     cell: Cell, address: Address, held: Any, values: dict[Address, Any], peak: float, report: Report
 ) -> None:
-    """Compare one cell: an input is the engineer's, a constant must be as declared, a formula must compute the engine's value."""
+    """Compare one cell: inputs are the engineer's, constants stay as declared, formulas compute the engine's value."""
     q = cell.quantity
     if q.role == "input":
         return
@@ -121,13 +121,11 @@ def compare_cell(
         report.deviations[address.sheet] = max(report.deviations.get(address.sheet, 0.0), deviation)
     if not deviation <= TOLERANCE:
         kind = "error" if isinstance(computed, str) and computed.startswith("#") else "value"
-        report.findings.append(
-            Finding(address.sheet, address.a1, kind, computed, cell.expected, what, deviation)
-        )
+        report.findings.append(Finding(address.sheet, address.a1, kind, computed, cell.expected, what, deviation))
 
 
 def column_peaks(block: Block) -> dict[str, float]:
-    """Return, for each column, the size that deviations are measured against: its greatest value, or its declared scale."""
+    """Return what the deviations of each column are measured against: its greatest value, or its declared scale."""
     peaks = {}
     for q in block.quantities:
         values = as_rows(q.value, block.size, q.name)

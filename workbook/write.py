@@ -17,7 +17,9 @@ from openpyxl import Workbook
 from openpyxl.utils import get_column_letter, quote_sheetname
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.workbook.properties import CalcProperties
+from openpyxl.worksheet.header_footer import HeaderFooterItem, _HeaderFooterPart
 from openpyxl.worksheet.hyperlink import Hyperlink
+from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
@@ -29,6 +31,7 @@ EPOCH = (2020, 1, 1, 0, 0, 0)  # written into the file instead of the time of da
 WIDTHS = {1: 2, FIRST: 34}
 COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
+CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
 def to_workbook(book: Book, model: type[BaseModel]) -> Workbook:
@@ -44,9 +47,7 @@ def to_workbook(book: Book, model: type[BaseModel]) -> Workbook:
             write_block(block, page, styles)
             validate(block, page, model)
         for chart, row, column, width, height in sheet.charts:
-            page.add_chart(
-                charts.draw(chart, book, workbook, width, height), f"{get_column_letter(column)}{row}"
-            )
+            page.add_chart(charts.draw(chart, book, *size(column, width, height)), f"{get_column_letter(column)}{row}")
         set_up_page(sheet, page)
     for name, target in book.names():
         workbook.defined_names[name] = DefinedName(name, attr_text=target)
@@ -55,6 +56,12 @@ def to_workbook(book: Book, model: type[BaseModel]) -> Workbook:
     workbook.properties.creator = "motionbook"
     workbook.calculation = CalcProperties(fullCalcOnLoad=True)
     return workbook
+
+
+def size(column: int, columns: int, rows: int) -> tuple[float, float]:
+    """Return width and height in cm of a chart that covers so many columns and rows."""
+    characters = sum(WIDTHS.get(c, COLUMN_WIDTH) for c in range(column, column + columns))
+    return characters * CM_PER_CHARACTER, rows * CM_PER_ROW
 
 
 def write_texts(sheet: Sheet, page: Worksheet, styles: style.Styles) -> None:
@@ -68,18 +75,15 @@ def write_texts(sheet: Sheet, page: Worksheet, styles: style.Styles) -> None:
         if text.style == "equation":
             page.row_dimensions[text.row].height = 44
         elif text.style == "header":
-            page.row_dimensions[text.row].height = 32
+            height = 32 if len(text.text) < 24 else 47
+            page.row_dimensions[text.row].height = max(height, page.row_dimensions[text.row].height or 0)
 
 
 def write_block(block: Block, page: Worksheet, styles: style.Styles) -> None:
     """Write the cells of one block, each column in one style."""
     formats: dict[str, Any] = {}
     for q in block.quantities:
-        values = (
-            q.value
-            if q.format or not hasattr(q.value, "__len__") or isinstance(q.value, str)
-            else list(q.value)
-        )
+        values = q.value if q.format or not hasattr(q.value, "__len__") or isinstance(q.value, str) else list(q.value)
         sample = peak(values) if isinstance(values, list) else values
         formats[q.name] = styles.quantity(
             q.role, style.number_format(q, sample), style.alignment(q, sample, block.is_table)
@@ -118,12 +122,12 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
     page.page_setup.orientation, page.page_setup.paperSize = "landscape", 9
     page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(sheet.one_page)
-    page.sheet_properties.pageSetUpPr.fitToPage = True
+    page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
     page.print_title_rows = "1:3"
     right = get_column_letter(sheet.print_columns or max(used, LAST_PAGE_COLUMN))
     page.print_area = f"A1:{right}{max(sheet.row, 30)}"
-    page.oddFooter.left.text, page.oddFooter.center.text = "&F", "&A"
-    page.oddFooter.right.text = "Page &P of &N"
+    left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
+    page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
 
 
 def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) -> None:
@@ -143,9 +147,7 @@ def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) ->
 def refuse_existing(path: Path, overwrite: bool) -> None:
     """Raise WriteError where ``path`` exists and may not be replaced."""
     if path.exists() and not overwrite:
-        raise WriteError(
-            f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)"
-        )
+        raise WriteError(f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)")
 
 
 def replace(path: Path, write: Callable[[Path], None]) -> None:

@@ -17,9 +17,7 @@ def checks_sheet(book: Book) -> Sheet:
         calc("checks_all", "Checks in all", "", "", "=MAX([checks.k])", len(found), format="0"),
     )  # fmt: skip
     ok = verdicts.count("OK") == len(found)
-    sheet.rows(
-        check("overall", "This book", "checks_ok=checks_all", ok, "repeated at the head of each sheet")
-    )
+    sheet.rows(check("overall", "This book", "checks_ok=checks_all", ok, "repeated at the head of each sheet"))
     sheet.row += 1
     sheet.table(
         "checks", "Checks", len(found),
@@ -36,7 +34,5 @@ def repeat_verdict(book: Book) -> None:
     ok = str(book.blocks["overall"].quantities[0].value)
     for i, sheet in enumerate(book.sheets, 1):
         sheet.row, row = 3, sheet.row
-        sheet.rows(
-            Quantity(f"status{i}", "All checks of this book", role="check", formula="=overall", value=ok)
-        )
+        sheet.rows(Quantity(f"status{i}", "All checks of this book", role="check", formula="=overall", value=ok))
         sheet.row = row

@@ -21,9 +21,7 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
     drive, rate = machine.drive, d.rate * PER_MINUTE
     omega = shaft_speed(rate)
     names = [a.name for a in machine.machine.timing.axes]
-    sheet = book.sheet(
-        "Drive", f"Feeding group: inertia, load and motor of one axis, torque over the cycle ({S1})."
-    )
+    sheet = book.sheet("Drive", f"Feeding group: inertia, load and motor of one axis, torque over the cycle ({S1}).")
     sheet.heading("What to enter")
     sheet.rows(
         given("drive_axis", "Axis that the drive moves", "", "", d.axis, "drive.axis", choices="=axis_name", source="its phases and laws come from Timing"),
@@ -242,9 +240,7 @@ def draw(sheet: Sheet) -> None:
               "Operating points of the motor over one cycle in the speed–torque plane, with the motor's limits"),
         column=11, row=5, width=8, height=22,
     )  # fmt: skip
-    over_time = tuple(
-        Series(n, "[drive.theta]", f"[drive.{c}]") for n, c in (("motor torque C_m [Nm]", "torque"),)
-    )
+    over_time = tuple(Series(n, "[drive.theta]", f"[drive.{c}]") for n, c in (("motor torque C_m [Nm]", "torque"),))
     sheet.chart(
         Chart("Torque of the motor over the cycle", "master angle θ [°]", "motor torque C_m [Nm]", over_time,
               "Torque of the motor over one turn of the master shaft", (0, 360, 30)),

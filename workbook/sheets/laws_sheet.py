@@ -25,9 +25,7 @@ OWN_KEYS = {"d": "duration", "P": "amplitude", "omega": "omega", "phi": "phase"}
 
 def laws_sheet(book: Book, library: dict[str, Law], own: OwnLaw, sizes: Sizes, rows: list[Row]) -> None:
     """Declare the sheet from which every axis evaluates its law."""
-    sheet = book.sheet(
-        "Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k."
-    )
+    sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading(
         "What to enter: a law of your own",
         "Fill the rows below; an axis takes it as OWN. The durations sum to 1; leave spare rows empty.",
@@ -235,9 +233,7 @@ def own_samples(sheet: Sheet, law: Law, pieces: sampling.Pieces, n: int) -> None
                 f"Dimensionless {name} of the engineer's own law over the rise", (0, 1, 0.1))
           for d, name in (("s", "position"), ("v", "velocity"), ("a", "acceleration"))),
     )  # fmt: skip
-    sheet.rows(
-        calc("OWN_no", "Number of the own law", "", "", '=MATCH("OWN",law_code,0)', len(CODES), format="0")
-    )
+    sheet.rows(calc("OWN_no", "Number of the own law", "", "", '=MATCH("OWN",law_code,0)', len(CODES), format="0"))
     sheet.table(
         "own_samples", "The own law over ξ", n + 1,
         constant("k", "sample", "k", "", list(range(n + 1))),

@@ -58,7 +58,7 @@ class Pieces:
         k = np.searchsorted(starts, np.minimum(xi + BREAK_TOLERANCE, 1 - BREAK_TOLERANCE), side="right") - 1
         u = xi - starts[k]
         return (
-            self.offsets[number] + k + 1,
+            (self.offsets[number] + k + 1).astype(float),
             u,
             np.array(self.omegas[number])[k] * u + np.array(self.phis[number])[k],
         )
@@ -80,15 +80,11 @@ def finding(law: str, xi: str, located: tuple[Array, Array, Array], suffix: str 
             source="last key not above the sample's",
         ),
         calc(names["u"], "within piece", "u", "", LOCAL.format(**names), u, scale=1.0, source="ξ − ξ_k"),
-        calc(
-            names["x"], "sine argument", "x", "rad", ARGUMENT.format(**names), x, scale=1.0, source="ωu + φ"
-        ),
+        calc(names["x"], "sine argument", "x", "rad", ARGUMENT.format(**names), x, scale=1.0, source="ωu + φ"),
     ]
 
 
-def shape(
-    law: Law, xi: Array, derivatives: str = "svaj", suffix: str = "", role: Any = calc
-) -> list[Quantity]:
+def shape(law: Law, xi: Array, derivatives: str = "svaj", suffix: str = "", role: Any = calc) -> list[Quantity]:
     """Return the columns s, v, a, j of one law at samples found by :func:`finding`."""
     return columns(dict(zip("svaj", law.evaluate(xi), strict=True)), derivatives, suffix, role)
 
@@ -105,7 +101,5 @@ def columns(values: dict[str, Array], derivatives: str, suffix: str = "", role: 
     made = []
     for d in derivatives:
         label, formula, source = spelled[d]
-        made.append(
-            role(d + suffix, label, d, "", formula.format(**names), values[d], scale=1.0, source=source)
-        )
+        made.append(role(d + suffix, label, d, "", formula.format(**names), values[d], scale=1.0, source=source))
     return made

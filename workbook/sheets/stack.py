@@ -75,7 +75,9 @@ def stacked(library: dict[str, Law], own: list[Piece], sizes: Sizes) -> list[Row
 def row(code: str, number: int, k: int, law: Law, xi: float, entries: tuple[float, ...]) -> Row:
     """Return one row; what is carried and gained are differences of the law's own closed forms."""
     begin, end = law.evaluate(min(xi, 1.0)), law.evaluate(min(xi + entries[0], 1.0))
-    return Row(code, number, k, xi, *entries, begin.s, begin.v, end.s - begin.s, end.v - begin.v)
+    d, c0, c1, c2, c3, amplitude, omega, phi = entries
+    gains = (end.s - begin.s, end.v - begin.v)
+    return Row(code, number, k, xi, d, c0, c1, c2, c3, amplitude, omega, phi, begin.s, begin.v, *gains)
 
 
 def locator(rows: list[Row]) -> Pieces:

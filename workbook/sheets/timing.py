@@ -22,9 +22,7 @@ CLOSE = 1e-9  # relative: what a check takes for zero
 def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the table over the cycle below."""
     timing, sizes = machine.machine.timing, machine.machine.sizes
-    sheet = book.sheet(
-        "Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram."
-    )
+    sheet = book.sheet("Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram.")
     sheet.heading("What to enter")
     sheet.rows(
         given("timing_rate", "Production rate", "n", "pieces/min", timing.rate, "timing.rate", format="0.0##", source="one piece a turn of the master shaft"),
@@ -86,9 +84,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, axis: Axis, sizes: Sizes) -> 
     numbers = [CODES.index(p.law) + 1 for p in axis.phases] + [1] * len(pad)
     lifts = np.array([p.lift * MM for p in axis.phases] + [0.0] * len(pad))
     spans = np.array([*np.diff(motion.edges), *[0.0] * len(pad)])
-    kinds = [
-        "dwell" if p.law == "DWL" or p.lift == 0 else "rise" if p.lift > 0 else "return" for p in axis.phases
-    ]
+    kinds = ["dwell" if p.law == "DWL" or p.lift == 0 else "rise" if p.lift > 0 else "return" for p in axis.phases]
     ends = phase_ends(motion, n)
     key = f"timing.axes.{i - 1}.phases.*"
     sheet.heading(f"Axis {i}: {axis.name}, {axis.group}")
@@ -130,9 +126,7 @@ CARRIED = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},IF([k]=1,0,[{0}-1]))"
 
 def phase_ends(motion: Motion, n: int) -> dict[str, list[float]]:
     """Return the engine's values at the ends of each phase and its jumps, with the spare rows filled up."""
-    rows: dict[str, list[float]] = {
-        name: [] for name in ("v0", "v1", "a0", "a1", "jump_y", "jump_v", "jump_a")
-    }
+    rows: dict[str, list[float]] = {name: [] for name in ("v0", "v1", "a0", "a1", "jump_y", "jump_v", "jump_a")}
     junctions = {j.after: j for j in motion.junctions()}
     for k, phase in enumerate(motion.phases):
         per_v, per_a = phase.lift / phase.duration, phase.lift / phase.duration**2
@@ -181,9 +175,7 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
             result(f"t{i}", f"{name} velocity", "ẏ", "m/s", f"=[g{i}]*timing_omega", at.y1 * speed, source="y' ω", scale=1e-3),
             result(f"tt{i}", f"{name} acceleration", "ÿ", "m/s²", f"=[gg{i}]*timing_omega^2", at.y2 * speed**2, source="y'' ω²", scale=1e-3),
         ]  # fmt: skip
-        lanes.append(
-            calc(f"lane{i}", f"{name} in the diagram", "", "", LANE.format(i, 3 - i), lane(y, 3 - i))
-        )
+        lanes.append(calc(f"lane{i}", f"{name} in the diagram", "", "", LANE.format(i, 3 - i), lane(y, 3 - i)))
         workings += located(i, axis, theta, pieces)
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(theta),
@@ -194,9 +186,7 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
     )  # fmt: skip
 
 
-LANE = (
-    "={1}+IF([axes.high.{0}]>[axes.low.{0}],0.8*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
-)
+LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],0.8*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
 
 
 def lane(y: np.ndarray, floor: int) -> np.ndarray:

@@ -25,8 +25,8 @@ from workbook.address import Address
 from workbook.files import BookFile, find_places
 from workbook.witnesses.shapes import Area, Formula, FormulaError, bounded, read
 
-if not hasattr(ast, "Str"):  # gone from Python 3.14; pycel's compiler still asks for it
-    ast.Str = ast.Constant  # type: ignore[attr-defined]
+if sys.version_info >= (3, 14):  # where ast.Str is gone, for which pycel's compiler still asks
+    setattr(ast, "Str", ast.Constant)  # noqa: B010 - the type checker knows no such attribute
 
 Cells = dict[Address, Any]
 REFERENCES = frozenset({"ROW", "COLUMN", "OFFSET", "INDIRECT", "CELL", "ROWS", "COLUMNS"})
@@ -75,9 +75,7 @@ def _compiled(shape: str, functions: frozenset[str]) -> Callable[[], Any]:
         if name not in all_excel_functions:
             raise FormulaError("#NAME?", f"{name} is no function of Excel")
         if name in REFERENCES:
-            raise FormulaError(
-                "#NAME?", f"{name} depends on where a cell stands, which pycel cannot be asked here"
-            )
+            raise FormulaError("#NAME?", f"{name} depends on where a cell stands, which pycel cannot be asked here")
     try:
         code, names = ExcelFormula(shape).compiled_python
     except RecursionError as error:
@@ -85,12 +83,13 @@ def _compiled(shape: str, functions: frozenset[str]) -> Callable[[], Any]:
     except Exception as error:
         raise FormulaError("#NAME?", f"pycel cannot compile it: {str(error)[:120]}") from error
     space = ARGUMENTS.space
-    space["lambdas"] = made = []
+    made: list[Callable[[], Any]] = []
+    space["lambdas"] = made
     missing = load_functions(names, space, MODULES)
     if missing:
         raise FormulaError("#NAME?", f"pycel has no function {', '.join(sorted(missing)).upper()}")
     exec(code, space, space)  # noqa: S102 - what pycel's compiler made of a shape without any text of the file
-    return made[0]  # type: ignore[no-any-return]
+    return made[0]
 
 
 class Step:
@@ -141,9 +140,7 @@ class PycelModel:
             for row in sheet.iter_rows():
                 for cell in row:
                     if cell.value is not None:
-                        self._take(
-                            Address(sheet.title, cell.row, cell.column), cell.value, cell.data_type, formulas
-                        )
+                        self._take(Address(sheet.title, cell.row, cell.column), cell.value, cell.data_type, formulas)
         self._steps = self._prepared(formulas)
         self._order = self._ordered()
 
@@ -174,9 +171,7 @@ class PycelModel:
             return
         try:
             if not isinstance(value, str):
-                raise FormulaError(
-                    "#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated"
-                )
+                raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
             formulas[address] = read(value, address.sheet, self._area)
         except FormulaError as error:
             self._fail(address, error)
@@ -277,9 +272,7 @@ def plain(value: Any) -> Any:
 def cells_of(area: Area) -> list[Address]:
     """Return the addresses of an area, row by row."""
     return [
-        Address(area.sheet, r, c)
-        for r in range(area.top, area.bottom + 1)
-        for c in range(area.left, area.right + 1)
+        Address(area.sheet, r, c) for r in range(area.top, area.bottom + 1) for c in range(area.left, area.right + 1)
     ]
 
 
@@ -287,8 +280,7 @@ def table_of(area: Area, values: Cells) -> tuple[tuple[Any, ...], ...]:
     """Return the values of an area as pycel's functions take them: a tuple of rows."""
     columns = range(area.left, area.right + 1)
     return tuple(
-        tuple(values.get(Address(area.sheet, r, c)) for c in columns)
-        for r in range(area.top, area.bottom + 1)
+        tuple(values.get(Address(area.sheet, r, c)) for c in columns) for r in range(area.top, area.bottom + 1)
     )
 
 

@@ -30,7 +30,7 @@ def formula_cells(workbook: Workbook) -> Iterator[Address]:
     for sheet in workbook.worksheets:
         for row in sheet.iter_rows():
             for cell in row:
-                if cell.data_type == "f":
+                if cell.data_type == "f" and cell.row and cell.column:
                     yield Address(sheet.title, cell.row, cell.column)
 
 

@@ -7,9 +7,7 @@ from workbook.sheets.laws.page import LawPage, PieceRow
 
 def _parameters(law: Law) -> list[Quantity]:
     return [
-        constant(
-            "ACS_half", "Share of the rise that accelerates", "ξ_1", "", 0.5, source="symmetric: S3, figure 1"
-        ),
+        constant("ACS_half", "Share of the rise that accelerates", "ξ_1", "", 0.5, source="symmetric: S3, figure 1"),
     ]
 
 

@@ -7,9 +7,7 @@ PAGE = LawPage(
     title="Cubic",
     source="S1, S3: the cubic that starts and ends at rest",
     pieces=(PieceRow("one cubic", "s = 3ξ² − 2ξ³", "=1", c0="=CUB_ca_max", c1="=CUB_ca_min-CUB_ca_max"),),
-    values=lambda law: [
-        (1, law.coefficients.ca_max, law.coefficients.ca_min - law.coefficients.ca_max, 0, 0, 0)
-    ],
+    values=lambda law: [(1, law.coefficients.ca_max, law.coefficients.ca_min - law.coefficients.ca_max, 0, 0, 0)],
     parameters=lambda law: [],
     coefficients={
         "cv": ("=6*(1/2)*(1-1/2)", "v = 6ξ(1 − ξ) at ξ = ½"),

@@ -7,7 +7,6 @@ from engine.laws import Law, ModifiedTrapezoidal
 from workbook.declare import Quantity, calc, check, given
 from workbook.sheets.laws.page import LawPage, PieceRow
 
-
 LOBE = "={k}*(1-{k})*{0}^2+{k}*{0}*{1}+{1}^2/2+({k}*{0}+{1})*{2}+({k}*{2})^2"
 SINE = "=2*{0}_g/({0}_v+SQRT({0}_v^2+8*{0}_g^2))"
 POWER = "{0}*SQRT(1-{1}_sin^2)*({1}_v+{1}_g*{1}_sin)"
@@ -39,9 +38,7 @@ def _workings(law: Law) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def _power(
-    name: str, side: str, amplitude: str, stages: tuple[str, str, str], v: float, g: float
-) -> list[Quantity]:
+def _power(name: str, side: str, amplitude: str, stages: tuple[str, str, str], v: float, g: float) -> list[Quantity]:
     """Return the rows that find the greatest v·a, which falls on the quarter sine next to the uniform velocity."""
     first, plain, quarter = stages
     return [
@@ -112,7 +109,5 @@ PAGE = LawPage(
         "va_max": ("=" + POWER.format("MTP_ca_max", "MTP_drive"), "A cos x (v₂ + G sin x)"),
         "va_min": ("=" + POWER.format("MTP_ca_min", "MTP_brake"), "−B cos x (v₂ + G sin x)"),
     },
-    checks=lambda law: [
-        check("MTP_sum", "MTP: the seven durations sum to 1", "ABS(SUM([MTP_pieces.d])-1)<1E-9", True)
-    ],
+    checks=lambda law: [check("MTP_sum", "MTP: the seven durations sum to 1", "ABS(SUM([MTP_pieces.d])-1)<1E-9", True)],
 )

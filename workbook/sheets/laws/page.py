@@ -63,9 +63,7 @@ def finite(value: float) -> float | str:
 def piece_values(page: LawPage, law: Law) -> dict[str, list[float]]:
     """Return the engine's figures of a law's pieces by column, with ξ_k, s_k, v_k from its closed forms."""
     rows = page.values(law)
-    table = {
-        name: [float(row[i]) for row in rows] for i, name in enumerate(("d", "c0", "c1", "P", "omega", "phi"))
-    }
+    table = {name: [float(row[i]) for row in rows] for i, name in enumerate(("d", "c0", "c1", "P", "omega", "phi"))}
     table["xi"] = [sum(table["d"][:k]) for k in range(len(rows))]
     return table
 
@@ -94,9 +92,7 @@ def law_sheet(
     sheet.heading("What comes out: the coefficients, for unit rise and time")
     for name, label, symbol in COEFFICIENTS:
         formula, words = page.coefficients[name]
-        sheet.rows(
-            result(f"{code}_{name}", label, symbol, "", formula, finite(getattr(k, name)), source=words)
-        )
+        sheet.rows(result(f"{code}_{name}", label, symbol, "", formula, finite(getattr(k, name)), source=words))
     if workings := page.workings(law):
         sheet.heading("Workings")
         sheet.rows(*workings)
