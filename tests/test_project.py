@@ -33,9 +33,7 @@ def declared(lock: str) -> dict[str, Requirement]:
 
 
 def tracked_texts() -> Iterator[tuple[str, str]]:
-    listing = subprocess.run(
-        ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, encoding="utf-8"
-    )
+    listing = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, encoding="utf-8")
     if listing.returncode:
         pytest.skip("not a git checkout: nothing says which files are the project's")
     for name in filter(None, listing.stdout.split("\0")):
@@ -45,9 +43,7 @@ def tracked_texts() -> Iterator[tuple[str, str]]:
             continue  # a workbook or a picture; or deleted and not yet committed
 
 
-@pytest.mark.parametrize(
-    "pattern", [PACKAGE_INDEX, OWN_PATH], ids=["package index", "path of one's own machine"]
-)
+@pytest.mark.parametrize("pattern", [PACKAGE_INDEX, OWN_PATH], ids=["package index", "path of one's own machine"])
 def test_no_tracked_text_names_a(pattern: re.Pattern[str]) -> None:
     found = [f"{name}: {match[0]}" for name, text in tracked_texts() for match in pattern.finditer(text)]
     assert found == []
@@ -79,9 +75,7 @@ def test_a_lock_holds_pins_with_hashes_and_nothing_else(lock: str) -> None:
     hashes = re.compile(r"    --hash=sha256:[0-9a-f]{64}(?: \\)?")
     assert [line for line in content if not PIN.fullmatch(line) and not hashes.fullmatch(line)] == []
     unhashed = [
-        a
-        for a, b in zip(content, [*content[1:], ""], strict=True)
-        if PIN.fullmatch(a) and not hashes.fullmatch(b)
+        a for a, b in zip(content, [*content[1:], ""], strict=True) if PIN.fullmatch(a) and not hashes.fullmatch(b)
     ]
     assert unhashed == []
 

@@ -56,12 +56,8 @@ def test_start_parses_under_the_oldest_grammar_that_python_can_still_check() -> 
 
 
 @pytest.mark.parametrize("version", [(3, 6), (3, 10)])
-def test_an_old_python_is_told_its_version_and_the_needed_one(
-    start: ModuleType, version: tuple[int, int]
-) -> None:
-    with pytest.raises(
-        RuntimeError, match=rf"needs Python 3\.11 or newer, this is {version[0]}\.{version[1]} \("
-    ):
+def test_an_old_python_is_told_its_version_and_the_needed_one(start: ModuleType, version: tuple[int, int]) -> None:
+    with pytest.raises(RuntimeError, match=rf"needs Python 3\.11 or newer, this is {version[0]}\.{version[1]} \("):
         start.require(version)
 
 
@@ -84,9 +80,7 @@ def test_an_old_python_gets_one_line_and_exit_code_2(
 
 
 @pytest.mark.parametrize("arguments", [[], ["--help"]])
-def test_usage_needs_no_set_up(
-    start: ModuleType, arguments: list[str], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_usage_needs_no_set_up(start: ModuleType, arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert start.main(arguments) == 0
     assert {"build", "test", "check"} <= set(capsys.readouterr().out.split())
     assert start.installed == []
@@ -110,9 +104,7 @@ def test_an_environment_of_another_lock_or_metadata_is_made_anew(start: ModuleTy
     assert sets_up(start, "dev")
 
 
-def test_an_environment_of_another_python_is_made_anew(
-    start: ModuleType, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_environment_of_another_python_is_made_anew(start: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     sets_up(start, "run")
     monkeypatch.setattr(sys, "version", "3.99.0 (made up)")
     assert sets_up(start, "run")
@@ -124,9 +116,7 @@ def test_an_environment_whose_python_is_gone_is_made_anew(start: ModuleType) -> 
     assert sets_up(start, "run")
 
 
-def test_an_interrupted_set_up_is_repaired_by_the_next_run(
-    start: ModuleType, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_interrupted_set_up_is_repaired_by_the_next_run(start: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(*_: str) -> None:
         raise KeyboardInterrupt
 
@@ -137,12 +127,8 @@ def test_an_interrupted_set_up_is_repaired_by_the_next_run(
 
 
 def test_a_lost_connection_is_named_and_any_other_failure_quoted(start: ModuleType) -> None:
-    offline = (
-        "WARNING: Retrying after NameResolutionError(...)\nERROR: No matching distribution found for rich"
-    )
+    offline = "WARNING: Retrying after NameResolutionError(...)\nERROR: No matching distribution found for rich"
     assert "no connection" in start.diagnosis(offline)
     full = "Collecting numpy\nERROR: Could not install packages due to an OSError: No space left on device\n"
-    assert start.diagnosis(full).startswith(
-        "Could not install packages due to an OSError: No space left on device"
-    )
+    assert start.diagnosis(full).startswith("Could not install packages due to an OSError: No space left on device")
     assert start.diagnosis("").startswith("pip ended early")
