@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from engine.laws import Dwell, Law, law
-from engine.laws.base import Array, Real, require_finite, unwrap
+from engine.laws.base import Array, Real, require_finite, require_within, unwrap
 
 EDGE_TOLERANCE = 1e-12
 """A sample this near to an edge, in units of the whole abscissa, counts as on it."""
@@ -194,13 +194,7 @@ class Motion:
 
     def _locate(self, x: Array) -> NDArray[np.intp]:
         tolerance = EDGE_TOLERANCE * self.total
-        if x.size:
-            low, high = x.min(), x.max()
-            if not (low >= self.edges[0] - tolerance and high <= self.edges[-1] + tolerance):
-                raise ValueError(
-                    f"x reaches from {low:.15g} to {high:.15g}; "
-                    f"expected numbers from {self.edges[0]:.15g} to {self.edges[-1]:.15g}"
-                )
+        require_within("x", x, float(self.edges[0]), float(self.edges[-1]), tolerance)
         found = np.searchsorted(self.edges, x + tolerance, side="right") - 1
         return np.clip(found, 0, len(self.phases) - 1)
 

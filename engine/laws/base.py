@@ -82,7 +82,8 @@ class Law(ABC):
 
         Raises ValueError where ξ is not a number from 0 to 1.
         """
-        x = _checked(xi)
+        x = np.asarray(xi, dtype=np.float64)
+        require_within("xi", x, 0.0, 1.0, BREAK_TOLERANCE)
         flat = x.reshape(-1)
         table = np.empty((4, flat.size))
         for begin in range(0, flat.size, BLOCK):
@@ -187,11 +188,11 @@ def unwrap(given: object, arrays: list[NDArray[Any]]) -> Any:
     return [array.item() for array in arrays] if scalar else arrays
 
 
-def _checked(xi: object) -> Array:
-    x = np.asarray(xi, dtype=np.float64)
-    if x.size:
-        low, high = x.min(), x.max()  # NaN, if there is one
-        if not (low >= -BREAK_TOLERANCE and high <= 1.0 + BREAK_TOLERANCE):
-            found = "holds NaN" if math.isnan(low) else f"reaches from {low:.15g} to {high:.15g}"
-            raise ValueError(f"xi {found}; expected numbers from 0 to 1")
-    return x
+def require_within(name: str, x: Array, low: float, high: float, tolerance: float) -> None:
+    """Raise ValueError where x holds NaN, or lies outside [low, high] by more than the tolerance."""
+    if not x.size:
+        return
+    least, greatest = float(x.min()), float(x.max())  # NaN, if there is one
+    if not (least >= low - tolerance and greatest <= high + tolerance):
+        found = "holds NaN" if math.isnan(least) else f"reaches from {least:.15g} to {greatest:.15g}"
+        raise ValueError(f"{name} {found}; expected numbers from {low:.15g} to {high:.15g}")

@@ -1,0 +1,99 @@
+"""A timing diagram: movements with their peaks, closing cycles, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+
+from engine.laws import ConstantAcceleration, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
+from engine.motion import Motion, Phase
+from engine.timing import Axis, Diagram, shaft_speed
+
+ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
+EDGES = np.deg2rad([0, 100, 160, 250, 360])
+CAM = Motion.from_edges(EDGES, [0.02, 0.0, -0.02, 0.0], [ASYMMETRIC, Dwell(), ASYMMETRIC, Dwell()])
+FEED = Motion.from_edges(np.deg2rad([0, 80, 360]), [0.3, 0.0], [ConstantAcceleration(), Dwell()])
+
+
+def test_movements_are_the_phases_that_lift():
+    found = Diagram([Axis("cam", CAM), Axis("feed", FEED, feed=True)]).movements(2.0)
+    assert [(m.axis, m.phase, m.lift) for m in found] == [("cam", 0, 0.02), ("cam", 2, -0.02), ("feed", 0, 0.3)]
+    assert [(m.start, m.stop) for m in found[:2]] == [(EDGES[0], EDGES[1]), (EDGES[2], EDGES[3])]
+    assert found[0].law is ASYMMETRIC
+
+
+@pytest.mark.parametrize("number", [0, 1])
+def test_peaks_are_what_dense_samples_show(number):
+    rate = 3.0
+    movement = Diagram([Axis("cam", CAM)]).movements(rate)[number]
+    x = np.linspace(movement.start, movement.stop, 100_001)[:-1]
+    at, timed = CAM.at(x), CAM.at_speed(x, shaft_speed(rate))
+    assert movement.y1_max == pytest.approx(np.abs(at.y1).max(), rel=1e-7)
+    assert movement.y2_max == pytest.approx(np.abs(at.y2).max(), rel=1e-7)
+    assert (movement.y2_highest, movement.y2_lowest) == pytest.approx((at.y2.max(), at.y2.min()), rel=1e-7)
+    assert movement.v_max == pytest.approx(np.abs(timed.v).max(), rel=1e-7)
+    assert movement.a_max == pytest.approx(np.abs(timed.a).max(), rel=1e-7)
+    assert movement.a_rms == pytest.approx(math.sqrt(np.mean(timed.a**2)), rel=1e-7)
+
+
+def test_a_cycle_in_other_units_runs_at_the_same_rate():
+    """A cycle of 360° at 2 cycles a second: 720 °/s."""
+    motion = Motion([Phase(ConstantAcceleration(), 0.3, 80.0), Phase(Dwell(), 0.0, 280.0)])
+    in_degrees = Diagram([Axis("feed", motion, feed=True)], cycle=360.0).movements(2.0)[0]
+    in_radians = Diagram([Axis("feed", FEED, feed=True)]).movements(2.0)[0]
+    assert in_degrees.speed == pytest.approx(720.0, rel=1e-15)
+    assert (in_degrees.v_max, in_degrees.a_max) == pytest.approx((in_radians.v_max, in_radians.a_max), rel=1e-13)
+
+
+def test_a_feed_closes_in_velocity_and_a_cam_in_position_too():
+    assert Axis("cam", CAM).closes
+    assert Axis("feed", FEED, feed=True).closes
+    assert not Axis("feed", FEED).closes
+
+
+def test_a_feed_that_ends_in_motion_does_not_close():
+    thrown = PieceLaw([Piece(1.0, (2.0, 0, 0, 0))])
+    assert not Axis("feed", Motion([Phase(thrown, 1.0, 1.0)]), feed=True).closes
+
+
+def test_an_axis_at_rest_closes():
+    assert Axis("idle", Motion([Phase(Dwell(), 0.0, math.tau)])).closes
+
+
+def test_an_axis_is_found_by_name():
+    diagram = Diagram([Axis("cam", CAM), Axis("feed", FEED, feed=True)])
+    assert diagram.axis("feed").motion is FEED
+    with pytest.raises(ValueError, match="no axis is named 'saw'; expected one of cam, feed"):
+        diagram.axis("saw")
+
+
+def test_two_axes_of_one_name_are_refused():
+    with pytest.raises(ValueError, match="two axes are named 'cam'"):
+        Diagram([Axis("cam", CAM), Axis("cam", FEED)])
+
+
+@pytest.mark.parametrize(
+    "motion",
+    [
+        Motion([Phase(Dwell(), 0.0, 6.0)]),
+        Motion([Phase(Dwell(), 0.0, math.tau)], start=0.1),
+    ],
+    ids=["too short", "begins late"],
+)
+def test_an_axis_that_does_not_fill_the_cycle_is_refused(motion):
+    with pytest.raises(ValueError, match=r"axis 'cam' runs from .*; expected 0 to 6\.283185307"):
+        Diagram([Axis("cam", motion)])
+
+
+@pytest.mark.parametrize("rate", [0.0, -1.0, math.nan, math.inf])
+def test_a_rate_that_is_none_is_refused(rate):
+    with pytest.raises(ValueError, match="rate is"):
+        shaft_speed(rate)
+    with pytest.raises(ValueError, match="rate is"):
+        Diagram([Axis("cam", CAM)]).movements(rate)
+
+
+@pytest.mark.parametrize("cycle", [0.0, -1.0, math.inf])
+def test_a_cycle_that_is_none_is_refused(cycle):
+    with pytest.raises(ValueError, match="cycle is"):
+        Diagram([], cycle)

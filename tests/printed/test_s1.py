@@ -1,0 +1,182 @@
+"""S1: the cutting machine's movements, the feeding group's inertia and torque."""
+
+import math
+
+import numpy as np
+import pytest
+
+from engine.drive import Drive, Inertia, Load, Motor, Transmission, reflected_inertia, rms_lossless
+from engine.laws import (
+    ConstantAcceleration,
+    Cubic,
+    Cycloidal,
+    Dwell,
+    ModifiedTrapezoidal,
+    TrapezoidalVelocity,
+)
+from engine.motion import Motion, Phase
+from engine.timing import Axis, Diagram, shaft_speed
+
+MTP = ModifiedTrapezoidal()
+RADIUS = 0.134  # m
+
+
+def axis(name, degrees, lifts, law, feed=False):
+    laws = [law if lift else Dwell() for lift in lifts]
+    return Axis(name, Motion.from_edges(np.deg2rad([0.0, *degrees]), lifts, laws), feed)
+
+
+def machine(law=MTP):
+    """'Timing diagram for a cutting machine': MC01, MC02, MC03 in m over rad."""
+    return Diagram(
+        [
+            axis("MC01", (80, 360), (0.3, 0.0), law, feed=True),
+            axis("MC02", (90, 135, 305, 350, 360), (0.0, 0.02, 0.0, -0.02, 0.0), law),
+            axis("MC03", (145, 225, 235, 295, 360), (0.0, 0.08, 0.0, -0.08, 0.0), law),
+        ]
+    )
+
+
+# --- Asymmetric trapezoidal speed profile ---------------------------------------------------------
+
+
+@pytest.mark.parametrize(("av", "aw"), [(0.25, 0.6), (1 / 3, 2 / 3), (0.4, 0.4), (0.05, 0.9)])
+def test_asymmetric_trapezoidal_heights(av, aw):
+    """A/B = (α_s − α_w)/α_v and h = A α_v δ with δ = (α_s − α_v + α_w)/2, for h = α_s = 1."""
+    law = TrapezoidalVelocity(av, aw)
+    a, b = law.coefficients.ca_max, -law.coefficients.ca_min
+    assert a / b == pytest.approx((1 - aw) / av, rel=1e-14)
+    assert a * av * (1 - av + aw) / 2 == pytest.approx(1.0, rel=1e-14)
+
+
+def test_asymmetric_trapezoidal_integrated():
+    """The three systems of equations for y'', y', y."""
+    law, av, aw = TrapezoidalVelocity(0.25, 0.6), 0.25, 0.6
+    a, b = law.coefficients.ca_max, -law.coefficients.ca_min
+    for x in (0.1, 0.2):
+        assert law.evaluate(x)[:3] == pytest.approx((a * x**2 / 2, a * x, a), rel=1e-13)
+    for x in (0.3, 0.5):
+        assert law.evaluate(x)[:3] == pytest.approx((a * av * (x - av / 2), a * av, 0.0), rel=1e-13)
+    for x in (0.7, 0.95, 1.0):
+        y = a * av * (x - av / 2) - b / 2 * (x - aw) ** 2
+        assert law.evaluate(x)[:3] == pytest.approx((y, a * av - b * (x - aw), -b), rel=1e-13, abs=1e-14)
+
+
+# --- Timing diagram for a cutting machine ---------------------------------------------------------
+
+
+def test_speed_of_the_master_shaft_at_200_pieces_a_minute():
+    """Printed: 3.33 turns per second, 0.3 s a turn, ω = 20.944 rad/s."""
+    assert shaft_speed(200 / 60) == pytest.approx(20.944, abs=5e-4)
+
+
+def test_mc01_with_constant_acceleration_as_printed():
+    """Printed: y' = 0.43 m/rad, y'' = 0.61 m/rad², ẏ = 9 m/s, ÿ = 270 m/s²."""
+    rise = machine(ConstantAcceleration()).movements(200 / 60)[0]
+    assert rise.y1_max == pytest.approx(0.43, abs=0.005)
+    assert math.floor(rise.y2_max * 100) / 100 == 0.61  # 0.6155, cut off and not rounded
+    assert (rise.v_max, rise.a_max) == pytest.approx((9.0, 270.0), rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("law", "y1", "y2", "v", "a"),
+    [
+        (ConstantAcceleration(), 0.42972, 0.61553, 9.0000, 270.000),
+        (TrapezoidalVelocity(), 0.32229, 0.69247, 6.7500, 303.750),
+        (Cubic(), 0.32229, 0.92329, 6.7500, 405.000),
+        (Cycloidal(), 0.42972, 0.96687, 9.0000, 424.115),
+        (MTP, 0.42972, 0.75219, 9.0000, 329.948),
+    ],
+    ids=lambda value: getattr(value, "code", None),
+)
+def test_mc01_rise_with_each_law(law, y1, y2, v, a):
+    rise = machine(law).movements(200 / 60)[0]
+    assert (rise.y1_max, rise.y2_max) == pytest.approx((y1, y2), abs=5e-6)
+    assert (rise.v_max, rise.a_max) == pytest.approx((v, a), abs=5e-4)
+
+
+@pytest.mark.parametrize(
+    ("number", "name", "y1", "y2", "v", "a"),
+    [
+        (1, "MC02", 0.05093, 0.15849, 1.0667, 69.520),
+        (2, "MC02", 0.05093, 0.15849, 1.0667, 69.520),
+        (3, "MC03", 0.11459, 0.20058, 2.4000, 87.986),
+        (4, "MC03", 0.15279, 0.35659, 3.2000, 156.420),
+    ],
+    ids=["MC02 rise", "MC02 return", "MC03 rise", "MC03 return"],
+)
+def test_movements_with_the_modified_trapezoidal_law(number, name, y1, y2, v, a):
+    movement = machine().movements(200 / 60)[number]
+    assert movement.axis == name
+    assert (movement.y1_max, movement.y2_max) == pytest.approx((y1, y2), abs=5e-6)
+    assert movement.v_max == pytest.approx(v, abs=5e-5)
+    assert movement.a_max == pytest.approx(a, abs=5e-4)
+
+
+def test_the_cycles_close_the_feed_in_velocity():
+    diagram = machine()
+    assert all(one.closes for one in diagram.axes)
+    assert diagram.axis("MC01").motion.junctions()[-1].jump_y == pytest.approx(0.3, rel=1e-15)
+
+
+def test_positions_over_the_cycle():
+    at = machine().axis("MC03").motion.at(np.deg2rad([0, 145, 185, 225, 230, 235, 265, 295, 360]))
+    assert at.y == pytest.approx([0, 0, 0.04, 0.08, 0.08, 0.08, 0.04, 0, 0], abs=1e-16)
+
+
+# --- Feeding group --------------------------------------------------------------------------------
+
+
+def feeding_group():
+    """Load at the roller shaft; S1 leaves motor and ratio open: J_m = 0, τ = 1."""
+    rotors = [Inertia("rollers", 4, 0.284), Inertia("fast shaft", 1, 0.007, 90 / 45)]
+    return Drive(Load(reflected_inertia(rotors), 500 * RADIUS), Transmission(1.0), Motor(0.0))
+
+
+def operating_points(law, n=3600):
+    """The feeding group over a cycle at 100 pieces a minute, 0.6 s."""
+    omega = shaft_speed(100 / 60)
+    x = np.arange(n + 1) * (2 * np.pi / n)
+    _, v, a = machine(law).axis("MC01").motion.at_speed(x, omega)
+    return feeding_group().operating_points(v / RADIUS, a / RADIUS, x / omega)
+
+
+def test_inertia_and_resisting_torque():
+    """J_tot = 4 J1 + 4 J2 = 1.164 kg m², C_r = 67 Nm."""
+    load = feeding_group().load
+    assert load.inertia == pytest.approx(1.164, rel=1e-15)
+    assert load.torque == pytest.approx(67.0, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("law", "acceleration", "highest", "lowest"),
+    [
+        (ConstantAcceleration(), 503.7313, 653.3433, -519.3433),
+        (MTP, 615.5753, 783.5297, -649.5297),
+        (Cycloidal(), 791.2593, 988.0259, -854.0259),
+    ],
+    ids=lambda value: getattr(value, "code", None),
+)
+def test_torque_at_the_roller_shaft(law, acceleration, highest, lowest):
+    """The torques were computed from the rounded accelerations: half a digit times 1.164 more room."""
+    points = operating_points(law)
+    rise = machine(law).movements(100 / 60)[0]
+    assert rise.a_max / RADIUS == pytest.approx(acceleration, abs=5e-5)
+    assert points.highest_torque == pytest.approx(highest, abs=1.1e-4)
+    assert points.lowest_torque == pytest.approx(lowest, abs=1.1e-4)
+
+
+def test_speed_of_the_rollers():
+    """ω_r,max = 33.582 rad/s = 320.685 rpm."""
+    fastest = operating_points(MTP).max_speed
+    assert fastest == pytest.approx(33.582, abs=5e-4)
+    assert fastest * 60 / (2 * math.pi) == pytest.approx(320.685, abs=5e-4)
+
+
+def test_exact_rms_torque_over_the_cycle():
+    """C_m,rms² = (J_tot ω̇_rms)² · 80/360 + C_r², as the rise takes what it gives back."""
+    phases = [Phase(MTP, 0.3, 0.6 * 80 / 360), Phase(Dwell(), 0.0, 0.6 * 280 / 360)]
+    inertial = 1.164 * MTP.coefficients.ca_rms * 0.3 / RADIUS / (0.6 * 80 / 360) ** 2
+    exact = rms_lossless(feeding_group(), phases, RADIUS)
+    assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
+    assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)
