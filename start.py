@@ -83,9 +83,7 @@ def main(arguments: "list[str]") -> int:
         if command == "test":
             return subprocess.call([program("pytest"), *arguments[1:]], cwd=ROOT)
         if command == "check":
-            failed = [
-                line for line in CHECKS if subprocess.call([program(line.split()[0]), *line.split()[1:]], cwd=ROOT)
-            ]
+            failed = [job for job in CHECKS if subprocess.call([program(job.split()[0]), *job.split()[1:]], cwd=ROOT)]
             print("Failed: " + ", ".join(failed) if failed else "Every check passed.")
             return int(bool(failed))
         return subprocess.call([program("motionbook"), *arguments])
