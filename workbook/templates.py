@@ -18,17 +18,19 @@ from workbook.sheets.laws import PAGES, law_sheet
 from workbook.sheets.laws_sheet import laws_sheet
 from workbook.sheets.stack import CODES, locator, stacked
 from workbook.sheets.timing import timing_sheet
+from workbook.variants import cutting_variants
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
 
 
 @dataclass(frozen=True)
 class Template:
-    """A kind of machine: its description's model, and the book declared from a description."""
+    """A kind of machine: its description's model, the book declared from a description, variations to verify at."""
 
     name: str
     model: type[Machine]
     declare: Callable[[Machine], Book]
+    variants: Callable[[Machine], list[Machine]]
     sizes: dict[str, tuple[str, int]]  # entry of sizes: the block that tells it, and by how many rows it is longer
 
     @property
@@ -93,5 +95,8 @@ TITLES = {"cutting-machine": "Cutting machine"}
 LAW_SIZES = {"law": ("ACS_samples", 1), "own_law": ("own_samples", 1), "pieces": ("own_pieces", 0)}
 CUTTING_SIZES = {"cycle": ("cycle", 1), "phases": ("axis1", 0), "rotors": ("rotors", 0)}
 TEMPLATES = {
-    t.name: t for t in (Template("cutting-machine", CuttingMachine, cutting_machine, LAW_SIZES | CUTTING_SIZES),)
+    t.name: t
+    for t in (
+        Template("cutting-machine", CuttingMachine, cutting_machine, cutting_variants, LAW_SIZES | CUTTING_SIZES),
+    )
 }

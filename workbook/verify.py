@@ -1,22 +1,40 @@
-"""Compare every formula cell of a workbook with the engine, at the values that the engineer entered."""
+"""Compare a workbook with the engine: every formula cell, at the values entered and at others, by witnesses."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from workbook.address import Address
-from workbook.declare import Block, Book, Cell, as_rows
+from workbook.audit import audit
+from workbook.compare import TOLERANCE, difference, is_error
+from workbook.declare import Book
 from workbook.entries import Entries
+from workbook.errors import ReadError, WitnessError
 from workbook.files import BookFile, open_book
-from workbook.witnesses.pycel_witness import PycelModel, version
+from workbook.machine import Machine
+from workbook.matching import Match, Pair, peaks_of
+from workbook.templates import Template
+from workbook.witnesses import WITNESSES
+from workbook.witnesses.pycel_witness import PycelModel
 
-TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
-
-Kind = Literal["missing", "replaced", "changed", "error", "value"]
-RANK: dict[Kind, int] = {"missing": 0, "replaced": 1, "changed": 2, "error": 3, "value": 4}
+ORDER = (
+    "missing",
+    "replaced",
+    "formula",
+    "changed",
+    "name",
+    "function",
+    "unread",
+    "error",
+    "value",
+    "follows",
+    "witness",
+)
+"""The kinds of findings, causes before what follows from them."""
 
 
 @dataclass(frozen=True)
@@ -25,11 +43,27 @@ class Finding:
 
     sheet: str
     cell: str
-    kind: Kind
+    kind: str
     computed: Any
     expected: Any
     what: str = ""
     deviation: float = math.inf  # relative to the greatest value of the column
+    witness: str = ""
+
+
+@dataclass
+class Ran:
+    """A witness that was asked: its version, how many cells it was compared in, or why it was not."""
+
+    name: str
+    version: str | None
+    compared: int = 0
+    why: str = ""
+
+    @property
+    def absent(self) -> bool:
+        """Whether the witness is not on this machine."""
+        return self.version is None
 
 
 @dataclass
@@ -38,11 +72,11 @@ class Report:
 
     path: Path
     template: str
-    witness: str = ""
     compared: int = 0
     findings: list[Finding] = field(default_factory=list)
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
     cells: dict[str, int] = field(default_factory=dict)  # compared on each sheet
+    witnesses: list[Ran] = field(default_factory=list)
     unmatched: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
     notes: list[str] = field(default_factory=list)
 
@@ -51,92 +85,173 @@ class Report:
         """Whether every formula cell computes what the engine computes."""
         return not self.findings
 
+    @property
+    def witness(self) -> str:
+        """The witnesses that answered, with their versions."""
+        return ", ".join(f"{w.name} {w.version}" for w in self.witnesses if not w.absent)
 
-def verify(path: Path) -> Report:
-    """Verify one workbook; raise ReadError or InputError where it cannot be read."""
+    def add(
+        self, pair: Pair, kind: str, computed: Any, expected: Any, deviation: float = math.inf, by: str = ""
+    ) -> None:
+        """Enter a finding on a declared cell."""
+        address = pair.address
+        self.findings.append(Finding(address.sheet, address.a1, kind, computed, expected, pair.what, deviation, by))
+
+
+def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
+    """Verify one workbook with the witnesses of these names.
+
+    Raises ReadError or InputError where the book cannot be read, and ReadError for a witness of unknown name.
+    """
+    unknown = [name for name in witnesses if name not in WITNESSES]
+    if unknown:
+        raise ReadError(f"no witness is named {unknown[0]!r}; expected {', '.join(WITNESSES)}")
     file = open_book(path)
     entries = Entries(file)
-    machine = entries.machine()
-    declared = entries.template.declare(machine)
     report = Report(path, entries.template.name)
+    machine = entries.machine()
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(entries.computed)}")
-    compare(file, declared, report)
-    report.findings.sort(key=lambda f: (RANK[f.kind], -f.deviation))
+    judge(file, entries.template, machine, report, witnesses)
     return report
 
 
-def compare(file: BookFile, declared: Book, report: Report) -> None:
-    """Compare the cells of ``file`` with the declaration, block by block."""
+def judge(
+    file: BookFile, template: Template, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
+    shapes: bool = True,
+) -> None:  # fmt: skip
+    """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
+
+    ``shapes`` false leaves the text of formulas aside, so that values alone must tell.
+    """
+    match = Match(file, template.declare(machine))
     model = PycelModel(file.workbook)
-    values = model.evaluate()
-    report.witness = f"pycel {version()}"
-    known: set[Address] = set()
-    for block in declared.blocks.values():
-        place = file.places.get(block.name)
-        if place is None:
-            report.findings.append(
-                Finding(block.sheet.title, block.name, "missing", None, "a block of this name", block.title)
-            )
+    suspects = structure(match, report, shapes)
+    for remark in audit(match, model, template.model):
+        report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
+    values(match, model, report, witnesses)
+    elsewhere(match, model, template.variants(machine), template, report, suspects)
+    foreign = [a for a in model.formulas if a not in match.addresses]
+    report.unmatched = sorted(str(a) for a in foreign)
+    report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
+
+
+def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]:
+    """Enter missing blocks, and formulas and constants that are not the declared ones; return those formulas."""
+    for block, place in match.misfits:
+        expected = f"{block.size} rows by {len(block.quantities)} columns"
+        found = f"{place.rows} rows by {place.columns} columns" if place else None
+        where = (place.sheet, place.cell(0, 0).a1) if place else (block.sheet.title, block.name)
+        report.findings.append(Finding(*where, "missing", found, expected, block.title or block.quantities[0].label))
+    suspects = set()
+    for pair in match.pairs:
+        if pair.cell.quantity.role == "input":
             continue
-        if (place.rows, place.columns) != (block.size, len(block.quantities)):
-            found = f"{place.rows} rows by {place.columns} columns"
-            expected = f"{block.size} rows by {len(block.quantities)} columns"
-            report.findings.append(
-                Finding(place.sheet, str(place.cell(0, 0).a1), "missing", found, expected, block.name)
-            )
-        peaks = column_peaks(block)
-        for cell in block.cells():
-            i, j = cell.i, cell.column - block.column
-            if i >= place.rows or j >= place.columns:
+        if not pair.declared_formula:
+            if pair.held != pair.cell.content:
+                report.add(pair, "changed", pair.held, pair.cell.content)
+        elif not (isinstance(pair.held, str) and pair.held.startswith("=")):
+            report.add(pair, "missing" if pair.held is None else "replaced", pair.held, pair.cell.expected)
+        elif not match.same_shape(pair):
+            suspects.add(pair.address)
+            if shapes:
+                report.add(pair, "formula", pair.held, pair.cell.content)
+    return suspects
+
+
+def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[str]) -> None:
+    """Compare what each witness computes at the values entered."""
+    for name in witnesses:
+        witness = WITNESSES[name]()
+        ran = Ran(name, witness.version())
+        report.witnesses.append(ran)
+        if ran.absent:
+            report.findings.append(Finding("", name, "witness", "absent", "a witness that is on this machine"))
+            continue
+        try:
+            computed = model.evaluate() if name == "pycel" else witness.values(match.file)
+        except WitnessError as error:
+            ran.why = str(error)
+            report.findings.append(Finding("", name, "witness", str(error), "values to compare"))
+            continue
+        ran.compared = compared(match, model, computed, report, name)
+    report.compared = max((w.compared for w in report.witnesses), default=0)
+
+
+def compared(match: Match, model: PycelModel, computed: dict[Address, Any], report: Report, by: str) -> int:
+    """Compare one witness's values; tell the cells at fault from those that only follow them. Return how many."""
+    count, wrong = 0, []
+    first = by == report.witnesses[0].name
+    for pair in match.pairs:
+        if not pair.declared_formula or (pair.address not in model.formulas and pair.address not in model.problems):
+            continue
+        count += 1
+        deviation = deviation_of(match, pair, computed.get(pair.address), pair.cell.expected)
+        sheet = pair.address.sheet
+        if first:
+            report.cells[sheet] = report.cells.get(sheet, 0) + 1
+        if math.isfinite(deviation):
+            report.deviations[sheet] = max(report.deviations.get(sheet, 0.0), deviation)
+        if not deviation <= TOLERANCE:
+            wrong.append((pair, computed.get(pair.address), deviation))
+    if wrong:
+        at_fault = faults(match, model, {pair.address for pair, _, _ in wrong}) if by != "saved" else None
+        for pair, value, deviation in wrong:
+            kind = "error" if is_error(value) else "value"
+            own = at_fault is None or pair.address in at_fault or not at_fault
+            report.add(pair, kind if own else "follows", value, pair.cell.expected, deviation, by)
+    return count
+
+
+def faults(match: Match, model: PycelModel, wrong: set[Address]) -> set[Address]:
+    """Return the cells that are wrong even when all that they refer to is right."""
+    local = model.evaluate(assumed=match.expected(match.declared), only=wrong)
+    return {
+        pair.address
+        for pair in match.pairs
+        if pair.address in wrong
+        and not deviation_of(match, pair, local.get(pair.address), pair.cell.expected) <= TOLERANCE
+    }
+
+
+def elsewhere(
+    match: Match, model: PycelModel, machines: list[Machine], template: Template, report: Report, suspects: set[Address]
+) -> None:  # fmt: skip
+    """Compare at other inputs, each cell with the right values around it.
+
+    Formulas that are not the declared ones are evaluated at every variation; of the others, the rows of a
+    table take turns, so that each is evaluated at one variation and all variations see the table.
+    """
+    if any(place is None or match.file.places[block.name] != place for block, place in match.misfits):
+        return
+    known = {(f.sheet, f.cell) for f in report.findings}
+    for k, machine in enumerate(machines):
+        declared = template.declare(machine)
+        turn = {p.address for p in match.pairs if p.address in suspects or p.cell.i % len(machines) == k}
+        expected = match.expected(declared)
+        computed = model.evaluate(match.inputs(declared), expected, turn)
+        peaks = peaks_of(declared)
+        for pair in match.pairs:
+            a = pair.address
+            if a not in turn or a not in computed or not pair.declared_formula or (a.sheet, a.a1) in known:
                 continue
-            address = place.cell(i, j)
-            known.add(address)
-            compare_cell(cell, address, file.value(address), values, peaks[cell.quantity.name], report)
-    report.unmatched = sorted(str(a) for a in values if a not in known)
+            peak = peaks[pair.cell.block.name, pair.cell.quantity.name]
+            deviation = difference(computed[a], expected[a], peak)
+            if not deviation <= TOLERANCE:
+                known.add((a.sheet, a.a1))
+                report.add(
+                    pair, "value", computed[a], expected[a], deviation, f"pycel, at variation {k + 1} of the inputs"
+                )
 
 
-def compare_cell(
-    cell: Cell, address: Address, held: Any, values: dict[Address, Any], peak: float, report: Report
-) -> None:
-    """Compare one cell: inputs are the engineer's, constants stay as declared, formulas compute the engine's value."""
-    q = cell.quantity
-    if q.role == "input":
-        return
-    what = q.label if cell.block.size == 1 else f"{q.label}, {cell.block.title}, row {cell.i + 1}"
-    is_formula = isinstance(cell.content, str) and cell.content.startswith("=")
-    if not is_formula:
-        if held != cell.content:
-            report.findings.append(Finding(address.sheet, address.a1, "changed", held, cell.content, what))
-        return
-    report.compared += 1
-    report.cells[address.sheet] = report.cells.get(address.sheet, 0) + 1
-    if not (isinstance(held, str) and held.startswith("=")):
-        kind: Kind = "missing" if held is None else "replaced"
-        report.findings.append(Finding(address.sheet, address.a1, kind, held, cell.expected, what))
-        return
-    computed = values.get(address)
-    deviation = difference(computed, cell.expected, peak)
-    if math.isfinite(deviation):
-        report.deviations[address.sheet] = max(report.deviations.get(address.sheet, 0.0), deviation)
-    if not deviation <= TOLERANCE:
-        kind = "error" if isinstance(computed, str) and computed.startswith("#") else "value"
-        report.findings.append(Finding(address.sheet, address.a1, kind, computed, cell.expected, what, deviation))
+def deviation_of(match: Match, pair: Pair, computed: Any, expected: Any) -> float:
+    """Return the deviation of one cell at the values entered, relative to its column."""
+    return difference(computed, expected, match.peaks[pair.cell.block.name, pair.cell.quantity.name])
 
 
-def column_peaks(block: Block) -> dict[str, float]:
-    """Return what the deviations of each column are measured against: its greatest value, or its declared scale."""
-    peaks = {}
-    for q in block.quantities:
-        values = as_rows(q.value, block.size, q.name)
-        numbers = [abs(v) for v in values if isinstance(v, int | float) and math.isfinite(v)]
-        peaks[q.name] = max([*numbers, q.scale or 0.0], default=0.0)
-    return peaks
-
-
-def difference(computed: Any, expected: Any, peak: float) -> float:
-    """Return the deviation relative to ``peak``: 0 for equal texts, infinite for values of different kinds."""
-    if isinstance(computed, bool) or not isinstance(computed, int | float) or isinstance(expected, str):
-        return 0.0 if computed == expected else math.inf
-    gap = abs(computed - expected)
-    return gap / peak if peak else (0.0 if gap == 0 else math.inf)
+def compare(file: BookFile, declared: Book, report: Report) -> None:
+    """Compare the formulas of ``file`` and the values that pycel computes with a declaration, at the values entered."""
+    match = Match(file, declared)
+    structure(match, report)
+    values(match, PycelModel(file.workbook), report, ("pycel",))
+    report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))

@@ -10,8 +10,8 @@ from __future__ import annotations
 import ast
 import importlib
 import sys
-from collections.abc import Callable, Mapping
-from functools import lru_cache
+from collections.abc import Callable, Container, Mapping
+from functools import cached_property, lru_cache
 from importlib.metadata import version as package_version
 from typing import Any
 
@@ -22,8 +22,8 @@ from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
 
 from workbook.address import Address
-from workbook.files import BookFile, find_places
-from workbook.witnesses.shapes import Area, Formula, FormulaError, bounded, read
+from workbook.files import BookFile, Place, find_places
+from workbook.witnesses.shapes import Area, Formula, FormulaError, bounded, read, row_mark
 
 if sys.version_info >= (3, 14):  # where ast.Str is gone, for which pycel's compiler still asks
     setattr(ast, "Str", ast.Constant)  # noqa: B010 - the type checker knows no such attribute
@@ -124,30 +124,30 @@ class PycelModel:
         self.constants: Cells = {}
         self._failed: Cells = {}
         self._titles = {title.lower(): title for title in workbook.sheetnames}
-        self._names = {
-            name.lower(): Area(
-                p.sheet,
-                p.row,
-                p.column,
-                p.row + p.rows - 1,
-                p.column + p.columns - 1,
-                p.rows == p.columns == 1,
-            )
-            for name, p in find_places(workbook).items()
-        }
-        formulas: dict[Address, Formula] = {}
+        self._names = {name.lower(): area_of(place) for name, place in find_places(workbook).items()}
+        self.formulas: dict[Address, Formula] = {}
+        self._rows: dict[tuple[str, str], tuple[Formula, int]] = {}
         for sheet in workbook.worksheets:
             for row in sheet.iter_rows():
                 for cell in row:
                     if cell.value is not None:
-                        self._take(Address(sheet.title, cell.row, cell.column), cell.value, cell.data_type, formulas)
-        self._steps = self._prepared(formulas)
+                        self._take(Address(sheet.title, cell.row, cell.column), cell.value, cell.data_type)
+        self._steps = self._prepared()
         self._order = self._ordered()
 
+    @cached_property
+    def read_cells(self) -> set[Address]:
+        """Every cell that some formula refers to."""
+        areas = {a for formula in self.formulas.values() for a in formula.arguments if isinstance(a, Area)}
+        return {address for area in areas for address in cells_of(area)}
+
     def evaluate(
-        self, inputs: Mapping[Address, Any] | None = None, assumed: Mapping[Address, Any] | None = None
+        self,
+        inputs: Mapping[Address, Any] | None = None,
+        assumed: Mapping[Address, Any] | None = None,
+        only: Container[Address] | None = None,
     ) -> Cells:
-        """Return the value of every formula cell.
+        """Return the value of every formula cell, or of those in ``only``.
 
         ``inputs`` stand in for constant cells. ``assumed`` are values that formulas find in other formula
         cells instead of what those compute: with the right values assumed, a fault shows in its own cell only.
@@ -159,22 +159,35 @@ class PycelModel:
             values.update(assumed)
         ranges: dict[Area, Any] = {}
         for step in self._order:
+            if only is not None and step.address not in only:
+                continue
             value = self._computed(step, values, ranges)
             results[step.address] = value
             if not assumed or step.address not in assumed:
                 values[step.address] = value
         return results
 
-    def _take(self, address: Address, value: Any, kind: str, formulas: dict[Address, Formula]) -> None:
+    def _take(self, address: Address, value: Any, kind: str) -> None:
         if kind != "f":
             self.constants[address] = value
             return
         try:
             if not isinstance(value, str):
                 raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
-            formulas[address] = read(value, address.sheet, self._area)
+            self.formulas[address] = self._read(address, value)
         except FormulaError as error:
             self._fail(address, error)
+
+    def _read(self, address: Address, text: str) -> Formula:
+        """Read a formula; one that only repeats, in its own row, what another row has is not read anew."""
+        if '"' in text:
+            return read(text, address.sheet, self._area)
+        key = (address.sheet, row_mark(address.row).sub(r"\1@", text))
+        known = self._rows.get(key)
+        if known is None:
+            known = self._rows[key] = (read(text, address.sheet, self._area), address.row)
+        formula, below = known
+        return formula if below == address.row else formula.in_row(address.row, below)
 
     def _fail(self, address: Address, error: FormulaError) -> None:
         self._failed[address] = error.value
@@ -192,9 +205,9 @@ class PycelModel:
             raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
         return bounded(area)
 
-    def _prepared(self, formulas: dict[Address, Formula]) -> dict[Address, Step]:
+    def _prepared(self) -> dict[Address, Step]:
         steps = {}
-        for address, formula in formulas.items():
+        for address, formula in self.formulas.items():
             call = compiled(formula.shape, formula.functions)
             if isinstance(call, FormulaError):
                 self._fail(address, call)
@@ -267,6 +280,12 @@ def plain(value: Any) -> Any:
     if isinstance(value, tuple | list):
         return "#VALUE!"
     return value.item() if hasattr(value, "item") else value
+
+
+def area_of(place: Place) -> Area:
+    """Return a place as an area of formulas."""
+    bottom, right = place.row + place.rows - 1, place.column + place.columns - 1
+    return Area(place.sheet, place.row, place.column, bottom, right, place.rows == place.columns == 1)
 
 
 def cells_of(area: Area) -> list[Address]:

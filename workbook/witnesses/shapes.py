@@ -30,6 +30,7 @@ TOKEN = re.compile(
     """,
     re.VERBOSE,
 )
+CORNER = re.compile(r"\$?[A-Za-z]{1,3}(?P<fixed>\$?)[0-9]{1,7}")
 MOST_CELLS = 200_000  # of one range: what is larger is refused
 
 
@@ -54,11 +55,25 @@ class Area(NamedTuple):
 
 @dataclass(frozen=True)
 class Formula:
-    """A shape, and what its arguments are: areas, or texts."""
+    """A shape, and what its arguments are: areas, or texts; ``written`` is how the file writes each of them."""
 
     shape: str
     arguments: tuple[Area | str, ...]
     functions: frozenset[str]
+    written: tuple[str, ...] = ()
+
+    @property
+    def anchors(self) -> tuple[str, ...]:
+        """Where each reference has its ``$``: ``$Timing!$B7:C$9`` gives ``$cr:c$r``; nothing for a name or a text."""
+        return tuple(anchored(w) for w in self.written)
+
+    def in_row(self, row: int, below: int) -> Formula:
+        """Return the formula as it would stand in another row, ``below`` being the one it stands in."""
+        moved = (
+            a if isinstance(a, str) else in_row(a, w, row, below)
+            for a, w in zip(self.arguments, self.written, strict=True)
+        )
+        return Formula(self.shape, tuple(moved), self.functions, self.written)
 
 
 def read(text: str, sheet: str, area: Callable[[str, str], Area]) -> Formula:
@@ -69,14 +84,17 @@ def read(text: str, sheet: str, area: Callable[[str, str], Area]) -> Formula:
     shape: list[str] = []
     arguments: list[Area | str] = []
     functions: set[str] = set()
+    written: list[str] = []
     position = 0
     for token in TOKEN.finditer(text):
         if token.start() != position:
             break
         position = token.end()
         kind = token.lastgroup
-        if kind in ("plain", "number", "error"):
+        if kind in ("plain", "error"):
             shape.append(token.group())
+        elif kind == "number":
+            shape.append(token.group() if token.group().isdigit() else repr(float(token.group())))
         elif kind == "function":
             functions.add(token.group()[:-1].upper())
             shape.append(token.group().upper())
@@ -84,10 +102,11 @@ def read(text: str, sheet: str, area: Callable[[str, str], Area]) -> Formula:
             shape.append(token.group().upper())
         else:
             arguments.append(argument(token, sheet, area))
+            written.append(token.group())
             shape.append(dummy(len(arguments), arguments[-1]))
     if position != len(text):
         raise FormulaError("#NAME?", f"cannot be read from {text[position : position + 20]!r} on")
-    return Formula("".join(shape), tuple(arguments), frozenset(functions))
+    return Formula("".join(shape), tuple(arguments), frozenset(functions), tuple(written))
 
 
 def argument(token: re.Match[str], sheet: str, area: Callable[[str, str], Area]) -> Area | str:
@@ -104,6 +123,30 @@ def argument(token: re.Match[str], sheet: str, area: Callable[[str, str], Area])
     bottom, right = int(token.group("r2")), column(token.group("c2"))
     found = Area(title, min(top, bottom), min(left, right), max(top, bottom), max(left, right), single=False)
     return bounded(found)
+
+
+def anchored(written: str) -> str:
+    """Return where a reference has its ``$``, or nothing for a name or a text."""
+    reference = written.rpartition("!")[2]
+    if written.startswith('"') or not CORNER.fullmatch(reference.partition(":")[0]):
+        return ""
+    return re.sub(r"[0-9]+", "r", re.sub(r"[A-Za-z]+", "c", reference))
+
+
+def in_row(area: Area, written: str, row: int, below: int) -> Area:
+    """Return an area with the corners that are relative to row ``below`` moved to ``row``."""
+    corners = [CORNER.fullmatch(corner) for corner in written.rpartition("!")[2].split(":")]
+    rows = [area.top, area.bottom]
+    for i, corner in enumerate(corners if len(corners) == 2 else corners * 2):
+        if corner and not corner.group("fixed") and rows[i] == below:
+            rows[i] = row
+    return area._replace(top=rows[0], bottom=rows[1])
+
+
+@lru_cache(maxsize=10_000)
+def row_mark(row: int) -> re.Pattern[str]:
+    """Return the pattern of a cell of ``row`` that is written relative to it."""
+    return re.compile(rf"(?<![\w.$])(\$?[A-Z]{{1,3}}){row}(?![\w.(])")
 
 
 def bounded(area: Area) -> Area:

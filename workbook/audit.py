@@ -1,0 +1,96 @@
+"""What can be said of a workbook without evaluating it: functions, names, inputs that nothing reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from openpyxl import Workbook
+from pydantic import BaseModel
+
+from workbook.files import find_places
+from workbook.matching import Match
+from workbook.rules import field_at
+from workbook.witnesses.pycel_witness import PycelModel
+
+ALLOWED = frozenset(
+    [
+        "IF",
+        "AND",
+        "OR",
+        "NOT",
+        "MIN",
+        "MAX",
+        "ABS",
+        "SIGN",
+        "SQRT",
+        "SIN",
+        "COS",
+        "TAN",
+        "ATAN2",
+        "PI",
+        "EXP",
+        "LN",
+        "LOG10",
+        "POWER",
+        "INT",
+        "ROUND",
+        "SUM",
+        "SUMPRODUCT",
+        "AVERAGE",
+        "COUNT",
+        "COUNTIF",
+        "INDEX",
+        "MATCH",
+        "CHOOSE",
+        "LARGE",
+        "SMALL",
+        "ISNUMBER",
+        "RADIANS",
+        "DEGREES",
+    ]
+)
+VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
+
+
+class Remark(NamedTuple):
+    """Something found without evaluating: where, of what kind, what stands there, what was expected."""
+
+    sheet: str
+    cell: str
+    kind: str
+    found: str
+    expected: str
+
+
+def audit(match: Match, model: PycelModel, template: type[BaseModel]) -> Iterator[Remark]:
+    """Yield what is wrong with formulas, names and inputs of a matched workbook."""
+    yield from functions(model)
+    yield from broken_names(match.file.workbook)
+    yield from unread_inputs(match, model, template)
+
+
+def functions(model: PycelModel) -> Iterator[Remark]:
+    """Yield cells that use a function which not every spreadsheet program has, or which is volatile."""
+    for address, formula in model.formulas.items():
+        for name in sorted(formula.functions - ALLOWED):
+            why = "a function that is not volatile" if name in VOLATILE else "a function that every program has"
+            yield Remark(address.sheet, address.a1, "function", name, why)
+
+
+def broken_names(workbook: Workbook) -> Iterator[Remark]:
+    """Yield defined names that lead nowhere."""
+    places = find_places(workbook)
+    for name, defined in workbook.defined_names.items():
+        if name not in places and "#REF!" in (defined.attr_text or "").upper():
+            yield Remark("", name, "name", str(defined.attr_text), "a name that leads to cells")
+
+
+def unread_inputs(match: Match, model: PycelModel, template: type[BaseModel]) -> Iterator[Remark]:
+    """Yield inputs that no formula reads; texts that only describe are left out."""
+    for pair in match.pairs:
+        q = pair.cell.quantity
+        if q.role != "input" or pair.held is None or pair.address in model.read_cells:
+            continue
+        if field_at(template, q.key)[0] is not str or q.choices:
+            yield Remark(pair.address.sheet, pair.address.a1, "unread", str(pair.held), "an input that a formula reads")

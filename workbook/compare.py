@@ -1,0 +1,21 @@
+"""Values against values: what a witness computes against what the engine says."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
+
+
+def difference(computed: Any, expected: Any, peak: float) -> float:
+    """Return the deviation relative to ``peak``: 0 for equal texts, infinite for values of different kinds."""
+    if isinstance(computed, bool) or not isinstance(computed, int | float) or isinstance(expected, str | bool):
+        return 0.0 if type(computed) is type(expected) and computed == expected else math.inf
+    gap = abs(computed - expected)
+    return gap / peak if peak else (0.0 if gap == 0 else math.inf)
+
+
+def is_error(value: Any) -> bool:
+    """Whether a value is one of a spreadsheet's errors."""
+    return isinstance(value, str) and value.startswith("#")

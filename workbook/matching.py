@@ -1,0 +1,201 @@
+"""Which cell of a file is which cell of the declaration: by defined names and the blocks that they anchor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from workbook.address import Address
+from workbook.declare import Block, Book, Cell, as_rows
+from workbook.files import BookFile, Place, find_places
+from workbook.witnesses.pycel_witness import area_of
+from workbook.witnesses.shapes import Area, Formula, FormulaError, read
+
+
+class Pair(NamedTuple):
+    """A declared cell, where the file has it, and what the file holds there."""
+
+    cell: Cell
+    address: Address
+    held: Any
+
+    @property
+    def declared_formula(self) -> bool:
+        """Whether a formula belongs here."""
+        return is_formula(self.cell.content)
+
+    @property
+    def what(self) -> str:
+        """The quantity in words, with its table and row."""
+        q, block = self.cell.quantity, self.cell.block
+        return f"{q.label}: {block.title}, row {self.cell.i + 1}" if block.is_table else q.label
+
+
+def is_formula(content: Any) -> bool:
+    """Whether what a cell holds is a formula."""
+    return isinstance(content, str) and content.startswith("=")
+
+
+class Misfit(NamedTuple):
+    """A block that the file lacks, or has in another size."""
+
+    block: Block
+    place: Place | None
+
+
+@dataclass
+class Match:
+    """A file held against a declaration."""
+
+    file: BookFile
+    declared: Book
+    pairs: list[Pair] = field(default_factory=list)
+    misfits: list[Misfit] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        for block in self.declared.blocks.values():
+            place = self.file.places.get(block.name)
+            if place is None or (place.rows, place.columns) != (block.size, len(block.quantities)):
+                self.misfits.append(Misfit(block, place))
+            if place is not None:
+                self.pairs += self._pairs(block, place)
+
+    def _pairs(self, block: Block, place: Place) -> Iterator[Pair]:
+        sheet = self.file.workbook[place.sheet]
+        for cell in block.cells():
+            j = cell.column - block.column
+            if cell.i < place.rows and j < place.columns:
+                address = place.cell(cell.i, j)
+                yield Pair(cell, address, sheet.cell(address.row, address.column).value)
+
+    @cached_property
+    def addresses(self) -> set[Address]:
+        """Every cell of the file that is declared."""
+        return {pair.address for pair in self.pairs}
+
+    @cached_property
+    def peaks(self) -> dict[tuple[str, str], float]:
+        """What the deviations of each column are measured against, by block and quantity."""
+        return peaks_of(self.declared)
+
+    @cached_property
+    def _columns(self) -> dict[tuple[str, str], list[Address]]:
+        """The cells of each declared column, by block and quantity."""
+        columns: dict[tuple[str, str], list[Address]] = {}
+        for pair in self.pairs:
+            columns.setdefault((pair.cell.block.name, pair.cell.quantity.name), []).append(pair.address)
+        return columns
+
+    def expected(self, declared: Book) -> dict[Address, Any]:
+        """Return the engine's value of every formula cell, for a declaration of the same layout."""
+        return self._values(declared, formulas=True)
+
+    def inputs(self, declared: Book) -> dict[Address, Any]:
+        """Return the content of every input cell, for a declaration of the same layout."""
+        return self._values(declared, formulas=False)
+
+    def _values(self, declared: Book, formulas: bool) -> dict[Address, Any]:
+        values: dict[Address, Any] = {}
+        for block in declared.blocks.values():
+            for q in block.quantities:
+                if (q.formula is not None) if formulas else (q.role == "input"):
+                    rows = as_rows(q.value, block.size, q.name)
+                    values.update(zip(self._columns.get((block.name, q.name), ()), rows, strict=False))
+        return values
+
+    def same_shape(self, pair: Pair) -> bool:
+        """Whether a formula of the file is the declared one, wherever rows, columns or sheets have moved to."""
+        if pair.held == pair.cell.content:
+            return True
+        block = pair.cell.block
+        try:
+            declared = read(pair.cell.content, block.sheet.title, self._declared_area)
+            held = read(pair.held, pair.address.sheet, self._held_area)
+        except FormulaError:
+            return False
+        if (declared.shape, declared.anchors) != (held.shape, held.anchors):
+            return False
+        return self._logical(declared, self._declared_index) == self._logical(held, self._held_index)
+
+    @staticmethod
+    def _logical(formula: Formula, index: dict[Address, tuple[str, int, int]]) -> list[Any]:
+        """Return the arguments with every cell named by its block and its place in the block."""
+        found: list[Any] = []
+        for a in formula.arguments:
+            if isinstance(a, str):
+                found.append(a)
+            else:
+                corners = (Address(a.sheet, a.top, a.left), Address(a.sheet, a.bottom, a.right))
+                found.append((a.single, *(index.get(corner, corner) for corner in corners)))
+        return found
+
+    @cached_property
+    def _declared_index(self) -> dict[Address, tuple[str, int, int]]:
+        return cell_index({b.name: declared_place(b) for b in self.declared.blocks.values()})
+
+    @cached_property
+    def _held_index(self) -> dict[Address, tuple[str, int, int]]:
+        return cell_index({name: self.file.places[name] for name in self.declared.blocks if name in self.file.places})
+
+    @cached_property
+    def _declared_names(self) -> dict[str, Area]:
+        return {name.lower(): declared_area(self.declared, name) for name, _ in self.declared.names()}
+
+    @cached_property
+    def _held_names(self) -> dict[str, Area]:
+        return {name.lower(): area_of(place) for name, place in find_places(self.file.workbook).items()}
+
+    def _declared_area(self, name: str, sheet: str) -> Area:
+        return resolve(name, self._declared_names, {s.title for s in self.declared.sheets})
+
+    def _held_area(self, name: str, sheet: str) -> Area:
+        return resolve(name, self._held_names, set(self.file.workbook.sheetnames))
+
+
+def resolve(name: str, names: dict[str, Area], titles: set[str]) -> Area:
+    """Return what a defined name means, or ``title!``; FormulaError where there is none."""
+    if name.endswith("!") and name[:-1] in titles:
+        return Area(name[:-1], 1, 1, 1, 1, single=True)
+    if name.lower() not in names:
+        raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
+    return names[name.lower()]
+
+
+def declared_place(block: Block) -> Place:
+    """Return where the declaration has a block."""
+    return Place(block.sheet.title, block.row, block.column, block.size, len(block.quantities))
+
+
+def declared_area(book: Book, name: str) -> Area:
+    """Return what a defined name of the declaration means: a block, or a named column."""
+    if name in book.blocks:
+        return area_of(declared_place(book.blocks[name]))
+    table, column = book.column_names[name]
+    block = book.blocks[table]
+    return area_of(Place(block.sheet.title, block.row, block.columns[column], block.size, 1))
+
+
+def cell_index(places: dict[str, Place]) -> dict[Address, tuple[str, int, int]]:
+    """Return the block, row and column of every cell of the blocks."""
+    return {
+        place.cell(i, j): (name, i, j)
+        for name, place in places.items()
+        for i in range(place.rows)
+        for j in range(place.columns)
+    }
+
+
+def peaks_of(declared: Book) -> dict[tuple[str, str], float]:
+    """Return the greatest size of each column, or its declared scale where that is greater."""
+    return {
+        (block.name, q.name): max([*numbers(as_rows(q.value, block.size, q.name)), q.scale or 0.0], default=0.0)
+        for block in declared.blocks.values()
+        for q in block.quantities
+    }
+
+
+def numbers(values: list[Any]) -> list[float]:
+    """Return the sizes of the finite numbers among ``values``."""
+    return [abs(v) for v in values if isinstance(v, int | float) and abs(v) < float("inf")]
