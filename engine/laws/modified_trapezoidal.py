@@ -17,11 +17,25 @@ QUARTER = math.pi / 2.0
 CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
 
 
+class Stage(NamedTuple):
+    """One stage of a lobe; with t from its begin and the angle x = x0 + t/r (x0 where r is 0)::
+
+    a = sin x,  v = v0 + c t − r cos x,  s = s0 + v0 t + c t²/2 − r² sin x
+    """
+
+    begin: float
+    r: float
+    x0: float
+    c: float
+    v0: float
+    s0: float
+
+
 class Lobe(NamedTuple):
     """Three stages of unit acceleration from rest: a quarter sine up, a constant, a quarter sine down.
 
-    With t from its begin, a = sin x, where the angle x turns from 0 to π/2 over d1, stands over d2, and
-    turns on to π over d3. So a deceleration is the same thing seen backwards from its end.
+    a = sin x, where the angle x turns from 0 to π/2 over d1, stands over d2, and turns on to π over d3.
+    A deceleration is the same thing seen backwards from its end.
     """
 
     d1: float
@@ -59,18 +73,16 @@ class Lobe(NamedTuple):
         shorter = min(self.d1, self.d3)
         return 1.0 / (K * shorter) if shorter > 0.0 else math.inf
 
-    def rows(self, amplitude: float, sign: float, origin: float, s: float) -> list[tuple[float, ...]]:
-        """Return the coefficients by which :meth:`ModifiedTrapezoidal._block` evaluates the three stages."""
+    @property
+    def stages(self) -> tuple[Stage, Stage, Stage]:
+        """The three stages in closed form."""
         (v1, v2, _), (s1, s2, _) = self.velocities, self.travels
         r1, r3 = K * self.d1, K * self.d3
-        begins = (0.0, self.d1, self.d1 + self.d2)
-        parts = ((0.0, r1, 0.0, r1, 0.0), (s1, v1, 1.0, 0.0, QUARTER), (s2 + r3 * r3, v2, 0.0, r3, QUARTER))
-        f = amplitude
-        return [
-            (sign, origin - t, 1.0 / r if r else 0.0, x,
-             s + sign * f * s0, f * v0, f * c, f * r, sign * f * r * r, sign * f, f / r if r else 0.0)
-            for t, (s0, v0, c, r, x) in zip(begins, parts, strict=True)
-        ]  # fmt: skip
+        return (
+            Stage(begin=0.0, r=r1, x0=0.0, c=0.0, v0=r1, s0=0.0),
+            Stage(begin=self.d1, r=0.0, x0=QUARTER, c=1.0, v0=v1, s0=s1),
+            Stage(begin=self.d1 + self.d2, r=r3, x0=QUARTER, c=0.0, v0=v2, s0=s2 + r3 * r3),
+        )
 
 
 @dataclass(frozen=True)
@@ -124,23 +136,22 @@ class ModifiedTrapezoidal(Law):
 
     @cached_property
     def _stages(self) -> tuple[Array, Array]:
-        """Begin of each stage, and its coefficients: one column a stage."""
+        """Begin of each stage, and a column of what evaluates it: direction, origin, amplitude, …"""
         rise, fall = self.lobes
-        up, down = self.acceleration, self.deceleration
-        accelerated = sum(self.durations[:3])
-        coast = (1.0, -accelerated, 0.0, 0.0, up * rise.travels[2], up * rise.velocities[2], 0, 0, 0, 0, 0)
-        backwards = fall.rows(down, -1.0, sum(self.durations), 1.0)[::-1]
-        starts = np.cumsum((0.0, *self.durations[:6]))
-        return starts, np.array([*rise.rows(up, 1.0, 0.0, 0.0), coast, *backwards]).T.copy()
+        coast = Stage(sum(self.durations[:3]), 0.0, 0.0, 0.0, rise.velocities[2], rise.travels[2])
+        forward = [_column(stage, 1.0, 0.0, self.acceleration, 0.0) for stage in (*rise.stages, coast)]
+        end = sum(self.durations)
+        backward = [_column(stage, -1.0, end, self.deceleration, 1.0) for stage in fall.stages[::-1]]
+        return np.cumsum((0.0, *self.durations[:6])), np.array([*forward, *backward]).T.copy()
 
     def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
         starts, table = self._stages
-        sign, origin, rate, x0, s0, v0, c, q, r, p, w = table.take(stage_of(xi, starts), axis=1)
+        sign, origin, f, base, rate, r, x0, c, v0, s0 = table.take(stage_of(xi, starts), axis=1)
         t = sign * xi + origin  # since the begin of the stage, or until its end
-        x = rate * t + x0
+        x = x0 + rate * t
         sin, cos = np.sin(x), np.cos(x)
-        s = s0 + sign * t * (v0 + c / 2.0 * t) - r * sin
-        return s, v0 + c * t - q * cos, p * sin, w * cos
+        travel = s0 + t * (v0 + c / 2.0 * t) - r * r * sin
+        return base + sign * f * travel, f * (v0 + c * t - r * cos), sign * f * sin, f * rate * cos
 
     def _coefficients(self) -> Coefficients:
         (rise, fall), up, down = self.lobes, self.acceleration, self.deceleration
@@ -153,6 +164,11 @@ class ModifiedTrapezoidal(Law):
             va_max=up**2 * rise.power,
             va_min=-(down**2) * fall.power,
         )
+
+
+def _column(stage: Stage, sign: float, origin: float, amplitude: float, base: float) -> tuple[float, ...]:
+    begin, r, x0, c, v0, s0 = stage
+    return sign, origin - begin, amplitude, base, 1.0 / r if r else 0.0, r, x0, c, v0, s0
 
 
 ENTRY = Entry(

@@ -48,7 +48,7 @@ class TrapezoidalVelocity(Law):
         up, down = self.acceleration, self.deceleration
         top = up * self.rise_end
         fall = xi >= self.fall_start - BREAK_TOLERANCE
-        rise = (xi < self.rise_end - BREAK_TOLERANCE) & ~fall
+        rise = xi < self.rise_end - BREAK_TOLERANCE
         t = 1.0 - xi
         s = np.where(
             rise,

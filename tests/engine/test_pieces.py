@@ -111,6 +111,14 @@ def test_extremes_of_a_mixed_piece_are_refined():
     assert law.coefficients.ca_max == pytest.approx(6 - 12 * u + math.sin(20 * u), rel=1e-14)
 
 
+def test_extremes_of_a_polynomial_are_its_roots_however_near():
+    """da/du = 3(u − r1)(u − r2): the greatest a lies at r1, within a thousandth of a later rise to the end."""
+    r1, r2 = 0.9990, 0.9998
+    c = (0.0, 3 * r1 * r2, -1.5 * (r1 + r2), 1.0)
+    greatest = r1 * (c[1] + r1 * (c[2] + r1))
+    assert PieceLaw([Piece(1.0, c)]).coefficients.ca_max == pytest.approx(greatest, rel=1e-14)
+
+
 @pytest.mark.parametrize(
     ("pieces", "infinite"),
     [
