@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import warnings
-import zipfile
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
-from xml.etree.ElementTree import ParseError
 
 import openpyxl
 from openpyxl import Workbook
 from openpyxl.utils.cell import range_boundaries
-from openpyxl.utils.exceptions import InvalidFileException
 
 from workbook.address import Address
 from workbook.errors import ReadError
+from workbook.guard import guard
+from workbook.scan import SAVE_AS
 
-SUFFIXES = (".xlsx", ".xlsm", ".xltx")
+SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
+MOST_CELLS = 200_000  # of the place of one name
 
 
 class Place(NamedTuple):
@@ -36,61 +36,86 @@ class Place(NamedTuple):
 
 @dataclass
 class BookFile:
-    """An opened workbook, with formulas as text, and its defined names as places."""
+    """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside."""
 
     path: Path
     workbook: Workbook
     places: dict[str, Place]
+    notes: list[str] = field(default_factory=list)
 
     def value(self, address: Address) -> Any:
-        """Return what a cell holds: a number, a text, a formula, or None."""
-        return self.workbook[address.sheet].cell(address.row, address.column).value
+        """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty."""
+        cell = self.workbook[address.sheet]._cells.get((address.row, address.column))  # cell() would make an empty one
+        return None if cell is None else cell.value
 
 
 def open_book(path: Path) -> BookFile:
     """Open a workbook for reading.
 
-    Raises ReadError, in one line, where the file is missing, locked, of another kind, or damaged.
+    Raises ReadError, in one line, where the file is missing, locked, of another kind, damaged, or larger than
+    a workbook may be (:mod:`workbook.guard`).
     """
-    if not path.exists():
-        raise ReadError(f"{path}: there is no such file")
     if path.is_dir():
         raise ReadError(f"{path}: this is a folder; expected a workbook")
+    if not path.exists():
+        raise ReadError(f"{path}: there is no such file")
+    if not path.is_file():
+        raise ReadError(f"{path}: this is a device or a pipe; expected a workbook")
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
+    notes = guard(path)
+    workbook = parsed(path)
+    if not workbook.worksheets:
+        raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
+    return BookFile(path, workbook, find_places(workbook), notes)
+
+
+def parsed(path: Path) -> Workbook:
+    """Let openpyxl read a file that passed the guard; raise ReadError where it cannot."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
-            workbook = openpyxl.load_workbook(path)
+            return openpyxl.load_workbook(path, keep_links=False)
     except PermissionError as error:
         raise ReadError(f"{path}: cannot be read; close it in the other program and try again") from error
-    except (
-        zipfile.BadZipFile,
-        InvalidFileException,
-        KeyError,
-        ValueError,
-        TypeError,
-        ParseError,
-        OSError,
-        EOFError,
-    ) as error:
-        raise ReadError(f"{path}: this is not a whole workbook ({type(error).__name__})") from error
-    return BookFile(path, workbook, find_places(workbook))
+    except MemoryError as error:
+        raise ReadError(f"{path}: too large for the memory of this machine") from error
+    except Exception as error:  # openpyxl trusts the XML: what is amiss comes up as any exception of Python's own
+        raise ReadError(f"{path}: damaged: {reason(error)}; {SAVE_AS}") from error
+
+
+def reason(error: BaseException) -> str:
+    """Return the innermost cause of an error in one short line."""
+    while error.__cause__ is not None:
+        error = error.__cause__
+    said = " ".join(str(error).split())
+    return f"{type(error).__name__} {said}"[:160].strip()
 
 
 def find_places(workbook: Workbook) -> dict[str, Place]:
     """Return the single rectangle that each defined name of the workbook means; names of other kinds are left out."""
     places = {}
-    titles = {title.lower(): title for title in workbook.sheetnames}
+    titles = {sheet.title.lower(): sheet.title for sheet in workbook.worksheets}
     for name, defined in workbook.defined_names.items():
-        targets = list(defined.destinations)
+        try:
+            targets = list(defined.destinations)
+        except Exception:  # noqa: S112 - openpyxl splits the text of a name, and fails in many ways if it is no formula
+            continue
         if len(targets) != 1 or str(targets[0][0]).lower() not in titles:
             continue
-        sheet, cells = targets[0]
-        try:
-            left, top, right, bottom = range_boundaries(cells)
-        except ValueError:
-            continue
-        if left is not None and top is not None and right is not None and bottom is not None:
-            places[name] = Place(titles[sheet.lower()], top, left, bottom - top + 1, right - left + 1)
+        place = place_of(titles[str(targets[0][0]).lower()], str(targets[0][1]))
+        if place is not None:
+            places[name] = place
     return places
+
+
+def place_of(sheet: str, cells: str) -> Place | None:
+    """Return the rectangle of ``cells``; None for whole rows and columns, and for what lies on no sheet."""
+    try:
+        left, top, right, bottom = range_boundaries(cells)
+    except ValueError:
+        return None
+    if left is None or top is None or right is None or bottom is None:
+        return None
+    place = Place(sheet, top, left, bottom - top + 1, right - left + 1)
+    return place if 1 <= place.rows * place.columns <= MOST_CELLS and min(top, left, place.rows) >= 1 else None

@@ -1,0 +1,136 @@
+"""What a workbook file must not hold: checked on its zip and its XML before a parser builds anything from them.
+
+A workbook is a zip of XML from anywhere. Each part is unpacked here under a limit and read once by expat, which
+keeps nothing; what passes can be opened in about 1 GiB. The limits lie well above the largest book that the
+templates can make, and mostly at or below Excel's own.
+"""
+
+from __future__ import annotations
+
+import zipfile
+import zlib
+from collections import Counter
+from copy import copy
+from pathlib import Path
+from typing import IO
+
+from workbook.errors import ReadError
+from workbook.scan import SAVE_AS, Count, Refusal, Scan, shown
+
+MEGABYTE = 1_000_000
+MOST_PACKED = 100 * MEGABYTE  # of the file
+MOST_UNPACKED = 150 * MEGABYTE  # of all parts
+MOST_PARTS = 3_000
+MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
+
+OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+NOTES = {
+    "xl/vbaProject.bin": "holds macros; they were neither read nor run",
+    "xl/externalLinks/": "links to other workbooks; the links were not followed",
+    "xl/connections.xml": "holds data connections; they were not opened",
+    "xl/embeddings/": "holds embedded files; they were not opened",
+}
+
+
+def guard(path: Path) -> list[str]:
+    """Check a file before it is parsed; return what an engineer should know of it.
+
+    Raises ReadError, in one line, where it is no zip of XML or is larger than a workbook may be.
+    """
+    try:
+        with path.open("rb") as file:
+            return inspect(file, path.stat().st_size)
+    except Refusal as refusal:
+        raise ReadError(f"{path}: {refusal}") from None
+    except PermissionError as error:
+        raise ReadError(f"{path}: cannot be read; close it in the other program and try again") from error
+    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, NotImplementedError, ValueError) as error:
+        said = str(error)[:120] or type(error).__name__
+        raise ReadError(f"{path}: damaged: {said}; expected a workbook; {SAVE_AS}") from error
+
+
+def inspect(file: IO[bytes], size: int) -> list[str]:
+    """Check an open file; raise Refusal for what cannot be a workbook of this kind."""
+    if size > MOST_PACKED:
+        raise Refusal(f"{size:,} bytes; a workbook of at most {MOST_PACKED:,} bytes is expected")
+    refuse_other_kinds(file)
+    with zipfile.ZipFile(file) as archive:
+        parts = archive.infolist()
+        refuse_odd_parts(parts, size)
+        count = Count()
+        for part in parts:
+            data = unpacked(archive, part)
+            if is_xml(part.filename, data):
+                Scan(part.filename, count).read(data)
+    names = [part.filename for part in parts]
+    return [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)]
+
+
+def refuse_other_kinds(file: IO[bytes]) -> None:
+    """Name the kinds of file that are taken for an .xlsx; leave the file at its start."""
+    data = file.read(512)
+    if data.startswith(OLE):
+        if "EncryptedPackage".encode("utf-16-le") in data + file.read(MEGABYTE) + tail(file):
+            raise Refusal("protected by a password; remove the password (Excel: File > Info > Protect Workbook)")
+        raise Refusal(f"an old .xls workbook; {SAVE_AS}")
+    if not data:
+        raise Refusal("empty; expected a workbook")
+    if not data.startswith(b"PK"):
+        kind = "text, such as CSV or HTML" if data.isascii() and b"\0" not in data else "not a workbook, or damaged"
+        raise Refusal(f"{kind}; {SAVE_AS}")
+    file.seek(0)
+
+
+def tail(file: IO[bytes]) -> bytes:
+    """Return the end of a file, where the directory of an OLE container mostly lies."""
+    file.seek(0, 2)
+    file.seek(max(0, file.tell() - MEGABYTE))
+    return file.read()
+
+
+def refuse_odd_parts(parts: list[zipfile.ZipInfo], size: int) -> None:
+    """Refuse a table of contents that no spreadsheet program writes."""
+    if len(parts) > MOST_PARTS:
+        raise Refusal(f"{len(parts):,} parts; at most {MOST_PARTS:,} are expected")
+    names = [part.filename for part in parts]
+    if "mimetype" in names and "content.xml" in names:
+        raise Refusal(f"an OpenDocument file; {SAVE_AS}")
+    if "xl/workbook.bin" in names:
+        raise Refusal(f"a binary workbook (.xlsb); {SAVE_AS}")
+    if "[Content_Types].xml" not in names:
+        raise Refusal(f"a zip, but not a workbook: it has no [Content_Types].xml; {SAVE_AS}")
+    for name, times in Counter(map(str.lower, names)).items():
+        if times > 1:
+            raise Refusal(f"holds {shown(name)} {times} times; each part is expected once")
+    for part in parts:
+        if part.filename.startswith("/") or any(c in part.filename for c in ("\\", ":", "\0")):
+            raise Refusal(f"holds a part named {shown(part.filename)}, which no spreadsheet program writes")
+        if ".." in part.filename.split("/"):
+            raise Refusal(f"holds a part named {shown(part.filename)}, which leads out of the workbook")
+        if part.flag_bits & 1:
+            raise Refusal("a zip protected by a password; remove the password")
+    if sum(part.compress_size for part in parts) > size:
+        raise Refusal("its parts overlap, as in a zip bomb")
+    if sum(part.file_size for part in parts) > MOST_UNPACKED:
+        raise Refusal(f"unpacks to more than {MOST_UNPACKED:,} bytes, the most that is expected of a workbook")
+
+
+def unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo) -> bytes:
+    """Return a part whole; raise Refusal where it is larger than the table of contents says."""
+    if part.file_size > MEGABYTE and part.file_size > MOST_RATIO * part.compress_size:
+        raise Refusal(f"{shown(part.filename)} unpacks to more than {MOST_RATIO} times its size, as in a zip bomb")
+    real = copy(part)
+    real.file_size = MOST_UNPACKED  # zipfile cuts a part off at its declared size, and only then unpacks no further
+    data = bytearray()
+    with archive.open(real) as stream:
+        while len(data) <= part.file_size and (chunk := stream.read(65_536)):
+            data += chunk
+    if len(data) != part.file_size:
+        raise Refusal(f"{shown(part.filename)} does not have the size that the zip declares; {SAVE_AS}")
+    return bytes(data)
+
+
+def is_xml(name: str, data: bytes) -> bool:
+    """Whether a part is, or could be read as, XML: relations may call any part a sheet, whatever its name."""
+    start = data[:200].lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n")
+    return start.startswith(b"<") or name.lower().endswith((".xml", ".rels"))
