@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import io
 import os
-import re
 import tempfile
-import zipfile
 from collections.abc import Callable
-from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -23,11 +20,10 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
-from workbook import charts, rules, style
+from workbook import archive, charts, rules, style
 from workbook.declare import FIRST, Block, Book, Sheet
 from workbook.errors import WriteError
 
-EPOCH = (2020, 1, 1, 0, 0, 0)  # written into the file instead of the time of day
 WIDTHS = {1: 2, FIRST: 34}
 COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
@@ -67,7 +63,7 @@ def size(column: int, columns: int, rows: int) -> tuple[float, float]:
 def write_texts(sheet: Sheet, page: Worksheet, styles: style.Styles) -> None:
     """Write titles, labels and headers."""
     for text in sheet.texts:
-        cell = page.cell(text.row, text.column, text.text)
+        cell = page.cell(text.row, text.column, text.text or None)
         style.apply(cell, styles.text(text.style))
         if text.link:
             target = f"{quote_sheetname(text.link)}!A1"
@@ -141,7 +137,7 @@ def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) ->
     workbook.save(draft)
     filled = formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"]
     abouts = [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts]
-    replace(path, lambda beside: normalise(filled, beside, abouts))
+    replace(path, lambda beside: archive.pack(filled, beside, abouts))
 
 
 def refuse_existing(path: Path, overwrite: bool) -> None:
@@ -169,22 +165,3 @@ def replace(path: Path, write: Callable[[Path], None]) -> None:
         raise WriteError(f"{path}: cannot be written: {error.strerror or error}") from error
     finally:
         draft.unlink(missing_ok=True)
-
-
-def normalise(data: bytes, path: Path, abouts: list[tuple[str, str]]) -> None:
-    """Write the archive with fixed times, and with alternative text on its charts, which openpyxl lacks."""
-    with zipfile.ZipFile(io.BytesIO(data)) as old:
-        members = [(info.filename, old.read(info)) for info in old.infolist()]
-    titles = iter(abouts)
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as new:
-        for name, data in members:
-            if name == "docProps/core.xml":
-                data = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, data)
-            elif re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
-                data = re.sub(rb'name="Chart \d+"', lambda _: describe(*next(titles)), data)
-            new.writestr(zipfile.ZipInfo(name, EPOCH), data, zipfile.ZIP_DEFLATED)
-
-
-def describe(title: str, about: str) -> bytes:
-    """Return the name and description attributes of a chart."""
-    return f'name="{escape(title)}" descr="{escape(about)}"'.encode()

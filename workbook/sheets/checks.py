@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from workbook.declare import Book, Quantity, Sheet, calc, check, constant, result
 
+ZERO = 1e-9
+
 
 def checks_sheet(book: Book) -> Sheet:
     """Declare the sheet; to be called when every check of the book is declared."""
@@ -15,6 +17,7 @@ def checks_sheet(book: Book) -> Sheet:
     sheet.rows(
         result("checks_ok", "Checks that hold", "", "", '=COUNTIF([checks.verdict],"OK")', verdicts.count("OK"), format="0"),
         calc("checks_all", "Checks in all", "", "", "=MAX([checks.k])", len(found), format="0"),
+        constant("check_zero", "What a check takes for zero", "", "", ZERO, format="0E+00", source="so that rounding fails no check"),
     )  # fmt: skip
     ok = verdicts.count("OK") == len(found)
     sheet.rows(check("overall", "This book", "checks_ok=checks_all", ok, "repeated at the head of each sheet"))

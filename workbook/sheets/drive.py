@@ -213,7 +213,7 @@ def table(sheet: Sheet, machine: Cutting, omega: float) -> None:
 def limits(sheet: Sheet, machine: Cutting) -> None:
     """Declare the corners of the motor's limits as the speed–torque chart draws them."""
     motor, points = machine.machine.drive.motor, operating(machine)
-    reverse = bool(points["rpm"].min() < -1e-6)
+    reverse = bool(points["w"].min() < -STANDSTILL)
     left = -motor.max_speed if reverse else 0.0
     sides, heights = (0, 1, 1, 0, 0), (-1, -1, 1, 1, -1)
     sheet.table(
@@ -221,7 +221,7 @@ def limits(sheet: Sheet, machine: Cutting) -> None:
         constant("corner", "corner", "", "", [1, 2, 3, 4, 5]),
         constant("side", "right side", "", "", list(sides)),
         constant("up", "upper side", "", "", list(heights)),
-        calc("rpm", "speed", "n", "rpm", "=IF([side]=1,drive_nmax,IF(MIN([drive.rpm])<-0.000001,-drive_nmax,0))",
+        calc("rpm", "speed", "n", "rpm", "=IF([side]=1,drive_nmax,IF(MIN([drive.w])<-drive_still,-drive_nmax,0))",
              [motor.max_speed if s else left for s in sides], scale=1.0),
         calc("peak", "peak torque", "T_max", "Nm", "=[up]*drive_peak", [h * motor.peak_torque for h in heights]),
         calc("rated", "rated torque", "T_N", "Nm", "=[up]*drive_rated", [h * motor.rated_torque for h in heights]),

@@ -33,17 +33,17 @@ def laws_sheet(book: Book, library: dict[str, Law], own: OwnLaw, sizes: Sizes, r
     sheet.rows(given("own_name", "Name of the own law", "", "", own.name, "laws.OWN.name"))
     own_table(sheet, own, sizes)
     sheet.checks(
-        check("own_sum", "OWN: the durations sum to 1", "ABS(SUM([own_pieces.d])-1)<1E-9", True),
+        check("own_sum", "OWN: the durations sum to 1", "ABS(SUM([own_pieces.d])-1)<check_zero", True),
         check(
             "own_reaches",
             "OWN: the law reaches s = 1",
-            "ABS([own_samples.s.last]-1)<1E-9",
+            "ABS([own_samples.s.last]-1)<check_zero",
             bool(abs(library["OWN"].end.s - 1) < 1e-9),
         ),
         check(
             "own_rests",
             "OWN: the law ends at rest",
-            "ABS([own_samples.v.last])<1E-9",
+            "ABS([own_samples.v.last])<check_zero",
             bool(abs(library["OWN"].end.v) < 1e-9),
         ),
     )
@@ -146,7 +146,7 @@ def summary(sheet: Sheet, library: dict[str, Law], own: OwnLaw, sizes: Sizes) ->
         "ca_max": "=MAX([own_samples.a])",
         "ca_min": "=MIN([own_samples.a])",
         "ca_rms": "=SQRT(SUM([own_pieces.poly2])+SUM([own_pieces.cross])+SUM([own_pieces.sine2]))",
-        "cj": '=IF(MAX(MAX([own_pieces.jump]),ABS([own_pieces.reached.last]))>1E-9,"∞",MAX(MAX([own_samples.j]),-MIN([own_samples.j])))',
+        "cj": '=IF(MAX(MAX([own_pieces.jump]),ABS([own_pieces.reached.last]))>check_zero,"∞",MAX(MAX([own_samples.j]),-MIN([own_samples.j])))',
         "va_max": "=MAX([own_samples.va])",
         "va_min": "=MIN([own_samples.va])",
     }

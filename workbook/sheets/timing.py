@@ -16,6 +16,7 @@ from workbook.sheets import sampling
 from workbook.sheets.stack import CODES
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
+LANE_SHARE = 0.8
 CLOSE = 1e-9  # relative: what a check takes for zero
 
 
@@ -29,6 +30,7 @@ def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
         calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", 1 / machine.rate, source="60 / n"),
         calc("timing_omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*timing_rate/60", shaft_speed(machine.rate), source="2π n / 60"),
         calc("timing_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", 360 * 1e-12, format="0E+00", source="an angle this near to a phase's begin counts as on it"),
+        constant("timing_lane", "Height of an axis in the diagram", "", "", LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip
     axes_table(sheet, machine)
     draw_diagram(sheet, timing.axes)
@@ -149,12 +151,12 @@ def joined(sheet: Sheet, i: int, axis: Axis, ends: dict[str, list[float]]) -> No
     lift = max(abs(p.lift) for p in axis.phases) * MM
     sheet.checks(
         check(f"{t}_forward", f"{axis.name}: every phase runs forward", f'COUNTIF([{t}.span],">0")=COUNT([{t}.stop])', True),
-        check(f"{t}_follows", f"{axis.name}: the phases follow on", f"MAX(MAX([{t}.gap]),-MIN([{t}.gap]))<1E-9", True),
-        check(f"{t}_fills", f"{axis.name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<1E-9", True),
-        check(f"{t}_position", f"{axis.name}: no jump of position", f"MAX(MAX([{t}.jump_y]),-MIN([{t}.jump_y]))<=1E-9*MAX(MAX([{t}.h]),-MIN([{t}.h]))",
+        check(f"{t}_follows", f"{axis.name}: the phases follow on", f"MAX(MAX([{t}.gap]),-MIN([{t}.gap]))<check_zero", True),
+        check(f"{t}_fills", f"{axis.name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True),
+        check(f"{t}_position", f"{axis.name}: no jump of position", f"MAX(MAX([{t}.jump_y]),-MIN([{t}.jump_y]))<=check_zero*MAX(MAX([{t}.h]),-MIN([{t}.h]))",
               max(abs(x) for x in ends["jump_y"]) <= CLOSE * lift),
-        check(f"{t}_velocity", f"{axis.name}: no jump of velocity", f"MAX(MAX([{t}.jump_v]),-MIN([{t}.jump_v]))<=1E-9*(1+{y1})", rests),
-        check(f"{t}_closes", f"{axis.name}: the cycle closes", f'OR(INDEX([axes.closes],{i})="feed",ABS(INDEX([axes.travel],{i}))<1E-9)',
+        check(f"{t}_velocity", f"{axis.name}: no jump of velocity", f"MAX(MAX([{t}.jump_v]),-MIN([{t}.jump_v]))<=check_zero*(1+{y1})", rests),
+        check(f"{t}_closes", f"{axis.name}: the cycle closes", f'OR(INDEX([axes.closes],{i})="feed",ABS(INDEX([axes.travel],{i}))<check_zero)',
               axis.closes == "feed" or abs(sum(p.lift for p in axis.phases)) < CLOSE, "in position, or, as a feed, in velocity"),
     )  # fmt: skip
 
@@ -186,13 +188,13 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
     )  # fmt: skip
 
 
-LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],0.8*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
+LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
 
 
 def lane(y: np.ndarray, floor: int) -> np.ndarray:
-    """Return the axis as the timing diagram shows it: its travel as 0.8 of its own lane."""
+    """Return the axis as the timing diagram shows it: its travel as a share of its own lane."""
     travel = y.max() - y.min()
-    return floor + 0.8 * (y - y.min()) / travel if travel > 0 else np.full(len(y), float(floor))
+    return floor + LANE_SHARE * (y - y.min()) / travel if travel > 0 else np.full(len(y), float(floor))
 
 
 def located(i: int, axis: engine_timing.Axis, theta: np.ndarray, pieces: sampling.Pieces) -> list[Quantity]:

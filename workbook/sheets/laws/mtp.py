@@ -109,5 +109,7 @@ PAGE = LawPage(
         "va_max": ("=" + POWER.format("MTP_ca_max", "MTP_drive"), "A cos x (v₂ + G sin x)"),
         "va_min": ("=" + POWER.format("MTP_ca_min", "MTP_brake"), "−B cos x (v₂ + G sin x)"),
     },
-    checks=lambda law: [check("MTP_sum", "MTP: the seven durations sum to 1", "ABS(SUM([MTP_pieces.d])-1)<1E-9", True)],
+    checks=lambda law: [
+        check("MTP_sum", "MTP: the seven durations sum to 1", "ABS(SUM([MTP_pieces.d])-1)<check_zero", True)
+    ],
 )

@@ -121,7 +121,7 @@ def law_sheet(
         check(
             f"{code}_ends",
             f"{page.code} ends at s = 1, at rest",
-            f"AND(ABS([{code}_samples.s.last]-1)<1E-9,ABS([{code}_samples.v.last])<1E-9)",
+            f"AND(ABS([{code}_samples.s.last]-1)<check_zero,ABS([{code}_samples.v.last])<check_zero)",
             True,
         ),
     )
