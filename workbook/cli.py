@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from datetime import datetime
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,12 +13,15 @@ from rich.console import Console
 
 from workbook import build as make
 from workbook import console as show
+from workbook import many, reports, summary
 from workbook.entries import read_machine, write_machine
 from workbook.errors import MotionbookError
+from workbook.junit import junit as junit_xml
+from workbook.many import AGREES, DISAGREES, UNREADABLE
 from workbook.templates import TEMPLATES
-from workbook.verify import verify as verify_book
+from workbook.witnesses import WITNESSES
 
-AGREES, DISAGREES, UNREADABLE = 0, 1, 2
+ALL = "all"
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -35,13 +39,42 @@ def to(metavar: str, words: str) -> Any:
     return typer.Option("-o", "--output", metavar=metavar, help=words)
 
 
+def report_to(option: str, metavar: str, words: str) -> Any:
+    """Return the option that names a report's file."""
+    return typer.Option(option, metavar=metavar, help=words)
+
+
+def witness_named(name: str) -> str:
+    """Return the name of a witness; raise BadParameter where there is none of that name."""
+    if name not in (*WITNESSES, ALL):
+        raise typer.BadParameter(f"no witness is named {name!r}; expected one of {', '.join((*WITNESSES, ALL))}")
+    return name
+
+
+def chosen(names: list[str] | None) -> list[str]:
+    """Return the witnesses to ask, each once, in the order named."""
+    return list(WITNESSES) if names and ALL in names else list(dict.fromkeys(names or ["pycel"]))
+
+
 Machine = Annotated[
     Path | None,
     typer.Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."),
 ]
 Book = Annotated[Path, typer.Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
+Books = Annotated[
+    list[Path], typer.Argument(metavar="BOOK|FOLDER...", help="Workbooks built by motionbook, or folders of them.")
+]
 Force = Annotated[bool, typer.Option("--force", help="Replace the output file if it exists.")]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table.")]
+With = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--with",
+        metavar="|".join((*WITNESSES, ALL)),
+        parser=witness_named,
+        help="Who evaluates the formulas, pycel unless told otherwise; may be given several times.",
+    ),
+]
 
 
 @app.command()
@@ -59,18 +92,31 @@ def build(
 
 
 @app.command()
-def verify(book: Book, as_json: Json = False) -> None:
-    """Compare every formula cell of a workbook with the engine, at the values entered in it.
+def verify(
+    books: Books,
+    as_json: Json = False,
+    report: Annotated[Path | None, report_to("--report", "FILE.html", "Write a report as one page of HTML.")] = None,
+    junit: Annotated[Path | None, report_to("--junit", "FILE.xml", "Write JUnit XML for CI servers.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace the report files if they exist.")] = False,
+    witnesses: With = None,
+    jobs: Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")] = None,
+) -> None:
+    """Compare every formula cell of workbooks with the engine, at the values entered in them.
 
-    Exit code 0: every cell agrees. 1: some do not. 2: the book cannot be read.
+    Of a folder, and the folders in it, every workbook that motionbook built is verified. No workbook is written to.
+
+    Exit code 0: every cell agrees. 1: some do not. 2: a book cannot be read, or there is none to verify.
     """
-    with err.status(f"Verifying {book} …"):
-        report = verify_book(book)
-    if as_json:
-        print(show.report_json(report))
-    else:
-        show.show_report(report, out)
-    raise typer.Exit(AGREES if report.agrees else DISAGREES)
+    reports.ready(report, (".html", ".htm"), force)
+    reports.ready(junit, (".xml",), force)
+    targets, failed = many.find(books)
+    with summary.progress(err, len(targets)) as done:
+        outcomes = many.verify_many(targets, chosen(witnesses), jobs, done) + failed
+    summary.show(outcomes, out, err, as_json, alone=len(books) == 1 and not books[0].is_dir())
+    when = datetime.now().astimezone()
+    reports.write(report, lambda: reports.page(outcomes, when), force)
+    reports.write(junit, lambda: junit_xml(outcomes, when), force)
+    raise typer.Exit(many.exit_code(outcomes))
 
 
 @app.command()

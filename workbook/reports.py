@@ -1,0 +1,244 @@
+"""The report of a run as one page of HTML, for the project's folder: no script, nothing fetched from elsewhere."""
+
+from __future__ import annotations
+
+import math
+import platform
+from collections.abc import Callable, Iterable, Sequence
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+from unicodedata import category
+from xml.etree.ElementTree import Element, tostring
+
+import workbook
+from workbook.build import write_text
+from workbook.compare import TOLERANCE
+from workbook.errors import WriteError
+from workbook.many import Outcome
+from workbook.verify import Finding, Ran, Report
+from workbook.write import refuse_existing, replace
+
+VERDICTS = {"agrees": "Agrees", "disagrees": "Disagrees", "unreadable": "Cannot be read", "not ours": "Skipped"}
+KINDS = {
+    "missing": "a cell or block that should be there is not",
+    "replaced": "a value stands where a formula should",
+    "formula": "the formula is not the one that was generated",
+    "changed": "a text or constant is not as generated",
+    "name": "a defined name does not lead where it should",
+    "function": "a function that the witnesses do not agree on, or a volatile one",
+    "unread": "an input that no formula reads",
+    "error": "the formula gives an error value",
+    "value": "the formula gives another value than the engine",
+    "follows": "the cell is right in itself, but refers to one that is not",
+    "witness": "a witness did not give its values",
+}
+ELSEWHERE = "(no sheet)"
+STYLE = """
+:root { color-scheme: light; }
+body { font: 10.5pt/1.45 "Segoe UI", "Helvetica Neue", Arial, sans-serif; color: #1a1a1a; background: #fff;
+  max-width: 62rem; margin: 2.5rem auto; padding: 0 1.5rem; }
+h1 { font-size: 1.55rem; margin: 0 0 .3rem; }
+h2 { font-size: 1.15rem; margin: 2.6rem 0 .6rem; padding-top: .9rem; border-top: 2px solid #1f3a5f; }
+h3 { font-size: 1rem; margin: 1.5rem 0 .4rem; }
+h1, h2, h3 { color: #1f3a5f; overflow-wrap: anywhere; }
+p { margin: .4rem 0; max-width: 48rem; }
+table { border-collapse: collapse; width: 100%; margin: .4rem 0; }
+th, td { text-align: left; vertical-align: top; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid #d5dae1;
+  overflow-wrap: anywhere; }
+thead th { border-bottom: 1.5px solid #1f3a5f; font-weight: 600; white-space: nowrap; }
+table.facts { width: auto; } table.facts th { font-weight: 600; white-space: nowrap; padding-right: 1.5rem; }
+.number { text-align: right; font-variant-numeric: tabular-nums; }
+code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .92em; }
+.verdict { display: inline-block; font-weight: 600; padding: .1rem .6rem; border: 1.5px solid; border-radius: 3px; }
+.agrees { color: #14612f; } .disagrees, .unreadable { color: #a31515; } .not-ours { color: #555; }
+.quiet { color: #555; font-size: .92em; }
+@media print {
+  @page { margin: 16mm 14mm; }
+  body { font-size: 9pt; margin: 0; padding: 0; max-width: none; }
+  h2, h3, thead { break-after: avoid; } thead { display: table-header-group; } tr { break-inside: avoid; }
+  a { color: inherit; text-decoration: none; }
+}
+"""
+UNFIT = ("Cc", "Cf", "Cs", "Cn")  # control, bidirectional and other marks, halves of characters, no characters
+Content = Element | str
+
+
+def page(outcomes: Sequence[Outcome], when: datetime) -> str:
+    """Return the report of a run: a summary of all workbooks, then a section for each."""
+    compared = sum(o.report.compared for o in outcomes if o.report)
+    names = ", ".join(o.path.name for o in outcomes) if len(outcomes) < 3 else f"{len(outcomes)} workbooks"
+    title = f"Verification of {names}"
+    body = [
+        e("h1", title),
+        e("p", f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
+               f"{platform.system()} {platform.machine()}", css="quiet"),
+        e("p", f"Each formula cell was evaluated at the values entered in its workbook, and compared with the value "
+               f"of an independent engine. A cell agrees where it deviates by no more than {TOLERANCE:.0e} of the "
+               f"greatest value in its column. {compared:,} formula cells were compared."),
+    ]  # fmt: skip
+    if len(outcomes) > 1:
+        body.append(summary(outcomes))
+    for number, outcome in enumerate(outcomes, 1):
+        body += section(outcome, f"book{number}")
+    head = e("head", e("meta", charset="utf-8"), e("title", title), e("style", STYLE),
+             e("meta", name="viewport", content="width=device-width, initial-scale=1"))  # fmt: skip
+    html = e("html", head, e("body", *body), lang="en")
+    return "<!DOCTYPE html>\n" + tostring(html, encoding="unicode", method="html") + "\n"
+
+
+def summary(outcomes: Sequence[Outcome]) -> Element:
+    """Return the table of all workbooks, each with a link to its section."""
+    rows: list[list[Content]] = [
+        [
+            e("a", str(o.path), href=f"#book{number}"),
+            f"{o.report.compared:,}" if o.report else "–",
+            str(len(o.report.findings)) if o.report else "–",
+            verdict(o),
+        ]
+        for number, o in enumerate(outcomes, 1)
+    ]
+    return table(("Workbook", "Formula cells", "Findings", "Verdict"), rows, numbers=(1, 2))
+
+
+def section(outcome: Outcome, name: str) -> list[Element]:
+    """Return what is to be said of one workbook."""
+    head = [e("h2", outcome.path.name, id=name), e("p", verdict(outcome))]
+    if outcome.report is None:
+        return head + [e("p", line) for line in outcome.reason.splitlines()]
+    report = outcome.report
+    return [*head, facts(outcome, report), *sheets(report), *findings(report), *remarks(report)]
+
+
+def facts(outcome: Outcome, report: Report) -> Element:
+    """Return the table of what was verified, and by what."""
+    known: list[tuple[str, Content]] = [
+        ("File", str(outcome.path.absolute())),
+        ("SHA-256", e("code", outcome.sha256)),
+        ("Template", report.template),
+        *(("Witness", witness(ran)) for ran in report.witnesses),
+        ("Formula cells compared", f"{report.compared:,}"),
+        ("Findings", str(len(report.findings))),
+    ]
+    return e("table", e("tbody", *(e("tr", e("th", k, scope="row"), e("td", v)) for k, v in known)), css="facts")
+
+
+def witness(ran: Ran) -> str:
+    """Return in words what came of a witness."""
+    if ran.absent:
+        return f"{ran.name}: absent from this machine, not asked"
+    return f"{ran.name} {ran.version}: {ran.why or f'{ran.compared:,} cells compared'}"
+
+
+def sheets(report: Report) -> list[Element]:
+    """Return the table of sheets: what was compared on each, how much it deviates, what was found."""
+    rows: list[list[Content]] = [
+        [sheet, f"{report.cells.get(sheet, 0):,}", deviation(report.deviations.get(sheet)), str(len(found))]
+        for sheet, found in by_sheet(report).items()
+    ]
+    headings = ("Sheet", "Formula cells", "Largest deviation", "Findings")
+    return [e("h3", "Sheets"), table(headings, rows, numbers=(1, 2, 3))]
+
+
+def by_sheet(report: Report) -> dict[str, list[Finding]]:
+    """Return the findings of each sheet that was compared or has any, and those of no sheet."""
+    found: dict[str, list[Finding]] = {sheet: [] for sheet in report.cells}
+    for finding in report.findings:
+        found.setdefault(finding.sheet or ELSEWHERE, []).append(finding)
+    return found
+
+
+def findings(report: Report) -> list[Element]:
+    """Return the table of all findings, worst first, and what their kinds mean."""
+    if not report.findings:
+        return [e("h3", "Findings"), e("p", "None: every formula cell computes what the engine computes.")]
+    rows: list[list[Content]] = [
+        [
+            e("span", where(f), css="cell"), f.kind, f.what, exact(f.computed), exact(f.expected),
+            deviation(f.deviation),
+        ]
+        for f in report.findings
+    ]  # fmt: skip
+    headings = ("Cell", "Kind", "What", "Computed", "Expected", "Deviation")
+    meanings = "; ".join(f"{kind}: {KINDS[kind]}" for kind in dict.fromkeys(f.kind for f in report.findings))
+    return [
+        e("h3", f"Findings ({len(report.findings):,}), worst first"),
+        table(headings, rows, numbers=(3, 4, 5)),
+        e("p", f"{meanings}.", css="quiet"),
+    ]
+
+
+def where(finding: Finding) -> str:
+    """Return the cell of a finding, or what else it is about."""
+    return f"{finding.sheet}!{finding.cell}" if finding.sheet else finding.cell
+
+
+def remarks(report: Report) -> list[Element]:
+    """Return the notes, and the formula cells that nothing was compared with."""
+    said = [e("h3", "Notes"), *(e("p", note) for note in report.notes)] if report.notes else []
+    if report.unmatched:
+        said += [
+            e("h3", f"Not compared ({len(report.unmatched):,})"),
+            e("p", "Formula cells where nothing generated stands; the engine has no value for them."),
+            e("p", ", ".join(report.unmatched), css="cell"),
+        ]
+    return said
+
+
+def verdict(outcome: Outcome) -> Element:
+    """Return the verdict in words; its colour only repeats them."""
+    return e("span", VERDICTS[outcome.verdict], css=f"verdict {outcome.verdict.replace(' ', '-')}")
+
+
+def exact(value: Any) -> str:
+    """Return a value with all digits that a spreadsheet keeps."""
+    return f"{value:.15g}" if isinstance(value, float) else "empty" if value is None else str(value)
+
+
+def deviation(value: float | None) -> str:
+    """Return a relative deviation; a dash where there is none to give."""
+    return "–" if value is None or not math.isfinite(value) else f"{value:.1e}"
+
+
+def table(headings: Sequence[str], rows: Iterable[Sequence[Content]], numbers: Sequence[int]) -> Element:
+    """Return a table whose columns ``numbers`` stand to the right."""
+    css = ["number" if i in numbers else "" for i in range(len(headings))]
+    head = e("tr", *(e("th", text, css=c, scope="col") for text, c in zip(headings, css, strict=True)))
+    body = [e("tr", *(e("td", text, css=c) for text, c in zip(row, css, strict=True))) for row in rows]
+    return e("table", e("thead", head), e("tbody", *body))
+
+
+def e(tag: str, *children: Content, css: str = "", **attributes: str) -> Element:
+    """Return an element; texts are escaped when it is written, and made fit for XML here."""
+    element = Element(tag, {**({"class": css} if css else {}), **{k: legal(v) for k, v in attributes.items()}})
+    for child in children:
+        if isinstance(child, Element):
+            element.append(child)
+        elif len(element):
+            element[-1].tail = (element[-1].tail or "") + legal(child)
+        else:
+            element.text = (element.text or "") + legal(child)
+    return element
+
+
+def legal(text: str) -> str:
+    """Return a text with a visible escape for each character that neither XML nor a file in UTF-8 can hold."""
+    return "".join(ascii(c)[1:-1] if category(c) in UNFIT and c not in "\t\n" else c for c in text)
+
+
+def ready(path: Path | None, suffixes: Sequence[str], overwrite: bool) -> None:
+    """Raise WriteError, before the work begins, where a report may not be written to ``path``."""
+    if path is None:
+        return
+    if path.suffix.lower() not in suffixes:
+        raise WriteError(f"{path}: expected the name of a report, ending in {' or '.join(suffixes)}")
+    if path.is_dir():
+        raise WriteError(f"{path}: this is a folder; expected the name of a report")
+    refuse_existing(path, overwrite)
+
+
+def write(path: Path | None, text: Callable[[], str], overwrite: bool) -> None:
+    """Write a report where one was asked for, whole or not at all; raise WriteError where that cannot be."""
+    if path is not None:
+        refuse_existing(path, overwrite)
+        replace(path, lambda draft: write_text(draft, text()))

@@ -1,0 +1,109 @@
+"""Many workbooks at once, as the terminal shows them and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
+from rich.table import Table
+
+from workbook.console import figure, report_json, show_report
+from workbook.many import Outcome
+from workbook.reports import where
+
+WORST = 3  # findings of each workbook that the terminal shows
+WORDS = {"agrees": "agrees", "disagrees": "DISAGREES", "unreadable": "CANNOT BE READ", "not ours": "skipped, not ours"}
+COLOURS = {"agrees": "green", "disagrees": "red", "unreadable": "red", "not ours": "dim"}
+
+
+@contextmanager
+def progress(console: Console, total: int) -> Iterator[Callable[[Outcome], None]]:
+    """Show a bar on a terminal, and nothing elsewhere; give what is to be called for each workbook done."""
+    columns = (
+        SpinnerColumn(),
+        TextColumn("Verifying"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("{task.description}"),
+    )
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task("", total=total)
+        yield lambda outcome: bar.update(task, advance=1, description=escape(outcome.path.name))
+
+
+def show(outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool) -> None:
+    """Print a run: in full where one file was named ``alone``, else the summary of all."""
+    if not alone:
+        if as_json:
+            print(summary_json(outcomes))
+        else:
+            show_summary(outcomes, out)
+        return
+    for line in outcomes[0].reason.splitlines():
+        err.print(line, style="red", markup=False, highlight=False, soft_wrap=True)
+    if outcomes[0].report and as_json:
+        print(report_json(outcomes[0].report))
+    elif outcomes[0].report:
+        show_report(outcomes[0].report, out)
+
+
+def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
+    """Print a table of all workbooks, the worst of what was found in each, and the sums."""
+    table = Table("Workbook")
+    for heading in ("Formula cells", "Findings"):
+        table.add_column(heading, justify="right")
+    table.add_column("Verdict", no_wrap=True)
+    for o in outcomes:
+        cells, found = (f"{o.report.compared:,}", f"{len(o.report.findings):,}") if o.report else ("-", "-")
+        table.add_row(escape(str(o.path)), cells, found, f"[{COLOURS[o.verdict]}]{WORDS[o.verdict]}")
+    console.print(table)
+    for outcome in outcomes:
+        for line in worst(outcome):
+            console.print(line, markup=False, highlight=False, soft_wrap=True)
+    console.print(sums(outcomes), markup=False, highlight=False, soft_wrap=True)
+
+
+def worst(outcome: Outcome) -> list[str]:
+    """Return why a workbook cannot be read, or the worst of its findings, in lines."""
+    if outcome.verdict == "unreadable":
+        return outcome.reason.splitlines()
+    found = outcome.report.findings if outcome.report else []
+    lines = [
+        f"{outcome.path}: {where(f)} ({f.what}): {f.kind}: computes {figure(f.computed)}, expected {figure(f.expected)}"
+        for f in found[:WORST]
+    ]
+    more = len(found) - WORST
+    return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines
+
+
+def sums(outcomes: Sequence[Outcome]) -> str:
+    """Return the run in one line."""
+    compared = sum(o.report.compared for o in outcomes if o.report)
+    count = {verdict: sum(o.verdict == verdict for o in outcomes) for verdict in WORDS}
+    said = [f"{count[verdict]} {words}" for verdict, words in SUMS.items() if count[verdict]]
+    return (
+        f"{compared:,} formula cells compared in {count['agrees'] + count['disagrees']} workbooks: {', '.join(said)}."
+    )
+
+
+SUMS = {"agrees": "agree", "disagrees": "disagree", "unreadable": "cannot be read", "not ours": "skipped (not ours)"}
+
+
+def summary_json(outcomes: Sequence[Outcome]) -> str:
+    """Return the run as JSON: an object for each file, and the sum of the cells compared."""
+    compared = sum(o.report.compared for o in outcomes if o.report)
+    return json.dumps({"files": [entry(o) for o in outcomes], "compared": compared}, ensure_ascii=False, indent=1)
+
+
+def entry(outcome: Outcome) -> dict[str, Any]:
+    """Return one workbook's part of the JSON: its report, or the reason why there is none."""
+    known: dict[str, Any] = {"file": str(outcome.path), "verdict": outcome.verdict}
+    if outcome.report is None:
+        return known | {"compared": 0, "findings": [], "reason": outcome.reason}
+    known.update(json.loads(report_json(outcome.report)), sha256=outcome.sha256)
+    return known
