@@ -1,0 +1,69 @@
+"""The inverse of a motion law: the share of its time at which it has reached a share of its rise."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from engine.laws.base import BREAK_TOLERANCE, Array, Law, Real, unwrap
+from engine.laws.sections import breaks, velocity_extremes
+
+KNOTS = 65  # a stage, between which a height is first located
+STEPS = 120
+BACKWARDS = 1e-9
+"""a velocity below minus this, in units of the mean velocity, is a motion backwards"""
+
+
+def is_monotone(law: Law) -> bool:
+    """Whether the law never moves backwards."""
+    return bool(law.v(velocity_extremes(law)).min() >= -BACKWARDS)
+
+
+def inverse(law: Law, s: Real) -> Real:
+    """Return ξ with s(ξ) = s, for any law that never moves backwards: a float of a number, an array of an array.
+
+    Newton's method between two bounds that close in, to the last digits of s: the error of ξ is that of s
+    over the velocity v(ξ). Where the law stands at s, the first such ξ; the end values give 0 and 1.
+    Raises ValueError where s is not a number from 0 to the law's end value, for a law that moves backwards
+    and for a dwell. Replaces the reading of a table in S2, 'Cycloid Cam Profile Analysis' (38 % at 44 %).
+    """
+    wanted = np.asarray(s, dtype=np.float64)
+    flat = wanted.reshape(-1)
+    end = law.end.s
+    _require(law, flat, end)
+    xi = _solve(law, flat)
+    xi = np.where(flat <= 0.0, 0.0, np.where(flat >= end, 1.0, xi))
+    return unwrap(s, [xi.reshape(wanted.shape)])[0]  # type: ignore[no-any-return]
+
+
+def _require(law: Law, s: Array, end: float) -> None:
+    if end <= 0.0 or not is_monotone(law):
+        raise ValueError(f"{law.name} does not rise throughout; expected a law that never moves backwards")
+    if s.size:
+        low, high = s.min(), s.max()
+        if not (low >= -BREAK_TOLERANCE and high <= end + BREAK_TOLERANCE):
+            raise ValueError(f"s reaches from {low:.15g} to {high:.15g}; expected numbers from 0 to {end:.15g}")
+
+
+def _solve(law: Law, s: Array) -> Array:
+    low, high = _bracket(law, s)
+    xi = 0.5 * (low + high)
+    for _ in range(STEPS):
+        at = law.evaluate(xi)
+        over = at.s >= s
+        low, high = np.where(over, low, xi), np.where(over, xi, high)
+        step = np.divide(at.s - s, at.v, out=np.full_like(xi, np.inf), where=at.v > 0.0)
+        newton = xi - step
+        following = np.where((newton >= low) & (newton <= high), newton, 0.5 * (low + high))
+        if not np.any(np.abs(following - xi) > 1e-16):
+            break
+        xi = following
+    return xi
+
+
+def _bracket(law: Law, s: Array) -> tuple[Array, Array]:
+    """Return a knot of the law below and one above each s."""
+    edges = breaks(law)
+    knots = np.unique(edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, KNOTS))
+    heights = np.maximum.accumulate(law.s(knots))
+    above = np.clip(np.searchsorted(heights, s), 1, knots.size - 1)
+    return knots[above - 1], knots[above]

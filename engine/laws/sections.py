@@ -1,0 +1,82 @@
+"""Where a law changes its formula, where it crosses a level, where it is fastest: for exact integrals and peaks."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+
+import numpy as np
+
+from engine.laws.base import Array, Law
+from engine.laws.constant_acceleration import ConstantAcceleration
+from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
+from engine.laws.pieces import PieceLaw
+from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+
+SAMPLES = 257
+"""of a stage, between which a crossing is looked for: two crossings within one step are not seen"""
+
+INSIDE = 1e-9
+"""of a stage, by which samples keep off its ends, where a law already has the value of the next stage"""
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+PANELS = 4  # a section, in an integral
+
+
+def breaks(law: Law) -> Array:
+    """Return every ξ at which the law's formula changes, with 0 and 1, rising."""
+    match law:
+        case ConstantAcceleration():
+            inner = [0.5]
+        case TrapezoidalVelocity():
+            inner = [law.rise_end, law.fall_start]
+        case ModifiedTrapezoidal():
+            inner = list(itertools.accumulate(law.durations))
+        case PieceLaw():
+            inner = list(itertools.accumulate(piece.duration for piece in law.pieces))
+        case _:
+            inner = []
+    kept = [0.0]
+    for xi in sorted(inner):
+        if kept[-1] + INSIDE < xi < 1.0 - INSIDE:
+            kept.append(xi)
+    return np.array([*kept, 1.0])
+
+
+def roots(function: Callable[[Array], Array], edges: Array) -> Array:
+    """Return the zeros, with a change of sign, of a function of ξ within the stages between the edges.
+
+    A jump through zero at an edge is not among them: the edge itself is where the sign changes.
+    """
+    share = np.linspace(INSIDE, 1.0 - INSIDE, SAMPLES)
+    xi = edges[:-1, None] + np.diff(edges)[:, None] * share
+    above = function(xi) > 0.0
+    row, column = np.nonzero(above[:, :-1] != above[:, 1:])
+    low, high = xi[row, column], xi[row, column + 1]
+    low_above = above[row, column]
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        same = (function(middle) > 0.0) == low_above
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return np.sort(0.5 * (low + high))
+
+
+def velocity_extremes(law: Law) -> Array:
+    """Return every ξ at which v can be largest or smallest, with 0 and 1, rising."""
+    edges = breaks(law)
+    return np.union1d(edges, roots(law.a, edges))
+
+
+def velocity_peak(law: Law) -> float:
+    """Return the first ξ at which v is at its largest; of a uniform stage, its begin."""
+    xi = velocity_extremes(law)
+    v = law.v(xi)
+    return float(xi[np.argmax(v >= v.max() - 1e-12 * abs(v.max()))])
+
+
+def integral(function: Callable[[Array], Array], edges: Array) -> float:
+    """Return ∫ of a function of ξ, smooth between the edges, by Gauss-Legendre: exact to rounding."""
+    fine = np.concatenate([[edges[0]], *(np.linspace(a, b, PANELS + 1)[1:] for a, b in itertools.pairwise(edges))])
+    half = np.diff(fine)[:, None] / 2.0
+    values = function(fine[:-1, None] + half * (NODES + 1.0))
+    return float((values * WEIGHTS * half).sum())
