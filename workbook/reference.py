@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -20,6 +22,7 @@ from engine.laws import (
     PieceLaw,
     TrapezoidalVelocity,
 )
+from engine.laws.base import Coefficients
 from engine.motion import Motion
 from engine.timing import Axis, Diagram
 from workbook import machine as entered
@@ -29,8 +32,35 @@ RPM = 2 * math.pi / 60  # rad/s
 PER_MINUTE = 1 / 60  # 1/s
 
 
-def laws(given: entered.Laws) -> dict[str, Law]:
-    """Return the engine's laws by code, in the order in which the Laws sheet numbers them."""
+class OwnLaw(PieceLaw):
+    """The own law with the coefficients that cells can find: extremes of its ``intervals + 1`` samples, the exact RMS.
+
+    No closed form leads from a cubic and a sine to their extremes; the workbook's coefficients are therefore those
+    of its table, and a movement is judged by the same.
+    """
+
+    intervals: int
+
+    def __init__(self, pieces: Sequence[Piece], intervals: int) -> None:
+        super().__init__(pieces)
+        object.__setattr__(self, "intervals", intervals)
+
+    def _coefficients(self) -> Coefficients:
+        exact = super()._coefficients()
+        _, v, a, j = self.evaluate(np.arange(self.intervals + 1) / self.intervals)
+        return replace(
+            exact,
+            cv=float(np.abs(v).max()),
+            ca_max=float(a.max()),
+            ca_min=float(a.min()),
+            cj=float(np.abs(j).max()) if math.isfinite(exact.cj) else math.inf,
+            va_max=float((v * a).max()),
+            va_min=float((v * a).min()),
+        )
+
+
+def laws(given: entered.Laws, intervals: int) -> dict[str, Law]:
+    """Return the engine's laws by code, in the order of the Laws sheet; the own law is sampled in ``intervals``."""
     pieces = [Piece(p.duration, (p.c0, p.c1, p.c2, p.c3), p.amplitude, p.omega, p.phase) for p in given.OWN.pieces]
     d = given.MTP.durations
     return {
@@ -40,7 +70,7 @@ def laws(given: entered.Laws) -> dict[str, Law]:
         "CIC": Cycloidal(),
         "CUB": Cubic(),
         "MTP": ModifiedTrapezoidal((d[0], d[1], d[2], d[3], d[4], d[5], d[6])),
-        "OWN": PieceLaw(pieces),
+        "OWN": OwnLaw(pieces, intervals),
     }
 
 
@@ -57,7 +87,7 @@ class Cutting:
 
     def __init__(self, machine: entered.CuttingMachine) -> None:
         self.machine = machine
-        self.laws = laws(machine.laws)
+        self.laws = laws(machine.laws, machine.sizes.own_law)
         self.axes = [axis(a, self.laws) for a in machine.timing.axes]
         self.diagram = Diagram(self.axes)
         self.rate = machine.timing.rate * PER_MINUTE

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, inf, sin
+from math import cos, sin
 from typing import Any
 
 import numpy as np
@@ -48,7 +48,7 @@ def laws_sheet(book: Book, library: dict[str, Law], own: OwnLaw, sizes: Sizes, r
         ),
     )
     sheet.heading("What comes out: the laws and their coefficients")
-    summary(sheet, library, own, sizes)
+    summary(sheet, library, own)
     sheet.heading(
         "Workings: the stacked pieces",
         "a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.",
@@ -127,19 +127,16 @@ def own_workings(own: OwnLaw, rows: int) -> dict[str, list[float]]:
     return table
 
 
-def summary(sheet: Sheet, library: dict[str, Law], own: OwnLaw, sizes: Sizes) -> None:
+def summary(sheet: Sheet, library: dict[str, Law], own: OwnLaw) -> None:
     """Declare the table of laws: code, name, coefficients, values at both ends."""
     names = {entry.code: entry.name for entry in CATALOGUE}
     pages = [page.code for page in PAGES]
-    sampled = own_coefficients(library["OWN"], sizes.own_law)
 
     def from_pages(name: str, of_own: str) -> list[str]:
         return ["=0", *(f"={code}_{name}" for code in pages), of_own]
 
     def coefficient(name: str) -> list[Any]:
-        values = [finite(getattr(library[c].coefficients, name)) for c in CODES]
-        values[-1] = sampled[name]
-        return values
+        return [finite(getattr(library[c].coefficients, name)) for c in CODES]
 
     own_formulas = {
         "cv": "=MAX(MAX([own_samples.v]),-MIN([own_samples.v]))",
@@ -171,16 +168,6 @@ def summary(sheet: Sheet, library: dict[str, Law], own: OwnLaw, sizes: Sizes) ->
     sheet.note(
         "C_v, C_a and max(v·a) of the own law are the greatest of its samples; C_a,rms is integrated from its pieces."
     )
-
-
-def own_coefficients(law: Law, n: int) -> dict[str, float | str]:
-    """Return what the Laws sheet finds of the own law: extremes of its samples, the exact RMS."""
-    k, at = law.coefficients, law.evaluate(np.arange(n + 1) / n)
-    return {
-        "cv": float(np.max(np.abs(at.v))), "ca_max": float(at.a.max()), "ca_min": float(at.a.min()),
-        "ca_rms": k.ca_rms, "cj": finite(k.cj) if k.cj == inf else float(np.max(np.abs(at.j))),
-        "va_max": float(np.max(at.v * at.a)), "va_min": float(np.min(at.v * at.a)),
-    }  # fmt: skip
 
 
 def stack(sheet: Sheet, rows: list[Row], sizes: Sizes) -> None:
