@@ -21,6 +21,7 @@ from workbook.templates import Template
 from workbook.witnesses import WITNESSES
 from workbook.witnesses.pycel_witness import PycelModel
 
+LONG = 60  # rows of a table whose cells are alike enough to take turns
 ORDER = (
     "missing",
     "replaced",
@@ -219,15 +220,19 @@ def elsewhere(
 ) -> None:  # fmt: skip
     """Compare at other inputs, each cell with the right values around it.
 
-    Formulas that are not the declared ones are evaluated at every variation; of the others, the rows of a
-    table take turns, so that each is evaluated at one variation and all variations see the table.
+    Formulas that are not the declared ones, and short tables, are evaluated at every variation; the rows of
+    long tables take turns, so that each is evaluated at one variation and every variation sees the table.
     """
     if any(place is None or match.file.places[block.name] != place for block, place in match.misfits):
         return
     known = {(f.sheet, f.cell) for f in report.findings}
     for k, machine in enumerate(machines):
         declared = template.declare(machine)
-        turn = {p.address for p in match.pairs if p.address in suspects or p.cell.i % len(machines) == k}
+        turn = {
+            p.address
+            for p in match.pairs
+            if p.address in suspects or p.cell.block.size < LONG or p.cell.i % len(machines) == k
+        }
         expected = match.expected(declared)
         computed = model.evaluate(match.inputs(declared), expected, turn)
         peaks = peaks_of(declared)

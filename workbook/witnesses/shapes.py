@@ -61,6 +61,7 @@ class Formula:
     arguments: tuple[Area | str, ...]
     functions: frozenset[str]
     written: tuple[str, ...] = ()
+    _moving: list[int] | None = None  # which arguments follow the row, once asked for
 
     @property
     def anchors(self) -> tuple[str, ...]:
@@ -69,11 +70,18 @@ class Formula:
 
     def in_row(self, row: int, below: int) -> Formula:
         """Return the formula as it would stand in another row, ``below`` being the one it stands in."""
-        moved = (
-            a if isinstance(a, str) else in_row(a, w, row, below)
-            for a, w in zip(self.arguments, self.written, strict=True)
-        )
-        return Formula(self.shape, tuple(moved), self.functions, self.written)
+        if self._moving is None:
+            moving = [
+                i for i, (a, w) in enumerate(zip(self.arguments, self.written, strict=True)) if moves(a, w, below)
+            ]
+            object.__setattr__(self, "_moving", moving)
+        arguments = list(self.arguments)
+        for i in self._moving or ():
+            area = arguments[i]
+            if isinstance(area, Area):
+                top, bottom = (row if corner == below else corner for corner in (area.top, area.bottom))
+                arguments[i] = Area(area.sheet, top, area.left, bottom, area.right, area.single)
+        return Formula(self.shape, tuple(arguments), self.functions, self.written)
 
 
 def read(text: str, sheet: str, area: Callable[[str, str], Area]) -> Formula:
@@ -133,14 +141,13 @@ def anchored(written: str) -> str:
     return re.sub(r"[0-9]+", "r", re.sub(r"[A-Za-z]+", "c", reference))
 
 
-def in_row(area: Area, written: str, row: int, below: int) -> Area:
-    """Return an area with the corners that are relative to row ``below`` moved to ``row``."""
+def moves(argument: Area | str, written: str, row: int) -> bool:
+    """Whether a reference is written relative to ``row``, in which it has a corner."""
+    if isinstance(argument, str):
+        return False
     corners = [CORNER.fullmatch(corner) for corner in written.rpartition("!")[2].split(":")]
-    rows = [area.top, area.bottom]
-    for i, corner in enumerate(corners if len(corners) == 2 else corners * 2):
-        if corner and not corner.group("fixed") and rows[i] == below:
-            rows[i] = row
-    return area._replace(top=rows[0], bottom=rows[1])
+    fixed = any(corner is None or corner.group("fixed") for corner in corners)
+    return not fixed and row in (argument.top, argument.bottom)
 
 
 @lru_cache(maxsize=10_000)
