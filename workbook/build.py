@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+from workbook.carried import not_carried
 from workbook.entries import Entries, read_machine, write_machine
 from workbook.files import open_book
 from workbook.machine import Machine
@@ -21,9 +22,12 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
 
 
 def inputs(path: Path) -> tuple[Machine, list[str]]:
-    """Return what an engineer entered into a workbook, with the cells whose formula was taken by its value."""
-    entries = Entries(open_book(path))
-    return entries.machine(), entries.computed
+    """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
+    file = open_book(path)
+    entries = Entries(file)
+    machine = entries.machine()
+    notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
+    return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)
 
 
 def write_inputs(machine: Machine, path: Path, overwrite: bool = False) -> None:

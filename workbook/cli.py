@@ -127,9 +127,8 @@ def inputs(
 ) -> None:
     """Read what was entered into a workbook, as a machine description."""
     with err.status(f"Reading {book} …"):
-        machine, computed = make.inputs(book)
-    for cell in computed:
-        err.print(f"Note: {cell} holds a formula; its value is taken.")
+        machine, notes = make.inputs(book)
+    show_notes(notes)
     if output is None:
         print(write_machine(machine), end="")
         return
@@ -145,10 +144,9 @@ def regenerate(
 ) -> None:
     """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
     with err.status(f"Regenerating {book} …"):
-        machine, computed = make.inputs(book)
+        machine, notes = make.inputs(book)
         make.build(machine, output, overwrite=force)
-    for cell in computed:
-        err.print(f"Note: {cell} held a formula; its value is taken.")
+    show_notes(notes)
     out.print(f"Built {output.resolve()}", soft_wrap=True)
 
 
@@ -176,6 +174,12 @@ def laws(as_json: Json = False) -> None:
         print(json.dumps(show.catalogue(), ensure_ascii=False, indent=1))
     else:
         show.show_catalogue(out)
+
+
+def show_notes(notes: list[str]) -> None:
+    """Print what was not carried over."""
+    for note in notes:
+        err.print(f"Note: {note}", markup=False, highlight=False, soft_wrap=True)
 
 
 def main() -> None:

@@ -63,12 +63,11 @@ class Match:
                 self.pairs += self._pairs(block, place)
 
     def _pairs(self, block: Block, place: Place) -> Iterator[Pair]:
-        sheet = self.file.workbook[place.sheet]
         for cell in block.cells():
             j = cell.column - block.column
             if cell.i < place.rows and j < place.columns:
                 address = place.cell(cell.i, j)
-                yield Pair(cell, address, sheet.cell(address.row, address.column).value)
+                yield Pair(cell, address, self.file.value(address))
 
     @cached_property
     def addresses(self) -> set[Address]:

@@ -109,7 +109,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
         raise ReadError(f"no witness is named {unknown[0]!r}; expected {', '.join(WITNESSES)}")
     file = open_book(path)
     entries = Entries(file)
-    report = Report(path, entries.template.name)
+    report = Report(path, entries.template.name, notes=list(file.notes))
     machine = entries.machine()
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(entries.computed)}")
