@@ -15,6 +15,8 @@ from engine.motion import Phase
 
 STANDSTILL = 1e-9
 """rad/s at the load shaft; a slower shaft counts as standing"""
+RETURNED = 1e-6
+"""W at the load shaft; a load that gives back less counts as driven, or rounding would choose the side of the losses"""
 
 
 @dataclass(frozen=True)
@@ -173,7 +175,7 @@ class Drive:
         Where the load drives the motor, the losses help to brake.
         """
         w, eta = np.asarray(w_r, dtype=np.float64), self.transmission.efficiency
-        driven = (self.total_load_torque(w, dw_r) * w >= 0.0) | _stands(w)
+        driven = (self.total_load_torque(w, dw_r) * w >= -RETURNED) | _stands(w)
         return np.where(driven, 1.0 / eta, eta)
 
     def motor_torque(self, w_r: ArrayLike, dw_r: ArrayLike) -> Array:

@@ -133,11 +133,21 @@ def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) ->
     """
     refuse_existing(path, overwrite)
 
+    spell_out(workbook)
     draft = io.BytesIO()
     workbook.save(draft)
     filled = formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"]
     abouts = [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts]
     replace(path, lambda beside: archive.pack(filled, beside, abouts))
+
+
+def spell_out(workbook: Workbook) -> None:
+    """Have numbers written with all their digits: openpyxl writes 16, and some numbers need 17 to come back."""
+    for page in workbook.worksheets:
+        for cell in getattr(page, "_cells").values():  # noqa: B009 - every cell that there is; iter_rows would add more
+            number = cell.value
+            if isinstance(number, float) and float(f"{number:.16g}") != number:
+                cell._value = repr(number)  # its type remains that of a number
 
 
 def refuse_existing(path: Path, overwrite: bool) -> None:

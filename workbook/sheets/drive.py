@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive import STANDSTILL
+from engine.drive import RETURNED, STANDSTILL
 from engine.timing import shaft_speed
 from workbook.declare import Book, Chart, Series, Sheet, calc, check, constant, given, result
 from workbook.reference import PER_MINUTE, RPM, Cutting
@@ -50,6 +50,7 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
         calc("drive_tau", "Transmission ratio", "τ", "", "=1/drive_ratio", 1 / d.motor.reduction, source="ω_r / ω_m"),
         calc("drive_jeff", "Inertia felt by the motor, per ω̇_r", "", "kg m²", "=drive_jm/drive_tau+drive_tau*drive_jtot", effective, source="J_m/τ + τ J_tot"),
         constant("drive_still", "Slower than this counts as standing", "ω_0", "rad/s", STANDSTILL, format="0E+00", source="at the roller shaft"),
+        constant("drive_returned", "A load that gives back less counts as driven", "P_0", "W", RETURNED, format="0E+00", source="at the roller shaft; rounding never decides the losses"),
     )  # fmt: skip
     outcome(sheet, machine)
     sheet.heading("Table over the cycle")
@@ -186,8 +187,7 @@ def operating(machine: Cutting) -> dict[str, np.ndarray]:
 def table(sheet: Sheet, machine: Cutting, omega: float) -> None:
     """Declare speeds, torques and power over the cycle."""
     p, n = operating(machine), len(machine.angles)
-    drives = (p["total"] * p["w"] >= 0) | (np.abs(p["w"]) < STANDSTILL)
-    eta = machine.drive.transmission.efficiency
+    loss = machine.drive.loss_factor(p["w"], p["dw"])
 
     def chosen(column: str) -> str:
         return "=CHOOSE(drive_no," + ",".join(f"INDEX([cycle.{column}{i}],[k]+1)" for i in (1, 2, 3)) + ")"
@@ -205,7 +205,7 @@ def table(sheet: Sheet, machine: Cutting, omega: float) -> None:
         calc("dw", "roller acceleration", "ω̇_r", "rad/s²", "=[y2]*drive_omega^2/drive_radius", p["dw"], source="a/R", scale=1e-3),
         calc("load", "resisting torque", "C_r", "Nm", '=IF(drive_resists="always",drive_cr,IF(ABS([w])<drive_still,0,SIGN([w])*drive_cr))', p["load"], scale=1e-3),
         calc("total", "load torque", "C*_r", "Nm", "=[load]+drive_jtot*[dw]", p["total"], source="C_r + J_tot ω̇_r", scale=1e-3),
-        calc("loss", "loss factor", "f", "", "=IF(OR(ABS([w])<drive_still,[total]*[w]>=0),1/drive_eta,drive_eta)", np.where(drives, 1 / eta, eta), source="1/η driving, η braking"),
+        calc("loss", "loss factor", "f", "", "=IF(OR(ABS([w])<drive_still,[total]*[w]+drive_returned>=0),1/drive_eta,drive_eta)", loss, source="1/η driving, η braking"),
         constant("k", "sample", "k", "", list(range(n))),
     )  # fmt: skip
 
