@@ -61,9 +61,9 @@ def testcase(book: str, name: str, *result: Element) -> Element:
 def line(finding: Finding) -> str:
     """Return a finding in one line."""
     what = f" ({finding.what})" if finding.what else ""
-    return (
-        f"{where(finding)}{what}: {finding.kind}: found {exact(finding.computed)}, expected {exact(finding.expected)}"
-    )
+    by = f" [{finding.witness}]" if finding.witness else ""
+    found, expected = exact(finding.computed), exact(finding.expected)
+    return f"{where(finding)}{what}: {finding.kind}: found {found}, expected {expected}{by}"
 
 
 def properties(sha256: str, report: Report) -> Element:

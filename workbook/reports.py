@@ -48,7 +48,8 @@ th, td { text-align: left; vertical-align: top; padding: .25rem .6rem .25rem 0; 
   overflow-wrap: anywhere; }
 thead th { border-bottom: 1.5px solid #1f3a5f; font-weight: 600; white-space: nowrap; }
 table.facts { width: auto; } table.facts th { font-weight: 600; white-space: nowrap; padding-right: 1.5rem; }
-.number { text-align: right; font-variant-numeric: tabular-nums; }
+td { font-variant-numeric: tabular-nums; } .kind { white-space: nowrap; }
+th.number, td.number { text-align: right; white-space: nowrap; padding-right: 1.4rem; }
 code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .92em; }
 .verdict { display: inline-block; font-weight: 600; padding: .1rem .6rem; border: 1.5px solid; border-radius: 3px; }
 .agrees { color: #14612f; } .disagrees, .unreadable { color: #a31515; } .not-ours { color: #555; }
@@ -152,20 +153,20 @@ def findings(report: Report) -> list[Element]:
     """Return the table of all findings, worst first, and what their kinds mean."""
     if not report.findings:
         return [e("h3", "Findings"), e("p", "None: every formula cell computes what the engine computes.")]
-    rows: list[list[Content]] = [
-        [
-            e("span", where(f), css="cell"), f.kind, f.what, exact(f.computed), exact(f.expected),
-            deviation(f.deviation),
-        ]
-        for f in report.findings
-    ]  # fmt: skip
-    headings = ("Cell", "Kind", "What", "Computed", "Expected", "Deviation")
+    headings = ("Cell", "Kind", "What", "Found", "Expected", "Deviation", "By")
     meanings = "; ".join(f"{kind}: {KINDS[kind]}" for kind in dict.fromkeys(f.kind for f in report.findings))
     return [
         e("h3", f"Findings ({len(report.findings):,}), worst first"),
-        table(headings, rows, numbers=(3, 4, 5)),
+        table(headings, [row(f) for f in report.findings], numbers=(5,)),
         e("p", f"{meanings}.", css="quiet"),
     ]
+
+
+def row(finding: Finding) -> list[Content]:
+    """Return what the table says of a finding."""
+    cell, kind = e("span", where(finding), css="cell"), e("span", finding.kind, css="kind")
+    values = [exact(finding.computed), exact(finding.expected), deviation(finding.deviation)]
+    return [cell, kind, finding.what, *values, finding.witness]
 
 
 def where(finding: Finding) -> str:
@@ -197,7 +198,7 @@ def exact(value: Any) -> str:
 
 def deviation(value: float | None) -> str:
     """Return a relative deviation; a dash where there is none to give."""
-    return "–" if value is None or not math.isfinite(value) else f"{value:.1e}"
+    return "–" if value is None or not math.isfinite(value) else f"{value:.1e}" if value else "0"
 
 
 def table(headings: Sequence[str], rows: Iterable[Sequence[Content]], numbers: Sequence[int]) -> Element:

@@ -12,12 +12,14 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 
-from workbook.console import figure, report_json, show_report
+from workbook.console import report_json, show_report
+from workbook.junit import line
 from workbook.many import Outcome
-from workbook.reports import where
+from workbook.reports import legal
 
 WORST = 3  # findings of each workbook that the terminal shows
 WORDS = {"agrees": "agrees", "disagrees": "DISAGREES", "unreadable": "CANNOT BE READ", "not ours": "skipped, not ours"}
+SUMS = {"agrees": "agree", "disagrees": "disagree", "unreadable": "cannot be read", "not ours": "skipped (not ours)"}
 COLOURS = {"agrees": "green", "disagrees": "red", "unreadable": "red", "not ours": "dim"}
 
 
@@ -33,7 +35,7 @@ def progress(console: Console, total: int) -> Iterator[Callable[[Outcome], None]
     )
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=total)
-        yield lambda outcome: bar.update(task, advance=1, description=escape(outcome.path.name))
+        yield lambda outcome: bar.update(task, advance=1, description=escape(legal(outcome.path.name)))
 
 
 def show(outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool) -> None:
@@ -44,8 +46,8 @@ def show(outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool,
         else:
             show_summary(outcomes, out)
         return
-    for line in outcomes[0].reason.splitlines():
-        err.print(line, style="red", markup=False, highlight=False, soft_wrap=True)
+    for text in outcomes[0].reason.splitlines():
+        err.print(legal(text), style="red", markup=False, highlight=False, soft_wrap=True)
     if outcomes[0].report and as_json:
         print(report_json(outcomes[0].report))
     elif outcomes[0].report:
@@ -60,11 +62,11 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
     table.add_column("Verdict", no_wrap=True)
     for o in outcomes:
         cells, found = (f"{o.report.compared:,}", f"{len(o.report.findings):,}") if o.report else ("-", "-")
-        table.add_row(escape(str(o.path)), cells, found, f"[{COLOURS[o.verdict]}]{WORDS[o.verdict]}")
+        table.add_row(escape(legal(str(o.path))), cells, found, f"[{COLOURS[o.verdict]}]{WORDS[o.verdict]}")
     console.print(table)
     for outcome in outcomes:
-        for line in worst(outcome):
-            console.print(line, markup=False, highlight=False, soft_wrap=True)
+        for text in worst(outcome):
+            console.print(legal(text), markup=False, highlight=False, soft_wrap=True)
     console.print(sums(outcomes), markup=False, highlight=False, soft_wrap=True)
 
 
@@ -73,10 +75,7 @@ def worst(outcome: Outcome) -> list[str]:
     if outcome.verdict == "unreadable":
         return outcome.reason.splitlines()
     found = outcome.report.findings if outcome.report else []
-    lines = [
-        f"{outcome.path}: {where(f)} ({f.what}): {f.kind}: computes {figure(f.computed)}, expected {figure(f.expected)}"
-        for f in found[:WORST]
-    ]
+    lines = [f"{outcome.path}: {line(finding)}" for finding in found[:WORST]]
     more = len(found) - WORST
     return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines
 
@@ -89,9 +88,6 @@ def sums(outcomes: Sequence[Outcome]) -> str:
     return (
         f"{compared:,} formula cells compared in {count['agrees'] + count['disagrees']} workbooks: {', '.join(said)}."
     )
-
-
-SUMS = {"agrees": "agree", "disagrees": "disagree", "unreadable": "cannot be read", "not ours": "skipped (not ours)"}
 
 
 def summary_json(outcomes: Sequence[Outcome]) -> str:

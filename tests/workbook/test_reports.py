@@ -29,7 +29,7 @@ def wrong():
     report.witnesses = [Ran("pycel", "1.0b30", 1234), Ran("libreoffice", None), Ran("saved", "values", why="has none")]
     report.findings = [
         Finding("Drive", "D7", "replaced", 5.0, 1 / 3, f"Peak {EVIL}"),
-        Finding("Drive", "D9", "value", 1.0, 1.25, "RMS", 0.25),
+        Finding("Drive", "D9", "value", 1.0, 1.25, "RMS", 0.25, "formualizer"),
         Finding(EVIL, "A1", "error", "#DIV/0!", None, "", math.inf),
         Finding("", "libreoffice", "witness", "absent", "a witness that is on this machine"),
     ]
@@ -78,7 +78,8 @@ def test_the_page_says_all_of_the_report():
     for expected in (
         "<b>&.xlsx", "ab" * 32, "2026-03-01 13:05:09 +0000", "cutting-machine", "pycel 1.0b30: 1,234 cells compared",
         "libreoffice: absent from this machine, not asked", "saved values: has none", "Drive|1,000|2.5e-01|2|",
-        "Laws|234|3.1e-16|0|", "Drive!D7|replaced|", "|5|0.333333333333333|–|", "Drive!D9|value|RMS|1|1.25|2.5e-01|",
+        "Laws|234|3.1e-16|0|", "Drive!D7|replaced|", "|5|0.333333333333333|–|",
+        "Drive!D9|value|RMS|1|1.25|2.5e-01|formualizer|",
         "#DIV/0!|empty|", "Mine!A1, Mine!B2", SAFE, "Disagrees",
     ):  # fmt: skip
         assert expected in said
@@ -86,7 +87,7 @@ def test_the_page_says_all_of_the_report():
 
 def test_the_page_keeps_the_order_of_the_findings():
     text = page([wrong()], WHEN)
-    places = [text.index(f"<td>{kind}</td>") for kind in ("replaced", "value", "error", "witness")]
+    places = [text.index(f'">{kind}</span>') for kind in ("replaced", "value", "error", "witness")]
     assert places == sorted(places)
 
 
@@ -130,7 +131,7 @@ def test_junit_has_a_suite_a_workbook_and_a_case_a_sheet():
     failure = first.find("testcase/failure")
     assert "Drive!D7" in failure.get("message")
     assert failure.text.count("\n") == 1
-    assert "Drive!D9 (RMS): value: found 1, expected 1.25" in failure.text
+    assert "Drive!D9 (RMS): value: found 1, expected 1.25 [formualizer]" in failure.text
     assert first.find("properties/property[@name='sha256']").get("value") == "ab" * 32
     assert (second.get("tests"), second.get("failures")) == ("1", "0")
     assert third.find("testcase/error").get("message") == "bad.xlsx: Timing!D7: found 'x'"
