@@ -85,10 +85,9 @@ def axis(given: entered.Axis, library: dict[str, Law]) -> Axis:
 class Cutting:
     """The engine's view of a cutting machine."""
 
-    def __init__(self, machine: entered.CuttingMachine) -> None:
+    def __init__(self, machine: entered.CuttingMachine, library: dict[str, Law]) -> None:
         self.machine = machine
-        self.laws = laws(machine.laws, machine.sizes.own_law)
-        self.axes = [axis(a, self.laws) for a in machine.timing.axes]
+        self.axes = [axis(a, library) for a in machine.timing.axes]
         self.diagram = Diagram(self.axes)
         self.rate = machine.timing.rate * PER_MINUTE
 

@@ -37,14 +37,9 @@ def cutting_variants(machine: Machine) -> list[Machine]:
 
 def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
     """Return the ``k``-th variation of a description: numbers scaled each by its own factor, choices turned."""
-    laws, timing, drive, sizes = data["laws"], data["timing"], data["drive"], data["sizes"]
+    timing, drive, sizes = data["timing"], data["drive"], data["sizes"]
     scale = factors(k)
-    for code in LAWS[:-1]:
-        laws[code]["lift"] *= -next(scale) if k % 2 else next(scale)
-        laws[code]["time"] *= next(scale)
-    laws["TVP"].update(rise_end=0.15 + 0.07 * k, fall_start=0.6 + 0.05 * k)
-    laws["MTP"]["durations"] = list(DURATIONS[k])
-    laws["OWN"]["pieces"] = own_pieces(k, sizes["pieces"])
+    vary_laws(data["laws"], k, scale, sizes["pieces"])
     timing["rate"] *= next(scale)
     for i, axis in enumerate(timing["axes"]):
         axis["closes"] = "feed" if (i + k) % 2 else "position"
@@ -56,6 +51,16 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
     drive["rotors"] = rotors(k, sizes["rotors"])
     drive["motor"] = motor(drive["motor"], k, scale)
     return data
+
+
+def vary_laws(laws: dict[str, Any], k: int, scale: Any, room: int) -> None:
+    """Give every law other parameters: asymmetric, with zero stages, of several pieces."""
+    for code in LAWS[:-1]:
+        laws[code]["lift"] *= -next(scale) if k % 2 else next(scale)
+        laws[code]["time"] *= next(scale)
+    laws["TVP"].update(rise_end=0.15 + 0.07 * k, fall_start=0.6 + 0.05 * k)
+    laws["MTP"]["durations"] = list(DURATIONS[k])
+    laws["OWN"]["pieces"] = own_pieces(k, room)
 
 
 def factors(k: int) -> Any:

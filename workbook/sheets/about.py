@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import workbook
 from workbook.declare import FIRST, Book, Quantity, Text, constant, given
 
 SOURCES = {
@@ -13,7 +14,7 @@ SOURCES = {
 }
 
 
-def about_sheet(book: Book, version: str, purpose: str, key_results: list[Quantity]) -> None:
+def about_sheet(book: Book, purpose: str, key_results: list[Quantity]) -> None:
     """Declare the sheet's head; the contents follow once every sheet is there (:func:`contents`)."""
     sheet = book.sheet("About", purpose)
     sheet.one_page = True
@@ -30,7 +31,7 @@ def about_sheet(book: Book, version: str, purpose: str, key_results: list[Quanti
     sheet.rows(
         given("book_title", "Machine", "", "", book.title, "title"),
         constant("book_template", "Template", "", "", book.template),
-        constant("book_version", "Made by motionbook", "", "", version),
+        constant("book_version", "Made by motionbook", "", "", workbook.__version__),
     )
     sheet.heading("What comes out, in short")
     sheet.rows(*key_results)
