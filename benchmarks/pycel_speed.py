@@ -55,11 +55,11 @@ def timed(work: Callable[[], object]) -> float:
 def in_turn(model: PycelModel, most: int) -> list[Address]:
     """Cells of all sheets in turn, in an order in which stock pycel's recursion stays shallow."""
     sheets: dict[str, list[Address]] = {}
-    for step in model._order:
-        sheets.setdefault(step.address.sheet, []).append(step.address)
+    for cell in model.order:
+        sheets.setdefault(cell.sheet, []).append(cell)
     mixed = chain.from_iterable(zip_longest(*sheets.values()))
     chosen = {address for address in mixed if address is not None}
-    return [step.address for step in model._order if step.address in chosen][:most]
+    return [address for address in model.order if address in chosen][:most]
 
 
 def stock(workbook: Workbook, cells: list[Address]) -> float:

@@ -1,0 +1,87 @@
+"""pycel's functions within bounds: no cell may fill the memory or take a day.
+
+pycel looks for a function here before it looks in its own modules. Each is pycel's (or Python's) own, behind a
+limit that Excel sets and pycel does not: whole numbers are exact in Python, and ``9^9^9^9`` would fill a disk.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any
+
+from pycel import excellib, excelutil
+from pycel.excelutil import NUM_ERROR, PYTHON_AST_OPERATORS
+from pycel.lib.function_helpers import excel_helper, excel_math_func
+
+MOST_DIGITS = 308  # of a number that a cell can hold
+MOST_PERIODS = 1_000_000
+
+
+def raised(number: float, exponent: float) -> Any:
+    """Return ``number ** exponent``, or #NUM! where no cell can hold it."""
+    if number and exponent * math.log10(abs(number)) > MOST_DIGITS:
+        return NUM_ERROR
+    result = number**exponent
+    return NUM_ERROR if isinstance(result, complex) else result
+
+
+def _power(number: float, power: float) -> Any:
+    if number and raised(number, power) == NUM_ERROR:
+        return NUM_ERROR
+    return excellib.power(number, power)
+
+
+def _round(number: float, num_digits: float = 0) -> Any:
+    return excellib.round_(number, num_digits) if abs(num_digits) <= MOST_DIGITS else NUM_ERROR
+
+
+def _trunc(number: float, num_digits: float = 0) -> Any:
+    return excellib.trunc(number, num_digits) if abs(num_digits) <= MOST_DIGITS else NUM_ERROR
+
+
+def _fact(value: float) -> Any:
+    return excellib.fact(value) if value <= 170 else NUM_ERROR
+
+
+def _factdouble(value: Any) -> Any:
+    number = excelutil.coerce_to_number(value, convert_all=True)
+    return NUM_ERROR if isinstance(number, int | float) and number > 300 else excellib.factdouble(value)
+
+
+def _pv(rate: float, nper: float, pmt: float, fv: float = 0, type_: float = 0) -> Any:
+    return excellib.pv(rate, nper, pmt, fv, type_) if abs(nper) <= MOST_PERIODS else NUM_ERROR
+
+
+def _sumproduct(*arrays: Any) -> Any:
+    """Return a number of Python's: pycel's ROUND and others fail on NumPy's."""
+    result = excellib.sumproduct(*arrays)
+    return result if isinstance(result, str) else result.item()
+
+
+def _of_one(function: Callable[[float], float]) -> Any:
+    """Return a function of Python's math for cells: pycel cannot see that it takes one argument, and checks 512."""
+
+    def call(value: float) -> float:
+        return function(value)
+
+    return excel_math_func(call)
+
+
+power = excel_math_func(_power)
+round_ = excel_math_func(_round)
+trunc = excel_math_func(_trunc)
+fact = excel_math_func(_fact)
+factdouble = excel_helper(cse_params=-1)(_factdouble)
+pv = excel_math_func(_pv)
+sumproduct = _sumproduct
+sin, cos, tan = _of_one(math.sin), _of_one(math.cos), _of_one(math.tan)
+asin, acos, atan = _of_one(math.asin), _of_one(math.acos), _of_one(math.atan)
+sinh, cosh, tanh = _of_one(math.sinh), _of_one(math.cosh), _of_one(math.tanh)
+exp, sqrt, log10 = _of_one(math.exp), _of_one(math.sqrt), _of_one(math.log10)
+degrees, radians = _of_one(math.degrees), _of_one(math.radians)
+
+# pycel's own code for operators, over its own table of them with the power that knows a limit
+_globals = vars(excelutil) | {"PYTHON_AST_OPERATORS": PYTHON_AST_OPERATORS | {"Pow": raised}}
+build_operators = FunctionType(excelutil.build_operator_operand_fixup.__code__, _globals)
