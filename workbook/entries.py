@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import tomli_w
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
+from workbook import rules
 from workbook.declare import Block, Quantity
 from workbook.errors import InputError, ReadError
 from workbook.files import BookFile, Place
@@ -18,27 +20,38 @@ from workbook.templates import TEMPLATES, Template
 from workbook.witnesses.pycel_witness import PycelModel
 
 Where = Callable[[str], str]
+LONGEST = 60  # characters that a message repeats of what was found
 
 
 def template_named(name: object, where: str) -> Template:
     """Return a template by name; raise InputError, listing the known ones, where there is none."""
     if name not in TEMPLATES:
-        raise InputError([f"{where}: no template is named {name!r}; expected one of {', '.join(TEMPLATES)}"])
+        found = "empty" if name is None else f"no template is named {shown(name)}"
+        raise InputError([f"{where}: {found}; expected one of {', '.join(TEMPLATES)}"])
     return TEMPLATES[str(name)]
 
 
 def read_machine(path: Path) -> Machine:
     """Read a machine description; raise ReadError or InputError with a line for each fault."""
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
+        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except FileNotFoundError as error:
         raise ReadError(f"{path}: there is no such file") from error
-    except (OSError, UnicodeDecodeError) as error:
-        raise ReadError(f"{path}: cannot be read as text ({error})") from error
+    except UnicodeDecodeError as error:
+        raise ReadError(f"{path}: this is not a text; expected a machine description, a .toml file in UTF-8") from error
+    except OSError as error:
+        kind = "this is a folder" if path.is_dir() else f"cannot be read: {error.strerror or error}"
+        raise ReadError(f"{path}: {kind}; expected a machine description, a .toml file") from error
     except tomllib.TOMLDecodeError as error:
         raise ReadError(f"{path}: not valid TOML: {error}") from error
     template = template_named(data.get("template"), f"{path}: template")
-    return checked(template, data, lambda key: f"{path}: {key}")
+    return checked(template, data, lambda key: f"{path}: {counted(key)}")
+
+
+def counted(key: str) -> str:
+    """Return a key whose lists are counted from 1, as people count: ``timing.axes[1].name``."""
+    numbered = re.sub(r"\.(\d+)", lambda found: f"[{int(found[1]) + 1}]", key)
+    return numbered if numbered == key else f"{numbered} (counted from 1)"
 
 
 def write_machine(machine: Machine) -> str:
@@ -51,21 +64,30 @@ def checked(template: Template, data: dict[str, Any], where: Where) -> Machine:
     try:
         return template.model.model_validate(data)
     except ValidationError as error:
-        raise InputError([fault(found, where) for found in error.errors(include_url=False)]) from None
+        raise InputError([fault(found, template.model, where) for found in error.errors(include_url=False)]) from None
 
 
-def fault(found: Any, where: Where) -> str:
+def fault(found: Any, model: type[BaseModel], where: Where) -> str:
     """Return one line: where, what was found, what is expected."""
     key = ".".join(str(part) for part in found["loc"])
     cause = found.get("ctx", {}).get("error")
     if isinstance(cause, EntryError):
         return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
-    if found["type"] == "missing" or found["input"] == {}:
-        return f"{where(key)}: empty; a value is expected"
     if found["type"] == "extra_forbidden":
-        return f"{where(key)}: unknown entry"
-    expected = found["msg"].removeprefix("Input should be ").removeprefix("a valid ").replace("valid ", "")
-    return f"{where(key)}: found {found['input']!r}; expected {expected}"
+        kind, _ = rules.field_at(model, key.rpartition(".")[0])
+        return f"{where(key)}: unknown entry; expected one of {', '.join(kind.model_fields)}"
+    expected = rules.expectation(*rules.field_at(model, key))
+    if found["type"] == "missing" or found["input"] == {}:
+        return f"{where(key)}: empty; expected {expected}"
+    return f"{where(key)}: found {shown(found['input'])}; expected {expected}"
+
+
+def shown(value: Any) -> str:
+    """Return what was found as an engineer wrote it, in short."""
+    if isinstance(value, bool):
+        return str(value).upper()
+    text = repr(value) if isinstance(value, str | list | dict) else str(value)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
 
 
 class Entries:

@@ -15,7 +15,8 @@ Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
 NotNegative = Annotated[float, Field(ge=0, allow_inf_nan=False)]
 Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False)]
-Text = Annotated[str, Field(min_length=1, max_length=80)]
+PLAIN = r"^[^=\x00-\x1f][^\x00-\x1f]*$"  # one line, no formula
+Text = Annotated[str, Field(min_length=1, max_length=80, pattern=PLAIN)]
 LawCode = Literal["DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN"]
 
 SUM_TOLERANCE = 1e-9
@@ -145,7 +146,7 @@ class Phase(Model):
 class Axis(Model):
     """An axis of the timing diagram: what it does in each phase of one turn of the master shaft."""
 
-    name: Annotated[str, Field(min_length=1, max_length=24)]
+    name: Annotated[str, Field(min_length=1, max_length=24, pattern=PLAIN)]
     group: Text
     closes: Literal["position", "feed"] = "position"
     phases: Annotated[list[Phase], Field(min_length=1)]

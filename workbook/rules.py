@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import types
+from dataclasses import astuple
 from typing import Any, Literal, Union, get_args, get_origin
 
-from annotated_types import Ge, Gt, Le, Lt, MaxLen
+from annotated_types import Ge, Gt, Le, Lt, MaxLen, MinLen
 from openpyxl.worksheet.datavalidation import DataValidation
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
@@ -17,7 +18,7 @@ def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
     """Return the bare type and the constraints of the entry at ``key``; raise KeyError where there is none."""
     kind: Any = model
     constraints: list[Any] = []
-    for part in key.split("."):
+    for part in filter(None, key.split(".")):
         if part == "*" or part.isdigit():
             kind, constraints = unwrap(get_args(kind)[0], [])
         else:
@@ -40,17 +41,15 @@ def unwrap(annotation: Any, constraints: list[Any]) -> tuple[Any, list[Any]]:
 def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     """Return the rule and the two messages for the cells of input ``q``."""
     kind, constraints = field_at(model, q.key)
+    expected = expectation(kind, constraints)
     if q.choices:
         rule, expected = DataValidation("list", formula1=q.choices), "one entry of the list"
     elif get_origin(kind) is Literal:
-        options = get_args(kind)
-        rule, expected = DataValidation("list", formula1=f'"{",".join(options)}"'), " or ".join(options)
+        rule = DataValidation("list", formula1=f'"{",".join(get_args(kind))}"')
     elif kind is str:
-        length = next((c.max_length for c in constraints if isinstance(c, MaxLen)), 80)
-        rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(length))
-        expected = f"a text of at most {length} characters"
+        rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
     else:
-        rule, expected = number_rule(constraints)
+        rule = number_rule(constraints)
     rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
     rule.allow_blank = q.key.find("*") >= 0
     rule.promptTitle, rule.errorTitle = clip(q.label, 32), clip(q.label, 32)
@@ -60,26 +59,39 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     return rule
 
 
-def number_rule(constraints: list[Any]) -> tuple[DataValidation, str]:
-    """Return the rule for a number within bounds, and the bounds in words."""
-    low: Any = -1e300
-    high: Any = 1e300
-    low_word = high_word = ""
-    for c in constraints:
-        if isinstance(c, Gt):
-            low, low_word = c.gt, f"greater than {c.gt:g}"
-        elif isinstance(c, Ge):
-            low, low_word = c.ge, f"of at least {c.ge:g}"
-        elif isinstance(c, Lt):
-            high, high_word = c.lt, f"less than {c.lt:g}"
-        elif isinstance(c, Le):
-            high, high_word = c.le, f"at most {c.le:g}"
-    words = " and ".join(w for w in (low_word, high_word) if w)
-    strict = next((c for c in constraints if isinstance(c, Gt)), None)
-    if strict is not None and not high_word:
-        return DataValidation("decimal", operator="greaterThan", formula1=repr(low)), f"a number {words}"
-    rule = DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
-    return rule, f"a number {words}" if words else "a number"
+def number_rule(constraints: list[Any]) -> DataValidation:
+    """Return the rule for a number within bounds."""
+    above = next((c.gt for c in constraints if isinstance(c, Gt)), None)
+    low = next((c.ge for c in constraints if isinstance(c, Ge)), above if above is not None else -1e300)
+    high = next((c.lt if isinstance(c, Lt) else c.le for c in constraints if isinstance(c, Lt | Le)), 1e300)
+    if above is not None and high == 1e300:
+        return DataValidation("decimal", operator="greaterThan", formula1=repr(above))
+    return DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
+
+
+def expectation(kind: Any, constraints: list[Any]) -> str:
+    """Return in words what an entry of a type and its constraints must be."""
+    if get_origin(kind) is Literal:
+        *others, last = map(str, get_args(kind))
+        return f"{', '.join(others)} or {last}" if others else last
+    if kind is str:
+        return f"a text of 1 to {longest(constraints)} characters that does not begin with ="
+    if get_origin(kind) is list:
+        least = next((c.min_length for c in constraints if isinstance(c, MinLen)), 0)
+        most = next((c.max_length for c in constraints if isinstance(c, MaxLen)), None)
+        return f"{least} entries" if least == most else f"a list of at least {least} entries" if least else "a list"
+    if isinstance(kind, type) and issubclass(kind, BaseModel):
+        return f"the entries {', '.join(kind.model_fields)}"
+    bounds = [words.format(astuple(c)[0]) for c in constraints for rule, words in BOUNDS.items() if isinstance(c, rule)]
+    return " ".join(["a whole number" if kind is int else "a number", " and ".join(bounds)]).strip()
+
+
+BOUNDS: dict[Any, str] = {Gt: "greater than {:g}", Ge: "of at least {:g}", Lt: "less than {:g}", Le: "at most {:g}"}
+
+
+def longest(constraints: list[Any]) -> int:
+    """Return how many characters a text may have."""
+    return next((c.max_length for c in constraints if isinstance(c, MaxLen)), 80)
 
 
 def clip(text: str, length: int) -> str:
