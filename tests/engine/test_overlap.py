@@ -1,0 +1,166 @@
+"""Overlap with laws of any shape: the margin is kept exactly, the cycle closes, what cannot be is refused."""
+
+from math import inf, pi, radians
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.overlap import (
+    Passage,
+    Schedule,
+    Tool,
+    Transfer,
+    blocked,
+    clearance,
+    movement_time,
+    one_after_the_other,
+    overlap,
+    sweep_margin,
+)
+
+TURN = np.linspace(0.0, 2 * pi, 1441)
+ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
+laws = st.sampled_from(
+    [e.example() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, TrapezoidalVelocity(0.2, 0.5)]
+)
+
+
+@given(laws, laws, laws, st.floats(0, 0.3), st.floats(0.002, 0.03), st.floats(0, 1), st.floats(0.2, 0.8))
+def test_the_margin_is_kept_exactly_with_any_laws(law, law_in, law_out, remaining, gap, share, split):
+    transfer, tool = Transfer(law, 0.1, radians(140)), Tool(law_in, 0.05, radians(90), law_out)
+    passage = Passage(remaining, clearance=gap, margin=share * gap, split=split)
+    schedule = overlap(transfer, tool, passage)
+    found = clearance(schedule, passage, TURN)
+    assert found.keeps_margin
+    assert not found.collides
+    assert found.free.min() >= found.minimum - 1e-12
+    if schedule.limit == "clearance":
+        assert found.minimum == pytest.approx(passage.margin, abs=1e-12)
+
+
+@given(laws, st.floats(0.01, 0.2))
+def test_the_transfer_misses_the_remaining_share_where_it_ceases_to_block(law, remaining):
+    transfer = Transfer(law, 0.1, 2.0)
+    begin, end = blocked(transfer, Passage(remaining, 0.01))
+    assert law.s(begin / 2.0) == pytest.approx(remaining, abs=1e-12)
+    assert law.s(end / 2.0) == pytest.approx(1.0 - remaining, abs=1e-12)
+
+
+def mill_and_die():
+    return Transfer(Cycloidal(), 0.1, radians(150)), Tool(Cycloidal(), 0.05, radians(100), Cubic())
+
+
+def test_positions_over_the_turn_begin_and_end_where_the_edges_say():
+    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    away, there, leaves, back = schedule.edges
+    tool = schedule.positions(np.array([away, there, leaves, back])).tool
+    assert tool == pytest.approx([0.0, 0.05, 0.05, 0.0], abs=1e-12)
+    transfer = schedule.positions(np.array([0.0, schedule.transfer.angle])).transfer
+    assert transfer == pytest.approx([0.0, 0.1], abs=1e-12)
+    assert leaves - there == pytest.approx(radians(100), rel=1e-12)
+
+
+def test_the_diagram_closes_and_holds_the_same_motion():
+    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    diagram = schedule.diagram
+    assert all(axis.closes for axis in diagram.axes)
+    tool = diagram.axis("tool").motion.at(TURN).y
+    assert tool == pytest.approx(schedule.positions(TURN + schedule.arrival).tool, abs=1e-12)
+    feed = diagram.axis("transfer").motion
+    assert feed.at((2 * pi - schedule.arrival + schedule.transfer.angle / 2) % (2 * pi)).y == pytest.approx(0.05)
+
+
+def test_peaks_are_those_of_the_diagram():
+    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    found = [m.a_max for m in schedule.diagram.movements(0.5) if m.axis == "tool"]
+    assert schedule.peak_acceleration(0.5) == pytest.approx(max(found), rel=1e-12)
+
+
+def test_without_a_share_or_clearance_nothing_overlaps():
+    transfer, tool = mill_and_die()
+    before, after = one_after_the_other(transfer, tool), overlap(transfer, tool, Passage(0.0, 0.0))
+    assert after.edges == pytest.approx(before.edges, rel=1e-14)
+
+
+def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
+    transfer, tool = mill_and_die()
+    schedule = overlap(transfer, tool, Passage(0.01, clearance=0.06))
+    assert schedule.limit == "cycle"
+    assert schedule.way_in + schedule.way_out + tool.dwell == pytest.approx(2 * pi, rel=1e-12)
+    assert all(axis.closes for axis in schedule.diagram.axes)
+
+
+def test_a_tool_that_sets_off_too_early_collides():
+    transfer, tool = mill_and_die()
+    passage = Passage(0.01, 0.02, 0.001)
+    good = overlap(transfer, tool, passage)
+    early = Schedule(transfer, tool, good.way_in, good.way_out, good.arrival - radians(20))
+    found = clearance(early, passage, TURN)
+    assert found.collides
+    assert not found.keeps_margin
+    assert found.minimum == pytest.approx(found.free.min(), abs=2e-4)
+
+
+def test_where_the_transfer_is_in_place_the_tool_is_free():
+    transfer, tool = mill_and_die()
+    passage = Passage(0.01, 0.02, 0.001)
+    found = clearance(overlap(transfer, tool, passage), passage, TURN)
+    begin, end = blocked(transfer, passage)
+    assert (np.isinf(found.free) == ~((begin < TURN) & (end > TURN))).all()
+
+
+def test_the_sweep_is_the_schedule_of_each_margin():
+    transfer, tool = mill_and_die()
+    margins = np.linspace(0.0, 0.02, 9)
+    sweep = sweep_margin(transfer, tool, Passage(0.01, 0.02), margins, 0.5)
+    single = [overlap(transfer, tool, Passage(0.01, 0.02, m)) for m in margins]
+    before = one_after_the_other(transfer, tool).peak_acceleration(0.5)
+    assert sweep.way_in == pytest.approx([s.way_in for s in single], rel=1e-13)
+    assert sweep.way_out == pytest.approx([s.way_out for s in single], rel=1e-13)
+    assert sweep.acceleration == pytest.approx([s.peak_acceleration(0.5) for s in single], rel=1e-12)
+    assert sweep.ratio == pytest.approx([before / s.peak_acceleration(0.5) for s in single], rel=1e-12)
+    assert np.diff(sweep.ratio).max() < 0.0
+
+
+def test_time_of_an_angle():
+    assert movement_time(pi, 2.0) == 0.25
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Passage(0.6, 0.02), "remaining is 0.6"),
+        (lambda: Passage(0.1, 0.02, 0.03), "margin is 0.03 m; expected 0 to the clearance, 0.02 m"),
+        (lambda: Passage(0.1, inf), "clearance is inf"),
+        (lambda: Passage(0.1, 0.02, split=1.0), "split is 1"),
+        (lambda: Passage(0.1, 0.02, allowance=-0.1), "allowance is -5.7"),
+        (lambda: Transfer(Cycloidal(), 0.0, 1.0), "transfer stroke is 0"),
+        (lambda: Transfer(Cycloidal(), 0.1, 7.0), "401.07 degrees; expected less than 360"),
+        (lambda: Tool(Cycloidal(), 0.1, -1.0), "dwells for -57.2"),
+        (lambda: movement_time(1.0, 0.0), "rate is 0"),
+    ],
+)
+def test_what_cannot_be_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
+
+
+def test_no_angle_left_is_said_in_degrees():
+    transfer = Transfer(ConstantAcceleration(), 0.1, radians(270))
+    with pytest.raises(ValueError, match=r"transfer \(270 degrees\) and dwell \(100 degrees\)"):
+        one_after_the_other(transfer, Tool(Cycloidal(), 0.05, radians(100)))
+
+
+def test_an_allowance_that_takes_all_is_refused():
+    with pytest.raises(ValueError, match="an allowance of 170 degrees"):
+        overlap(*mill_and_die(), Passage(0.01, 0.02, allowance=radians(170)))
+
+
+@given(st.floats(0, 0.02), st.floats(0, 0.02))
+def test_a_larger_margin_never_gains(one, other):
+    assume(one < other)
+    sweep = sweep_margin(*mill_and_die(), Passage(0.01, 0.02), [one, other], 0.5)
+    assert sweep.acceleration[0] <= sweep.acceleration[1] * (1 + 1e-12)

@@ -1,0 +1,131 @@
+"""Figures of S4, 'Actuator Sizing': lead screw and conveyor, by the document's method and by the physical one.
+
+Printed figures have the tolerance of their digits; exact ones were computed from the formulas, not by the engine.
+Misprints: J_machine of the screw (1.65e-5), the acceleration from 0.033 s, the conveyor's RMS (0.147).
+"""
+
+from math import pi, radians
+
+import pytest
+
+from engine.actuator import Sizing, derating, motor_inertia, thirds
+from engine.laws import Dwell
+from engine.mechanism import Slide, conveyor, cylinder, lead_screw
+from engine.motion import Phase
+
+STEEL = 7800.0
+
+
+@pytest.fixture
+def screw():
+    load = Slide(mass=6, friction=0.1, slope=radians(10))
+    return lead_screw(500, cylinder(0.007, 0.5, STEEL), load, efficiency=0.45)
+
+
+@pytest.fixture
+def screw_sizing(screw):
+    phases = [Phase(thirds(1 / 6, 2 / 3, 1 / 6), 0.008, 0.2), Phase(Dwell(), 0.0, 0.1)]
+    return Sizing(screw, phases, motor_inertia(screw, 4, "document"), "document", holding="brake")
+
+
+@pytest.fixture
+def belt():
+    load = Slide(mass=150, slope=radians(20))
+    return conveyor(0.15, cylinder(0.15, 1.0, STEEL), 10, load, reduction=50)
+
+
+@pytest.fixture
+def belt_sizing(belt):
+    phases = [Phase(thirds(1 / 10, 4 / 5, 1 / 10), 0.5, 30), Phase(Dwell(), 0.0, 3)]
+    return Sizing(belt, phases, motor_inertia(belt, 1, "document"), "document", holding="brake")
+
+
+def torques(sizing):
+    return {part.name: part.torque for part in sizing.parts}
+
+
+def test_screw_inertias(screw, screw_sizing):
+    parts = {part.name: screw.reflected(part, losses=True) for part in screw.parts}
+    assert parts["screw"] == pytest.approx(1.47e-5, abs=5e-8)
+    assert parts["screw"] == pytest.approx(1.470878e-5, abs=5e-12)
+    assert parts["load"] == pytest.approx(1.35e-6, abs=5e-9)
+    assert parts["load"] == pytest.approx(1.350949e-6, abs=5e-13)
+    assert screw.inertia(losses=True) == pytest.approx(1.605973e-5, abs=5e-12)
+    assert screw_sizing.total_inertia == pytest.approx(2e-5, abs=5e-7)
+    assert screw_sizing.total_inertia == pytest.approx(2.007466e-5, abs=5e-12)
+
+
+def test_screw_resisting_torques(screw, screw_sizing):
+    friction = screw.rubbing / screw.ratio / screw.efficiency
+    weight = screw.steady / screw.ratio / screw.efficiency
+    assert friction == pytest.approx(4.096e-3, rel=2e-3)  # printed with another g
+    assert friction == pytest.approx(4.100240e-3, abs=5e-9)
+    assert weight == pytest.approx(7.22e-3, rel=2e-3)
+    assert weight == pytest.approx(7.229830e-3, abs=5e-9)
+    assert torques(screw_sizing)["uniform"] == pytest.approx(0.0113, abs=5e-5)
+    assert torques(screw_sizing)["uniform"] == pytest.approx(0.01133007, abs=5e-9)
+
+
+def test_screw_speed_and_acceleration(screw, screw_sizing):
+    assert screw_sizing.max_speed / screw.ratio == pytest.approx(0.048, abs=1e-15)
+    assert screw_sizing.max_speed == pytest.approx(48 * pi, rel=1e-13)
+    assert screw_sizing.max_acceleration == pytest.approx(1440 * pi, rel=1e-13)
+    assert screw_sizing.max_acceleration == pytest.approx(1460.4 * pi, rel=0.0145)  # the document divides by 0.033
+
+
+def test_screw_torques(screw_sizing):
+    found = torques(screw_sizing)
+    assert found["accelerating"] == pytest.approx(0.103, abs=1e-3)  # from the rounded acceleration
+    assert found["accelerating"] == pytest.approx(0.1021457, abs=5e-8)
+    assert found["decelerating"] == pytest.approx(-0.0805, abs=1.1e-3)
+    assert found["decelerating"] == pytest.approx(-0.0794856, abs=5e-8)
+    assert found["dwell"] == 0.0
+    assert screw_sizing.peak_torque == found["accelerating"]
+    assert screw_sizing.rms_torque == pytest.approx(0.044, abs=5e-4)
+    assert screw_sizing.rms_torque == pytest.approx(0.0437990, abs=5e-8)
+
+
+def test_screw_by_the_physical_method_is_the_same_as_long_as_the_load_resists(screw, screw_sizing):
+    physical = Sizing(screw, screw_sizing.phases, screw_sizing.motor_inertia, holding="brake")
+    assert torques(physical)["uniform"] == pytest.approx(torques(screw_sizing)["uniform"], rel=1e-14)
+    assert torques(physical)["accelerating"] == pytest.approx(torques(screw_sizing)["accelerating"], rel=1e-14)
+    slowed = (screw.steady + screw.rubbing - 6 * 1.44) / screw.ratio  # the load still resists while it slows
+    front = physical.motor_inertia + cylinder(0.007, 0.5, STEEL)
+    assert torques(physical)["decelerating"] == pytest.approx(slowed / 0.45 - front * 1440 * pi, rel=1e-12)
+
+
+def test_conveyor_inertias(belt, belt_sizing):
+    parts = {part.name: belt.reflected(part, losses=True) for part in belt.parts}
+    assert parts["rollers"] == pytest.approx(4.96e-3, abs=5e-6)
+    assert parts["rollers"] == pytest.approx(4.962146e-3, abs=5e-10)
+    assert parts["belt"] == pytest.approx(9e-5, rel=1e-14)
+    assert parts["load"] == pytest.approx(1.35e-3, rel=1e-14)
+    assert belt.inertia() == pytest.approx(6.4e-3, abs=5e-5)
+    assert belt.inertia() == pytest.approx(6.402146e-3, abs=5e-10)
+    assert belt_sizing.total_inertia == pytest.approx(0.0128, abs=5e-5)
+    assert belt_sizing.total_inertia == pytest.approx(0.01280429, abs=5e-9)
+
+
+def test_conveyor_speeds(belt, belt_sizing):
+    assert belt_sizing.max_speed / belt.ratio == pytest.approx(0.01851852, abs=5e-9)
+    assert belt_sizing.max_speed / 50 == pytest.approx(0.1234568, abs=5e-8)
+    assert belt_sizing.max_speed == pytest.approx(6.173, abs=5e-4)
+    assert belt_sizing.max_speed == pytest.approx(6.172840, abs=5e-7)
+    assert belt_sizing.max_acceleration == pytest.approx(2.058, abs=5e-4)
+    assert belt_sizing.max_acceleration == pytest.approx(2.057613, abs=5e-7)
+
+
+def test_conveyor_torques(belt_sizing):
+    found = torques(belt_sizing)
+    assert found["uniform"] == pytest.approx(1.508, abs=2e-3)  # printed with another g
+    assert found["uniform"] == pytest.approx(1.509848, abs=5e-7)
+    assert found["accelerating"] == pytest.approx(1.5343, abs=2e-3)
+    assert found["accelerating"] == pytest.approx(1.536194, abs=5e-7)
+    assert found["decelerating"] == pytest.approx(1.4816, abs=2e-3)
+    assert found["decelerating"] == pytest.approx(1.483502, abs=5e-7)
+    assert belt_sizing.rms_torque == pytest.approx(1.439627, abs=5e-7)
+
+
+def test_temperature_lowers_the_torque_by_the_printed_ratio():
+    assert derating(35) == pytest.approx(0.142 / 0.147, abs=5e-3)
+    assert derating(35) == pytest.approx((140 / 150) ** 0.5, rel=1e-14)

@@ -1,0 +1,142 @@
+"""Equations (4) to (20) of S5, 'A unified design procedure for flying machining operations'.
+
+The document prints no numbers: the figures here are its equations, written out for one machine.
+"""
+
+from math import pi, radians, sqrt
+
+import numpy as np
+import pytest
+
+from engine.drive import Motor
+from engine.flying import Cut, flying_saw, rotary_drum
+from engine.laws import Cycloidal, ModifiedTrapezoidal
+from engine.selection import (
+    Task,
+    accelerating_factor,
+    curves_against_load,
+    flying_load_factor,
+    ratio_ranges,
+    ratio_spread,
+    rms_torque,
+)
+
+RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02
+DRUM = rotary_drum(3, RADIUS, radians(30))
+L0, LT = 2 * pi / 3 * RADIUS, pi / 6 * RADIUS
+SHORT, LONG = 0.18, 0.32
+LAWS = [(Cycloidal(), 2.0, 2 * pi, pi * sqrt(2)), (ModifiedTrapezoidal(), 2.0, 8 * pi / (2 + pi), 4.233239)]
+
+
+@pytest.mark.parametrize("length", [SHORT, LONG])
+def test_lengths_times_and_displacement(length):
+    cut = Cut(DRUM, length, LINE, Cycloidal())
+    assert (DRUM.design_length, DRUM.tool_length) == pytest.approx((L0, LT), rel=1e-14)
+    assert DRUM.repositioning_length == pytest.approx(L0 - LT, rel=1e-14)
+    assert cut.cycle_time == pytest.approx(length / LINE, rel=1e-14)
+    assert cut.tool_time == pytest.approx(LT / LINE, rel=1e-14)
+    assert cut.repositioning_time == pytest.approx((length - LT) / LINE, rel=1e-14)
+    assert cut.displacement == pytest.approx(L0 - length, rel=1e-14)
+
+
+@pytest.mark.parametrize(("law", "cv", "ca", "ca_rms"), LAWS, ids=["CIC", "MTP"])
+@pytest.mark.parametrize("length", [SHORT, LONG])
+def test_equations_10_to_13(law, cv, ca, ca_rms, length):
+    cut = Cut(DRUM, length, LINE, law)
+    rest, h = length - LT, L0 - length
+    assert cut.speed_change == pytest.approx(cv * h / rest * LINE, rel=1e-12)
+    assert cut.angular_speed_change == pytest.approx(cv * h / rest * LINE / RADIUS, rel=1e-12)
+    assert cut.max_acceleration == pytest.approx(ca * abs(h) / rest**2 * LINE**2, rel=1e-12)
+    assert cut.max_angular_acceleration == pytest.approx(ca * abs(h) / rest**2 * LINE**2 / RADIUS, rel=1e-12)
+    rms = ca_rms * abs(h) / rest**2 * sqrt(rest / length) * LINE**2
+    assert cut.rms_acceleration == pytest.approx(rms, rel=2e-7)
+    assert cut.rms_angular_acceleration == pytest.approx(rms / RADIUS, rel=2e-7)
+
+
+def test_three_cases_by_the_sign_of_h():
+    cases = [Cut(DRUM, length, LINE, Cycloidal()).case for length in (SHORT, L0, LONG)]
+    assert cases == ["faster", "constant speed", "slower"]
+    assert Cut(DRUM, L0, LINE, Cycloidal()).rms_acceleration == pytest.approx(0.0, abs=1e-12)
+
+
+def test_limit_length_brings_the_drum_to_standstill():
+    limit = Cut(DRUM, LONG, LINE, Cycloidal()).limit_length
+    assert limit == pytest.approx(2 * L0 - LT, rel=1e-14)
+    assert Cut(DRUM, limit, LINE, Cycloidal()).speed_range[0] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_saw_s_motor_has_no_mean_speed():
+    cut = Cut(flying_saw(0.3, 0.01), 1.0, LINE, Cycloidal())
+    time = np.linspace(0.0, cut.cycle_time, 20001)
+    assert np.trapezoid(cut.at(time).speed, time) == pytest.approx(0.0, abs=1e-9)
+    assert cut.reverses
+
+
+def test_equation_19_is_13_in_17():
+    cut = Cut(DRUM, SHORT, LINE, Cycloidal())
+    beta = flying_load_factor(INERTIA, RADIUS, LINE, pi * sqrt(2), L0, SHORT, LT)
+    assert cut.load_factor(INERTIA) == pytest.approx(float(beta), rel=1e-12)
+    assert cut.load_factor(INERTIA) == pytest.approx(4 * INERTIA * cut.rms_angular_acceleration**2, rel=1e-14)
+
+
+def test_beta_grows_with_the_fourth_power_of_the_line_speed():
+    one, two = (Cut(DRUM, SHORT, v, Cycloidal()).load_factor(INERTIA) for v in (LINE, 2 * LINE))
+    assert two / one == pytest.approx(16.0, rel=1e-12)
+
+
+def inertial_task():
+    cut = Cut(DRUM, SHORT, LINE, Cycloidal())
+    return Task.inertial(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
+
+
+def test_equations_15_and_17_agree_for_an_inertial_load():
+    task = inertial_task()
+    assert task.load_factor == pytest.approx(4 * INERTIA * task.acceleration_rms**2, rel=1e-14)
+
+
+def test_at_both_ends_of_14_the_rms_torque_is_the_rated_one():
+    task = Task(acceleration_rms=300.0, torque_rms=9.0, power_rate_mean=1100.0, max_speed=30.0)
+    found = ratio_ranges(task, [5.0, 12.0], [8e-4, 3e-3], [500.0, 400.0])
+    for tau in (found.tau_min, found.tau_max):
+        assert rms_torque(task, [8e-4, 3e-3], tau) == pytest.approx([5.0, 12.0], rel=1e-12)
+    assert found.tau_opt == pytest.approx(np.sqrt(found.tau_min * found.tau_max), rel=1e-12)
+    assert found.tau_limit == pytest.approx([30 / 500, 30 / 400], rel=1e-14)
+
+
+def test_equation_16_bounds_the_same_motors():
+    task = Task(300.0, 9.0, 1100.0, 30.0)
+    tau, inertia = np.geomspace(0.005, 1.0, 200), 8e-4
+    bracket = task.torque_rms * tau / sqrt(inertia) - task.acceleration_rms * sqrt(inertia) / tau
+    alpha = task.load_factor + bracket**2
+    assert np.sqrt(alpha * inertia) == pytest.approx(rms_torque(task, inertia, tau), rel=1e-12)
+
+
+def test_equations_18_and_20_with_their_roots():
+    task = inertial_task()
+    motor = Motor(inertia=1.2e-3, rated_torque=sqrt(3.0 * task.load_factor * 1.2e-3))
+    found = ratio_ranges(task, motor.rated_torque, motor.inertia, 600.0)
+    assert found.accelerating_factor / task.load_factor == pytest.approx(3.0, rel=1e-12)
+    spread = float(found.tau_max - found.tau_min)
+    assert spread == pytest.approx(2 * sqrt(1.2e-3 / INERTIA) * sqrt(2.0), rel=1e-12)
+    assert ratio_spread(1.2e-3, INERTIA, 3.0) == pytest.approx(spread, rel=1e-12)
+    assert found.tau_opt == pytest.approx(sqrt(1.2e-3 / INERTIA), rel=1e-12)
+
+
+def test_figure_12_closes_where_beta_reaches_alpha():
+    motor = Motor(inertia=1e-3, rated_torque=4.0)
+    alpha = float(accelerating_factor(4.0, 1e-3))
+    curves = curves_against_load(motor, INERTIA, np.array([0.25, 0.5, 1.0, 1.1]) * alpha)
+    assert np.diff(curves.tau_max[:3] - curves.tau_min[:3]).max() < 0.0
+    assert curves.tau_min[2] == pytest.approx(curves.tau_max[2], rel=1e-7)
+    assert np.isnan(curves.tau_max[3])
+    ranges = ratio_ranges(Task.inertial(INERTIA, sqrt(0.25 * alpha / 4 / INERTIA), 1.0), 4.0, 1e-3, 600.0)
+    assert (curves.tau_min[0], curves.tau_max[0]) == pytest.approx((ranges.tau_min, ranges.tau_max), rel=1e-12)
+
+
+@pytest.mark.parametrize("efficiency", [1.0, 0.8, 0.5])
+def test_with_losses_a_motor_needs_alpha_of_beta_over_eta(efficiency):
+    task = Task(300.0, 9.0, 1100.0, 30.0)
+    needed = sqrt(task.load_factor / efficiency * 1e-3)
+    found = ratio_ranges(task, np.array([0.999999, 1.000001]) * needed, 1e-3, 1e4, efficiency)
+    assert found.accepted.tolist() == [False, True]
+    assert rms_torque(task, 1e-3, found.tau_opt[1], efficiency) == pytest.approx(needed, rel=1e-12)
