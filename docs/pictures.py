@@ -15,8 +15,8 @@ from workbook.witnesses.libreoffice_witness import convert
 HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch
 PICTURES = (  # file, template, page of the printed book, left, top, width, height in dots
-    ("timing.png", "cutting-machine", 2, 75, 85, 1030, 665),
-    ("drive.png", "cutting-machine", 12, 75, 85, 1030, 665),
+    ("timing.png", "cutting-machine", 2, 75, 85, 1000, 650),
+    ("drive.png", "cutting-machine", 12, 75, 85, 1010, 665),
 )
 
 

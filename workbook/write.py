@@ -24,7 +24,7 @@ from workbook import archive, charts, rules, style
 from workbook.declare import FIRST, Block, Book, Sheet
 from workbook.errors import WriteError
 
-WIDTHS = {1: 2, FIRST: 34}
+WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
@@ -110,7 +110,7 @@ def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
 def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     """Columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
-    for column in range(1, max(used, LAST_PAGE_COLUMN) + 1):
+    for column in range(1, max(used, LAST_PAGE_COLUMN, sheet.print_columns) + 1):
         page.column_dimensions[get_column_letter(column)].width = WIDTHS.get(column, COLUMN_WIDTH)
     page.sheet_view.showGridLines = False
     page.freeze_panes = "A4"

@@ -56,12 +56,12 @@ def laws_sheet(book: Book, library: dict[str, Law], own: OwnLaw, sizes: Sizes, r
     sheet.rows(
         constant(
             "break_tolerance",
-            "A sample this near to a break counts as on it",
+            "Tolerance of a break",
             "ε",
             "",
             BREAK_TOLERANCE,
             format="0E+00",
-            source="in units of ξ; rounding never decides the side of a jump",
+            source="in units of ξ: a sample this near counts as on it, so that rounding never decides the side of a jump",
         )
     )
     stack(sheet, rows, sizes)
@@ -197,9 +197,9 @@ def stack(sheet: Sheet, rows: list[Row], sizes: Sizes) -> None:
         calc("dv", "gain of velocity", "Δv", "", GAIN_V, [r.dv for r in rows], scale=1.0, source="∫a over the piece"),
         calc("s", "position carried", "s_k", "", "=IF([k]=1,0,[s-1]+[ds-1])", [r.s for r in rows], scale=1.0, source="s + ∫v of the piece before"),
         calc("ds", "gain of position", "Δs", "", GAIN_S, [r.ds for r in rows], scale=1.0, source="∫v over the piece"),
-        calc("s0", "constant of position", "s_k + P/ω² sin φ", "", "=[s]+[ps]*SIN([phi])", [r.s + r.ps * sin(r.phi) for r in rows], scale=1.0),
-        calc("s1", "slope of position", "v_k + P/ω cos φ", "", "=[v]+[pv]*COS([phi])", [r.v + r.pv * cos(r.phi) for r in rows], scale=1.0),
-        calc("key", "key", "2 · number + ξ_k", "", "=2*[number]+[xi]", [2 * r.number + r.xi for r in rows]),
+        calc("s0", "constant of position", "S0", "", "=[s]+[ps]*SIN([phi])", [r.s + r.ps * sin(r.phi) for r in rows], scale=1.0, source="s_k + P/ω² sin φ"),
+        calc("s1", "slope of position", "S1", "", "=[v]+[pv]*COS([phi])", [r.v + r.pv * cos(r.phi) for r in rows], scale=1.0, source="v_k + P/ω cos φ"),
+        calc("key", "key", "", "", "=2*[number]+[xi]", [2 * r.number + r.xi for r in rows], source="2 · number + ξ_k"),
     )  # fmt: skip
     sheet.book.name_columns(block, "piece")
 
