@@ -95,7 +95,7 @@ def usable(task: Task, motors: Motors, reducers: Reducers) -> tuple[Index, Index
 
 
 def _usable_by_block(task: Task, motors: Motors, reducers: Reducers) -> Iterator[tuple[Index, Index, Array]]:
-    """T² = J (J p + q) + r, J = J_M + J_T, where p, q, r hang on the reducer alone."""
+    """Judge block by block: T² = J (J p + q) + r, J = J_M + J_T, where p, q, r hang on the reducer alone."""
     count = len(reducers.names)
     p = (task.acceleration_rms / reducers.ratio) ** 2
     q = 2.0 * task.power_rate_mean / reducers.efficiency
@@ -112,8 +112,9 @@ def _usable_by_block(task: Task, motors: Motors, reducers: Reducers) -> Iterator
         square += r
         fits = square <= motors.rated_torque[here, None] ** 2
         fits &= speed <= motors.max_speed[here, None]
+        row = np.repeat(np.arange(len(fits)), np.count_nonzero(fits, axis=1))
         flat = np.flatnonzero(fits)
-        yield flat // count + begin if count else flat, flat % count if count else flat, square.ravel()[flat]
+        yield row + begin, flat - row * count, square.ravel()[flat]
 
 
 def rank(
@@ -157,7 +158,9 @@ def _mismatch(task: Task, motors: Motors, reducers: Reducers, motor: Index, redu
 def _lowest(score: Array, best: int | None) -> Index:
     """Return the order of the lowest scores, equals as they stand."""
     if best is None or best >= score.size:
-        return np.argsort(score, kind="stable")
+        order = np.argsort(score)  # several times as fast as a stable sort, and the same where no two are equal
+        rising = score[order]
+        return np.argsort(score, kind="stable") if (rising[1:] == rising[:-1]).any() else order
     if best < 1:
         raise ValueError(f"best is {best}; expected 1 or more")
     bound = np.partition(score, best - 1)[best - 1]
