@@ -14,7 +14,7 @@ from openpyxl.utils.cell import range_boundaries
 from workbook.address import Address
 from workbook.errors import ReadError
 from workbook.guard import guard
-from workbook.scan import SAVE_AS
+from workbook.scan import LAST_COLUMN, LAST_ROW, SAVE_AS
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
@@ -81,7 +81,7 @@ def parsed(path: Path) -> Workbook:
     except MemoryError as error:
         raise ReadError(f"{path}: too large for the memory of this machine") from error
     except Exception as error:  # openpyxl trusts the XML: what is amiss comes up as any exception of Python's own
-        raise ReadError(f"{path}: damaged: {reason(error)}; {SAVE_AS}") from error
+        raise ReadError(f"{path}: damaged: openpyxl cannot read it ({reason(error)}); {SAVE_AS}") from error
 
 
 def reason(error: BaseException) -> str:
@@ -89,7 +89,7 @@ def reason(error: BaseException) -> str:
     while error.__cause__ is not None:
         error = error.__cause__
     said = " ".join(str(error).split())
-    return f"{type(error).__name__} {said}"[:160].strip()
+    return f"{type(error).__name__}: {said}"[:160].strip(": ")
 
 
 def find_places(workbook: Workbook) -> dict[str, Place]:
@@ -118,4 +118,5 @@ def place_of(sheet: str, cells: str) -> Place | None:
     if left is None or top is None or right is None or bottom is None:
         return None
     place = Place(sheet, top, left, bottom - top + 1, right - left + 1)
-    return place if 1 <= place.rows * place.columns <= MOST_CELLS and min(top, left, place.rows) >= 1 else None
+    on_sheet = 1 <= top <= bottom <= LAST_ROW and 1 <= left <= right <= LAST_COLUMN
+    return place if on_sheet and place.rows * place.columns <= MOST_CELLS else None

@@ -18,8 +18,8 @@ from workbook.errors import ReadError
 from workbook.scan import SAVE_AS, Count, Refusal, Scan, shown
 
 MEGABYTE = 1_000_000
-MOST_PACKED = 100 * MEGABYTE  # of the file
-MOST_UNPACKED = 150 * MEGABYTE  # of all parts
+MOST_PACKED = 60 * MEGABYTE  # of the file
+MOST_UNPACKED = 100 * MEGABYTE  # of all parts
 MOST_PARTS = 3_000
 MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
 

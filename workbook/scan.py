@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import re
 from functools import lru_cache
+from posixpath import dirname, join, normpath
 from xml.parsers import expat
 
 from openpyxl.utils import column_index_from_string
 
 MOST_CELLS = 600_000  # of the rectangles around the cells of all sheets: openpyxl fills them
 MOST_IN_ROWS = 7 * MOST_CELLS  # elements and attributes inside of rows
-MOST_ELEMENTS = 500_000  # outside of rows
-MOST_OF = {"definedName": 20_000, "si": 200_000, "sheet": 500}
+MOST_OUTSIDE = 1_000_000  # elements, attributes and ranges outside of rows
+MOST_OF = {"definedName": 20_000, "si": 200_000, "sheet": 250}
 MOST_LONG = {"f": 8_192, "definedName": 8_192, "v": 32_767, "t": 32_767}  # characters; Excel's limits
 MOST_FORMULAS = 20_000_000  # characters of all formulas and names, the shared ones written out
 MOST_IN_TAG = 100_000  # characters of all attributes of one element
@@ -23,6 +24,9 @@ MOST_DEPTH = 100
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
 
 FILLED = frozenset({"mergeCell", "hyperlink", "comment"})  # openpyxl visits every cell of their ranges
+# openpyxl parses a part anew for each reference to it, and pivot caches anew for each sheet
+REFERRING = frozenset({"sheet", "chart", "tablePart"})
+RELATIONS = re.compile(r".*/(?:worksheet|chartsheet|drawing|chart|comments|table|pivotTable|sharedStrings|styles)")
 CORNER = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
 SAVE_AS = "open it in Excel or LibreOffice and save it as .xlsx"
 
@@ -65,18 +69,26 @@ class Count:
     """What all parts of a workbook hold together; raises Refusal beyond each limit."""
 
     def __init__(self) -> None:
-        self.cells = self.formulas = self.elements = self.in_rows = 0
+        self.cells = self.formulas = self.outside = self.in_rows = self.in_pivots = 0
         self.of = dict.fromkeys(MOST_OF, 0)
+        self.referred: set[tuple[str, ...]] = set()
 
-    def element(self, name: str) -> None:
+    def element(self, name: str, weight: int, in_pivot: bool) -> None:
         """Count an element outside of rows."""
-        self.elements += 1
-        if self.elements > MOST_ELEMENTS:
-            raise Refusal(f"holds more than {MOST_ELEMENTS:,} XML elements besides its cells")
+        self.outside += weight
+        self.in_pivots += weight if in_pivot else 0
         if name in self.of:
             self.of[name] += 1
             if self.of[name] > MOST_OF[name]:
                 raise Refusal(f"holds more than {MOST_OF[name]:,} elements <{name}>")
+        if self.outside + self.in_pivots * self.of["sheet"] > MOST_OUTSIDE:
+            raise Refusal(f"holds more than {MOST_OUTSIDE:,} XML elements and attributes besides its cells")
+
+    def reference(self, *key: str) -> None:
+        """Note a reference to a part; refuse a second one."""
+        if key in self.referred:
+            raise Refusal(f"refers twice to {shown(key[-1])} as a part of its own; once is expected")
+        self.referred.add(key)
 
     def in_row(self, weight: int) -> None:
         """Count an element of a row, with its attributes."""
@@ -102,7 +114,8 @@ class Scan:
     """One pass over one part."""
 
     def __init__(self, name: str, count: Count) -> None:
-        self.name, self.count = shown(name), count
+        self.part, self.name, self.count = name, shown(name), count
+        self.pivot = False
         self.depth = self.row_depth = 0  # the depth of the row that is open, or 0
         self.row = self.column = self.rows = self.columns = self.cells = 0
         self.inside = ""  # the element whose text is measured
@@ -139,7 +152,7 @@ class Scan:
         if self.row_depth or name == "row":
             self.count.in_row(1 + len(attributes))
         else:
-            self.count.element(name)
+            self.outside(name, attributes)
         if self.row_depth and self.depth == self.row_depth + 1:
             self.cell(attributes.get("r"))
         elif name == "row":
@@ -151,6 +164,19 @@ class Scan:
             self.formula(attributes)
         elif name in FILLED and "ref" in attributes:
             self.count.area(size_of(attributes["ref"]))
+
+    def outside(self, name: str, attributes: dict[str, str]) -> None:
+        """Count an element outside of rows, and what it refers to."""
+        if self.depth == 1:
+            self.pivot = name.startswith("pivotCache")
+        self.count.element(name, 1 + len(attributes) + len(attributes.get("sqref", "")) // 3, self.pivot)
+        if name == "Relationship" and RELATIONS.fullmatch(attributes.get("Type", "")):
+            folder = dirname(dirname(self.part))
+            self.count.reference(normpath(join("/", folder, attributes.get("Target", ""))))
+        elif name in REFERRING:
+            for key, value in attributes.items():
+                if key.rpartition(":")[2] == "id":
+                    self.count.reference(self.part, name, value)
 
     def new_row(self, number: str | None) -> None:
         """Begin a row, numbered or next to the one before."""
