@@ -7,14 +7,19 @@ plus and τ_max with the minus in (14) and (18), τ_opt with J_r for J_L, (20) w
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive import Motor
+from engine.drive import Load, Motor
 from engine.laws.base import Array
+from engine.motion import Phase
+
+AT_REST = 1e-9
+"""of the mean velocity of a phase"""
 
 
 @dataclass(frozen=True)
@@ -55,6 +60,25 @@ class Task:
             return float(np.trapezoid(values, t)) / float(t[-1] - t[0])
 
         return cls(math.sqrt(mean(dw**2)), math.sqrt(mean(load**2)), mean(dw * load), float(np.abs(w).max()))
+
+    @classmethod
+    def of_load(cls, load: Load, phases: Sequence[Phase], radius: float = 1.0) -> Task:
+        """Return the task of a load over phases (m and s on a wheel of ``radius`` (m), or rad), exact by the laws.
+
+        ⟨ω̇²⟩ = Σ C_a,rms² (h/R)²/t³ / t_C; T*_L = C_r + J_tot ω̇, C_r as in :class:`engine.drive.Load`.
+        For phases that begin and end at rest. Raises ValueError where one does not, or no phases are given.
+        """
+        if not phases or not (math.isfinite(radius) and radius > 0.0):
+            raise ValueError(f"{len(phases)} phases and radius {radius:g}; expected a phase and a radius above 0")
+        for k, phase in enumerate(phases, 1):
+            if phase.lift != 0.0 and max(abs(phase.law.start.v), abs(phase.law.end.v)) > AT_REST:
+                raise ValueError(f"phase {k}: {phase.law.name} does not begin and end at rest")
+        cycle = math.fsum(p.duration for p in phases)
+        moving = cycle if load.resists == "always" else math.fsum(p.duration for p in phases if p.lift != 0.0)
+        square = math.fsum((p.law.coefficients.ca_rms * p.lift / radius) ** 2 / p.duration**3 for p in phases) / cycle
+        torque = math.sqrt(load.torque**2 * moving / cycle + load.inertia**2 * square)
+        fastest = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in phases) / radius
+        return cls(math.sqrt(square), torque, load.inertia * square, fastest)
 
     @property
     def load_factor(self) -> float:

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from engine.laws import (
@@ -44,6 +44,13 @@ def test_asymmetric_trapezoid_inverts_as_its_square_root(peak, xi):
     s = law.s(xi)
     exact = math.sqrt(s * peak) if s <= peak else 1.0 - math.sqrt((1.0 - s) * (1.0 - peak))
     assert inverse(law, s) == pytest.approx(exact, abs=1e-12)
+
+
+@given(st.lists(st.one_of(st.just(0.0), st.floats(0.02, 1.0)), min_size=7, max_size=7), st.floats(0.0, 1.0))
+def test_seven_stages_of_any_durations_invert(parts, s):
+    assume(sum(parts[:3]) > 0 and sum(parts[4:]) > 0)
+    law = ModifiedTrapezoidal(tuple(p / sum(parts) for p in parts))
+    assert law.s(inverse(law, s)) == pytest.approx(s, abs=4e-15)
 
 
 def test_constant_acceleration_in_closed_form():

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+from dataclasses import astuple
 
 import numpy as np
 import pytest
@@ -9,12 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.drive import Drive, Load, Motor, Transmission
-from engine.laws import Cycloidal
+from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
 from engine.pairing import Motors, Pairs, Reducers, TorqueCurve, checks, operating_points, rank, usable
 from engine.selection import Task, accelerating_factor, ratio_ranges, rms_torque
 
 TASK = Task(acceleration_rms=300.0, torque_rms=9.0, power_rate_mean=1100.0, max_speed=30.0)
+UNFINISHED = PieceLaw([Piece(1.0, (1.0, 0.0, 0.0, 0.0))])
 
 
 def motors(n=40, seed=3):
@@ -169,6 +171,18 @@ def test_task_of_samples_is_that_of_the_closed_forms():
     assert task.max_speed == pytest.approx(2 * 2.0 / 0.3, rel=1e-6)
 
 
+@pytest.mark.parametrize("resists", ["always", "moving"])
+def test_task_of_a_load_is_that_of_its_samples(resists):
+    load = Load(0.05, 4.0, resists)
+    phases = [Phase(Cycloidal(), 0.2, 0.3), Phase(Dwell(), 0.0, 0.2), Phase(Cycloidal(), -0.2, 0.4)]
+    time = np.linspace(0.0, 0.9, 90001)
+    _, y1, y2 = Motion(phases).at(time)
+    w, dw = y1 / 0.1, y2 / 0.1
+    sampled = Task.of_samples(time, w, dw, Drive(load, Transmission(1.0), Motor(0.0)).total_load_torque(w, dw))
+    exact = Task.of_load(load, phases, radius=0.1)
+    assert astuple(exact) == pytest.approx(astuple(sampled), rel=1e-4)
+
+
 def test_rms_of_the_task_is_that_of_the_motor_over_the_cycle():
     time, w, dw, torque = load_samples()
     m, r = Motors(("M",), 1e-3, 9.0, 30.0, 600.0), Reducers(("R",), 0.1, 1.0, 2e-4, 600.0, 80.0)
@@ -213,6 +227,11 @@ def test_accelerating_factor_is_rated_torque_squared_over_inertia():
     [
         (lambda: Task(0.0, 1.0, 0.0, 1.0), "acceleration_rms is 0"),
         (lambda: Task(1.0, 1.0, 2.0, 1.0), "power_rate_mean is 2; expected −1 to 1"),
+        (lambda: Task.of_load(Load(1.0, 0.0), []), "0 phases"),
+        (
+            lambda: Task.of_load(Load(1.0, 0.0), [Phase(UNFINISHED, 1.0, 1.0)]),
+            "phase 1: Own law does not begin and end",
+        ),
         (lambda: ratio_ranges(TASK, 1.0, 1.0, 1.0, efficiency=1.1), "efficiency is 1.1"),
         (lambda: Motors(("A", "B"), 1e-3, np.array([1.0, -2.0]), 3.0, 400.0), "motor 'B': rated_torque is -2"),
         (lambda: Motors(("A", "B"), np.ones(3), 1.0, 3.0, 400.0), "2 motors are named and 3 values of inertia given"),
