@@ -21,24 +21,24 @@ LONGEST = 8_192  # characters of a formula; Excel's limit
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
 MOST_CELLS = 200_000  # of one range: what is larger is refused
 
-_SHEET = r"(?:'(?:[^']|'')+'|[\w.]+)!"
-_CELL = r"\$?[A-Z]{1,3}\$?[0-9]{1,7}"
+_SHEET = r"(?:'(?:[^']|'')++'|[\w.]++)!"
+_CELL = r"\$?[A-Za-z]{1,3}\$?[0-9]{1,7}"
 _END = r"(?![\w.(!\\?\[])"
 TOKEN = re.compile(
     rf"""
-    (?P<text>"(?:[^"]|"")*+")
+    (?P<function>[^\W\d][\w.]*+\()
+    |(?P<text>"(?:[^"]|"")*+")
     |(?P<reference>(?:{_SHEET})?{_CELL}(?::(?:{_SHEET})?{_CELL})?{_END})
-    |(?P<lines>(?:{_SHEET})?(?:\$?[A-Z]{{1,3}}:\$?[A-Z]{{1,3}}|\$?[0-9]+:\$?[0-9]+){_END})
-    |(?P<function>[^\W\d][\w.]*\()
-    |(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:E[+-]?[0-9]+)?(?![\w.]))
+    |(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?(?![\w.:!]))
+    |(?P<lines>(?:{_SHEET})?(?:\$?[A-Za-z]{{1,3}}:\$?[A-Za-z]{{1,3}}|\$?[0-9]+:\$?[0-9]+){_END})
     |(?P<error>(?:{_SHEET})?\#(?:N/A|VALUE!|REF!|DIV/0!|NUM!|NAME\?|NULL!))
-    |(?P<name>(?:{_SHEET})?[^\W\d][\w.\\?]*)
+    |(?P<name>(?:{_SHEET})?[^\W\d][\w.\\?]*+)
     |(?P<space>\s+)
     |(?P<other>[^-+*/^&=<>(),;%{{}}])
     """,
-    re.VERBOSE | re.IGNORECASE,
+    re.VERBOSE,
 )
-REFERENCE = re.compile(rf"({_SHEET})?({_CELL})(?::({_SHEET})?({_CELL}))?", re.IGNORECASE)
+REFERENCE = re.compile(rf"({_SHEET})?({_CELL})(?::({_SHEET})?({_CELL}))?")
 FUNCTION = re.compile(r"[^\W\d][\w.]*(?=\()")
 
 
