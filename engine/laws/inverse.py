@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from engine.laws.base import BREAK_TOLERANCE, Array, Law, Real, unwrap
@@ -13,6 +15,7 @@ BACKWARDS = 1e-9
 """a velocity below minus this, in units of the mean velocity, is a motion backwards"""
 
 
+@lru_cache(maxsize=256)
 def is_monotone(law: Law) -> bool:
     """Whether the law never moves backwards."""
     return bool(law.v(velocity_extremes(law)).min() >= -BACKWARDS)

@@ -38,7 +38,7 @@ def sampled_rms(sizing, n=40001):
     return math.sqrt(total / sizing.motion.total)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(laws, laws, st.sampled_from(["physical", "document"]), st.floats(-4.0, 4.0))
 def test_rms_and_peak_are_those_of_fine_samples(law, other, method, torque):
     train = gear_train(TRAIN.stages, TRAIN.parts, torque, 0.5)

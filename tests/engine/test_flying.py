@@ -25,7 +25,7 @@ def samples(cut, n=20001):
     return time, step, cut.at(time)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(laws, lengths, beyond)
 def test_the_motion_has_the_closed_figures(law, length, way):
     cut = Cut(DRUM, length, 1.2, law, way)
@@ -38,7 +38,7 @@ def test_the_motion_has_the_closed_figures(law, length, way):
     )
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(laws, lengths, beyond)
 def test_position_is_the_integral_of_speed_and_ends_one_pitch_on(law, length, way):
     cut = Cut(DRUM, length, 1.2, law, way)
@@ -48,7 +48,7 @@ def test_position_is_the_integral_of_speed_and_ends_one_pitch_on(law, length, wa
     assert cut.at(cut.cycle_time).position == pytest.approx(DRUM.design_length, abs=1e-12)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(laws, lengths, beyond)
 def test_the_tool_works_at_line_speed(law, length, way):
     cut = Cut(DRUM, length, 1.2, law, way)
@@ -82,7 +82,7 @@ def test_longer_products_ask_no_more_acceleration_once_the_drum_waits():
     assert [c.max_acceleration for c in cuts] == pytest.approx([cuts[0].max_acceleration] * 3, rel=1e-12)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(laws, st.floats(0.31, 3.0))
 def test_the_saw_comes_back_and_its_stroke_is_what_it_covers(law, length):
     cut = Cut(SAW, length, 0.8, law)
