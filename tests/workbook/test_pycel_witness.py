@@ -377,6 +377,15 @@ def test_no_number_fills_the_memory(formula: str) -> None:
     assert problem(formula) == ("#NUM!", "")
 
 
+@pytest.mark.parametrize("criterion", ["(a+)+$*", "*a*a*a*a*b", "a{9}{9}{9}?"])
+def test_no_criterion_searches_for_ever(criterion: str) -> None:
+    cells = {"A1": "a" * 200, "B1": f'=COUNTIF(A1:A3,"{criterion}")', "B2": f'=MATCH("{criterion}",A1:A3,0)'}
+    model = PycelModel(book(cells))
+    assert set(model.evaluate().values()) == {"#VALUE!"}
+    assert all("criterion" in why for why in model.problems.values())
+    assert value('=COUNTIF(A1:A3,"a*")+MATCH("?a*",A1:A3,0)', cells) == 2
+
+
 def test_numbers_and_texts_do_not_grow_from_cell_to_cell() -> None:
     cells: dict[str, Any] = {"A1": 10, "B1": "text"}
     cells |= {f"A{row}": f"=A{row - 1}*A{row - 1}" for row in range(2, 80)}
@@ -385,6 +394,8 @@ def test_numbers_and_texts_do_not_grow_from_cell_to_cell() -> None:
     assert found[at("A9")] == pytest.approx(1e256)
     assert found[at("A12")] == "#NUM!"
     assert found[at("B79")] == "#VALUE!"
+    cells = {"A1": "a" * 30_000, "A2": '=SUBSTITUTE(A1,"a",A1)', "A3": '=LEN(SUBSTITUTE(A1,"a","b"))'}
+    assert list(evaluate(book(cells)).values()) == ["#VALUE!", 30_000]
 
 
 def test_pycels_operators_are_untouched_but_for_the_bounded_power() -> None:

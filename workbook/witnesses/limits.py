@@ -8,15 +8,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import wraps
 from types import FunctionType
 from typing import Any
 
 from pycel import excellib, excelutil
-from pycel.excelutil import NUM_ERROR, PYTHON_AST_OPERATORS
+from pycel.excelutil import NUM_ERROR, PYTHON_AST_OPERATORS, VALUE_ERROR
+from pycel.lib import lookup as lookups
+from pycel.lib import stats, text
 from pycel.lib.function_helpers import excel_helper, excel_math_func
 
 MOST_DIGITS = 308  # of a number that a cell can hold
+MOST_TEXT = 32_767  # characters that a cell can hold
 MOST_PERIODS = 1_000_000
+MOST_WILDCARDS = 3  # in a criterion
 
 
 def raised(number: float, exponent: float) -> Any:
@@ -60,6 +65,29 @@ def _sumproduct(*arrays: Any) -> Any:
     return result if isinstance(result, str) else result.item()
 
 
+def _substitute(text_: str, old_text: str, new_text: str, instance_num: Any = None) -> Any:
+    if len(text_) + text_.count(old_text) * (len(new_text) - len(old_text)) > MOST_TEXT:
+        return VALUE_ERROR
+    return text.substitute(text_, old_text, new_text, instance_num)
+
+
+def _searching(function: Callable[..., Any]) -> Any:
+    """Return a function of pycel that refuses texts with which its search would run for ever.
+
+    pycel makes a regular expression of a text with ``*`` or ``?`` and leaves the rest of it as it is.
+    """
+
+    @wraps(function)
+    def call(*arguments: Any) -> Any:
+        for a in arguments:
+            wildcards = a.count("*") + a.count("?") if isinstance(a, str) else 0
+            if wildcards > MOST_WILDCARDS or (wildcards and not set("()[]{}+|^$\\").isdisjoint(a)):
+                raise ValueError(f"the criterion {a[:20]!r} is not evaluated")
+        return function(*arguments)
+
+    return call
+
+
 def _of_one(function: Callable[[float], float]) -> Any:
     """Return a function of Python's math for cells: pycel cannot see that it takes one argument, and checks 512."""
 
@@ -76,6 +104,12 @@ fact = excel_math_func(_fact)
 factdouble = excel_helper(cse_params=-1)(_factdouble)
 pv = excel_math_func(_pv)
 sumproduct = _sumproduct
+substitute = wraps(text.substitute)(_substitute)
+match, vlookup, hlookup = _searching(lookups.match), _searching(lookups.vlookup), _searching(lookups.hlookup)
+countif, countifs = _searching(stats.countif), _searching(stats.countifs)
+sumif, sumifs = _searching(excellib.sumif), _searching(excellib.sumifs)
+averageif, averageifs = _searching(stats.averageif), _searching(stats.averageifs)
+maxifs, minifs = _searching(stats.maxifs), _searching(stats.minifs)
 sin, cos, tan = _of_one(math.sin), _of_one(math.cos), _of_one(math.tan)
 asin, acos, atan = _of_one(math.asin), _of_one(math.acos), _of_one(math.atan)
 sinh, cosh, tanh = _of_one(math.sinh), _of_one(math.cosh), _of_one(math.tanh)
