@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import multiprocessing
 import os
@@ -13,6 +14,7 @@ import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
@@ -127,7 +129,8 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
         return Outcome(path, "not ours", reason=f"{path}: not a workbook of motionbook")
     try:
         before = state(path)
-        report = verify(path, witnesses)
+        with collector_paused():
+            report = verify(path, witnesses)
         sha256 = digest(path)
         if before and state(path) != before:
             raise OSError("it changed while it was read; try again")
@@ -140,6 +143,18 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
         return Outcome(path, "unreadable", reason=reason)
     verdict: Verdict = "agrees" if report.agrees else "disagrees"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
+
+
+@contextmanager
+def collector_paused() -> Iterator[None]:
+    """Hold Python's search for garbage back: among cells that live until the end it finds none, yet takes a quarter."""
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()
 
 
 def state(path: Path) -> tuple[int, int] | None:

@@ -1,0 +1,109 @@
+"""What verifying costs: cells a second, against LibreOffice on the same file, and from 1 to 64 workbooks."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+from workbook.build import build
+from workbook.entries import read_machine
+from workbook.many import Target, cores, verify_many, verify_one
+from workbook.templates import TEMPLATES, Template
+from workbook.verify import verify
+from workbook.witnesses.libreoffice_witness import LibreOffice, convert
+
+ROUNDS = 3
+COUNTS = (1, 4, 16, 64)
+JOBS = (1, 2)
+SMALL = {"cycle": 4, "law": 4, "own_law": 4}
+GOAL = 1.0  # verifying over LibreOffice's opening, recalculating and saving
+
+
+def best(*tasks: Callable[[], object]) -> list[float]:
+    """Least time of each task in seconds; the tasks take turns, so that a busy machine is busy for all of them."""
+    seconds = [float("inf")] * len(tasks)
+    for _ in range(ROUNDS):
+        for i, task in enumerate(tasks):
+            begin = time.perf_counter()
+            task()
+            seconds[i] = min(seconds[i], time.perf_counter() - begin)
+    return seconds
+
+
+def command(book: Path) -> None:
+    """Run the command as from a terminal: like LibreOffice, with the start of its program."""
+    subprocess.run([sys.executable, "-m", "workbook", "verify", str(book)], check=True, capture_output=True)
+
+
+def against_libreoffice(template: Template, folder: Path) -> list[str]:
+    """One row: cells, cells a second within a process; seconds of the command and of LibreOffice, and their ratio."""
+    book = folder / f"{template.name}.xlsx"
+    build(read_machine(template.description), book)
+    cells = verify(book).compared
+    target, made = Target(book, named=True), folder / "made"
+    within, ours, theirs = best(
+        lambda: verify_one(target, ["pycel"]), lambda: command(book), lambda: convert(book, "xlsx", made)
+    )
+    verdict = f"≤ {GOAL:g} " + ("met" if ours <= GOAL * theirs else "missed")
+    rate = f"{cells / within:,.0f}"
+    return [template.name, f"{cells:,}", rate, f"{ours:.2f}", f"{theirs:.2f}", f"{ours / theirs:.2f}", verdict]
+
+
+def growth(template: Template, folder: Path) -> tuple[int, dict[int, list[float]]]:
+    """Formula cells of a small workbook, and seconds for so many copies of it with each number of jobs."""
+    machine = read_machine(template.description)
+    first = folder / "0.xlsx"
+    build(machine.model_copy(update={"sizes": machine.sizes.model_copy(update=SMALL)}), first)
+    targets = [Target(folder / f"{i}.xlsx", named=True) for i in range(max(COUNTS))]
+    for target in targets[1:]:
+        shutil.copy(first, target.path)
+    times = {count: [timed(targets[:count], jobs) for jobs in JOBS] for count in COUNTS}
+    return verify(first).compared, times
+
+
+def timed(targets: list[Target], jobs: int) -> float:
+    """Seconds for one run over ``targets``, the start of its processes included."""
+    begin = time.perf_counter()
+    outcomes = verify_many(targets, jobs=jobs)
+    seconds = time.perf_counter() - begin
+    for outcome in outcomes:
+        if outcome.verdict != "agrees":
+            why = outcome.reason or (outcome.report and outcome.report.findings[:3])
+            raise RuntimeError(f"{outcome.path} {outcome.verdict}, so its time would mean nothing: {why}")
+    return seconds
+
+
+def main() -> None:
+    """Print both tables."""
+    console = Console()
+    with tempfile.TemporaryDirectory() as folder:
+        console.print(f"{cores()} cores, LibreOffice {LibreOffice().version()}")
+        table = Table(
+            *("Workbook", "Cells", "Cells/s", "verify, s", "LibreOffice, s", "Ratio", "Goal"),
+            title=f"verify / LibreOffice's open, recalculate and save; best of {ROUNDS}",
+        )
+        for template in TEMPLATES.values():
+            table.add_row(*against_libreoffice(template, Path(folder)))
+        console.print(table)
+    with tempfile.TemporaryDirectory() as folder:
+        cells, times = growth(TEMPLATES["cutting-machine"], Path(folder))
+        table = Table(
+            *("Workbooks", *(f"{n} job{'s' * (n > 1)}, s" for n in JOBS), "Speed-up", "s a workbook"),
+            title=f"Copies of a workbook of {cells:,} formula cells",
+        )
+        for count, seconds in times.items():
+            said = [f"{s:.2f}" for s in seconds]
+            table.add_row(str(count), *said, f"{seconds[0] / seconds[-1]:.2f}", f"{seconds[-1] / count:.3f}")
+        console.print(table)
+
+
+if __name__ == "__main__":
+    main()
