@@ -1,0 +1,64 @@
+"""``python -m tests.mutation``: put faults into the templates' formulas, one at a time, and count what verify finds."""
+
+import argparse
+import os
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from itertools import chain, islice
+
+from rich.console import Console
+
+from tests.mutation.bench import Bench, sized
+from tests.mutation.examine import Tally, Verdict, examined, names_it_first
+from tests.mutation.machines import machines
+from tests.mutation.mutants import Mutant
+from workbook.templates import TEMPLATES
+
+Job = tuple[str, argparse.Namespace, int]  # template, options, which share of the mutants
+Result = tuple[list[Verdict], list[tuple[Mutant, bool]]]
+
+
+def options(arguments: list[str] | None = None) -> argparse.Namespace:
+    """Read the command line."""
+    parser = argparse.ArgumentParser(prog="python -m tests.mutation", description=__doc__)
+    parser.add_argument("--all", action="store_true", help="every mutant of every cell, instead of a sample")
+    parser.add_argument("--sample", type=int, default=3000, metavar="N", help="mutants a template (default 3000)")
+    parser.add_argument("--seed", type=int, default=1, help="another sample, and other random machines")
+    parser.add_argument("--values-only", action="store_true", help="leave the text of formulas aside")
+    parser.add_argument("--whole", type=int, default=25, metavar="N",
+                        help="ask all of verify about every N-th mutant, 0: about none (default 25)")  # fmt: skip
+    parser.add_argument("--random", type=int, default=60, metavar="N",
+                        help="random machines at which to look for survivors (default 60)")  # fmt: skip
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes")
+    parser.add_argument("--show", type=int, default=100, metavar="N", help="survivors to print (default 100)")
+    return parser.parse_args(arguments)
+
+
+def work(job: Job) -> Result:
+    """Judge one share of a template's mutants."""
+    name, given, share = job
+    template = TEMPLATES[name]
+    bench = Bench(template, sized(template))
+    mutants = bench.orchard.every() if given.all else bench.orchard.sample(given.sample, given.seed)
+    mine = list(islice(mutants, share, None, given.jobs))
+    elsewhere = [bench.inputs(m) for m in machines(bench.machine, given.random, given.seed)]
+    verdicts = list(examined(bench, mine, elsewhere))
+    asked = [v.mutant for v in verdicts[:: given.whole] if v.found(given.values_only)] if given.whole else []
+    return verdicts, [(m, names_it_first(bench.verified(m, not given.values_only), m)) for m in asked]
+
+
+def main() -> int:
+    """Judge and print; exit code 1 if a mutant survives or another cell is named first."""
+    given, console = options(), Console()
+    jobs = [(name, given, share) for name in TEMPLATES for share in range(given.jobs)]
+    tally = Tally(given.values_only)
+    with ProcessPoolExecutor(given.jobs) as pool:
+        results = list(pool.map(work, jobs))
+    tally.verdicts = list(chain.from_iterable(verdicts for verdicts, _ in results))
+    tally.whole = list(chain.from_iterable(whole for _, whole in results))
+    tally.show(console, given.show)
+    return int(bool(tally.survivors or tally.not_first))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

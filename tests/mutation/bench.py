@@ -1,0 +1,149 @@
+"""A workbook in memory, into which a mutant is put, judged, and taken out again."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from openpyxl import Workbook
+from openpyxl.workbook.defined_name import DefinedName
+
+from tests.mutation.mutants import Mutant, Orchard
+from workbook.address import Address
+from workbook.compare import TOLERANCE, difference
+from workbook.declare import Book
+from workbook.entries import read_machine
+from workbook.files import BookFile, find_places
+from workbook.machine import Machine
+from workbook.matching import Match, is_formula, peaks_of
+from workbook.templates import Template
+from workbook.verify import Report, judge
+from workbook.witnesses.calculation import Calculation
+from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.shapes import Area, Formula
+from workbook.write import to_workbook
+
+SMALL = {"cycle": 24, "law": 8, "own_law": 8}
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """One set of inputs: what every cell of the book holds or should compute, and the peak of every cell's column."""
+
+    cells: dict[Address, Any]
+    expected: dict[Address, Any]
+    peaks: dict[Address, float]
+
+
+def sized(template: Template, **sizes: int) -> Machine:
+    """Return the committed machine of a template with smaller tables."""
+    machine = read_machine(template.description)
+    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update=SMALL | sizes)})
+
+
+def remembered(declare: Callable[[Machine], Book]) -> Callable[[Machine], Book]:
+    """Return ``declare`` with a memory: a thousand mutants of one book need its declarations once."""
+    books: dict[str, Book] = {}
+
+    def found(machine: Machine) -> Book:
+        key = machine.model_dump_json()
+        if key not in books:
+            books[key] = declare(machine)
+        return books[key]
+
+    return found
+
+
+class Bench:
+    """The book of one machine, and the inputs at which ``verify`` looks at it: those entered, then its variations."""
+
+    def __init__(self, template: Template, machine: Machine) -> None:
+        self.template, self.machine = replace(template, declare=remembered(template.declare)), machine
+        self.declared = self.template.declare(machine)
+        self.workbook = to_workbook(self.declared, template.model)
+        self.file = BookFile(Path(f"{template.name}.xlsx"), self.workbook, find_places(self.workbook))
+        self.match = Match(self.file, self.declared)
+        self.pairs = {pair.address: pair for pair in self.match.pairs}
+        self.targets = dict(self.declared.names())
+        self.model = PycelModel(self.workbook)
+        self.sets = [self.inputs(machine), *(self.inputs(m, assumed=True) for m in template.variants(machine))]
+        self.orchard = Orchard(self.declared)
+
+    def inputs(self, machine: Machine, assumed: bool = False) -> Inputs:
+        """Return a set of inputs from a machine of the same layout; ``assumed``: formula cells hold what they should.
+
+        Else they hold what they compute, so that rounding is what it is in the book.
+        """
+        declared = self.template.declare(machine)
+        peaks, expected, given = peaks_of(declared), self.match.expected(declared), self.match.inputs(declared)
+        computed = expected if assumed else self.model.evaluate(given)
+        by_cell = {a: peaks[p.cell.block.name, p.cell.quantity.name] for a, p in self.pairs.items()}
+        return Inputs(self.model.constants | given | computed, expected, by_cell)
+
+    def other_shape(self, mutant: Mutant) -> bool:
+        """Whether the formula's text alone gives the mutant away."""
+        if not is_formula(mutant.mutated):
+            return True
+        return not self.match.same_shape(self.pairs[mutant.address]._replace(held=mutant.mutated))
+
+    def differs_at(self, mutant: Mutant, sets: list[Inputs] | None = None) -> int | None:
+        """Return the number of the first set of inputs at which the cell computes another value, if any.
+
+        Only the one cell is evaluated, with the right values in all others: what ``verify`` finds of a cell's own
+        fault, without the time that all other cells take.
+        """
+        formula = self.read(mutant) if is_formula(mutant.mutated) else None
+        for n, at in enumerate(self.sets if sets is None else sets):
+            computed = evaluated(mutant.address, formula, at.cells) if formula else mutant.mutated
+            if not self.agrees(mutant.address, computed, at):
+                return n
+        return None
+
+    def agrees(self, address: Address, computed: Any, at: Inputs) -> bool:
+        """Whether a cell's value is the engine's, as ``verify`` measures it."""
+        return difference(computed, at.expected[address], at.peaks[address]) <= TOLERANCE
+
+    def verified(self, mutant: Mutant, shapes: bool = True) -> Report:
+        """Return what ``verify`` reports of the book with the mutant in it."""
+        report = Report(self.file.path, self.template.name)
+        with self.holding(mutant):
+            judge(self.file, self.template, self.machine, report, shapes=shapes)
+        return report
+
+    @contextmanager
+    def holding(self, mutant: Mutant) -> Iterator[None]:
+        """Put a mutant into the book, and the formula back afterwards."""
+        cell = self.workbook[mutant.address.sheet].cell(mutant.address.row, mutant.address.column)
+        cell.value = mutant.mutated
+        try:
+            yield
+        finally:
+            cell.value = mutant.original
+
+    def read(self, mutant: Mutant) -> Formula | None:
+        """Return the mutant as pycel's witness reads it; None where it cannot."""
+        cell = self._blank[mutant.address.sheet].cell(mutant.address.row, mutant.address.column, mutant.mutated)
+        try:
+            return PycelModel(self._blank).formulas.get(mutant.address)
+        finally:
+            cell.value = None
+
+    @cached_property
+    def _blank(self) -> Workbook:
+        """A book with the sheets and names of this one, and no cells."""
+        blank = Workbook()
+        blank.remove(blank.worksheets[0])
+        for title in self.workbook.sheetnames:
+            blank.create_sheet(title)
+        for name, target in self.targets.items():
+            blank.defined_names[name] = DefinedName(name, attr_text=target)
+        return blank
+
+
+def evaluated(address: Address, formula: Formula, cells: dict[Address, Any]) -> Any:
+    """Return what a formula computes among cells of known values."""
+    needed = {a for argument in formula.arguments if isinstance(argument, Area) for a in argument.cells()}
+    known = {a: cells[a] for a in needed if a in cells}
+    return Calculation(known, {address: formula}, {}).evaluate()[address]

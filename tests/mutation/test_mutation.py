@@ -1,0 +1,112 @@
+"""`verify` finds what slips into a formula, and names the cell: a sample of mutants over every template."""
+
+from functools import cache
+
+import pytest
+
+from tests.mutation.bench import Bench, sized
+from tests.mutation.equivalence import Equivalence
+from tests.mutation.examine import Tally, examined, names_it_first
+from tests.mutation.machines import machines
+from tests.mutation.mutants import KINDS, Mutant
+from workbook.templates import TEMPLATES
+
+SAMPLE, SEED, PARTS = 2400, 7, 6
+WHOLE = 4  # of each kind, to be judged by all of verify
+LOOKED_AT = 0.9  # least share of the mutants that show at some valid input which must show at verify's own inputs
+
+every_template = pytest.mark.parametrize("name", TEMPLATES)
+
+
+@cache
+def bench(name: str) -> Bench:
+    return Bench(TEMPLATES[name], sized(TEMPLATES[name]))
+
+
+@cache
+def sample(name: str) -> list[Mutant]:
+    return bench(name).orchard.sample(SAMPLE, SEED)
+
+
+def of_kind(name: str, kind: str, count: int) -> list[Mutant]:
+    return [m for m in sample(name) if m.kind == kind][:count]
+
+
+@every_template
+def test_the_sample_spreads_over_every_quantity_and_kind(name: str) -> None:
+    orchard = bench(name).orchard
+    mutants = sample(name)
+    assert len(mutants) == SAMPLE
+    assert {m.kind for m in mutants} == set(KINDS)
+    hit = {m.address for m in mutants}
+    missed = [
+        s
+        for s, cells in orchard.strata.items()
+        if not any((c.block.sheet.title, c.row, c.column) in hit for c in cells)
+    ]
+    assert missed == []
+
+
+@every_template
+@pytest.mark.parametrize("part", range(PARTS))
+def test_every_mutant_is_found(name: str, part: int) -> None:
+    tally = Tally(values_only=False, verdicts=list(examined(bench(name), sample(name)[part::PARTS], [])))
+    assert len(tally.verdicts) == SAMPLE // PARTS
+    assert [str(v.mutant) for v in tally.survivors] == []
+    unseen = [v for v in tally.verdicts if not v.by_text and v.mutant.kind != "anchor"]
+    assert [str(v.mutant) for v in unseen] == []
+
+
+@every_template
+@pytest.mark.parametrize("kind", KINDS)
+def test_verify_names_the_cell_first(name: str, kind: str) -> None:
+    for mutant in of_kind(name, kind, WHOLE):
+        report = bench(name).verified(mutant)
+        assert names_it_first(report, mutant), f"{mutant}: {report.findings[:1]}"
+
+
+@every_template
+@pytest.mark.parametrize("kind", [k for k in KINDS if k not in ("anchor", "value")])
+def test_one_cell_evaluated_alone_tells_what_verify_reports_of_it(name: str, kind: str) -> None:
+    for mutant in of_kind(name, kind, WHOLE):
+        report = bench(name).verified(mutant, shapes=False)
+        own = [f for f in report.findings if (f.sheet, f.cell) == (mutant.address.sheet, mutant.address.a1)]
+        assert bool(own) == (bench(name).differs_at(mutant) is not None), str(mutant)
+
+
+@every_template
+def test_values_alone_find_most_of_what_shows_at_any_valid_input(name: str) -> None:
+    here = bench(name)
+    elsewhere = [here.inputs(m) for m in machines(here.machine, 25, SEED)]
+    tally = Tally(values_only=True, verdicts=list(examined(here, sample(name)[::4], elsewhere)))
+    found = sum(v.found(values_only=True) for v in tally.verdicts)
+    missed = [str(v.mutant) for v in tally.survivors if v.by_value]
+    assert found / (found + len(missed)) >= LOOKED_AT, "\n".join(missed)
+
+
+@every_template
+def test_no_rule_of_equivalence_holds_for_a_mutant_that_shows(name: str) -> None:
+    here, rules = bench(name), Equivalence(bench(name))
+    for mutant in sample(name)[::4]:
+        if here.differs_at(mutant) is not None:
+            # A cell that no input reaches is equal if it is equal once: that rule is for the others.
+            held = [words for words, holds in rules.rules.items() if "no input" not in words and holds(mutant)]
+            assert held == [], str(mutant)
+
+
+@every_template
+def test_the_book_itself_agrees_with_the_engine_at_random_machines(name: str) -> None:
+    """All cells from all others, nothing assumed: 3,000 formulas at 20 machines that nobody chose."""
+    here = bench(name)
+    for machine in machines(here.machine, 20, SEED):
+        at = here.inputs(machine)
+        wrong = [f"{a}: {at.cells[a]} for {at.expected[a]}" for a in at.expected if not here.agrees(a, at.cells[a], at)]
+        assert wrong == [], machine.model_dump_json()
+
+
+@every_template
+def test_the_book_is_as_it_was_after_a_mutant(name: str) -> None:
+    here = bench(name)
+    mutant = of_kind(name, "operator", 1)[0]
+    here.verified(mutant)
+    assert here.file.value(mutant.address) == mutant.original
