@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from pydantic import ValidationError
+
 from workbook.address import Address
 from workbook.audit import audit
-from workbook.compare import TOLERANCE, difference, is_error
-from workbook.declare import Book
+from workbook.compare import ERRORS, TOLERANCE, difference, is_error
 from workbook.entries import Entries
 from workbook.errors import ReadError, WitnessError
 from workbook.files import BookFile, open_book
@@ -131,9 +132,14 @@ def judge(
     for remark in audit(match, model, template.model):
         report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
     values(match, model, report, witnesses)
-    elsewhere(match, model, template.variants(machine), template, report, suspects)
-    foreign = [a for a in model.formulas if a not in match.addresses]
-    report.unmatched = sorted(str(a) for a in foreign)
+    error_values(match, model, report)
+    try:
+        variants = template.variants(machine)
+    except ValidationError:  # numbers so large that no neighbour of theirs is one
+        report.notes.append("the values entered leave no room for other ones: compared at these alone")
+    else:
+        elsewhere(match, model, variants, template, report, suspects)
+    report.unmatched = sorted(str(a) for a in model.formulas if a not in match.addresses)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
 
 
@@ -177,6 +183,16 @@ def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[
             continue
         ran.compared = compared(match, model, computed, report, name)
     report.compared = max((w.compared for w in report.witnesses), default=0)
+
+
+def error_values(match: Match, model: PycelModel, report: Report) -> None:
+    """Enter the error values of cells that belong to nothing declared: constants, and the engineer's own formulas."""
+    held = {a: value for a, value in model.constants.items() if a not in match.addresses}
+    foreign = [a for a in model.formulas if a not in match.addresses]
+    computed = model.evaluate(only=foreign) if foreign else {}
+    for address, value in {**held, **computed}.items():
+        if value in ERRORS:
+            report.findings.append(Finding(address.sheet, address.a1, "error", value, "no error value"))
 
 
 def compared(match: Match, model: PycelModel, computed: dict[Address, Any], report: Report, by: str) -> int:
@@ -223,7 +239,7 @@ def elsewhere(
     Formulas that are not the declared ones, and short tables, are evaluated at every variation; the rows of
     long tables take turns, so that each is evaluated at one variation and every variation sees the table.
     """
-    if any(place is None or match.file.places[block.name] != place for block, place in match.misfits):
+    if any(place is None for _, place in match.misfits):
         return
     known = {(f.sheet, f.cell) for f in report.findings}
     for k, machine in enumerate(machines):
@@ -252,11 +268,3 @@ def elsewhere(
 def deviation_of(match: Match, pair: Pair, computed: Any, expected: Any) -> float:
     """Return the deviation of one cell at the values entered, relative to its column."""
     return difference(computed, expected, match.peaks[pair.cell.block.name, pair.cell.quantity.name])
-
-
-def compare(file: BookFile, declared: Book, report: Report) -> None:
-    """Compare the formulas of ``file`` and the values that pycel computes with a declaration, at the values entered."""
-    match = Match(file, declared)
-    structure(match, report)
-    values(match, PycelModel(file.workbook), report, ("pycel",))
-    report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))

@@ -90,3 +90,17 @@ def test_an_absent_witness_is_named_and_fails(book, monkeypatch):
 def test_an_unknown_witness_is_refused(book):
     with pytest.raises(MotionbookError, match=r"expected pycel, formualizer, libreoffice, saved"):
         verify(book, ["excel"])
+
+
+def test_error_values_volatile_functions_and_foreign_formulas_are_told(book, tmp_path):
+    import openpyxl
+
+    opened = openpyxl.load_workbook(book)
+    sheet = opened.create_sheet("Mine")
+    sheet["A1"], sheet["A2"], sheet["A3"], sheet["A4"] = "=1/0", "=Timing!D8*2", "#REF!", "=NOW()"
+    opened.save(tmp_path / "b.xlsx")
+    report = verify(tmp_path / "b.xlsx")
+    assert {(f.sheet, f.cell, f.kind) for f in report.findings} == {
+        ("Mine", "A1", "error"), ("Mine", "A3", "error"), ("Mine", "A4", "function"),
+    }  # fmt: skip
+    assert report.unmatched == ["Mine!A1", "Mine!A2", "Mine!A4"]
