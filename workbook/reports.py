@@ -45,10 +45,11 @@ h1, h2, h3 { color: #1f3a5f; overflow-wrap: anywhere; }
 p { margin: .4rem 0; max-width: 48rem; }
 table { border-collapse: collapse; width: 100%; margin: .4rem 0; }
 th, td { text-align: left; vertical-align: top; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid #d5dae1;
-  overflow-wrap: anywhere; }
+  overflow-wrap: break-word; }
 thead th { border-bottom: 1.5px solid #1f3a5f; font-weight: 600; white-space: nowrap; }
 table.facts { width: auto; } table.facts th { font-weight: 600; white-space: nowrap; padding-right: 1.5rem; }
 td { font-variant-numeric: tabular-nums; } .kind { white-space: nowrap; }
+a, .value { overflow-wrap: anywhere; }
 th.number, td.number { text-align: right; white-space: nowrap; padding-right: 1.4rem; }
 code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .92em; }
 .verdict { display: inline-block; font-weight: 600; padding: .1rem .6rem; border: 1.5px solid; border-radius: 3px; }
@@ -114,7 +115,7 @@ def section(outcome: Outcome, name: str) -> list[Element]:
 def facts(outcome: Outcome, report: Report) -> Element:
     """Return the table of what was verified, and by what."""
     known: list[tuple[str, Content]] = [
-        ("File", str(outcome.path.absolute())),
+        ("File", e("span", str(outcome.path.absolute()), css="value")),
         ("SHA-256", e("code", outcome.sha256)),
         ("Template", report.template),
         *(("Witness", witness(ran)) for ran in report.witnesses),
@@ -165,8 +166,8 @@ def findings(report: Report) -> list[Element]:
 def row(finding: Finding) -> list[Content]:
     """Return what the table says of a finding."""
     cell, kind = e("span", where(finding), css="cell"), e("span", finding.kind, css="kind")
-    values = [exact(finding.computed), exact(finding.expected), deviation(finding.deviation)]
-    return [cell, kind, finding.what, *values, finding.witness]
+    found, expected = (e("span", exact(value), css="value") for value in (finding.computed, finding.expected))
+    return [cell, kind, finding.what, found, expected, deviation(finding.deviation), finding.witness]
 
 
 def where(finding: Finding) -> str:
