@@ -59,6 +59,19 @@ def test_the_two_ways_to_the_rms_agree_where_nothing_is_lost(law):
     assert by_stages.rms_torque == pytest.approx(exact.rms_torque, rel=1e-12)
 
 
+def test_rms_is_exact_where_power_turns_round_within_a_stage():
+    sizing = Sizing(TRAIN, [Phase(Cycloidal(), 6.0, 0.2)], 1e-4)
+    assert sizing.rms_torque == pytest.approx(sampled_rms(sizing, 400001), rel=1e-9)
+
+
+@pytest.mark.parametrize("method", ["physical", "document"])
+def test_rms_of_a_law_that_does_not_end_at_rest(method):
+    half = PieceLaw([Piece(1.0, (1.0, 0.0, 0.0, 0.0))])
+    sizing = Sizing(TRAIN, [Phase(half, 6.0, 0.2)], 1e-4, method)
+    torque = float(sizing.torque(6.0 / 0.2**2, 1.0))
+    assert sizing.rms_torque == pytest.approx(torque, rel=1e-12)
+
+
 def test_constant_parts_of_a_trapezoid_give_the_rms_by_hand():
     sizing = Sizing(TRAIN, [Phase(thirds(1 / 4, 1 / 2, 1 / 4), 6.0, 0.4), Phase(Dwell(), 0.0, 0.1)], 1e-4)
     up, level, down, held = (part.torque for part in sizing.parts)

@@ -28,9 +28,9 @@ laws = st.sampled_from(
 )
 
 
-@given(laws, laws, laws, st.floats(0, 0.3), st.floats(0.002, 0.03), st.floats(0, 1), st.floats(0.2, 0.8))
+@given(laws, laws, laws, st.floats(0, 0.3), st.floats(0.002, 0.02), st.floats(0, 1), st.floats(0.2, 0.8))
 def test_the_margin_is_kept_exactly_with_any_laws(law, law_in, law_out, remaining, gap, share, split):
-    transfer, tool = Transfer(law, 0.1, radians(140)), Tool(law_in, 0.05, radians(90), law_out)
+    transfer, tool = Transfer(law, 0.1, radians(200)), Tool(law_in, 0.05, radians(60), law_out)
     passage = Passage(remaining, clearance=gap, margin=share * gap, split=split)
     schedule = overlap(transfer, tool, passage)
     found = clearance(schedule, passage, TURN)
@@ -47,6 +47,17 @@ def test_the_transfer_misses_the_remaining_share_where_it_ceases_to_block(law, r
     begin, end = blocked(transfer, Passage(remaining, 0.01))
     assert law.s(begin / 2.0) == pytest.approx(remaining, abs=1e-12)
     assert law.s(end / 2.0) == pytest.approx(1.0 - remaining, abs=1e-12)
+
+
+def test_the_way_out_is_that_of_an_asymmetric_law_in_reverse():
+    slow_start = TrapezoidalVelocity(0.7, 0.7)
+    transfer, tool = Transfer(Cycloidal(), 0.1, radians(200)), Tool(Cycloidal(), 0.05, radians(60), slow_start)
+    schedule = overlap(transfer, tool, Passage(0.01, 0.01))
+    begin, end = blocked(transfer, Passage(0.01, 0.01))
+    free = 2 * pi - (end - begin) - radians(60)
+    share = 1 - (0.2 * 0.3) ** 0.5  # of the time, to be out by 4/5 of the stroke
+    assert schedule.limit == "clearance"
+    assert schedule.way_out == pytest.approx(free / 2 / share, rel=1e-12)
 
 
 def mill_and_die():

@@ -129,12 +129,15 @@ def test_ranking_is_by_the_criterion_and_the_best_are_its_first(criterion):
     assert (np.diff(expected) >= -1e-12).all()
 
 
-def test_equals_keep_the_order_of_the_catalogues():
-    n = 6
-    m = Motors(tuple("ABCDEF"), np.full(n, 1e-3), np.full(n, 50.0), np.full(n, 99.0), np.full(n, 1e4))
-    r = Reducers(("x", "y"), np.array([0.1, 0.1]), 0.9, 0.0, np.inf, np.inf)
-    pairs = rank(TASK, m, r, best=5)
-    assert list(zip(pairs.motor, pairs.reducer, strict=True)) == [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0)]
+@pytest.mark.parametrize("best", [None, 300])
+def test_equals_keep_the_order_of_the_catalogues(best):
+    n = 200
+    size = np.arange(n) % 7 + 1.0
+    m = Motors(tuple(f"M{k}" for k in range(n)), 1e-3, 50.0, 99.0, 1e4, size)
+    r = Reducers(("x", "y"), np.array([0.1, 0.1]), 0.9, 0.0, np.inf, np.inf, 1.0)
+    pairs = rank(TASK, m, r, "size", best=best)
+    expected = sorted(itertools.product(range(n), range(2)), key=lambda pair: size[pair[0]])[:best]
+    assert list(zip(pairs.motor, pairs.reducer, strict=True)) == expected
 
 
 def test_mismatch_is_one_at_the_best_ratio_with_losses_and_the_reducer_s_inertia():
