@@ -36,4 +36,3 @@ def listed(cells: list[str]) -> str:
     """Return the first cells, and how many more there are."""
     rest = f" and {len(cells) - MOST} more" if len(cells) > MOST else ""
     return ", ".join(cells[:MOST]) + rest
-

@@ -1,6 +1,7 @@
 """Random machines: pycel and the engine agree in every formula cell, and what goes into a book comes out of it."""
 
 import io
+import itertools
 import random
 
 import formualizer
@@ -54,7 +55,7 @@ def phases(dice):
     edges = [10.0 * c for c in cuts] or sorted(dice.uniform(5, 355) for _ in range(count - 1))
     edges = [0.0, *edges, 360.0]
     made = []
-    for start, stop in zip(edges, edges[1:], strict=False):
+    for start, stop in itertools.pairwise(edges):
         law = dice.choice((*MOVING, "DWL"))
         lift = 0.0 if law == "DWL" or dice.random() < 0.1 else dice.choice((-1, 1)) * dice.uniform(0.5, 500)
         made.append({"start": start, "stop": stop, "lift": lift, "law": law})
