@@ -13,7 +13,7 @@ from workbook.templates import TEMPLATES
 
 SAMPLE, SEED, PARTS = 2400, 7, 6
 WHOLE = 4  # of each kind, to be judged by all of verify
-LOOKED_AT = 0.9  # least share of the mutants that show at some valid input which must show at verify's own inputs
+LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 
 every_template = pytest.mark.parametrize("name", TEMPLATES)
 
