@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -85,7 +86,8 @@ def main() -> None:
     """Print both tables."""
     console = Console()
     with tempfile.TemporaryDirectory() as folder:
-        console.print(f"{cores()} cores, LibreOffice {LibreOffice().version()}")
+        load = f", load {os.getloadavg()[0]:.1f} before the start" if hasattr(os, "getloadavg") else ""
+        console.print(f"{cores()} cores{load}, LibreOffice {LibreOffice().version()}")
         table = Table(
             *("Workbook", "Cells", "Cells/s", "verify, s", "LibreOffice, s", "Ratio", "Goal"),
             title=f"verify / LibreOffice's open, recalculate and save; best of {ROUNDS}",

@@ -75,9 +75,9 @@ def page(outcomes: Sequence[Outcome], when: datetime) -> str:
         e("h1", title),
         e("p", f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
                f"{platform.system()} {platform.machine()}", css="quiet"),
-        e("p", f"Each formula cell was evaluated at the values entered in its workbook, and compared with the value "
-               f"of an independent engine. A cell agrees where it deviates by no more than {TOLERANCE:.0e} of the "
-               f"greatest value in its column. {compared:,} formula cells were compared."),
+        e("p", f"Each formula was compared with the generated one, and its value, at the entered inputs and at others, "
+               f"with that of an independent engine. A value agrees where it deviates by no more than {TOLERANCE:.0e} "
+               f"of the greatest in its column. {compared:,} formula cells were compared."),
     ]  # fmt: skip
     if len(outcomes) > 1:
         body.append(summary(outcomes))

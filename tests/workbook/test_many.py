@@ -14,9 +14,11 @@ import pytest
 from openpyxl import Workbook
 
 from workbook import many
+from workbook.build import build
 from workbook.entries import read_machine
 from workbook.many import Outcome, Target, exit_code, find, verify_many
 from workbook.templates import TEMPLATES
+from workbook.verify import Report
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 
@@ -24,8 +26,6 @@ TEMPLATE = TEMPLATES["cutting-machine"]
 @pytest.fixture(scope="module")
 def good(tmp_path_factory):
     """A small workbook as built."""
-    from workbook.build import build
-
     machine = read_machine(TEMPLATE.description)
     small = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     path = tmp_path_factory.mktemp("good") / "good.xlsx"
@@ -131,12 +131,10 @@ def test_a_file_that_cannot_be_opened_is_one_line(tmp_path, good, monkeypatch):
 def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monkeypatch):
     path = tmp_path / "busy.xlsx"
     shutil.copy(good, path)
-    real = many.verify
 
-    def verify(*arguments):
-        report = real(*arguments)
+    def verify(*_):
         os.utime(path, ns=(1, 1))
-        return report
+        return Report(path, "cutting-machine")
 
     monkeypatch.setattr(many, "verify", verify)
     outcome = verify_many([Target(path, named=True)])[0]
@@ -145,8 +143,7 @@ def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monk
 
 
 def test_a_fault_of_ours_in_one_file_leaves_the_others_their_verdicts(folder, monkeypatch):
-    real = many.verify
-    monkeypatch.setattr(many, "verify", lambda path, by: real(path, by) if path.name != "b.xlsx" else 1 // 0)
+    monkeypatch.setattr(many, "verify", lambda path, _: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
     outcomes = {o.path.name: o for o in verify_many(find([folder])[0], jobs=1)}
     assert outcomes["b.xlsx"].verdict == "unreadable"
     assert "ZeroDivisionError" in outcomes["b.xlsx"].reason
