@@ -1,6 +1,6 @@
 """Make the pictures of the README from the committed workbooks; needs LibreOffice and pdftoppm.
 
-    .venv/bin/python docs/pictures.py
+.venv/bin/python docs/pictures.py
 """
 
 from __future__ import annotations
