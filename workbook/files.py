@@ -101,9 +101,10 @@ def find_places(workbook: Workbook) -> dict[str, Place]:
             targets = list(defined.destinations)
         except Exception:  # noqa: S112 - openpyxl splits the text of a name, and fails in many ways if it is no formula
             continue
-        if len(targets) != 1 or str(targets[0][0]).lower() not in titles:
+        if len(targets) != 1:
             continue
-        place = place_of(titles[str(targets[0][0]).lower()], str(targets[0][1]))
+        sheet, cells = str(targets[0][0]).replace("''", "'").lower(), str(targets[0][1])
+        place = place_of(titles[sheet], cells) if sheet in titles else None
         if place is not None:
             places[name] = place
     return places

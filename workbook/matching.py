@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -30,7 +30,7 @@ class Pair(NamedTuple):
     def what(self) -> str:
         """The quantity in words, with its table and row."""
         q, block = self.cell.quantity, self.cell.block
-        return f"{q.label}: {block.title}, row {self.cell.i + 1}" if block.is_table else q.label
+        return f"{q.label} ({block.name}, row {self.cell.i + 1})" if block.is_table else q.label
 
 
 def is_formula(content: Any) -> bool:
@@ -94,6 +94,16 @@ class Match:
     def inputs(self, declared: Book) -> dict[Address, Any]:
         """Return the content of every input cell, for a declaration of the same layout."""
         return self._values(declared, formulas=False)
+
+    def replaced(self, declared: Book, formulas: Container[Address]) -> dict[Address, Any]:
+        """Return what should stand in the cells that hold a constant where none belongs, or another one."""
+        right = self._values(declared, formulas=True)
+        found = {a: value for a, value in right.items() if a not in formulas}
+        return found | {
+            p.address: p.cell.content
+            for p in self.pairs
+            if p.cell.quantity.role == "constant" and p.held != p.cell.content
+        }
 
     def _values(self, declared: Book, formulas: bool) -> dict[Address, Any]:
         values: dict[Address, Any] = {}
@@ -177,13 +187,13 @@ def declared_area(book: Book, name: str) -> Area:
 
 
 def cell_index(places: dict[str, Place]) -> dict[Address, tuple[str, int, int]]:
-    """Return the block, row and column of every cell of the blocks."""
-    return {
-        place.cell(i, j): (name, i, j)
-        for name, place in places.items()
-        for i in range(place.rows)
-        for j in range(place.columns)
-    }
+    """Return the block, row and column of every cell of the blocks, and of the headers above them.
+
+    A column that takes from the row above reads its header in the first row (and makes nothing of it).
+    """
+    cells = [(name, place, i) for name, place in places.items() for i in range(-1, place.rows)]
+    cells.sort(key=lambda found: found[2] >= 0)  # a cell of a block is no header of the block below
+    return {place.cell(i, j): (name, i, j) for name, place, i in cells for j in range(place.columns)}
 
 
 def peaks_of(declared: Book) -> dict[tuple[str, str], float]:
