@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
+from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
@@ -75,7 +76,7 @@ class Tally:
 
     def show(self, console: Console, most: int) -> None:
         """Print the kill rates by kind of mutant, then what survived."""
-        table = Table(*HEADINGS)
+        table = Table(*HEADINGS, box=SIMPLE_HEAD, padding=0, pad_edge=False)
         for kind in (*KINDS, "all"):
             table.add_row(kind, *self._row(kind))
         console.print(table)
