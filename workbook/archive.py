@@ -31,17 +31,41 @@ STRINGS_LINK = (
 )
 
 
-def pack(data: bytes, path: Path, abouts: list[tuple[str, str]]) -> None:
-    """Write the archive ``data`` to ``path``; ``abouts`` are title and alternative text of each chart, in order."""
-    with zipfile.ZipFile(io.BytesIO(data)) as old:
-        parts = {info.filename: old.read(info) for info in old.infolist()}
+def pack(parts: dict[str, bytes], path: Path, abouts: list[tuple[str, str]]) -> None:
+    """Write the parts of a file to ``path``; ``abouts`` are title and alternative text of each chart, in order."""
     dated(parts)
     described(parts, abouts)
     shared(parts)
     parts["xl/styles.xml"] = ordered(parts["xl/styles.xml"])
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as new:
+    path.write_bytes(zipped(parts, zipfile.ZIP_DEFLATED))
+
+
+def zipped(parts: dict[str, bytes], method: int = zipfile.ZIP_STORED) -> bytes:
+    """Return the archive of the parts, in their order, with the fixed time."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", method) as archive:
         for name, part in parts.items():
-            new.writestr(zipfile.ZipInfo(name, EPOCH), part, zipfile.ZIP_DEFLATED)
+            archive.writestr(zipfile.ZipInfo(name, EPOCH), part, method)
+    return data.getvalue()
+
+
+def unzipped(data: bytes) -> dict[str, bytes]:
+    """Return the parts of an archive by name."""
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        return {info.filename: archive.read(info) for info in archive.infolist()}
+
+
+def respelled(parts: dict[str, bytes], pattern: bytes, spellings: dict[str, str]) -> dict[str, bytes]:
+    """Return the parts with other spellings, on the sheets, of what ``pattern`` finds."""
+    table = {old.encode(): new.encode() for old, new in spellings.items()}
+
+    def spelled(found: re.Match[bytes]) -> bytes:
+        return table.get(found[0], found[0])
+
+    return {
+        name: re.sub(pattern, spelled, part) if name.startswith("xl/worksheets/sheet") else part
+        for name, part in parts.items()
+    }
 
 
 def dated(parts: dict[str, bytes]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import sys
 from datetime import datetime
@@ -184,6 +185,9 @@ def show_notes(notes: list[str]) -> None:
 
 def main() -> None:
     """Run the command; what the file or the engineer can mend is said in lines, without a traceback."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")  # names of files, on terminals that lack their letters
     try:
         app()
     except MotionbookError as error:

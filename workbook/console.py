@@ -2,87 +2,90 @@
 
 from __future__ import annotations
 
-import json
 import math
 from typing import Any
 
 from rich.console import Console
+from rich.markup import escape
 from rich.table import Table
 
 from engine.laws import CATALOGUE
-from workbook.verify import Report
+from workbook.reports import legal, where
+from workbook.verify import Finding, Report
 
 MOST = 40  # findings that the terminal shows; --json has them all
 
 
 def plain(value: Any) -> Any:
     """Return a value as JSON can hold it."""
-    return value if value is None or isinstance(value, bool | int | str) or math.isfinite(value) else str(value)
+    if value is None or isinstance(value, bool | int | str) or (isinstance(value, float) and math.isfinite(value)):
+        return value
+    return str(value)
 
 
-def report_json(report: Report) -> str:
-    """Return a report as JSON."""
-    return json.dumps(
-        {
-            "file": str(report.path),
-            "template": report.template,
-            "agrees": report.agrees,
-            "compared": report.compared,
-            "witness": report.witness,
-            "deviations": report.deviations,
-            "findings": [
-                {
-                    "sheet": f.sheet, "cell": f.cell, "kind": f.kind, "computed": plain(f.computed),
-                    "expected": plain(f.expected), "what": f.what,
-                }
-                for f in report.findings
-            ],
-            "unmatched": report.unmatched,
-            "notes": report.notes,
-        },
-        ensure_ascii=False, indent=1,
-    )  # fmt: skip
+def report_data(report: Report) -> dict[str, Any]:
+    """Return a report as JSON's objects and lists."""
+    return {
+        "file": str(report.path),
+        "template": report.template,
+        "agrees": report.agrees,
+        "compared": report.compared,
+        "witnesses": [
+            {"name": w.name, "version": w.version, "absent": w.absent, "compared": w.compared} for w in report.witnesses
+        ],
+        "deviations": report.deviations,
+        "findings": [finding_data(f) for f in report.findings],
+        "unmatched": report.unmatched,
+        "notes": report.notes,
+    }
+
+
+def finding_data(f: Finding) -> dict[str, Any]:
+    """Return a finding as JSON's object."""
+    values = {"computed": plain(f.computed), "expected": plain(f.expected)}
+    return {"sheet": f.sheet, "cell": f.cell, "kind": f.kind, **values, "what": f.what, "witness": f.witness}
 
 
 def show_report(report: Report, console: Console) -> None:
     """Print a report: what was compared on each sheet, then each finding, worst first."""
-    sheets = Table(
-        "Sheet",
-        "Formula cells",
-        "Largest deviation",
-        "Findings",
-        title=str(report.path),
-        title_justify="left",
-    )
+    sheets = Table("Sheet", "Formula cells", "Largest deviation", "Findings", title_justify="left")
+    sheets.title = shown(str(report.path))
     for sheet, compared in report.cells.items():
         deviation = report.deviations.get(sheet, 0.0)
         faults = sum(f.sheet == sheet for f in report.findings)
-        sheets.add_row(sheet, f"{compared:,}", f"{deviation:.1e}", str(faults) if faults else "-")
+        sheets.add_row(shown(sheet), f"{compared:,}", f"{deviation:.1e}", str(faults) if faults else "-")
     console.print(sheets)
     if report.findings:
-        found = Table(
-            "Cell",
-            "What",
-            "Kind",
-            "Computes",
-            "Expected",
-            title="Findings, worst first",
-            title_justify="left",
-        )
-        for f in report.findings[:MOST]:
-            found.add_row(f"{f.sheet}!{f.cell}", f.what, f.kind, figure(f.computed), figure(f.expected))
-        console.print(found)
-        if len(report.findings) > MOST:
-            console.print(f"… and {len(report.findings) - MOST} more; --json lists them all")
-    for note in report.notes:
-        console.print(f"Note: {note}")
+        show_findings(report, console)
+    lines = [f"Note: {note}" for note in report.notes]
     if report.unmatched:
-        shown = ", ".join(report.unmatched[:8]) + (" …" if len(report.unmatched) > 8 else "")
-        console.print(
-            f"Not compared, as nothing generated stands there: {len(report.unmatched)} formula cells ({shown})"
+        first = ", ".join(report.unmatched[:8]) + (" …" if len(report.unmatched) > 8 else "")
+        lines.append(
+            f"Not compared, as nothing generated stands there: {len(report.unmatched)} formula cells ({first})"
         )
     verdict = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
-    console.print(f"{report.compared:,} formula cells compared by {report.witness}: {verdict}.")
+    lines.append(f"{report.compared:,} formula cells compared by {report.witness}: {verdict}.")
+    for line in lines:
+        console.print(legal(line), markup=False, highlight=False)
+
+
+def show_findings(report: Report, console: Console) -> None:
+    """Print the findings as a table, with a column for the witness where there are several."""
+    headings = ["Cell", "What", "Kind", "Computes", "Expected"]
+    table = Table(*headings, title="Findings, worst first", title_justify="left")
+    if len(report.witnesses) > 1:
+        table.add_column("By")
+    for f in report.findings[:MOST]:
+        row = (where(f), f.what, f.kind, figure(f.computed), figure(f.expected), f.witness)
+        table.add_row(*(shown(text) for text in row[: len(table.columns)]))
+    console.print(table)
+    if len(report.findings) > MOST:
+        console.print(f"… and {len(report.findings) - MOST} more; --json lists them all")
+
+
+def shown(text: str) -> str:
+    """Return a file's own text so that neither the terminal nor its markup obeys it."""
+    return escape(legal(text))
 
 
 def figure(value: Any) -> str:

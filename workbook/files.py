@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import warnings
+from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -73,7 +75,7 @@ def open_book(path: Path) -> BookFile:
 def parsed(path: Path) -> Workbook:
     """Let openpyxl read a file that passed the guard; raise ReadError where it cannot."""
     try:
-        with warnings.catch_warnings():
+        with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints one of its complaints
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
             return openpyxl.load_workbook(path, keep_links=False)
     except PermissionError as error:

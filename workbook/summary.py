@@ -12,7 +12,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 
-from workbook.console import report_json, show_report
+from workbook.console import report_data, show_report
 from workbook.junit import line
 from workbook.many import Outcome
 from workbook.reports import legal
@@ -49,7 +49,7 @@ def show(outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool,
     for text in outcomes[0].reason.splitlines():
         err.print(legal(text), style="red", markup=False, highlight=False, soft_wrap=True)
     if outcomes[0].report and as_json:
-        print(report_json(outcomes[0].report))
+        print(json.dumps(report_data(outcomes[0].report), ensure_ascii=False, indent=1))
     elif outcomes[0].report:
         show_report(outcomes[0].report, out)
 
@@ -101,5 +101,5 @@ def entry(outcome: Outcome) -> dict[str, Any]:
     known: dict[str, Any] = {"file": str(outcome.path), "verdict": outcome.verdict}
     if outcome.report is None:
         return known | {"compared": 0, "findings": [], "reason": outcome.reason}
-    known.update(json.loads(report_json(outcome.report)), sha256=outcome.sha256)
+    known.update(report_data(outcome.report), sha256=outcome.sha256)
     return known

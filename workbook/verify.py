@@ -22,7 +22,7 @@ from workbook.templates import Template
 from workbook.witnesses import WITNESSES
 from workbook.witnesses.pycel_witness import PycelModel
 
-LONG = 60  # rows of a table whose cells are alike enough to take turns
+LONG, SPREAD = 60, 6  # tables of so many rows are looked at, at other inputs, in every so-many-th row
 ORDER = (
     "missing",
     "replaced",
@@ -222,7 +222,8 @@ def compared(match: Match, model: PycelModel, computed: dict[Address, Any], repo
 
 def faults(match: Match, model: PycelModel, wrong: set[Address]) -> set[Address]:
     """Return the cells that are wrong even when all that they refer to is right."""
-    local = model.evaluate(assumed=match.expected(match.declared), only=wrong)
+    right = match.replaced(match.declared, model.formulas)
+    local = model.evaluate(right, match.expected(match.declared), wrong)
     return {
         pair.address
         for pair in match.pairs
@@ -236,8 +237,8 @@ def elsewhere(
 ) -> None:  # fmt: skip
     """Compare at other inputs, each cell with the right values around it.
 
-    Formulas that are not the declared ones, and short tables, are evaluated at every variation; the rows of
-    long tables take turns, so that each is evaluated at one variation and every variation sees the table.
+    Formulas that are not the declared ones, and short tables, are evaluated at every variation; of the formulas
+    of long tables, which are the declared ones in every row, a few rows at each, others at every one.
     """
     if any(place is None for _, place in match.misfits):
         return
@@ -247,10 +248,11 @@ def elsewhere(
         turn = {
             p.address
             for p in match.pairs
-            if p.address in suspects or p.cell.block.size < LONG or p.cell.i % len(machines) == k
+            if p.address in suspects or p.cell.block.size < LONG or p.cell.i % (SPREAD * len(machines)) == SPREAD * k
         }
         expected = match.expected(declared)
-        computed = model.evaluate(match.inputs(declared), expected, turn)
+        right = match.inputs(declared) | match.replaced(declared, model.formulas)
+        computed = model.evaluate(right, expected, turn)
         peaks = peaks_of(declared)
         for pair in match.pairs:
             a = pair.address

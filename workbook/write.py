@@ -27,6 +27,7 @@ from workbook.errors import WriteError
 WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
+NAME, RANGE = rb"\b[a-z]+_\w+", rb"\b[A-Za-z]\w*!\$[A-Z]+\$\d+:\$[A-Z]+\$\d+"
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
@@ -136,9 +137,22 @@ def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) ->
     spell_out(workbook)
     draft = io.BytesIO()
     workbook.save(draft)
-    filled = formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"]
+    filled = recalculated(archive.unzipped(draft.getvalue()), book)
     abouts = [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts]
     replace(path, lambda beside: archive.pack(filled, beside, abouts))
+
+
+def recalculated(parts: dict[str, bytes], book: Book) -> dict[str, bytes]:
+    """Return the parts with the result of every formula filled in.
+
+    formualizer looks up the name of a column anew for each cell, which takes three times as long as all else: it is
+    given ranges instead, in a spelling that the book has nowhere else (a sheet's title without quotes).
+    """
+    ranges = {name: target.replace("'", "") for name, target in book.names() if name in book.column_names}
+    plain = {name: target for name, target in ranges.items() if target.partition("!")[0].isidentifier()}
+    draft = archive.zipped(archive.respelled(parts, NAME, plain))
+    filled = archive.unzipped(formualizer.recalculate_xlsx_bytes(draft)["bytes"])
+    return archive.respelled(filled, RANGE, {target: name for name, target in plain.items()})
 
 
 def spell_out(workbook: Workbook) -> None:
