@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 
 from workbook.carried import not_carried
+from workbook.collector import collector_paused
 from workbook.entries import Entries, read_machine, write_machine
 from workbook.files import open_book
 from workbook.machine import Machine
@@ -16,9 +17,11 @@ from workbook.write import refuse_existing, replace, save, to_workbook
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
     """Write the workbook of ``machine``; raise WriteError where ``path`` exists or cannot be written."""
+    refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
-    book = template.declare(machine)
-    save(to_workbook(book, template.model), book, path, overwrite)
+    with collector_paused():
+        book = template.declare(machine)
+        save(to_workbook(book, template.model), book, path, overwrite)
 
 
 def inputs(path: Path) -> tuple[Machine, list[str]]:

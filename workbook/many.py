@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import hashlib
 import multiprocessing
 import os
@@ -14,12 +13,12 @@ import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass
 from fnmatch import fnmatch
 from pathlib import Path
 from typing import Literal, NamedTuple
 
+from workbook.collector import collector_paused
 from workbook.errors import MotionbookError
 from workbook.files import SUFFIXES
 from workbook.verify import Report, verify
@@ -143,18 +142,6 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
         return Outcome(path, "unreadable", reason=reason)
     verdict: Verdict = "agrees" if report.agrees else "disagrees"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
-
-
-@contextmanager
-def collector_paused() -> Iterator[None]:
-    """Hold Python's search for garbage back: among cells that live until the end it finds none, yet takes a quarter."""
-    was_on = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_on:
-            gc.enable()
 
 
 def state(path: Path) -> tuple[int, int] | None:
