@@ -10,6 +10,7 @@ from pydantic import BaseModel
 
 from workbook.files import find_places
 from workbook.matching import Match
+from workbook.names import misled
 from workbook.rules import field_at
 from workbook.witnesses.pycel_witness import PycelModel
 
@@ -67,6 +68,10 @@ def audit(match: Match, model: PycelModel, template: type[BaseModel]) -> Iterato
     """Yield what is wrong with formulas, names and inputs of a matched workbook."""
     yield from functions(model)
     yield from broken_names(match.file.workbook)
+    for found in misled(match):
+        yield Remark(
+            found.place.sheet, found.place.cell(0, 0).a1, "name", f"{found.name}: {found.found}", found.expected
+        )
     yield from unread_inputs(match, model, template)
 
 

@@ -10,9 +10,10 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-Number = Annotated[float, Field(allow_inf_nan=False)]
-Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
-NotNegative = Annotated[float, Field(ge=0, allow_inf_nan=False)]
+LARGEST, SMALLEST = 1e12, 1e-12  # of any entry but 0: beyond, squares leave what a cell can hold
+Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+Positive = Annotated[float, Field(gt=0, ge=SMALLEST, le=LARGEST)]
+NotNegative = Annotated[float, Field(ge=0, le=LARGEST)]
 Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False)]
 PLAIN = r"^[^=\x00-\x1f][^\x00-\x1f]*$"  # one line, no formula
@@ -98,6 +99,8 @@ class Piece(Model):
     def _turning(self) -> Self:
         if self.amplitude and not self.omega:
             raise EntryError("omega", f"the sine of amplitude {self.amplitude:g} has no ω; expected more than 0")
+        if 0 < self.omega < SMALLEST:
+            raise EntryError("omega", f"ω = {self.omega:g} is too small; expected 0 or at least {SMALLEST:g}")
         return self
 
 

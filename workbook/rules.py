@@ -12,6 +12,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from workbook.declare import Quantity
+from workbook.machine import LARGEST, SMALLEST
 
 
 def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
@@ -82,7 +83,12 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
         return f"{least} entries" if least == most else f"a list of at least {least} entries" if least else "a list"
     if isinstance(kind, type) and issubclass(kind, BaseModel):
         return f"the entries {', '.join(kind.model_fields)}"
-    bounds = [words.format(astuple(c)[0]) for c in constraints for rule, words in BOUNDS.items() if isinstance(c, rule)]
+    bounds = [
+        words.format(astuple(c)[0])
+        for c in constraints
+        for rule, words in BOUNDS.items()
+        if isinstance(c, rule) and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)
+    ]
     return " ".join(["a whole number" if kind is int else "a number", " and ".join(bounds)]).strip()
 
 

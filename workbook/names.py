@@ -1,0 +1,97 @@
+"""Whether the defined names of a file still lead where they should: names are how cells are told apart."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+from workbook.declare import Block
+from workbook.files import Place
+from workbook.matching import Match
+
+
+class Misled(NamedTuple):
+    """A name that leads elsewhere: where it leads, what is found there, what was expected."""
+
+    place: Place
+    name: str
+    found: str
+    expected: str
+
+
+def misled(match: Match) -> Iterator[Misled]:
+    """Yield names that lead elsewhere than when the book was generated, rows and columns inserted or not."""
+    yield from columns(match)
+    yield from strays(match)
+    yield from mislabelled(match)
+    yield from disordered(match)
+
+
+def columns(match: Match) -> Iterator[Misled]:
+    """Yield names of a table's column that are not that column."""
+    places = match.file.places
+    for name, (table, column) in match.declared.column_names.items():
+        block, place = match.declared.blocks[table], places.get(table)
+        if place is None:
+            continue
+        j = block.columns[column] - block.column
+        right = place._replace(column=place.column + j, columns=1)
+        found = places.get(name)
+        if found != right:
+            yield Misled(found or right, name, said(found), said(right))
+
+
+def strays(match: Match) -> Iterator[Misled]:
+    """Yield blocks that lie on another sheet than the rest of theirs."""
+    for sheet in match.declared.sheets:
+        placed = [(b, match.file.places[b.name]) for b in sheet.blocks if b.name in match.file.places]
+        counted = Counter(place.sheet for _, place in placed).most_common(1)
+        for block, place in placed:
+            if place.sheet != counted[0][0]:
+                yield Misled(
+                    place, block.name, f"the sheet {place.sheet}", f"the sheet {counted[0][0]}, with the others"
+                )
+
+
+def mislabelled(match: Match) -> Iterator[Misled]:
+    """Yield single cells that stand beside the label of another one; labels in other words are the engineer's own."""
+    for sheet in match.declared.sheets:
+        single = [b for b in sheet.blocks if not b.is_table]
+        labels = {b.quantities[0].label for b in single}
+        for block in single:
+            place = match.file.places.get(block.name)
+            beside = texts_beside(match, place) & labels if place else set()
+            if place and beside and block.quantities[0].label not in beside:
+                yield Misled(
+                    place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {block.quantities[0].label!r}"
+                )
+
+
+def texts_beside(match: Match, place: Place) -> set[str]:
+    """Return the texts to the left of a place, in its row."""
+    cells = (match.file.value(place.cell(0, -j)) for j in range(1, place.column))
+    return {text for text in cells if isinstance(text, str)}
+
+
+def disordered(match: Match) -> Iterator[Misled]:
+    """Yield tables that have changed places with others of the same columns."""
+    alike: dict[tuple[str, ...], list[tuple[Block, Place]]] = {}
+    for sheet in match.declared.sheets:
+        for block in sheet.blocks:
+            if block.is_table and block.name in match.file.places:
+                key = (sheet.title, *(q.name for q in block.quantities))
+                alike.setdefault(key, []).append((block, match.file.places[block.name]))
+    for tables in alike.values():
+        for (before, first), (after, second) in pairwise(tables):
+            if first[:3] >= second[:3]:
+                yield Misled(second, after.name, "a table above or left of", f"a table below {before.name}")
+
+
+def said(place: Place | None) -> str:
+    """Return a place in words."""
+    if place is None:
+        return "no cells"
+    last = place.cell(place.rows - 1, place.columns - 1)
+    return f"{place.cell(0, 0)}:{last.a1}"
