@@ -12,8 +12,9 @@ from engine.timing import Movement, shaft_speed
 from workbook.declare import Book, Chart, Quantity, Series, Sheet, calc, check, constant, given, result
 from workbook.machine import Axis, Sizes
 from workbook.reference import MM, Cutting
+from workbook.sheets import phases as joined_phases
 from workbook.sheets import sampling
-from workbook.sheets.stack import CODES
+from workbook.sheets.phases import ACCELERATION, AT_END, LAW_NUMBER, RMS, VELOCITY
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
@@ -83,27 +84,27 @@ def phases(sheet: Sheet, machine: Cutting, i: int, axis: Axis, sizes: Sizes) -> 
     def of(name: str) -> list[float]:
         return [getattr(moves[k], name) if k in moves else 0.0 for k in range(n)]
 
-    numbers = [CODES.index(p.law) + 1 for p in axis.phases] + [1] * len(pad)
+    laws = [p.law for p in axis.phases]
     lifts = np.array([p.lift * MM for p in axis.phases] + [0.0] * len(pad))
     spans = np.array([*np.diff(motion.edges), *[0.0] * len(pad)])
-    kinds = ["dwell" if p.law == "DWL" or p.lift == 0 else "rise" if p.lift > 0 else "return" for p in axis.phases]
+    kinds = joined_phases.kinds(laws, [p.lift for p in axis.phases], n)
     ends = phase_ends(motion, n)
     key = f"timing.axes.{i - 1}.phases.*"
     sheet.heading(f"Axis {i}: {axis.name}, {axis.group}")
     sheet.table(
         f"axis{i}", "Phases: fill one row each, in order; leave spare rows empty", n,
-        calc("kind", "phase", "", "", KIND, kinds + ["spare"] * len(pad)),
+        calc("kind", "phase", "", "", joined_phases.kind("stop"), kinds),
         given("start", "from", "", "°", entered("start"), f"{key}.start", format="0.0##"),
         given("stop", "to", "", "°", entered("stop"), f"{key}.stop", format="0.0##"),
         given("lift", "lift", "h", "mm", entered("lift"), f"{key}.lift", format="0.0##"),
         given("law", "law", "", "", entered("law"), f"{key}.law", choices="=law_code"),
-        result("y1", "geometric velocity", "y'max", "m/rad", "=IF([span]>0,INDEX(law_cv,[no])*ABS([h])/[span],0)", of("y1_max"), source="C_v h/δ", scale=1e-3),
-        result("y2", "geometric acceleration", "y''max", "m/rad²", f"=IF([span]>0,{CA}*ABS([h])/[span]^2,0)", of("y2_max"), source="C_a h/δ²", scale=1e-3),
+        result("y1", "geometric velocity", "y'max", "m/rad", VELOCITY, of("y1_max"), source="C_v h/δ", scale=1e-3),
+        result("y2", "geometric acceleration", "y''max", "m/rad²", ACCELERATION, of("y2_max"), source="C_a h/δ²", scale=1e-3),
         result("v", "velocity", "ẏmax", "m/s", "=[y1]*timing_omega", of("v_max"), source="y' ω", scale=1e-3),
         result("a", "acceleration", "ÿmax", "m/s²", "=[y2]*timing_omega^2", of("a_max"), source="y'' ω²", scale=1e-3),
-        result("rms", "RMS acceleration", "ÿrms", "m/s²", "=IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)*timing_omega^2", of("a_rms"), source="C_a,rms h/δ² ω²", scale=1e-3),
+        result("rms", "RMS acceleration", "ÿrms", "m/s²", f"={RMS}*timing_omega^2", of("a_rms"), source="C_a,rms h/δ² ω²", scale=1e-3),
         constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", '=IF([law]="",1,MATCH([law],law_code,0))', numbers, format="0"),
+        calc("no", "law number", "", "", LAW_NUMBER, joined_phases.law_numbers(laws, n), format="0"),
         calc("h", "lift", "h", "m", "=[lift]/1000", lifts, scale=1e-3, source="conversion"),
         calc("span", "duration", "δ", "rad", '=IF([stop]="",0,RADIANS([stop]-[start]))', spans, scale=1.0, source="conversion"),
         calc("begin", "begins at", "", "°", '=IF([stop]="",360,[start])', [p.start for p in axis.phases] + [360.0] * len(pad), format="0.0##", scale=1.0),
@@ -120,9 +121,6 @@ def phases(sheet: Sheet, machine: Cutting, i: int, axis: Axis, sizes: Sizes) -> 
     joined(sheet, i, axis, ends)
 
 
-KIND = '=IF([stop]="","spare",IF(OR([law]="DWL",[lift]=0),"dwell",IF([lift]>0,"rise","return")))'
-CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
-AT_END = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},0)"
 CARRIED = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},IF([k]=1,0,[{0}-1]))"
 
 
@@ -199,28 +197,15 @@ def lane(y: np.ndarray, floor: int) -> np.ndarray:
 
 def located(i: int, axis: engine_timing.Axis, theta: np.ndarray, pieces: sampling.Pieces) -> list[Quantity]:
     """Return the workings of one axis: phase, ξ, law, piece, and the law's s, v, a."""
-    x = np.deg2rad(theta)
-    phase, xi = axis.motion.phase_index(x), axis.motion.xi(x)
-    numbers = np.array([CODES.index(p.law.code) + 1 for p in axis.motion.phases])[phase]
-    found = np.empty((3, len(theta)))
-    values = {d: np.empty(len(theta)) for d in "sva"}
-    for k in np.unique(phase):
-        here = phase == k
-        law = axis.motion.phases[k].law
-        found[:, here] = pieces.locate(int(numbers[here][0]), xi[here])
-        for d, value in zip("sva", law.evaluate(xi[here]), strict=False):
-            values[d][here] = value
     t = f"axis{i}"
-    begins = f"MATCH(MIN([theta]+timing_eps,360-timing_eps),[{t}.begin],1)"
+    phase = f"=MATCH(MIN([theta]+timing_eps,360-timing_eps),[{t}.begin],1)"
     span = f"(INDEX([{t}.stop],[p{i}])-INDEX([{t}.start],[p{i}]))"
-    row, u, sine = found
-    return [
-        calc(f"p{i}", f"{axis.name} phase", "", "", f"={begins}", phase + 1, format="0", source="last begin not above θ"),
-        calc(f"xi{i}", f"{axis.name} abscissa", "ξ", "", f"=([theta]-INDEX([{t}.start],[p{i}]))/{span}", xi, scale=1.0, source="(θ − from)/δ"),
-        calc(f"n{i}", f"{axis.name} law", "", "", f"=INDEX([{t}.no],[p{i}])", numbers, format="0"),
-        *sampling.finding(f"[n{i}]", f"xi{i}", (row, u, sine), str(i)),
-        *sampling.columns(values, "sva", str(i)),
-    ]  # fmt: skip
+    xi = f"=([theta]-INDEX([{t}.start],[p{i}]))/{span}"
+    number = f"=INDEX([{t}.no],[p{i}])"
+    names = ("last begin not above θ", "(θ − from)/δ")
+    return joined_phases.located(
+        axis.motion, np.deg2rad(theta), pieces, (phase, xi, number), names, f"{axis.name} ", str(i)
+    )
 
 
 def draw_diagram(sheet: Sheet, axes: list[Axis]) -> None:
