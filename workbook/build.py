@@ -11,7 +11,8 @@ from workbook.entries import Entries, read_machine, write_machine
 from workbook.files import open_book
 from workbook.machine import Machine
 from workbook.same import same_book
-from workbook.templates import TEMPLATES, Template
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
 from workbook.write import refuse_existing, replace, save, to_workbook
 
 
@@ -44,21 +45,28 @@ def write_text(path: Path, text: str) -> None:
     path.write_bytes(text.encode())
 
 
+def committed() -> list[Path]:
+    """Return the committed machine descriptions, several of some templates; the workbook of each lies beside it."""
+    return sorted(FOLDER.glob("*.toml"))
+
+
 def write_templates() -> list[Path]:
     """Generate the workbook of every committed machine description."""
-    for template in TEMPLATES.values():
-        build(read_machine(template.description), template.book, overwrite=True)
-    return [template.book for template in TEMPLATES.values()]
+    books = [description.with_suffix(".xlsx") for description in committed()]
+    for description, book in zip(committed(), books, strict=True):
+        build(read_machine(description), book, overwrite=True)
+    return books
 
 
 def stale_templates() -> list[Path]:
     """Return the committed workbooks that today's code would generate differently."""
-    return [template.book for template in TEMPLATES.values() if stale(template)]
+    return [description.with_suffix(".xlsx") for description in committed() if stale(description)]
 
 
-def stale(template: Template) -> bool:
-    """Whether a template's committed workbook differs from a fresh one."""
+def stale(description: Path) -> bool:
+    """Whether the workbook beside a committed description differs from a fresh one."""
+    book = description.with_suffix(".xlsx")
     with tempfile.TemporaryDirectory() as folder:
-        fresh = Path(folder) / template.book.name
-        build(read_machine(template.description), fresh)
-        return not template.book.exists() or not same_book(fresh, template.book)
+        fresh = Path(folder) / book.name
+        build(read_machine(description), fresh)
+        return not book.exists() or not same_book(fresh, book)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from openpyxl.chart import Reference, ScatterChart
 from openpyxl.chart.axis import ChartLines, NumericAxis
+from openpyxl.chart.data_source import StrData, StrRef, StrVal
 from openpyxl.chart.layout import Layout, ManualLayout
 from openpyxl.chart.legend import Legend
 from openpyxl.chart.marker import Marker
@@ -15,6 +16,7 @@ from openpyxl.chart.text import Text as ChartText
 from openpyxl.chart.title import Title
 from openpyxl.drawing.line import LineProperties
 from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
+from openpyxl.utils import quote_sheetname
 
 from workbook.declare import Book, Chart, Series
 from workbook.style import COLOURS, GRID
@@ -30,7 +32,7 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     for i, series in enumerate(chart.series):
         drawn.series.append(line(series, book, COLOURS[i % len(COLOURS)]))
     drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 else None
-    axes(drawn, chart)
+    axes(drawn, chart, book)
     return drawn
 
 
@@ -40,6 +42,15 @@ def heading(text: str, size: int) -> Title:
     run = RegularTextRun(rPr=properties, t=text)
     paragraph = Paragraph(pPr=ParagraphProperties(defRPr=properties), r=[run])
     return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=False)
+
+
+def linked(name: str, book: Book, size: int) -> Title:
+    """Return a title that shows the cell of this name: it follows the units that are entered."""
+    block = book.blocks[name]
+    shown = StrData(ptCount=1, pt=[StrVal(idx=0, v=str(block.quantities[0].value))])
+    cell = StrRef(f=f"{quote_sheetname(block.sheet.title)}!{block.span}", strCache=shown)
+    paragraph = Paragraph(pPr=ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)))
+    return Title(tx=ChartText(strRef=cell), overlay=False, txPr=RichText(p=[paragraph]))
 
 
 def line(series: Series, book: Book, colour: str) -> XYSeries:
@@ -55,13 +66,14 @@ def line(series: Series, book: Book, colour: str) -> XYSeries:
     return drawn
 
 
-def axes(drawn: ScatterChart, chart: Chart) -> None:
+def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     """Title, scale and number format of both axes."""
     for axis, title, limits in (
         (drawn.x_axis, chart.x, chart.x_range),
         (drawn.y_axis, chart.y, chart.y_range),
     ):
-        axis.title, axis.delete = heading(title, 1000), False  # Excel hides an axis that does not say so
+        axis.title = linked(title[1:], book, 1000) if title.startswith("=") else heading(title, 1000)
+        axis.delete = False  # Excel hides an axis that does not say so
         axis.number_format, axis.majorTickMark = "General", "out"
         axis.majorGridlines = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
         if limits and isinstance(axis, NumericAxis):

@@ -164,7 +164,7 @@ def templates(
     for path in stale:
         err.print(f"{path}: stale; run 'motionbook templates' and commit it", soft_wrap=True)
     if check and not stale:
-        out.print(f"{len(TEMPLATES)} template(s) up to date")
+        out.print(f"{len(make.committed())} workbooks up to date")
     raise typer.Exit(DISAGREES if stale else AGREES)
 
 

@@ -156,7 +156,7 @@ class Series:
 
 @dataclass(frozen=True)
 class Chart:
-    """An XY chart: lines between points, never splines."""
+    """An XY chart: lines between points, never splines. An axis title ``=name`` shows the cell of that name."""
 
     title: str
     x: str

@@ -1,8 +1,8 @@
 """The register of templates."""
 
-from workbook.machines import cutting
+from workbook.machines import composer, cutting
 from workbook.template import Template
 
-TEMPLATES = {template.name: template for template in (cutting.TEMPLATE,)}
+TEMPLATES = {template.name: template for template in (cutting.TEMPLATE, composer.TEMPLATE)}
 
 __all__ = ["TEMPLATES", "Template"]
