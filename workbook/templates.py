@@ -1,8 +1,8 @@
 """The register of templates."""
 
-from workbook.machines import composer, cutting
+from workbook.machines import composer, cutting, overlap
 from workbook.template import Template
 
-TEMPLATES = {template.name: template for template in (cutting.TEMPLATE, composer.TEMPLATE)}
+TEMPLATES = {template.name: template for template in (cutting.TEMPLATE, composer.TEMPLATE, overlap.TEMPLATE)}
 
 __all__ = ["TEMPLATES", "Template"]

@@ -1,0 +1,228 @@
+"""The Inverse sheet: at which share of its time a law has reached a share of its rise, for any law of the book.
+
+The piece is found by one MATCH on the positions carried from piece to piece; within it the height is located by
+halving, which alone reaches 1e-9, then two steps of Newton's method take it to the last digits.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from engine.laws import Law
+from engine.laws.base import Array
+from engine.laws.inverse import inverse
+from workbook.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.machines.overlap_model import Overlapping
+from workbook.sheets.stack import CODES, Row
+
+HALVINGS = 30
+NEWTON = 2
+NEAR = 1e-13  # of the rise: an s this near counts as reached, so that rounding never decides a halving
+SLOW = 1e-6  # dimensionless velocity below which Newton's method is left out
+BEYOND = 2.0
+COEFFICIENTS = (
+    ("xk", "begin of the piece", "ξ_k", "xi"), ("d", "its duration", "d", "d"),
+    ("s0", "constant of position", "S0", "s0"), ("s1", "slope of position", "S1", "s1"),
+    ("c0", "constant", "c0", "c0"), ("c1", "slope", "c1", "c1"), ("c2", "quadratic", "c2", "c2"),
+    ("c3", "cubic", "c3", "c3"), ("ps", "sine of position", "P/ω²", "ps"), ("pv", "cosine of velocity", "P/ω", "pv"),
+    ("omega", "frequency", "ω", "omega"), ("phi", "phase", "φ", "phi"),
+)  # fmt: skip
+HEIGHT = "=[s0]+[{t}]*([s1]+[{t}]*([c0]/2+[{t}]*([c1]/6+[{t}]*([c2]/12+[{t}]*[c3]/20))))-[ps]*SIN([omega]*[{t}]+[phi])"
+SLOPE = "=[s1]+[{t}]*([c0]+[{t}]*([c1]/2+[{t}]*([c2]/3+[{t}]*[c3]/4)))-[pv]*COS([omega]*[{t}]+[phi])"
+HALVE = "=[t{k}]+IF([f{k}]<=[s]+inverse_near,1,0-1)*ABS([t{k}]-{before})/2"
+STEP = "=MAX(0,MIN([d],[{t}]-IF([{v}]>inverse_slow,([{s}]-[s])/[{v}],0)))"
+
+
+class Wanted(NamedTuple):
+    """The rows of one table: which of the laws in use, its heights s, and the columns that say where they come from."""
+
+    use: int
+    code: str
+    law: Law
+    s: Array
+    formula: Any
+    head: tuple[Quantity, ...]
+
+
+def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
+    """Declare the sheet: the laws in use, then one table for each of the three motions."""
+    sheet = book.sheet(
+        "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
+    )
+    sheet.heading("What comes out", "The tables below give ξ for s; this says how well s(ξ) meets the s wanted.")
+    names = ("transfer", "in", "out")
+    largest = ",".join(f"MAX([inverse_{n}.residual]),0-MIN([inverse_{n}.residual])" for n in names)
+    sheet.rows(
+        result(
+            "inverse_residual",
+            "Largest residual",
+            "|s(ξ) − s|",
+            "",
+            f"=MAX({largest})",
+            0.0,
+            scale=1.0,
+            format="0.0E+00",
+        )
+    )
+    sheet.checks(
+        check(
+            "inverse_ok",
+            "Inverse: every height is met",
+            "inverse_residual<check_zero",
+            True,
+            "S2 reads 38 % at 44 % from a table; here to 1e-9",
+        )
+    )
+    sheet.rows(
+        constant("inverse_near", "Heights this near count as reached", "ε", "", NEAR, format="0E+00", source="rounding never decides a halving; Newton's steps take it out again"),
+        constant("inverse_slow", "Slower than this: halving alone", "v_0", "", SLOW, format="0E+00", source="halving 30 times finds ξ to 1e-9 of the piece"),
+        constant("inverse_beyond", "More than any s", "", "", BEYOND, source="fills the rows that a law does not need"),
+    )  # fmt: skip
+    laws_in_use(sheet, machine, rows)
+    for name, wanted in zip(names, heights(machine), strict=True):
+        inversion(sheet, name, wanted, rows)
+
+
+def heights(machine: Overlapping) -> tuple[Wanted, Wanted, Wanted]:
+    """Return what is asked of the three laws: where the transfer blocks, and how far the tool may have gone."""
+    p, tool, n = machine.passage, machine.tool, machine.sizes.margins
+    given = machine.given
+    margins = np.concatenate([[p.margin], np.arange(n + 1) / n * p.clearance])
+    gone = np.minimum((p.clearance - margins) / tool.stroke, 1.0)
+    ends = constant("what", "where", "", "", ["has left its place", "comes to its place"])
+    k = constant("k", "row", "k", "", list(range(n + 2)), source="0: as entered; then the table of margins")
+    margin = calc(
+        "margin", "margin", "", "mm",
+        "=IF([k]=0,overlap_margin,INDEX([margins.margin],MAX([k],1)))", margins * 1e3, scale=1.0,
+    )  # fmt: skip
+    gone_formula = "MAX(0,MIN((overlap_clearance-[margin])/overlap_stroke,1))"
+    share = np.array([p.remaining, 1 - p.remaining])
+    return (
+        Wanted(
+            1,
+            given.transfer.law,
+            machine.transfer.law,
+            share,
+            ["=overlap_remaining/100", "=1-overlap_remaining/100"],
+            (ends,),
+        ),
+        Wanted(2, given.tool.law_in, tool.law, gone, f"={gone_formula}", (k, margin)),
+        Wanted(3, given.tool.law_out, tool.out, 1 - gone, f"=1-{gone_formula}", (k, margin)),
+    )
+
+
+def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
+    """Declare the three laws: number, where their pieces stand, and the position at the begin of each piece."""
+    given = machine.given
+    codes = [given.transfer.law, given.tool.law_in, given.tool.law_out]
+    numbers = [CODES.index(code) + 1 for code in codes]
+    pieces = [[r.s for r in rows if r.number == n] for n in numbers]
+    skipped = [next(i for i, r in enumerate(rows) if r.number == n) for n in numbers]
+    most = max(sum(r.law == code for r in rows) for code in CODES)
+    sheet.heading("Workings: the laws in use")
+    sheet.table(
+        "used", "The laws of transfer and tool", 3,
+        constant("what", "motion", "", "", ["transfer", "tool, way in", "tool, way out"], align="left"),
+        calc("code", "law", "", "", ["=overlap_law", "=overlap_law_in", "=overlap_law_out"], codes),
+        calc("no", "law number", "", "", "=MATCH([code],law_code,0)", numbers, format="0"),
+        calc("skip", "rows before its pieces", "", "", "=MATCH([no],piece_number,0)-1", skipped, format="0"),
+        calc("count", "pieces", "", "", "=COUNTIF(piece_number,[no])", [len(p) for p in pieces], format="0"),
+        calc("ca", "acceleration coefficient", "C_a", "", "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [machine.library[c].coefficients.ca for c in codes], source="max |a|"),
+    )  # fmt: skip
+    sheet.table(
+        "carried", "Position s_k at which each piece of these laws begins", most,
+        constant("k", "piece", "k", "", list(range(1, most + 1))),
+        *(calc(f"s{i}", what, "s_k", "", f"=IF([k]<=[used.count.{i}],INDEX(piece_s,[used.skip.{i}]+MIN([k],[used.count.{i}])),inverse_beyond)",
+               p + [BEYOND] * (most - len(p)), scale=1.0)
+          for i, (what, p) in enumerate(zip(("transfer", "way in", "way out"), pieces, strict=True), 1)),
+    )  # fmt: skip
+
+
+def inversion(sheet: Sheet, name: str, wanted: Wanted, rows: list[Row]) -> None:
+    """Declare one table: for each s its ξ and the residual, then piece, halvings, Newton's steps."""
+    at = solved(wanted, rows)
+    last = f"u{NEWTON}"
+    titles = {
+        "transfer": "Transfer: where it is in the way",
+        "in": "Tool, way in",
+        "out": "Tool, way out, counted in reverse",
+    }
+    sheet.table(
+        f"inverse_{name}", titles[name], len(wanted.s),
+        *wanted.head,
+        calc("s", "height wanted", "s", "", wanted.formula, wanted.s, scale=1.0),
+        result("xi", "share of time", "ξ", "", f"=IF([s]<=0,0,IF([s]>=1,1,[xk]+[{last}]))", inverse(wanted.law, wanted.s), scale=1.0, source="s(ξ) = s", format="0.00000000"),
+        calc("residual", "residual", "s(ξ) − s", "", f"=[f{last}]-[s]", np.zeros(len(wanted.s)), scale=1.0, format="0.0E+00"),
+        calc("p", "piece", "", "", f"=MATCH([s]+inverse_near,[carried.s{wanted.use}],1)", at["p"], format="0", source="last s_k not above s"),
+        calc("q", "piece row", "q", "", f"=[used.skip.{wanted.use}]+[p]", at["q"], format="0"),
+        *(calc(n, label, symbol, "", f"=INDEX(piece_{column},[q])", at[n], scale=1.0) for n, label, symbol, column in COEFFICIENTS),
+        *halvings(at),
+        *newton(at),
+    )  # fmt: skip
+    sheet.row += 1
+
+
+def halvings(at: dict[str, Array]) -> list[Quantity]:
+    """Return the columns of the halvings: the middle t, and the position f there."""
+    made = []
+    for k in range(1, HALVINGS + 1):
+        before = f"[t{k - 2}]" if k > 2 else "0"
+        formula = "=[d]/2" if k == 1 else HALVE.format(k=k - 1, before=before)
+        made += [
+            calc(f"t{k}", f"halving {k}", "t", "", formula, at[f"t{k}"], scale=1.0, source="± half the last step"),
+            calc(f"f{k}", "position there", "s(t)", "", HEIGHT.format(t=f"t{k}"), at[f"f{k}"], scale=1.0),
+        ]
+    return made
+
+
+def newton(at: dict[str, Array]) -> list[Quantity]:
+    """Return the columns of Newton's steps, from the last middle: velocity, local abscissa, position."""
+    made, t, s = [], f"t{HALVINGS}", f"f{HALVINGS}"
+    for k in range(1, NEWTON + 1):
+        made += [
+            calc(f"v{k}", f"velocity, step {k}", "v", "", SLOPE.format(t=t), at[f"v{k}"], scale=1.0),
+            calc(f"u{k}", f"Newton's step {k}", "u", "", STEP.format(t=t, v=f"v{k}", s=s), at[f"u{k}"], scale=1.0, source="t − (s(t) − s)/v"),
+            calc(f"fu{k}", "position there", "s(u)", "", HEIGHT.format(t=f"u{k}"), at[f"fu{k}"], scale=1.0),
+        ]  # fmt: skip
+        t, s = f"u{k}", f"fu{k}"
+    return made
+
+
+def solved(wanted: Wanted, rows: list[Row]) -> dict[str, Array]:
+    """Return the engine's side: the middles of the halvings follow from the engine's own inverse of s + ε."""
+    law, own = wanted.law, [(i, r) for i, r in enumerate(rows, 1) if r.law == wanted.code]
+    p = np.searchsorted([r.s for _, r in own], wanted.s + NEAR, side="right")
+    found = [own[i - 1][1] for i in p]
+    at: dict[str, Array] = {"p": p.astype(float), "q": np.array([float(own[i - 1][0]) for i in p])}
+    for name, _, _, column in COEFFICIENTS:
+        at[name] = np.array([engine_entry(r, column) for r in found])
+    root = inverse(law, np.minimum(wanted.s + NEAR, 1.0)) - at["xk"]
+    share = np.divide(root, at["d"], out=np.zeros_like(root), where=at["d"] > 0)
+    for k in range(1, HALVINGS + 1):
+        parts = 2.0 ** (k - 1)
+        at[f"t{k}"] = at["d"] * (np.clip(np.floor(share * parts), 0, parts - 1) + 0.5) / parts
+        at[f"f{k}"] = law.s(local(at, f"t{k}"))
+    t = f"t{HALVINGS}"
+    for k in range(1, NEWTON + 1):
+        here = law.evaluate(local(at, t))
+        step = np.divide(here.s - wanted.s, here.v, out=np.zeros_like(root), where=here.v > SLOW)
+        at[f"v{k}"], at[f"u{k}"] = here.v, np.clip(at[t] - step, 0.0, at["d"])
+        t = f"u{k}"
+        at[f"fu{k}"] = law.s(local(at, t))
+    return at
+
+
+def local(at: dict[str, Array], name: str) -> Array:
+    """Return ξ of a local abscissa."""
+    return np.minimum(at["xk"] + at[name], 1.0)
+
+
+def engine_entry(row: Row, column: str) -> float:
+    """Return an entry of the stack, or one of the two that are made of its entries."""
+    made = {
+        "s0": row.s + row.ps * np.sin(row.phi),
+        "s1": row.v + row.pv * np.cos(row.phi),
+    }
+    return float(made[column] if column in made else getattr(row, column))
