@@ -6,6 +6,7 @@ from typing import Any
 
 from workbook.machine import Machine
 
+DRAWN = ("cutting-machine",)  # the templates whose machines can be drawn here
 LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 
 
