@@ -17,6 +17,8 @@ RESOLUTION = 100  # dots per inch
 PICTURES = (  # file, template, page of the printed book, left, top, width, height in dots
     ("timing.png", "cutting-machine", 2, 75, 85, 1000, 650),
     ("drive.png", "cutting-machine", 12, 75, 85, 1010, 665),
+    ("motion.png", "motion-composer", 2, 75, 85, 1010, 610),
+    ("overlap.png", "indexing-overlap", 2, 75, 85, 1010, 640),
 )
 
 
