@@ -188,7 +188,7 @@ def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[
 def error_values(match: Match, model: PycelModel, report: Report) -> None:
     """Enter the error values of cells that belong to nothing declared: constants, and the engineer's own formulas."""
     held = {a: value for a, value in model.constants.items() if a not in match.addresses}
-    foreign = [a for a in model.formulas if a not in match.addresses]
+    foreign = {a for a in model.formulas if a not in match.addresses}
     computed = model.evaluate(only=foreign) if foreign else {}
     for address, value in {**held, **computed}.items():
         if value in ERRORS:
