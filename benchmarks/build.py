@@ -12,9 +12,9 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.build import build
-from workbook.entries import read_machine
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES, Template
-from workbook.write import to_workbook
+from workbook.writing.write import to_workbook
 
 ROUNDS = 5
 GOAL = 3.0

@@ -20,10 +20,10 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.address import Address
-from workbook.entries import read_machine
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel_witness import PycelModel
-from workbook.write import to_workbook
+from workbook.writing.write import to_workbook
 
 
 class Wrapper(ExcelOpxWrapperNoData):

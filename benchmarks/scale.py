@@ -15,10 +15,10 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.build import build
-from workbook.entries import read_machine
-from workbook.many import Target, cores, verify_many, verify_one
+from workbook.judging.many import Target, cores, verify_many, verify_one
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES, Template
-from workbook.verify import verify
 from workbook.witnesses.libreoffice_witness import LibreOffice, convert
 
 ROUNDS = 3

@@ -5,15 +5,15 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from workbook.carried import not_carried
 from workbook.collector import collector_paused
-from workbook.entries import Entries, read_machine, write_machine
-from workbook.files import open_book
 from workbook.machine import Machine
-from workbook.same import same_book
+from workbook.reading.carried import not_carried
+from workbook.reading.entries import Entries, read_machine, write_machine
+from workbook.reading.files import open_book
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.write import refuse_existing, replace, save, to_workbook
+from workbook.writing.same import same_book
+from workbook.writing.write import refuse_existing, replace, save, to_workbook
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> None:

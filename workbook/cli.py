@@ -13,12 +13,14 @@ import typer
 from rich.console import Console
 
 from workbook import build as make
-from workbook import console as show
-from workbook import many, reports, summary
-from workbook.entries import read_machine, write_machine
 from workbook.errors import MotionbookError
-from workbook.junit import junit as junit_xml
-from workbook.many import AGREES, DISAGREES, UNREADABLE
+from workbook.judging import many
+from workbook.judging.many import AGREES, DISAGREES, UNREADABLE
+from workbook.reading.entries import read_machine, write_machine
+from workbook.reports import console as show
+from workbook.reports import page as reports
+from workbook.reports import summary
+from workbook.reports.junit import junit as junit_xml
 from workbook.templates import TEMPLATES
 from workbook.witnesses import WITNESSES
 

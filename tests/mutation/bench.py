@@ -12,18 +12,18 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from tests.mutation.mutants import Mutant, Orchard
 from workbook.address import Address
-from workbook.compare import TOLERANCE, difference
 from workbook.declare import Book
-from workbook.entries import read_machine
-from workbook.files import BookFile, find_places
+from workbook.judging.compare import TOLERANCE, difference
+from workbook.judging.matching import Match, is_formula, peaks_of
+from workbook.judging.verify import Report, judge
 from workbook.machine import Machine
-from workbook.matching import Match, is_formula, peaks_of
+from workbook.reading.entries import read_machine
+from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template
-from workbook.verify import Report, judge
 from workbook.witnesses.calculation import Calculation
 from workbook.witnesses.pycel_witness import PycelModel
 from workbook.witnesses.shapes import Area, Formula
-from workbook.write import to_workbook
+from workbook.writing.write import to_workbook
 
 SMALL = {"cycle": 24, "law": 8, "own_law": 8}
 

@@ -9,7 +9,7 @@ from openpyxl.formula.tokenizer import Token
 from tests.mutation.bench import Bench
 from tests.mutation.mutants import REFERENCE, Mutant, tokens_of
 from workbook.address import Address
-from workbook.matching import is_formula
+from workbook.judging.matching import is_formula
 from workbook.witnesses.shapes import Area, Formula
 
 SKIPS_TEXT = ("MAX", "MIN", "SUM", "COUNT")

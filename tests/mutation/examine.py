@@ -11,7 +11,7 @@ from rich.table import Table
 from tests.mutation.bench import Bench, Inputs
 from tests.mutation.equivalence import Equivalence
 from tests.mutation.mutants import KINDS, Mutant
-from workbook.verify import Report
+from workbook.judging.verify import Report
 
 ENTERED, VARIED, ELSEWHERE = "at the values entered", "at verify's variations", "only at other valid inputs"
 

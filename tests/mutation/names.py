@@ -9,8 +9,8 @@ from unittest.mock import patch
 from tests.mutation.bench import Bench
 from tests.mutation.mutants import REFERENCE, STEPS, moved, tokens_of
 from workbook.errors import MotionbookError
-from workbook.files import BookFile, find_places
-from workbook.verify import verify
+from workbook.judging.verify import verify
+from workbook.reading.files import BookFile, find_places
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ def outcome(bench: Bench, redirection: Redirection) -> str:
     """Return what ``verify`` makes of the book: "agrees", "found", or "refused" with a word on the entries."""
     with redirected(bench, redirection):
         file = BookFile(bench.file.path, bench.workbook, find_places(bench.workbook))
-        with patch("workbook.verify.open_book", return_value=file):
+        with patch("workbook.judging.verify.open_book", return_value=file):
             try:
                 return "agrees" if verify(bench.file.path).agrees else "found"
             except MotionbookError:

@@ -4,11 +4,11 @@ import math
 
 import pytest
 
-from workbook.entries import read_machine
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.verify import verify
 from workbook.witnesses.pycel_witness import PycelModel
-from workbook.write import to_workbook
+from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 

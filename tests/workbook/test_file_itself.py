@@ -14,7 +14,7 @@ from openxml_audit import FileFormat, OpenXmlValidator
 from spreadsheet_auditor.audit import main as audit
 
 from workbook.build import build
-from workbook.entries import read_machine
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 
 FACTORS = {"3", "5", "6", "7", "8", "12", "20"}  # of the integrals of a polynomial, and of closed forms: no inputs
@@ -23,7 +23,7 @@ BUILD = """
 import sys
 from pathlib import Path
 from workbook.build import build
-from workbook.entries import read_machine
+from workbook.reading.entries import read_machine
 build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
 """
 

@@ -10,13 +10,13 @@ import zipfile
 import pytest
 
 from tests.workbook.fuzz import damaged, pack, unpack, without_charts
-from workbook import guard
 from workbook.build import build
-from workbook.entries import Entries, read_machine
 from workbook.errors import InputError, MotionbookError, ReadError
-from workbook.files import open_book
+from workbook.judging.verify import verify
+from workbook.reading import guard
+from workbook.reading.entries import Entries, read_machine
+from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.verify import verify
 
 FILES, CHUNKS = 2000, 10
 VERIFIED = 40  # every so many files are verified too, not only read

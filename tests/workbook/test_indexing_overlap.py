@@ -4,15 +4,15 @@ import pytest
 
 from engine.laws.inverse import inverse
 from workbook.build import build, inputs
-from workbook.entries import checked, read_machine
 from workbook.errors import InputError
+from workbook.judging.verify import verify
 from workbook.machines.overlap import RISING
 from workbook.machines.overlap_model import Overlapping
+from workbook.reading.entries import checked, read_machine
 from workbook.reference import laws
 from workbook.templates import TEMPLATES
-from workbook.verify import verify
 from workbook.witnesses.pycel_witness import PycelModel
-from workbook.write import to_workbook
+from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["indexing-overlap"]
 SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}

@@ -13,12 +13,12 @@ import openpyxl
 import pytest
 from openpyxl import Workbook
 
-from workbook import many
 from workbook.build import build
-from workbook.entries import read_machine
-from workbook.many import Outcome, Target, exit_code, find, verify_many
+from workbook.judging import many
+from workbook.judging.many import Outcome, Target, exit_code, find, verify_many
+from workbook.judging.verify import Report
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.verify import Report
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 
@@ -227,7 +227,8 @@ def test_the_folder_is_left_as_it_was(folder):
 
 
 TELLING = """
-from workbook import cli, many
+from workbook import cli
+from workbook.judging import many
 verify_many = many.verify_many
 many.verify_many = lambda t, w, j, done: verify_many(t, w, j, lambda outcome: print("one is done", flush=True))
 cli.main()

@@ -8,14 +8,14 @@ import pytest
 
 from tests.workbook.test_random_inputs import durations, piece, shares
 from workbook.build import build, committed, inputs, stale_templates
-from workbook.compare import TOLERANCE, difference
-from workbook.entries import read_machine
 from workbook.errors import InputError
-from workbook.matching import peaks_of
+from workbook.judging.compare import TOLERANCE, difference
+from workbook.judging.matching import peaks_of
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.verify import verify
 from workbook.witnesses.pycel_witness import PycelModel
-from workbook.write import to_workbook
+from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["motion-composer"]
 FOLDER = TEMPLATE.description.parent

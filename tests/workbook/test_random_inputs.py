@@ -14,13 +14,13 @@ from hypothesis import given, settings
 from hypothesis.strategies import integers
 
 from workbook.build import build, inputs
-from workbook.compare import TOLERANCE, difference
-from workbook.entries import read_machine, write_machine
+from workbook.judging.compare import TOLERANCE, difference
+from workbook.judging.matching import peaks_of
 from workbook.machine import CuttingMachine
-from workbook.matching import peaks_of
+from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel_witness import PycelModel
-from workbook.write import to_workbook
+from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 MOVING = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")

@@ -8,9 +8,9 @@ from openpyxl.styles import Font, PatternFill
 
 from tests.workbook import office
 from workbook.build import build, inputs
-from workbook.entries import read_machine
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.verify import verify
 from workbook.witnesses.libreoffice_witness import convert, program
 
 TEMPLATE = TEMPLATES["cutting-machine"]

@@ -11,10 +11,10 @@ from xml.etree import ElementTree
 import pytest
 
 from workbook.errors import WriteError
-from workbook.junit import junit
-from workbook.many import Outcome
-from workbook.reports import KINDS, legal, page, ready, write
-from workbook.verify import ORDER, Finding, Ran, Report
+from workbook.judging.many import Outcome
+from workbook.judging.verify import ORDER, Finding, Ran, Report
+from workbook.reports.junit import junit
+from workbook.reports.page import KINDS, legal, page, ready, write
 
 WHEN = datetime(2026, 3, 1, 13, 5, 9, tzinfo=UTC)
 EVIL = "<script>alert('&\"')</script>\x07\ud800"

@@ -5,11 +5,11 @@ import zipfile
 
 import pytest
 
-from workbook.entries import read_machine
 from workbook.errors import MotionbookError
-from workbook.files import open_book
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
+from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.verify import verify
 from workbook.witnesses import WITNESSES, libreoffice_witness
 
 SMALL = {"cycle": 12, "law": 4, "own_law": 4}

@@ -10,7 +10,7 @@ import formualizer
 
 from workbook.address import Address
 from workbook.errors import WitnessError
-from workbook.files import BookFile
+from workbook.reading.files import BookFile
 from workbook.witnesses.witness import cached_values
 
 

@@ -18,7 +18,7 @@ from openpyxl.cell.cell import Cell, MergedCell
 from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.address import Address
-from workbook.files import BookFile, Place
+from workbook.reading.files import BookFile, Place
 from workbook.witnesses.calculation import Calculation
 from workbook.witnesses.shapes import REFERENCE, Area, Formula, FormulaError, anchored, read, reference
 from workbook.witnesses.steps import entered

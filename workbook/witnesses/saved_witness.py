@@ -6,7 +6,7 @@ from typing import Any
 
 from workbook.address import Address
 from workbook.errors import WitnessError
-from workbook.files import BookFile
+from workbook.reading.files import BookFile
 from workbook.witnesses.witness import cached_values
 
 

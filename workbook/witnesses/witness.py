@@ -10,7 +10,7 @@ import openpyxl
 from openpyxl import Workbook
 
 from workbook.address import Address
-from workbook.files import BookFile
+from workbook.reading.files import BookFile
 
 
 class Witness(Protocol):

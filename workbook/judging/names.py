@@ -8,8 +8,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from workbook.declare import Block
-from workbook.files import Place
-from workbook.matching import Match
+from workbook.judging.matching import Match
+from workbook.reading.files import Place
 
 
 class Misled(NamedTuple):

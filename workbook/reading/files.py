@@ -15,8 +15,8 @@ from openpyxl.utils.cell import range_boundaries
 
 from workbook.address import Address
 from workbook.errors import ReadError
-from workbook.guard import guard
-from workbook.scan import LAST_COLUMN, LAST_ROW, SAVE_AS
+from workbook.reading.guard import guard
+from workbook.reading.scan import LAST_COLUMN, LAST_ROW, SAVE_AS
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
@@ -55,7 +55,7 @@ def open_book(path: Path) -> BookFile:
     """Open a workbook for reading.
 
     Raises ReadError, in one line, where the file is missing, locked, of another kind, damaged, or larger than
-    a workbook may be (:mod:`workbook.guard`).
+    a workbook may be (:mod:`workbook.reading.guard`).
     """
     if path.is_dir():
         raise ReadError(f"{path}: this is a folder; expected a workbook")

@@ -19,7 +19,7 @@ from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphPrope
 from openpyxl.utils import quote_sheetname
 
 from workbook.declare import Book, Chart, Series
-from workbook.style import COLOURS, GRID
+from workbook.writing.style import COLOURS, GRID
 
 BELOW, BELOW_WITH_LEGEND = 1.5, 2.2  # cm for the labels of the abscissa, its title, the legend
 

@@ -10,8 +10,8 @@ from rich.markup import escape
 from rich.table import Table
 
 from engine.laws import CATALOGUE
-from workbook.reports import legal, where
-from workbook.verify import Finding, Report
+from workbook.judging.verify import Finding, Report
+from workbook.reports.page import legal, where
 
 MOST = 40  # findings that the terminal shows; --json has them all
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from workbook.address import Address
 from workbook.declare import Block, Book, Cell, as_rows
-from workbook.files import BookFile, Place, find_places
+from workbook.reading.files import BookFile, Place, find_places
 from workbook.witnesses.pycel_witness import area_of
 from workbook.witnesses.shapes import Area, Formula, FormulaError, read
 

@@ -20,8 +20,8 @@ from typing import Literal, NamedTuple
 
 from workbook.collector import collector_paused
 from workbook.errors import MotionbookError
-from workbook.files import SUFFIXES
-from workbook.verify import Report, verify
+from workbook.judging.verify import Report, verify
+from workbook.reading.files import SUFFIXES
 
 AGREES, DISAGREES, UNREADABLE = 0, 1, 2
 MOST_JOBS = 61  # Windows waits for no more processes at once

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from workbook.declare import Book
-from workbook.files import BookFile
-from workbook.matching import Match
-from workbook.verify import Report, structure
+from workbook.judging.matching import Match
+from workbook.judging.verify import Report, structure
+from workbook.reading.files import BookFile
 from workbook.witnesses.witness import formula_cells
 
 MOST = 3  # cells that a line names

@@ -12,10 +12,10 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 
-from workbook.console import report_data, show_report
-from workbook.junit import line
-from workbook.many import Outcome
-from workbook.reports import legal
+from workbook.judging.many import Outcome
+from workbook.reports.console import report_data, show_report
+from workbook.reports.junit import line
+from workbook.reports.page import legal
 
 WORST = 3  # findings of each workbook that the terminal shows
 WORDS = {"agrees": "agrees", "disagrees": "DISAGREES", "unreadable": "CANNOT BE READ", "not ours": "skipped, not ours"}

@@ -20,9 +20,10 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
-from workbook import archive, charts, rules, style
+from workbook import rules
 from workbook.declare import FIRST, Block, Book, Sheet
 from workbook.errors import WriteError
+from workbook.writing import archive, charts, style
 
 WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12

@@ -14,8 +14,8 @@ from pydantic import BaseModel, ValidationError
 from workbook import rules
 from workbook.declare import Block, Quantity
 from workbook.errors import InputError, ReadError
-from workbook.files import BookFile, Place
 from workbook.machine import EntryError, Machine
+from workbook.reading.files import BookFile, Place
 from workbook.templates import TEMPLATES, Template
 from workbook.witnesses.pycel_witness import PycelModel
 

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from xml.etree.ElementTree import Element, indent, tostring
 
-from workbook.many import Outcome
-from workbook.reports import by_sheet, e, exact, where, witness
-from workbook.verify import Finding, Report
+from workbook.judging.many import Outcome
+from workbook.judging.verify import Finding, Report
+from workbook.reports.page import by_sheet, e, exact, where, witness
 
 
 def junit(outcomes: Sequence[Outcome], when: datetime) -> str:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import IO
 
 from workbook.errors import ReadError
-from workbook.scan import SAVE_AS, Count, Refusal, Scan, shown
+from workbook.reading.scan import SAVE_AS, Count, Refusal, Scan, shown
 
 MEGABYTE = 1_000_000
 MOST_PACKED = 60 * MEGABYTE  # of the file

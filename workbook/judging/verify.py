@@ -11,13 +11,13 @@ from typing import Any
 from pydantic import ValidationError
 
 from workbook.address import Address
-from workbook.audit import audit
-from workbook.compare import ERRORS, TOLERANCE, difference, is_error
-from workbook.entries import Entries
 from workbook.errors import ReadError, WitnessError
-from workbook.files import BookFile, open_book
+from workbook.judging.audit import audit
+from workbook.judging.compare import ERRORS, TOLERANCE, difference, is_error
+from workbook.judging.matching import Match, Pair, peaks_of
 from workbook.machine import Machine
-from workbook.matching import Match, Pair, peaks_of
+from workbook.reading.entries import Entries
+from workbook.reading.files import BookFile, open_book
 from workbook.templates import Template
 from workbook.witnesses import WITNESSES
 from workbook.witnesses.pycel_witness import PycelModel

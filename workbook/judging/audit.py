@@ -8,9 +8,9 @@ from typing import NamedTuple
 from openpyxl import Workbook
 from pydantic import BaseModel
 
-from workbook.files import find_places
-from workbook.matching import Match
-from workbook.names import misled
+from workbook.judging.matching import Match
+from workbook.judging.names import misled
+from workbook.reading.files import find_places
 from workbook.rules import field_at
 from workbook.witnesses.pycel_witness import PycelModel
 

@@ -13,11 +13,11 @@ from xml.etree.ElementTree import Element, tostring
 
 import workbook
 from workbook.build import write_text
-from workbook.compare import TOLERANCE
 from workbook.errors import WriteError
-from workbook.many import Outcome
-from workbook.verify import Finding, Ran, Report
-from workbook.write import refuse_existing, replace
+from workbook.judging.compare import TOLERANCE
+from workbook.judging.many import Outcome
+from workbook.judging.verify import Finding, Ran, Report
+from workbook.writing.write import refuse_existing, replace
 
 VERDICTS = {"agrees": "Agrees", "disagrees": "Disagrees", "unreadable": "Cannot be read", "not ours": "Skipped"}
 KINDS = {

@@ -1,0 +1,1 @@
+"""Judges a workbook: its cells matched with their declarations, computed, compared."""

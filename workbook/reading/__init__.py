@@ -1,0 +1,1 @@
+"""Reads a workbook from anywhere: guards against it, opens it, finds what was entered."""

@@ -1,0 +1,1 @@
+"""Writes a workbook: cells, styles, charts, the archive."""
