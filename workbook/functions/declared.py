@@ -1,0 +1,291 @@
+"""The functions MOTION.*: names, arguments and help texts, which both back ends take from here.
+
+What both back ends promise, beside the help texts:
+
+- An error value in any argument, also within a range, passes through.
+- A law is named by its code, in capitals or not, blanks around it ignored. Anything else: #VALUE!.
+- Where a number is expected, an empty cell counts as 0 and a text is #VALUE!. A number outside its domain is #NUM!.
+- ``p`` holds the law's parameters, a row or a column, read left to right, top to bottom; blank cells count as 0.
+  TVP takes exactly two, MTP exactly seven, OWN rows of eight (duration, c0, c1, c2, c3, P, ω, φ); another number of
+  cells is #VALUE!, impossible values are #NUM!: what the engine's law refuses. The other laws ignore p.
+- ξ is right-continuous at breaks, with a tolerance of 1e-12; at ξ = 1 the left limit counts.
+- An infinite coefficient is #NUM!.
+- A row of a table of phases: code, duration, lift, then at least as many parameters as the law takes; what stands
+  beyond is ignored. Rows at the end whose first three cells are empty are ignored. OWN has no place in a row: #VALUE!.
+  A table of fewer than three columns, or without rows: #VALUE!. A duration that is not positive, or a dwell with a
+  lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; so near to a joint counts as on it.
+- JRED and RMS: two ranges of unequal rows or columns: #VALUE!, as in SUMPRODUCT. A negative inertia: #NUM!. A negative
+  duration, or durations that sum to 0: #NUM!.
+- MOTION.XI: the first ξ that reaches s; s = 0 gives 0 and the law's end value 1. A law that moves backwards: #NUM!.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+NAMESPACE = "MOTION"
+PARAMETERS = {"DWL": 0, "ACS": 0, "TVP": 2, "CIC": 0, "CUB": 0, "MTP": 7}
+"""Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
+OWN_WIDTH = 8
+
+Kind = Literal["code", "number", "cells", "table"]
+
+
+class Text(NamedTuple):
+    """The same words in English, Italian and German."""
+
+    en: str
+    it: str
+    de: str
+
+
+LANGUAGES: tuple[str, ...] = Text._fields
+CATEGORY = Text("Machine motion", "Moto delle macchine", "Maschinenbewegung")
+
+
+@dataclass(frozen=True)
+class Argument:
+    """An argument: what it takes (a law's code, a number, a range or array or single value, a table of phases)."""
+
+    kind: Kind
+    name: Text
+    help: Text
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function: the last part of its name, what it returns, its arguments; none of them is optional."""
+
+    key: str
+    help: Text
+    arguments: tuple[Argument, ...]
+
+    @property
+    def name(self) -> str:
+        """The name as it stands in a formula and in the file."""
+        return f"{NAMESPACE}.{self.key}"
+
+
+LAW = Argument(
+    "code",
+    Text("law", "legge", "Gesetz"),
+    Text(
+        "Code of the motion law: DWL, ACS, TVP, CIC, CUB, MTP or OWN",
+        "Codice della legge di moto: DWL, ACS, TVP, CIC, CUB, MTP o OWN",
+        "Kürzel des Bewegungsgesetzes: DWL, ACS, TVP, CIC, CUB, MTP oder OWN",
+    ),
+)
+XI = Argument(
+    "number",
+    Text("xi", "xi", "xi"),
+    Text(
+        "Share of the rise time that has passed, ξ = t/t_a, from 0 to 1",
+        "Frazione trascorsa del tempo di alzata, ξ = t/t_a, da 0 a 1",
+        "Verstrichener Anteil der Hubzeit, ξ = t/t_a, von 0 bis 1",
+    ),
+)
+RISE = Argument(
+    "number",
+    Text("s", "s", "s"),
+    Text(
+        "Share of the rise that is reached, from 0 to 1",
+        "Frazione raggiunta dell'alzata, da 0 a 1",
+        "Erreichter Anteil des Hubs, von 0 bis 1",
+    ),
+)
+P = Argument(
+    "cells",
+    Text("parameters", "parametri", "Parameter"),
+    Text(
+        "Range of the law's parameters. TVP: end of acceleration, start of deceleration; MTP: seven durations; "
+        "OWN: a row a piece (duration, c0, c1, c2, c3, P, ω, φ); else 0",
+        "Intervallo dei parametri della legge. TVP: fine dell'accelerazione, inizio della decelerazione; MTP: sette "
+        "durate; OWN: una riga per tratto (durata, c0, c1, c2, c3, P, ω, φ); altrimenti 0",
+        "Bereich mit den Parametern des Gesetzes. TVP: Ende der Beschleunigung, Beginn der Verzögerung; MTP: sieben "
+        "Dauern; OWN: eine Zeile je Abschnitt (Dauer, c0, c1, c2, c3, P, ω, φ); sonst 0",
+    ),
+)
+X = Argument(
+    "number",
+    Text("x", "x", "x"),
+    Text(
+        "Abscissa from the begin of the first phase, in the unit of the durations",
+        "Ascissa dall'inizio della prima fase, nell'unità delle durate",
+        "Abszisse ab Beginn der ersten Phase, in der Einheit der Dauern",
+    ),
+)
+PHASES = Argument(
+    "table",
+    Text("phases", "fasi", "Phasen"),
+    Text(
+        "Range with a row a phase: code of the law, duration, lift, then the law's parameters",
+        "Intervallo con una riga per fase: codice della legge, durata, alzata, poi i parametri della legge",
+        "Bereich mit einer Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, dann die Parameter des Gesetzes",
+    ),
+)
+INERTIAS = Argument(
+    "cells",
+    Text("inertias", "inerzie", "Trägheitsmomente"),
+    Text(
+        "Moments of inertia, each about its own shaft",
+        "Momenti d'inerzia, ciascuno rispetto al proprio albero",
+        "Massenträgheitsmomente, jedes um seine eigene Welle",
+    ),
+)
+RATIOS = Argument(
+    "cells",
+    Text("ratios", "rapporti", "Übersetzungen"),
+    Text(
+        "Speed of each shaft over the speed of the reference shaft, as many as inertias",
+        "Velocità di ciascun albero diviso quella dell'albero di riferimento, tante quante le inerzie",
+        "Drehzahl jeder Welle durch die der Bezugswelle, so viele wie Trägheitsmomente",
+    ),
+)
+VALUES = Argument(
+    "cells",
+    Text("values", "valori", "Werte"),
+    Text(
+        "Values of the profile, one for each interval",
+        "Valori del profilo, uno per intervallo",
+        "Werte des Verlaufs, einer je Zeitabschnitt",
+    ),
+)
+DURATIONS = Argument(
+    "cells",
+    Text("durations", "durate", "Dauern"),
+    Text(
+        "Durations of the intervals, as many as values",
+        "Durate degli intervalli, tante quanti i valori",
+        "Dauern der Zeitabschnitte, so viele wie Werte",
+    ),
+)
+
+FUNCTIONS: tuple[Function, ...] = (
+    Function(
+        "S",
+        Text(
+            "Dimensionless position s(ξ) of a motion law",
+            "Posizione adimensionale s(ξ) di una legge di moto",
+            "Normierter Weg s(ξ) eines Bewegungsgesetzes",
+        ),
+        (LAW, XI, P),
+    ),
+    Function(
+        "V",
+        Text(
+            "Dimensionless velocity ds/dξ of a motion law",
+            "Velocità adimensionale ds/dξ di una legge di moto",
+            "Normierte Geschwindigkeit ds/dξ eines Bewegungsgesetzes",
+        ),
+        (LAW, XI, P),
+    ),
+    Function(
+        "A",
+        Text(
+            "Dimensionless acceleration d²s/dξ² of a motion law",
+            "Accelerazione adimensionale d²s/dξ² di una legge di moto",
+            "Normierte Beschleunigung d²s/dξ² eines Bewegungsgesetzes",
+        ),
+        (LAW, XI, P),
+    ),
+    Function(
+        "J",
+        Text(
+            "Dimensionless jerk d³s/dξ³ of a motion law, within its stages",
+            "Jerk adimensionale d³s/dξ³ di una legge di moto, all'interno dei tratti",
+            "Normierter Ruck d³s/dξ³ eines Bewegungsgesetzes, innerhalb seiner Abschnitte",
+        ),
+        (LAW, XI, P),
+    ),
+    Function(
+        "XI",
+        Text(
+            "Inverse of a motion law: ξ at which it first reaches s",
+            "Inversa di una legge di moto: ξ in cui raggiunge s per la prima volta",
+            "Umkehrung eines Bewegungsgesetzes: ξ, bei dem es s zuerst erreicht",
+        ),
+        (LAW, RISE, P),
+    ),
+    Function(
+        "CV",
+        Text(
+            "Velocity coefficient C_v = max |v| of a motion law",
+            "Coefficiente di velocità C_v = max |v| di una legge di moto",
+            "Geschwindigkeitskennwert C_v = max |v| eines Bewegungsgesetzes",
+        ),
+        (LAW, P),
+    ),
+    Function(
+        "CA",
+        Text(
+            "Acceleration coefficient C_a = max |a| of a motion law",
+            "Coefficiente di accelerazione C_a = max |a| di una legge di moto",
+            "Beschleunigungskennwert C_a = max |a| eines Bewegungsgesetzes",
+        ),
+        (LAW, P),
+    ),
+    Function(
+        "CARMS",
+        Text(
+            "RMS acceleration coefficient C_a,rms = √∫a² dξ of a motion law",
+            "Coefficiente di accelerazione efficace C_a,rms = √∫a² dξ di una legge di moto",
+            "Kennwert der effektiven Beschleunigung C_a,rms = √∫a² dξ eines Bewegungsgesetzes",
+        ),
+        (LAW, P),
+    ),
+    Function(
+        "CJ",
+        Text(
+            "Jerk coefficient C_j = max |j| of a motion law; #NUM! where the acceleration jumps",
+            "Coefficiente di jerk C_j = max |j| di una legge di moto; #NUM! dove l'accelerazione ha un salto",
+            "Ruckkennwert C_j = max |j| eines Bewegungsgesetzes; #ZAHL! wo die Beschleunigung springt",
+        ),
+        (LAW, P),
+    ),
+    Function(
+        "POS",
+        Text(
+            "Position of a motion of phases at x, from 0 at its begin",
+            "Posizione in x di un moto composto da fasi, da 0 all'inizio",
+            "Lage einer Bewegung aus Phasen bei x, ab 0 am Beginn",
+        ),
+        (X, PHASES),
+    ),
+    Function(
+        "VEL",
+        Text(
+            "Velocity of a motion of phases at x, per unit of x",
+            "Velocità in x di un moto composto da fasi, per unità di x",
+            "Geschwindigkeit einer Bewegung aus Phasen bei x, je Einheit von x",
+        ),
+        (X, PHASES),
+    ),
+    Function(
+        "ACC",
+        Text(
+            "Acceleration of a motion of phases at x, per unit of x squared",
+            "Accelerazione in x di un moto composto da fasi, per unità di x al quadrato",
+            "Beschleunigung einer Bewegung aus Phasen bei x, je Einheit von x zum Quadrat",
+        ),
+        (X, PHASES),
+    ),
+    Function(
+        "JRED",
+        Text(
+            "Reflected inertia Σ J (ω_i/ω)² of shafts that turn together",
+            "Inerzia ridotta Σ J (ω_i/ω)² di alberi che ruotano insieme",
+            "Reduziertes Massenträgheitsmoment Σ J (ω_i/ω)² gemeinsam drehender Wellen",
+        ),
+        (INERTIAS, RATIOS),
+    ),
+    Function(
+        "RMS",
+        Text(
+            "Root mean square √(Σ v² t / Σ t) of a profile constant in each interval",
+            "Valore efficace √(Σ v² t / Σ t) di un profilo costante in ogni intervallo",
+            "Effektivwert √(Σ v² t / Σ t) eines abschnittsweise konstanten Verlaufs",
+        ),
+        (VALUES, DURATIONS),
+    ),
+)
