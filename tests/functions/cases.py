@@ -1,0 +1,170 @@
+"""The cases that both back ends must answer like the engine: all laws, seeded random parameters, edges."""
+
+import math
+import random
+
+import numpy as np
+
+from engine.drive import Inertia, reflected_inertia
+from engine.laws import Piece, PieceLaw, law
+from engine.laws.inverse import inverse
+from engine.motion import Motion, Phase
+from tests.functions.case import NUM, Case
+
+SEED = 20261121
+EPSILON = 2.3e-16
+CLASSIC = (0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125)
+ZERO_STAGES = (
+    (0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0),
+    (0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25),
+    (0.0, 0.0, 0.375, 0.25, 0.375, 0.0, 0.0),
+    (0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5),
+    (0.0, 0.125, 0.0, 0.75, 0.0625, 0.0, 0.0625),
+)
+POLYNOMIAL_345 = ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),)
+HARMONIC = ((1.0, 0.0, 0.0, 0.0, 0.0, math.pi**2 / 2, math.pi, math.pi / 2),)
+STANDS_BETWEEN = tuple((d, c, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0) for d, c in zip(
+    (0.1875, 0.1875, 0.25, 0.1875, 0.1875), (14.0, -14.0, 0.0, 14.0, -14.0), strict=True))  # fmt: skip
+
+
+def engine_law(code, p):
+    """The engine's law of a code with its parameters, given as the functions take them."""
+    flat = [v or 0.0 for row in p for v in row] if isinstance(p, tuple) else []
+    match code:
+        case "TVP":
+            return law(code, rise_end=flat[0], fall_start=flat[1])
+        case "MTP":
+            return law(code, durations=tuple(flat))
+        case "OWN":
+            return PieceLaw([Piece(d, tuple(c), *sine) for d, *c, sine in ((r[0], *r[1:5], r[5:]) for r in p)])
+    return law(code)
+
+
+def parameters(draw):
+    """Laws with parameters in plenty: the known ones, with stages of zero duration, and random ones."""
+    yield from ((code, 0) for code in ("DWL", "ACS", "CIC", "CUB"))
+    yield from (("TVP", (pair,)) for pair in ((1 / 3, 2 / 3), (0.5, 0.5), (0.1, 0.7), (1e-3, 0.999)))
+    yield from (("TVP", (tuple(sorted(draw.uniform(0.01, 0.99) for _ in range(2))),)) for _ in range(4))
+    yield from (("MTP", (durations,)) for durations in (CLASSIC, *ZERO_STAGES))
+    for _ in range(8):
+        weights = [draw.random() * (draw.random() > 0.2) + (k in (1, 5)) * 0.05 for k in range(7)]
+        yield "MTP", (tuple(w / sum(weights) for w in weights),)
+    yield from (("OWN", rows) for rows in (POLYNOMIAL_345, HARMONIC, STANDS_BETWEEN))
+    yield from (("OWN", own_law(draw)) for _ in range(5))
+
+
+def own_law(draw):
+    """Random pieces; they end anywhere, at any speed."""
+    lengths = [draw.random() * (draw.random() > 0.15) + 1e-3 * (k == 0) for k in range(draw.randint(1, 4))]
+    return tuple(
+        (length / sum(lengths), *(draw.uniform(-20, 20) for _ in range(4)), draw.uniform(-5, 5) * sine,
+         draw.uniform(0.5, 20) * sine, draw.uniform(-3, 3) * sine)
+        for length in lengths for sine in (draw.randint(0, 1),)
+    )  # fmt: skip
+
+
+def breaks(code, p):
+    """Begins of the law's stages, as a spreadsheet sums them up."""
+    match code:
+        case "TVP":
+            return list(p[0])
+        case "MTP":
+            return [float(x) for x in np.cumsum(p[0])[:-1]]
+        case "OWN":
+            return [float(x) for x in np.cumsum([row[0] for row in p])[:-1]]
+    return [0.5]
+
+
+def abscissae(code, p, draw):
+    """ξ at the ends, at every break and a hair beside it, between, and at random."""
+    inner = [x for x in breaks(code, p) if 0.0 < x < 1.0]
+    sides = [x + side for x in inner for side in (0.0, 1e-13, -1e-13, 1e-6)]
+    return sorted({0.0, 1.0, 1e-9, 1 - 1e-9, *(min(x, 1.0) for x in sides), *(draw.random() for _ in range(4))})
+
+
+def of_laws(draw):
+    for code, p in parameters(draw):
+        one = engine_law(code, p)
+        k = one.coefficients
+        jerk = max(abs(float(j)) for j in one.j(np.linspace(0.0, 1.0, 2001)))
+        scale = {"S": max(1.0, k.cv), "V": k.cv, "A": k.ca, "J": max(jerk, k.ca)}
+        for xi in abscissae(code, p, draw):
+            at = one.evaluate(xi)
+            for name, value in zip("SVAJ", at, strict=True):
+                yield Case(name, (code, xi, p), value, 1e-12 * max(1.0, scale[name]))
+        for name, value in (("CV", k.cv), ("CA", k.ca), ("CARMS", k.ca_rms), ("CJ", k.cj)):
+            expected, near = (value, 1e-10 * max(1.0, value)) if math.isfinite(value) else (NUM, 0.0)
+            yield Case(name, (code, p), expected, near)
+        if code != "DWL":
+            yield from inverses(code, p, one, draw)
+
+
+def inverses(code, p, one, draw):
+    """ξ at heights of the law; #NUM! where it moves backwards."""
+    for share in (0.0, 0.25, 0.5, 1.0, 1e-6, *(draw.random() for _ in range(3))):
+        s = share * max(one.end.s, 0.5)
+        try:
+            xi = inverse(one, s)
+        except ValueError:
+            yield Case("XI", (code, s, p), NUM)
+            continue
+        speed = one.v(xi)
+        yield Case("XI", (code, s, p), xi, 1e-12 + 8 * EPSILON / speed if speed else 1e-12)
+
+
+def of_phases(draw):
+    for table in (exercise(), *(random_phases(draw) for _ in range(8))):
+        motion = Motion([Phase(engine_law(row[0].strip().upper(), (taken(row),)), row[2], row[1]) for row in table])
+        edges = [float(x) for x in motion.edges]
+        high = max(sum(abs(row[2]) for row in table), 1.0)
+        fast = max(abs(row[2]) / row[1] for row in table) + 1.0
+        for x in (*edges, *(draw.uniform(0.0, motion.total) for _ in range(6)), edges[1] - 1e-6 * motion.total):
+            at = motion.at(x)
+            steep = max(abs(row[2]) / row[1] ** 2 for row in table) + 1.0
+            for name, value, near in (("POS", at.y, high), ("VEL", at.y1, fast), ("ACC", at.y2, steep)):
+                yield Case(name, (x, wide(table)), value, 1e-10 * near)
+
+
+def exercise():
+    """S3, exercise 1: dwell, cycloidal rise to 20°, dwell, modified trapezoidal return, dwell."""
+    return (("DWL", 60.0, 0.0), ("CIC", 60.0, 20.0), ("DWL", 60.0, 0.0), ("MTP", 60.0, -20.0, *CLASSIC),
+            ("DWL", 120.0, 0.0))  # fmt: skip
+
+
+def random_phases(draw):
+    rows = []
+    for _ in range(draw.randint(1, 6)):
+        code, p = draw.choice([c for c in parameters(draw) if c[0] != "OWN"])
+        lift = 0.0 if code == "DWL" else draw.uniform(-100.0, 100.0)
+        rows.append(
+            (draw.choice((code, code.lower(), f" {code} ")), draw.uniform(0.1, 90.0), lift, *(p[0] if p else ()))
+        )
+    return tuple(rows)
+
+
+def taken(row):
+    return tuple(row[3:])
+
+
+def wide(table, spare=2):
+    """The rows filled up with blanks to equal width, and blank rows after them."""
+    width = max(len(row) for row in table)
+    return tuple(row + (None,) * (width - len(row)) for row in table) + ((None,) * width,) * spare
+
+
+def of_sums(draw):
+    for count in (1, 2, 5):
+        j = [draw.uniform(0.0, 2.0) for _ in range(count)]
+        i = [draw.uniform(-9.0, 9.0) for _ in range(count)]
+        t = [draw.uniform(0.0, 3.0) for _ in range(count)]
+        reduced = reflected_inertia([Inertia("", 1.0, *pair) for pair in zip(j, i, strict=True)])
+        rms = math.sqrt(math.fsum(v * v * d for v, d in zip(i, t, strict=True)) / math.fsum(t))
+        for row in (lambda v: (tuple(v),), lambda v: tuple((x,) for x in v)):
+            yield Case("JRED", (row(j), row(i)), reduced, 1e-12 * (1 + reduced))
+            yield Case("RMS", (row(i), row(t)), rms, 1e-12 * (1 + rms))
+
+
+def value_cases():
+    """Every case with a value, or the error of a law that has none, from the engine."""
+    draw = random.Random(SEED)
+    return [*of_laws(draw), *of_phases(draw), *of_sums(draw)]

@@ -1,0 +1,141 @@
+"""Cases at the edges of what the functions take: empty cells, texts, errors, impossible parameters, all written out."""
+
+from tests.functions.case import ANY_ERROR, DIV0, NA, NUM, VALUE, Case
+from tests.functions.cases import CLASSIC, POLYNOMIAL_345
+
+FAILED, MISSING = "=1/0", "=NA()"
+MTP, TVP = (CLASSIC,), ((0.25, 0.75),)
+BACKWARDS = ((0.5, -8.0, *[0.0] * 6), (0.5, 24.0, *[0.0] * 6))
+TABLE = (("CUB", 4.0, 8.0), ("DWL", 2.0, None), (" acs", 2.0, -8.0))
+GAP = (("CUB", 4.0, 8.0), (None, None, None), ("ACS", 2.0, -8.0))
+
+
+def codes():
+    yield from (Case("S", (code, 0.25, 0.0), 0.125) for code in ("ACS", "acs", " Acs "))
+    yield from (Case("S", (code, 0.25, 0.0), VALUE) for code in ("XYZ", "", "ACS1", "parabolic", None, 5.0))
+    yield from (Case(name, ("XYZ", 0.0), VALUE) for name in ("CV", "CA", "CARMS", "CJ"))
+    yield Case("XI", ("XYZ", 0.5, 0.0), VALUE)
+
+
+def abscissae():
+    for name in "SVAJ":
+        yield from (Case(name, ("CUB", xi, 0.0), NUM) for xi in (-0.1, 1.1, -1e-9, 1 + 1e-9, 1e300))
+        yield Case(name, ("CUB", "abc", 0.0), VALUE)
+        yield from (Case(name, ("CUB", *rest), error) for rest, error in (
+            ((FAILED, 0.0), DIV0), ((MISSING, 0.0), NA), ((0.5, MISSING), NA)))  # fmt: skip
+        yield Case(name, (MISSING, 0.5, 0.0), NA)
+    yield from (Case("S", ("CUB", xi, 0.0), value) for xi, value in ((None, 0.0), (-1e-13, 0.0), (1 + 1e-13, 1.0)))
+    yield Case("V", ("TVP", None, TVP), 0.0)
+    yield from (Case("A", ("ACS", xi, 0.0), -4.0) for xi in (0.5, 0.5 - 1e-13, 1.0))
+    yield from (Case("S", ("ACS", 0.5, p), 0.5) for p in (None, "none", 7.0, ((1.0, "two"), (None, 4.0))))
+
+
+def heights():
+    yield from (Case("XI", ("CIC", s, 0.0), NUM) for s in (-0.1, 1.1, -1e-9, 1 + 1e-9))
+    yield from (Case("XI", ("CIC", s, 0.0), xi) for s, xi in ((None, 0.0), (0.0, 0.0), (1.0, 1.0), (1 + 1e-13, 1.0)))
+    yield from (Case("XI", ("CIC", s, 0.0), error) for s, error in (("abc", VALUE), (FAILED, DIV0), (MISSING, NA)))
+    yield from (Case("XI", ("DWL", s, 0.0), NUM) for s in (0.0, 0.5))
+    yield Case("XI", ("OWN", 0.5, BACKWARDS), NUM)
+
+
+def refused_parameters():
+    """Parameters that no law takes, with the error of each."""
+    for pair in ((0.75, 0.25), (0.0, 0.5), (0.5, 1.0), (-0.1, 0.5), (None, 0.5)):
+        yield "TVP", (pair,), NUM
+    for p in (0.0, 0.25, ((0.25,),), ((0.25, 0.5, 0.75),), ((0.25, "abc"),), "abc"):
+        yield "TVP", p, VALUE
+    yield "TVP", MISSING, NA
+    yield "TVP", ((0.25, FAILED),), ANY_ERROR
+    for durations in (
+        (0.25, -0.25, 0.25, 0.25, 0.25, 0.0, 0.25),
+        (0.0,) * 7,
+        (0.125,) * 7,
+        (0.0, 0.0, 0.0, 0.5, 0.0, 0.5, 0.0),
+        (0.0, 0.5, 0.0, 0.5, 0.0, 0.0, 0.0),
+        (None,) * 7,
+    ):
+        yield "MTP", (durations,), NUM
+    for p in (0.0, (CLASSIC[:6],), ((*CLASSIC, 0.0),), (("a", *CLASSIC[1:]),), TVP):
+        yield "MTP", p, VALUE
+    yield "MTP", ((FAILED, *CLASSIC[1:]),), ANY_ERROR
+    own = POLYNOMIAL_345[0]
+    for row in ((0.5, *own[1:]), (-1.0, *own[1:]), (None, *own[1:])):
+        yield "OWN", (row,), NUM
+    for p in (0.0, (own[:7],), ((*own, 0.0),), ((*own[:7], "abc"),), tuple((x,) for x in own)):
+        yield "OWN", p, VALUE
+    yield "OWN", ((*own[:7], MISSING),), ANY_ERROR
+
+
+def parameters():
+    for code, p, error in refused_parameters():
+        yield from (Case(name, (code, 0.25, p), error) for name in ("S", "V", "A", "J", "XI"))
+        yield from (Case(name, (code, p), error) for name in ("CV", "CA", "CARMS", "CJ"))
+    yield Case("S", ("TVP", 0.5, ((0.25,), (0.75,))), 0.5)
+    yield Case("S", ("MTP", 0.5, tuple((d,) for d in CLASSIC)), 0.5)
+    yield Case("S", ("MTP", 0.5, ((0.125, 0.25, 0.125, None, 0.125, 0.25, 0.125),)), 0.5)
+    yield Case("S", ("OWN", 0.5, ((1.0, None, 60.0, -180.0, 120.0, None, None, None),)), 0.5)
+
+
+def phases():
+    for x, y, v, a in (
+        (None, 0.0, 0.0, 3.0), (0.0, 0.0, 0.0, 3.0), (2.0, 4.0, 3.0, 0.0), (4.0, 8.0, 0.0, 0.0),
+        (6.0, 8.0, 0.0, -8.0), (7.0, 4.0, -8.0, 8.0), (8.0, 0.0, 0.0, 8.0), (8.0 + 1e-12, 0.0, 0.0, 8.0),
+    ):  # fmt: skip
+        for name, value in (("POS", y), ("VEL", v), ("ACC", a)):
+            yield Case(name, (x, TABLE), value, 1e-10)
+            yield Case(name, (x, (*TABLE, (None,) * 3, (None,) * 3)), value, 1e-10)
+    yield Case("POS", (1.0, (("TVP", 2.0, 4.0, 0.25, 0.75, "unused"),)), 2.0)
+    yield Case("POS", (3.0, (("ACS", 2.0, 4.0, 9.0, "unused"), ("CUB", 2.0, 4.0, None, None))), 6.0)
+    for name in ("POS", "VEL", "ACC"):
+        yield from (Case(name, (x, TABLE), NUM) for x in (-0.1, 8.1, -1e-9, 8.0 + 1e-9))
+        yield from (Case(name, (x, TABLE), error) for x, error in (("abc", VALUE), (FAILED, DIV0), (MISSING, NA)))
+        yield from (Case(name, (1.0, table), error) for table, error in refused_tables())
+
+
+def refused_tables():
+    """Tables that are no motion, with the error of each."""
+    for table in (0.0, "CUB", (("CUB", 4.0),), ((None,) * 3,) * 2, GAP):
+        yield table, VALUE
+    for row in (("XYZ", 4.0, 8.0), (5.0, 4.0, 8.0), (None, 4.0, 8.0), ("CUB", "abc", 8.0), ("CUB", 4.0, "abc"),
+                ("TVP", 4.0, 8.0), ("TVP", 4.0, 8.0, 0.5), ("MTP", 4.0, 8.0, *CLASSIC[:6]),
+                ("TVP", 4.0, 8.0, 0.25, "abc"), ("OWN", 4.0, 8.0, *POLYNOMIAL_345[0])):  # fmt: skip
+        yield (row,), VALUE
+    for row in (("CUB", 0.0, 8.0), ("CUB", -4.0, 8.0), ("CUB", None, 8.0), ("DWL", 4.0, 8.0),
+                ("TVP", 4.0, 8.0, 0.75, 0.25), ("TVP", 4.0, 8.0, None, None)):  # fmt: skip
+        yield (row,), NUM
+    yield ((("CUB", 4.0, 8.0)), ("ACS", 0.0, 8.0)), NUM  # also where the phase is not the one asked for
+    yield MISSING, NA
+    yield (("CUB", 4.0, FAILED),), ANY_ERROR
+
+
+def sums():
+    yield from (Case("JRED", (j, i), value) for j, i, value in ((0.5, 2.0, 2.0), (0.5, -2.0, 2.0), (None, 2.0, 0.0)))
+    yield Case("JRED", (((1.0, None),), ((2.0, 3.0),)), 4.0)
+    yield from (Case("RMS", (v, t), value) for v, t, value in ((-3.0, 2.0, 3.0), (((1.0, None),), ((1.0, 3.0),), 0.5)))
+    for name in ("JRED", "RMS"):
+        yield Case(name, (((1.0, 2.0),), ((1.0, 2.0, 3.0),)), VALUE)
+        yield Case(name, (((1.0, 2.0),), ((1.0,), (2.0,))), VALUE)
+        yield Case(name, (((1.0, 2.0),), 1.0), VALUE)
+        yield Case(name, (((1.0, "abc"),), ((1.0, 2.0),)), VALUE)
+        yield Case(name, (1.0, "abc"), VALUE)
+        yield Case(name, (MISSING, 1.0), NA)
+        yield Case(name, (1.0, FAILED), DIV0)
+        yield Case(name, (((1.0, 2.0),), ((1.0, FAILED),)), ANY_ERROR)
+    yield Case("JRED", (((1.0, -2.0),), ((1.0, 2.0),)), NUM)
+    yield from (Case("RMS", (((1.0, 2.0),), (t,)), NUM) for t in ((0.0, 0.0), (3.0, -1.0), (None, None)))
+
+
+def inline():
+    """Arguments written in the formula instead of in cells."""
+    yield Case("S", ("acs", 0.25, 0), 0.125, inline=True)
+    yield Case("S", ("TVP", 0.5, TVP), 0.5, inline=True)
+    yield Case("S", ("MTP", 0.5, MTP), 0.5, inline=True)
+    yield Case("CV", ("OWN", POLYNOMIAL_345), 1.875, inline=True)
+    yield Case("JRED", (((1, 2),), ((1, 3),)), 19.0, inline=True)
+    yield Case("RMS", (((3, 4),), ((1, 1),)), 12.5**0.5, inline=True)
+    yield Case("S", ("acs", "=1/0", 0), DIV0, inline=True)
+
+
+def edge_cases():
+    """Every case of this file, in order."""
+    return [*codes(), *abscissae(), *heights(), *parameters(), *phases(), *sums(), *inline()]
