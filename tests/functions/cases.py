@@ -109,7 +109,7 @@ def inverses(code, p, one, draw):
             yield Case("XI", (code, s, p), NUM)
             continue
         speed = one.v(xi)
-        yield Case("XI", (code, s, p), xi, 1e-12 + 8 * EPSILON / speed if speed else 1e-12)
+        yield Case("XI", (code, s, p), xi, 1e-12 + 8 * EPSILON / speed if speed > 1e-9 else 1e-12)
 
 
 def of_phases(draw):

@@ -2,14 +2,15 @@
 
 What both back ends promise, beside the help texts:
 
-- An error value in any argument, also within a range, passes through.
+- An error value given as an argument passes through; one within a range gives an error.
 - A law is named by its code, in capitals or not, blanks around it ignored. Anything else: #VALUE!.
 - Where a number is expected, an empty cell counts as 0 and a text is #VALUE!. A number outside its domain is #NUM!.
 - ``p`` holds the law's parameters, a row or a column, read left to right, top to bottom; blank cells count as 0.
   TVP takes exactly two, MTP exactly seven, OWN rows of eight (duration, c0, c1, c2, c3, P, ω, φ); another number of
   cells is #VALUE!, impossible values are #NUM!: what the engine's law refuses. The other laws ignore p.
 - ξ is right-continuous at breaks, with a tolerance of 1e-12; at ξ = 1 the left limit counts.
-- An infinite coefficient is #NUM!.
+- An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
+  10,000 rad in one piece.
 - A row of a table of phases: code, duration, lift, then at least as many parameters as the law takes; what stands
   beyond is ignored. Rows at the end whose first three cells are empty are ignored. OWN has no place in a row: #VALUE!.
   A table of fewer than three columns, or without rows: #VALUE!. A duration that is not positive, or a dwell with a

@@ -1,0 +1,1 @@
+"""What the functions MOTION.* compute, with ``math`` alone; knows no spreadsheet."""

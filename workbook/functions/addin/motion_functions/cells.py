@@ -1,0 +1,68 @@
+"""What a spreadsheet hands over, a single value or rows of them, read as codes, parameters and phases.
+
+In rows an empty cell comes as an empty text.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Tuple, Union
+
+from .composed import Motion, Phase
+from .law import Law
+from .library import PARAMETERS, law
+from .refused import NUM, VALUE, Refused
+
+Cell = Union[float, str]
+Cells = Union[Cell, Tuple[Tuple[Cell, ...], ...]]
+
+
+def number(cell: Cell) -> float:
+    """Return the number in a cell, 0 of an empty one; refuses a text."""
+    if isinstance(cell, str):
+        if cell:
+            raise Refused(VALUE)
+        return 0.0
+    return cell
+
+
+def rows(cells: Cells) -> tuple[tuple[float, ...], ...]:
+    """Return the numbers of a range, or of a single value, by row."""
+    if not isinstance(cells, tuple):
+        return ((number(cells),),)
+    return tuple(tuple(number(cell) for cell in row) for row in cells)
+
+
+def named(name: Cell, parameters: Cells) -> Law:
+    """Return the law of a code with the parameters in cells; those of a law that takes none are not looked at."""
+    code = str(name).strip().upper()
+    return law(code, rows(parameters) if PARAMETERS.get(code) != 0 else ())
+
+
+@lru_cache(maxsize=128)
+def motion(table: Cells) -> Motion:
+    """Return the motion of a table of phases, a row a phase: code, duration, lift, parameters of the law."""
+    if not isinstance(table, tuple) or len(table[0]) < 3:
+        raise Refused(VALUE)
+    count = max((k for k, row in enumerate(table, 1) if any(cell != "" for cell in row[:3])), default=0)
+    return Motion([phase(row) for row in table[:count]])
+
+
+def phase(row: tuple[Cell, ...]) -> Phase:
+    """Return the phase of a row; refuses an own law, whose pieces need rows of their own."""
+    code = str(row[0]).strip().upper()
+    duration, lift, taken = number(row[1]), number(row[2]), PARAMETERS.get(code)
+    if taken is None:
+        raise Refused(VALUE)
+    found = named(code, (row[3 : 3 + taken],))
+    if duration <= 0.0 or (code == "DWL" and lift):
+        raise Refused(NUM)
+    return Phase(found, duration, lift)
+
+
+def pairs(one: Cells, other: Cells) -> tuple[list[float], list[float]]:
+    """Return the numbers of two ranges; refuses ranges of unequal rows or columns."""
+    first, second = rows(one), rows(other)
+    if [len(row) for row in first] != [len(row) for row in second]:
+        raise Refused(VALUE)
+    return [value for row in first for value in row], [value for row in second for value in row]
