@@ -14,6 +14,7 @@ from rich.console import Console
 
 from workbook import build as make
 from workbook.errors import MotionbookError
+from workbook.functions import oxt
 from workbook.judging import many
 from workbook.judging.many import AGREES, DISAGREES, UNREADABLE
 from workbook.reading.entries import read_machine, write_machine
@@ -168,6 +169,16 @@ def templates(
     if check and not stale:
         out.print(f"{len(make.committed())} workbooks up to date")
     raise typer.Exit(DISAGREES if stale else AGREES)
+
+
+@app.command()
+def addin(
+    output: Annotated[Path, to("MOTION.oxt", "Where to write the add-in.")] = Path("motion.oxt"),
+    force: Force = False,
+) -> None:
+    """Write the LibreOffice add-in, which brings the functions MOTION.* to Calc; open it to install it."""
+    oxt.write(output, overwrite=force)
+    out.print(f"Wrote {output.resolve()}", soft_wrap=True)
 
 
 @app.command()
