@@ -1,0 +1,30 @@
+"""The LAMBDA names in a workbook, computed by IronCalc."""
+
+import ironcalc
+import openpyxl
+from openpyxl.workbook.defined_name import DefinedName
+
+from tests.functions.case import write
+from workbook.functions.names import definitions
+
+
+def computed(cases, path):
+    """Return what the names give for each case."""
+    write(cases, path)
+    return recomputed(path, len(cases))
+
+
+def recomputed(path, count):
+    """Give the workbook the names, and return the values of the first ``count`` cells of its first column."""
+    book = openpyxl.load_workbook(path)
+    for definition in definitions():
+        book.defined_names[definition.name] = DefinedName(definition.name, attr_text=definition.stored)
+    book.save(path)
+    return values(path, [(row, 1) for row in range(1, count + 1)])
+
+
+def values(path, cells, sheet=0):
+    """Return the values that IronCalc computes for cells (row, column) of a sheet."""
+    model = ironcalc.load_from_xlsx(str(path), "en", "UTC", "en")
+    model.evaluate()
+    return [model.get_cell_value(sheet, *cell) for cell in cells]

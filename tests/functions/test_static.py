@@ -1,0 +1,120 @@
+"""What Excel asks of the names beyond what IronCalc, more lenient, checks."""
+
+import re
+
+import pytest
+from xlsxwriter import Workbook
+
+from workbook.functions.declared import FUNCTIONS
+from workbook.functions.names import FUTURE, declared_variables, definitions, tokens
+
+EXCEL_2007 = {
+    "ABS", "AND", "COLUMNS", "COS", "COUNTA", "IF", "INDEX", "INT", "ISERROR", "ISTEXT", "MAX", "MIN", "OR", "PI",
+    "ROWS", "SIN", "SQRT", "SUM", "TRIM", "UPPER",
+}  # fmt: skip
+LENGTH, NESTING, ARGUMENTS, NOTE = 8192, 64, 254, 255
+LOOKS_LIKE_A_CELL = re.compile(r"[A-Za-z]{1,3}\d+|[rR]\d*([cC]\d*)?|[cC]\d*")
+by_name = {d.name: d for d in definitions()}
+names = pytest.mark.parametrize("name", by_name)
+
+
+def plain(name):
+    return [(kind, part) for kind, part in tokens(by_name[name].formula) if kind != "space"]
+
+
+def test_every_declared_function_is_a_name_with_the_declared_arguments():
+    for function in FUNCTIONS:
+        formula = by_name[function.name].formula
+        taken = [argument.name.en for argument in function.arguments]
+        assert formula.startswith(f"LAMBDA({', '.join(taken)},"), function.name
+
+
+def test_helpers_stand_apart_from_the_functions():
+    assert [n for n in by_name if not n.startswith("_MOTION.")] == [f.name for f in FUNCTIONS]
+
+
+@names
+def test_every_function_called_exists(name):
+    called = {part for kind, part in plain(name) if kind == "call"}
+    assert called <= EXCEL_2007 | set(FUTURE) | set(by_name)
+
+
+@names
+def test_every_word_is_a_variable_of_the_formula(name):
+    words = {part for kind, part in plain(name) if kind == "word"}
+    assert words - {"TRUE"} == set(declared_variables(by_name[name].formula))
+
+
+@names
+def test_variables_look_like_neither_cells_nor_names_nor_functions(name):
+    for variable in declared_variables(by_name[name].formula):
+        assert re.fullmatch(r"[A-Za-z]+", variable)
+        assert not LOOKS_LIKE_A_CELL.fullmatch(variable), variable
+        assert variable.upper() not in EXCEL_2007 | set(FUTURE), variable
+
+
+@names
+def test_newer_functions_and_variables_are_marked_in_the_file(name):
+    stored = tokens(by_name[name].stored)
+    variables = {f"_xlpm.{variable}" for variable in declared_variables(by_name[name].formula)}
+    assert {part for kind, part in stored if kind == "call"} <= EXCEL_2007 | set(FUTURE.values()) | set(by_name)
+    assert {part for kind, part in stored if kind == "word"} - {"TRUE"} == variables
+
+
+@names
+def test_brackets_close_within_the_limits_of_excel(name):
+    open_brackets, deepest, commas = [], 0, [0]
+    for _, part in plain(name):
+        if part in "({":
+            open_brackets.append(part)
+            commas.append(0)
+        elif part in ")}":
+            assert open_brackets.pop() + part in ("()", "{}")
+            assert commas.pop() < ARGUMENTS
+        commas[-1] += part == ","
+        deepest = max(deepest, len(open_brackets))
+    assert not open_brackets
+    assert deepest <= NESTING
+    assert len(by_name[name].stored) <= LENGTH
+    assert len(name) <= 255
+    assert 0 < len(by_name[name].note) <= NOTE
+
+
+@names
+def test_numbers_keep_within_the_fifteen_digits_that_excel_reads(name):
+    assert all(len(part.replace(".", "")) <= 15 for kind, part in plain(name) if kind == "number")
+
+
+@names
+def test_no_minus_stands_in_front_of_a_power(name):
+    parts = [part for _, part in plain(name)]
+    for before, sign, after in zip(parts, parts[1:], [*parts[3:], ""], strict=False):
+        assert not (sign == "-" and after == "^" and before in "(,+-*/=<>"), "Excel takes the minus first"
+
+
+def test_no_name_calls_itself_in_a_circle():
+    calls = {name: {part for kind, part in plain(name) if kind == "call"} & set(by_name) for name in by_name}
+    while free := [name for name, called in calls.items() if not called]:
+        for name in free:
+            del calls[name]
+        for called in calls.values():
+            called.difference_update(free)
+    assert not calls
+
+
+def test_every_helper_is_called():
+    called = {part for name in by_name for kind, part in plain(name) if kind == "call"}
+    assert {name for name in by_name if name.startswith("_")} <= called
+
+
+@pytest.mark.parametrize("function", FUTURE)
+def test_the_mark_of_a_newer_function_is_the_one_that_xlsxwriter_knows(tmp_path, function):
+    with Workbook(tmp_path / "book.xlsx", {"use_future_functions": True}) as book:
+        sheet = book.add_worksheet()
+        assert sheet._prepare_formula(f"={function}(1)", True) == f"{FUTURE[function]}(1)"
+
+
+@pytest.mark.parametrize("formula", ["LAMBDA(x, 'a')", "SUM(A1:B2)", "1 ! 2"])
+def test_what_is_no_part_of_a_formula_is_refused(formula):
+    with pytest.raises(ValueError, match="not understood"):
+        tokens(formula)

@@ -1,0 +1,109 @@
+"""The functions as names of Excel: LAMBDA formulas, as they are read and as a file stores them.
+
+``formulas.txt`` holds them in the spelling that Excel shows. A file marks what Excel 2007 did not know: functions by
+``_xlfn.``, the parameters of LAMBDA and the variables of LET by ``_xlpm.``
+(Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from workbook.functions.declared import FUNCTIONS
+
+SOURCE = Path(__file__).with_name("formulas.txt")
+FUTURE = {
+    **{name: f"_xlfn.{name}" for name in (
+        "DROP", "HSTACK", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE", "TOCOL", "VSTACK",
+    )},
+    "FILTER": "_xlfn._xlws.FILTER",
+}  # fmt: skip
+TOKEN = re.compile(
+    r"""
+      (?P<text>"(?:[^"]|"")*")
+    | (?P<error>\#[A-Z0-9/]+[!?]?)
+    | (?P<number>\d+(?:\.\d*)?(?:E[-+]?\d+)?)
+    | (?P<call>[A-Za-z_][\w.]*)(?=\()
+    | (?P<word>[A-Za-z_][\w.]*)
+    | (?P<space>\s+)
+    | (?P<sign><=|>=|<>|[-+*/^&=<>(),;{}])
+    """,
+    re.VERBOSE,
+)
+HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A name of the workbook: what it is for, and its formula without ``=``, in Excel's own spelling."""
+
+    name: str
+    note: str
+    formula: str
+
+    @property
+    def stored(self) -> str:
+        """The formula as a file stores it."""
+        variables = set(declared_variables(self.formula))
+        return "".join(_stored(kind, part, variables) for kind, part in tokens(self.formula))
+
+
+@cache
+def definitions() -> tuple[Definition, ...]:
+    """Return every name: the functions in the order of their declaration, then the helpers they call."""
+    helps = {function.name: function.help.en for function in FUNCTIONS}
+    found = {}
+    for block in SOURCE.read_text(encoding="utf-8").split("\n\n"):
+        lines = block.strip()
+        if lines.startswith("//"):
+            continue
+        heading = HEADING.fullmatch(lines)
+        if heading is None:
+            raise ValueError(f"{SOURCE.name}: no name and formula: {lines[:60]!r}")
+        name = heading["name"]
+        found[name] = Definition(name, heading["note"] or helps[name], heading["formula"])
+    order = [*helps, *(name for name in found if name not in helps)]
+    return tuple(found[name] for name in order)
+
+
+def tokens(formula: str) -> list[tuple[str, str]]:
+    """Return the parts of a formula with their kinds; raise ValueError for what is none."""
+    found, at = [], 0
+    while at < len(formula):
+        token = TOKEN.match(formula, at)
+        if token is None or token.lastgroup is None:
+            raise ValueError(f"not understood: {formula[at : at + 40]!r}")
+        found.append((token.lastgroup, token[0]))
+        at = token.end()
+    return found
+
+
+def declared_variables(formula: str) -> list[str]:
+    """Return the parameters of every LAMBDA and the variables of every LET, in the order of the formula."""
+    parts = [("", ""), *(token for token in tokens(formula) if token[0] != "space"), ("", "")]
+    found = []
+    around: list[tuple[str, int]] = []  # the calls that a part stands in, and in which argument
+    for (_, before), (kind, part), (_, after) in zip(parts, parts[1:], parts[2:], strict=False):
+        if part in ("(", "{"):
+            around.append((before, 0))
+        elif part in (")", "}"):
+            around.pop()
+        elif part == ",":
+            call, argument = around.pop()
+            around.append((call, argument + 1))
+        elif kind == "word" and before in ("(", ",") and after == ",":
+            call, argument = around[-1]
+            if call == "LAMBDA" or (call == "LET" and argument % 2 == 0):
+                found.append(part)
+    return found
+
+
+def _stored(kind: str, part: str, variables: set[str]) -> str:
+    if kind == "space":
+        return ""
+    if kind == "call":
+        return FUTURE.get(part, part)
+    return f"_xlpm.{part}" if kind == "word" and part in variables else part
