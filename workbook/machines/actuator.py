@@ -1,0 +1,130 @@
+"""Sizing of an actuator (S4): lead screw, conveyor, rack and pinion, belt, rotary table, gear train."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from workbook.declare import Book, result
+from workbook.machine import Machine
+from workbook.machines.actuator_flow import Sized
+from workbook.machines.actuator_model import ActuatorSizing
+from workbook.sheets.about import about_sheet
+from workbook.sheets.actuator import actuator_sheet
+from workbook.sheets.actuator_cycle import cycle_sheet
+from workbook.sheets.actuator_printed import printed_sheet
+from workbook.sheets.actuator_rms import rms_sheet
+from workbook.template import LAW_SIZES, LawShelf, Template, finish
+from workbook.variants import LAWS, factors, vary_laws
+
+KINDS = ("rotary table", "conveyor", "rack and pinion", "belt", "lead screw", "gear train")
+RISING = (
+    [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}],
+    [{"duration": 1.0, "c1": 60.0, "c2": -180.0, "c3": 120.0}],
+)
+
+
+def declare(machine: Machine) -> Book:
+    """Declare the book."""
+    given = cast(ActuatorSizing, machine)
+    shelf = LawShelf(given.laws, given.sizes)
+    view = Sized(given, shelf.laws)
+    book = Book(given.template, given.title)
+    peak, fastest = view.sizing.peak_torque, view.sizing.max_speed
+    torque, speed = view.torque_scale, view.speed_scale * view.mechanism.ratio
+    about_sheet(
+        book,
+        "Sizing of an actuator: what a cycle of moves asks of the motor behind a mechanism.",
+        [
+            result("about_peak", "Peak torque of the motor", "T_max", "Nm", "=act_peak", peak, scale=torque),
+            result("about_rms", "RMS torque of the motor", "T_RMS", "Nm", "=act_rms", view.rms_torque, scale=torque),
+            result("about_speed", "Largest speed of the motor", "ω_m", "rad/s", "=act_wmax", fastest, scale=speed),
+        ],
+    )  # fmt: skip
+    actuator_sheet(book, view)
+    cycle_sheet(book, view, shelf.stack)
+    rms_sheet(book, view, shelf.laws)
+    printed_sheet(book, view)
+    shelf.sheets(book)
+    return finish(book, "Sizing of an actuator", ("S4", "S1", "S3"))
+
+
+def variants(machine: Machine) -> list[Machine]:
+    """Return six machines of the same layout: every mechanism, both methods, each check, power turning round."""
+    return [ActuatorSizing.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
+
+
+def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
+    """Return the ``k``-th variation of a description."""
+    sizes, entry, scale = data["sizes"], data["actuator"], factors(k)
+    vary_laws(data["laws"], k, scale, sizes["pieces"])
+    data["laws"]["OWN"]["pieces"] = RISING[k % 2]
+    entry |= {
+        "mechanism": KINDS[k],
+        "method": "document" if k == 3 else "physical",
+        "holding": "brake" if k % 3 == 1 else "motor",
+        "output": {"turns": 0.05 + 0.03 * k, "diameter": 80.0 + 13 * k, "efficiency": 0.55 + 0.07 * k},
+        "gears": [gear(k, i) for i in range((k + 1) % 3 if k else sizes["gears"])],
+        "phases": phases(k, sizes["phases"]),
+    }  # fmt: skip
+    entry["parts"] = parts(k, sizes["rotors"], len(entry["gears"]))
+    entry["load"] |= {
+        "mass": 4.0 + 2.3 * k,
+        "count": 1.0 + k % 3,
+        "belt": 0.6 + 0.3 * k,
+        "friction": 0.02 * k,
+        "slope": (15.0, -20.0, 0.0, 35.0, -12.0, 5.0)[k],
+        "force": (0.0, -12.0, 7.0, 0.0, 3.0, -5.0)[k],
+        "inertia": 0.02 + 0.013 * k,
+        "torque": (0.3, 1.0, -0.7, 0.2, 0.4, -0.35)[k],
+        "friction_torque": 0.06 * k,
+    }
+    entry["motor"] = motor(k)
+    return data
+
+
+def gear(k: int, i: int) -> dict[str, Any]:
+    """Return one gear."""
+    return {"name": f"gear {i + 1}", "ratio": 2.5 + i + 0.4 * k, "efficiency": 0.7 + 0.04 * k - 0.02 * i}
+
+
+def phases(k: int, room: int) -> list[dict[str, Any]]:
+    """Return phases up to the table's last row in turn, with laws and directions of every kind."""
+    made = []
+    for i in range(room if k == 0 else min(room, (4, 3, 5, 2, 6, 4)[k])):
+        law = "DWL" if (i + k) % 4 == 1 else LAWS[(k + i) % 6]
+        lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (60.0 + 17 * i) * (-1) ** (i + k)
+        made.append({"law": law, "lift": lift, "duration": 0.08 + 0.05 * ((i * 5 + k) % 4)})
+    return made
+
+
+def parts(k: int, room: int, gears: int) -> list[dict[str, Any]]:
+    """Return rotating parts, entered and cylinders, behind every gear that there is."""
+    made: list[dict[str, Any]] = []
+    for i in range(room if k == 0 else min(room, 1 + k % 3)):
+        part = {"name": f"part {i + 1}", "count": 1.0 + i, "shaft": float(min(i, gears))}
+        size = {"diameter": 30.0 + 7 * i, "length": 80.0 + k, "density": 7800.0, "bore": None if i % 3 else 8.0 + k}
+        made.append(part | ({"inertia": 1e-5 * (i + 2 + k)} if (i + k) % 2 else size))
+    return made
+
+
+def motor(k: int) -> dict[str, Any]:
+    """Return a motor that a check refuses in half of the variations; its inertia entered or by the ratio."""
+    made: dict[str, Any] = {
+        "inertia": (None, 2e-5, None, 0.0, 3e-4, None)[k],
+        "inertia_ratio": 1.3 + 0.7 * k,
+        "temperature": (20.0, 40.0, 60.0, 25.0, -5.0, 90.0)[k],
+        "rated_at": (25.0, 40.0, 30.0, 25.0, 20.0, 40.0)[k],
+        "limit": 150.0 + 5 * k,
+    }
+    for i, name in enumerate(("rated_torque", "peak_torque", "max_speed")):
+        made[name] = 1e-4 * (1 + i) if (k + i) % 2 else 1e6 * (1 + i)
+    return made
+
+
+TEMPLATE = Template(
+    "actuator-sizing",
+    ActuatorSizing,
+    declare,
+    variants,
+    LAW_SIZES | {"cycle": ("cycle", 1), "phases": ("phases", 0), "rotors": ("parts", 0), "gears": ("gears", 0)},
+)
