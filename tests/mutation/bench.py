@@ -14,7 +14,7 @@ from tests.mutation.mutants import Mutant, Orchard
 from workbook.address import Address
 from workbook.declare import Book
 from workbook.judging.compare import TOLERANCE, difference
-from workbook.judging.matching import Match, is_formula, peaks_of
+from workbook.judging.matching import Match, Right, is_formula
 from workbook.judging.verify import Report, judge
 from workbook.machine import Machine
 from workbook.reading.entries import read_machine
@@ -76,11 +76,11 @@ class Bench:
 
         Else they hold what they compute, so that rounding is what it is in the book.
         """
-        declared = self.template.declare(machine)
-        peaks, expected, given = peaks_of(declared), self.match.expected(declared), self.match.inputs(declared)
+        right = Right(self.match, self.template.declare(machine))
+        expected = {a: right.get(a) for a, p in self.pairs.items() if p.declared_formula}
+        given = {a: right.get(a) for a, p in self.pairs.items() if p.cell.quantity.role == "input"}
         computed = expected if assumed else self.model.evaluate(given)
-        by_cell = {a: peaks[p.cell.block.name, p.cell.quantity.name] for a, p in self.pairs.items()}
-        return Inputs(self.model.constants | given | computed, expected, by_cell)
+        return Inputs(self.model.constants | given | computed, expected, {a: right.peak(a) for a in self.pairs})
 
     def other_shape(self, mutant: Mutant) -> bool:
         """Whether the formula's text alone gives the mutant away."""

@@ -4,11 +4,10 @@ import math
 
 import pytest
 
+from tests.workbook.cells import computed
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel_witness import PycelModel
-from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 
@@ -28,20 +27,6 @@ def with_law(machine, axis, law):
     return type(machine).model_validate(data)
 
 
-def computed(machine):
-    """What pycel computes in each block, by name: a value, or a list for each column of a table."""
-    book = TEMPLATE.declare(machine)
-    values = PycelModel(to_workbook(book, TEMPLATE.model)).evaluate()
-
-    def value(name, column=None):
-        block = book.blocks[name]
-        cells = [c for c in block.cells() if column in (None, c.quantity.name)]
-        got = [values[(block.sheet.title, c.row, c.column)] for c in cells]
-        return got if block.is_table else got[0]
-
-    return value
-
-
 def test_every_formula_cell_has_an_engine_value():
     cells = list(TEMPLATE.declare(described()).cells())
     formulas = [c for c in cells if isinstance(c.content, str) and c.content.startswith("=")]
@@ -52,7 +37,7 @@ def test_every_formula_cell_has_an_engine_value():
 
 def test_s1_constant_acceleration_shows_the_printed_figures():
     """S1: 0.43 m/rad, 0.61 m/rad², 9 m/s, 270 m/s² for MC01 with C_a = 4."""
-    value = computed(with_law(described(cycle=12, law=4, own_law=4), 0, "ACS"))
+    value = computed(TEMPLATE, with_law(described(cycle=12, law=4, own_law=4), 0, "ACS"))
     assert round(value("axis1", "y1")[0], 2) == 0.43
     assert math.floor(value("axis1", "y2")[0] * 100) / 100 == 0.61  # S1 cuts 0.6155 off instead of rounding it
     assert value("axis1", "v")[0] == pytest.approx(9.0, rel=1e-12)
@@ -70,13 +55,13 @@ def test_s1_constant_acceleration_shows_the_printed_figures():
     ],
 )
 def test_s1_mc01_rise(law, y1, y2, v, a):
-    value = computed(with_law(described(cycle=12, law=4, own_law=4), 0, law))
+    value = computed(TEMPLATE, with_law(described(cycle=12, law=4, own_law=4), 0, law))
     got = [value("axis1", name)[0] for name in ("y1", "y2", "v", "a")]
     assert got == [pytest.approx(x, abs=5e-6 if x < 1 else 5e-4) for x in (y1, y2, v, a)]
 
 
 def test_s1_movements_with_the_modified_trapezoidal_law():
-    value = computed(described(cycle=12, law=4, own_law=4))
+    value = computed(TEMPLATE, described(cycle=12, law=4, own_law=4))
     v2, a2, v3, a3 = value("axis2", "v"), value("axis2", "a"), value("axis3", "v"), value("axis3", "a")
     assert (v2[1], a2[1], v2[3], a2[3]) == pytest.approx((1.0667, 69.520, 1.0667, 69.520), abs=5e-4)
     assert (v3[1], a3[1], v3[3], a3[3]) == pytest.approx((2.4000, 87.986, 3.2000, 156.420), abs=5e-4)
@@ -94,7 +79,7 @@ def test_s1_torque_at_the_roller_shaft(law, dw, highest, lowest):
     """S1's feeding group without motor and reducer: J_m = 0, τ = 1, η = 1."""
     data = with_law(described(law=4, own_law=4), 0, law).model_dump()
     data["drive"]["motor"].update(inertia=0.0, reduction=1.0, efficiency=1.0, max_speed=3000.0)
-    value = computed(TEMPLATE.model.model_validate(data))
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
     assert value("drive_jtot") == pytest.approx(1.164, abs=1e-12)
     assert value("drive_cr") == pytest.approx(67, abs=1e-12)
     assert max(value("drive", "dw")) == pytest.approx(dw, abs=5e-5)

@@ -3,6 +3,7 @@
 import pytest
 
 from engine.laws.inverse import inverse
+from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
@@ -11,8 +12,6 @@ from workbook.machines.overlap_model import Overlapping
 from workbook.reading.entries import checked, read_machine
 from workbook.reference import laws
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel_witness import PycelModel
-from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["indexing-overlap"]
 SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}
@@ -34,20 +33,6 @@ def described(**changed):
     return TEMPLATE.model.model_validate(entries(**changed))
 
 
-def computed(machine):
-    """What pycel computes in each block, by name: a value, or a list for a column of a table."""
-    book = TEMPLATE.declare(machine)
-    values = PycelModel(to_workbook(book, TEMPLATE.model)).evaluate()
-
-    def value(name, column=None):
-        block = book.blocks[name]
-        cells = [c for c in block.cells() if column in (None, c.quantity.name)]
-        got = [values[(block.sheet.title, c.row, c.column)] for c in cells]
-        return got if block.is_table else got[0]
-
-    return value
-
-
 def test_every_formula_cell_has_an_engine_value():
     cells = list(TEMPLATE.declare(read_machine(TEMPLATE.description)).cells())
     formulas = [c for c in cells if isinstance(c.content, str) and c.content.startswith("=")]
@@ -57,7 +42,7 @@ def test_every_formula_cell_has_an_engine_value():
 
 def test_s2_one_after_the_other():
     """S2: 55°, 4.154 m/s²; exactly 4.154172."""
-    value = computed(described())
+    value = computed(TEMPLATE, described())
     assert value("schedules", "in")[0] == pytest.approx(55, abs=1e-12)
     assert value("overlap_a0") == pytest.approx(4.154, abs=5e-4)
     assert value("overlap_a0") == pytest.approx(4.154172, abs=5e-7)
@@ -65,7 +50,7 @@ def test_s2_one_after_the_other():
 
 def test_s2_effective_angle_and_what_remains():
     """S2: 15°, 135°, 120° and 70° each way; 44 % of the time, exactly 0.4392684."""
-    value = computed(described())
+    value = computed(TEMPLATE, described())
     found = [value(f"overlap_{name}") for name in ("begin", "end", "effective", "free_in", "free_out")]
     assert found == pytest.approx([15, 135, 120, 70, 70], abs=1e-9)
     assert value("inverse_in", "xi")[0] == pytest.approx(0.44, abs=5e-3)
@@ -74,7 +59,7 @@ def test_s2_effective_angle_and_what_remains():
 
 def test_s2_new_angle_with_and_without_the_allowance():
     """S2: 125°, exactly 124.8369°; 120° with the allowance of 5°."""
-    value = computed(described())
+    value = computed(TEMPLATE, described())
     _, longest, as_set = value("schedules", "in")
     assert longest == pytest.approx(125, abs=0.5)
     assert longest == pytest.approx(124.8369, abs=5e-5)
@@ -84,7 +69,7 @@ def test_s2_new_angle_with_and_without_the_allowance():
 
 def test_s2_at_its_rounded_angle():
     """S2: 0.625 s, 0.804 m/s² and 5.17 times lower at 125°; rounding up costs 0.1 mm of the margin."""
-    value = computed(described(tool__angle_in=125.0, tool__angle_out=125.0))
+    value = computed(TEMPLATE, described(tool__angle_in=125.0, tool__angle_out=125.0))
     assert value("schedules", "t_in")[2] == pytest.approx(0.625, abs=1e-12)
     assert value("overlap_a1") == pytest.approx(0.804248, abs=5e-7)
     assert value("overlap_ratio") == pytest.approx(5.17, abs=5e-3)
@@ -94,13 +79,13 @@ def test_s2_at_its_rounded_angle():
 
 
 def test_the_margin_is_what_stays_free_at_the_longest_angle():
-    value = computed(described(passage__allowance=0.0))
+    value = computed(TEMPLATE, described(passage__allowance=0.0))
     assert value("overlap_least") == pytest.approx(1.0, abs=1e-9)
     assert value("overall") == "OK"
 
 
 def test_parts_that_collide_fail_the_book():
-    value = computed(described(tool__angle_in=160.0, tool__angle_out=95.0, view=134.0))
+    value = computed(TEMPLATE, described(tool__angle_in=160.0, tool__angle_out=95.0, view=134.0))
     assert value("overlap_least") < 0
     assert value("overlap_ok_collide") == value("overall") == "FAIL"
     assert value("view_says") == "COLLISION"
@@ -109,7 +94,7 @@ def test_parts_that_collide_fail_the_book():
 @pytest.mark.parametrize("law", LAWS)
 def test_any_law_is_inverted_to_1e_9(law):
     machine = described(transfer__law=law, tool__law_in=law, tool__law_out=law)
-    value, engine = computed(machine), laws(machine.laws, 8)[law]
+    value, engine = computed(TEMPLATE, machine), laws(machine.laws, 8)[law]
     for name in ("transfer", "in", "out"):
         s, xi = (value(f"inverse_{name}", column) for column in ("s", "xi"))
         assert xi == pytest.approx([inverse(engine, x) for x in s], abs=1e-9)
@@ -121,14 +106,14 @@ def test_any_law_is_inverted_to_1e_9(law):
 def test_half_of_the_stroke_at_half_of_the_time_decides_no_halving_by_rounding():
     """The cubic law is at s = 1/2 just in the middle of its only piece, where the first halving looks."""
     machine = described(tool__law_in="CUB", tool__law_out="CUB", passage__clearance=25.0, passage__margin=0.0)
-    value = computed(machine)
+    value = computed(TEMPLATE, machine)
     assert value("inverse_in", "s")[0] == 0.5
     assert value("inverse_in", "xi")[0] == pytest.approx(0.5, abs=1e-12)
 
 
 def test_the_picture_moves_with_the_angle():
-    value = computed(described(view=60.0))
-    other = computed(described(view=220.0))
+    value = computed(TEMPLATE, described(view=60.0))
+    other = computed(TEMPLATE, described(view=220.0))
     for column in ("x", "y"):
         assert len(value("outline", column)) == 12
     assert value("outline", "x") != other("outline", "x")
@@ -138,7 +123,7 @@ def test_the_picture_moves_with_the_angle():
 
 
 def test_the_table_of_margins_is_the_engine_s_schedule_of_each():
-    value = computed(described())
+    value = computed(TEMPLATE, described())
     for margin, angle, ratio in zip(*(value("margins", c) for c in ("margin", "in", "ratio")), strict=True):
         machine = described(passage__margin=margin)
         view = Overlapping(machine, laws(machine.laws, 8))

@@ -18,9 +18,12 @@ from pycel.excelutil import build_operator_operand_fixup
 from pycel.excelwrapper import ExcelOpxWrapperNoData
 
 from workbook.address import Address
+from workbook.witnesses import compiled, shortcuts
+from workbook.witnesses.columns import Formulas
 from workbook.witnesses.limits import build_operators
 from workbook.witnesses.order import ordered
 from workbook.witnesses.pycel_witness import PycelModel, evaluate, version
+from workbook.witnesses.shapes import FormulaError, read
 
 SHEET = "Sheet 1"
 
@@ -209,10 +212,10 @@ def test_what_follows_a_cycle_is_no_number() -> None:
     assert "depend on themselves" in model.problems[at("D1")]
 
 
-def test_a_cycle_stays_one_after_an_evaluation_with_assumed_values() -> None:
+def test_the_cells_of_a_cycle_have_values_each_by_itself() -> None:
     model = PycelModel(book({"A1": "=B1+1", "B1": "=A1+1", "C1": "=B1"}))
     values = {at("A1"): 1.0, at("B1"): 2.0, at("C1"): 2.0}
-    assert model.evaluate(assumed=values) == {at("A1"): 3.0, at("B1"): 2.0, at("C1"): 2.0}
+    assert model.each(values, values.get) == {at("A1"): 3.0, at("B1"): 2.0, at("C1"): 2.0}
     assert set(model.evaluate().values()) == {"#CYCLE!"}
 
 
@@ -444,18 +447,67 @@ def test_evaluating_again_equals_evaluating_afresh(rounds: list[dict[str, Any]])
         assert [type(v) for v in again.values()] == [type(v) for v in afresh.values()]
 
 
-def test_with_right_values_assumed_a_fault_shows_in_its_own_cell_only() -> None:
+def test_with_right_values_around_it_a_fault_shows_in_its_own_cell_only() -> None:
     model = PycelModel(book({"A1": 2, "A2": "=A1*3", "A3": "=A2+1", "A4": "=SUM(A2:A3)"}))
     right = {at("A2"): 4.0, at("A3"): 5.0, at("A4"): 9.0}  # where A2 should have been A1*2
-    assert model.evaluate(assumed=right) == {at("A2"): 6, at("A3"): 5, at("A4"): 9}
-    assert model.evaluate(assumed=right, only={at("A4")}) == {at("A4"): 9}
+    assert model.each(right, right.get) == {at("A2"): 6, at("A3"): 5, at("A4"): 9}
+    assert model.each([at("A4")], right.get) == {at("A4"): 9}
     assert model.evaluate() == {at("A2"): 6, at("A3"): 7, at("A4"): 13}
 
 
-def test_only_computes_nothing_else_and_leaves_it_due() -> None:
-    model = PycelModel(book({"A1": 2, "A2": "=A1*3", "A3": "=A2+1"}))
-    assert model.evaluate(assumed={at("A2"): 1}, only={at("A3")}) == {at("A3"): 2}
-    assert model.evaluate({at("A1"): 5}) == {at("A2"): 15, at("A3"): 16}
+def test_a_cell_by_itself_finds_what_is_given_or_else_what_cells_hold() -> None:
+    model = PycelModel(book({"A1": 2, "A2": "=A1*3+B1", "A3": "=SUM(A1:B2)", "A4": "=foo("}))
+    cells = [at("A2"), at("A3"), at("A4")]
+    assert model.each(cells, lambda cell, held: held) == {at("A2"): 6, at("A3"): 2, at("A4"): "#NAME?"}
+    given = {at("A1"): None, at("B1"): 5, at("A2"): 7}
+    assert model.each(cells, given.get) == {at("A2"): 5, at("A3"): 12, at("A4"): "#NAME?"}
+
+
+WORDS = ["B{r}", "$B{r}", "B${r}", "B{a}", "$C${r}:D{r}", "B{a}:C{r}", "C$7:C{r}", "{r}", "1.{r}", "x_{r}", '"B{r}"',
+         "LOG10({r})", "B1{r}", "'Sheet {r}'!B{r}", "Other!$C{a}", "B0{r}", "AB{r}:AB{r}", "{r}E{a}"]  # fmt: skip
+
+
+@given(st.lists(st.tuples(st.lists(st.sampled_from(WORDS), min_size=1, max_size=4), st.integers(1, 25)), max_size=12))
+def test_formulas_that_differ_in_their_row_are_read_as_each_by_itself(rows: list[tuple[list[str], int]]) -> None:
+    model = PycelModel(book({"A1": 1}, {f"x_{r}": f"'{SHEET}'!$A${r}" for r in range(1, 26)}))
+    formulas = Formulas(SHEET, model._area)
+    for words, row in rows:
+        text = "=" + "+".join(words).format(r=row, a=row - 1)
+        assert outcome(lambda t=text, r=row: formulas.read(t, r)) == outcome(lambda t=text: read(t, SHEET, model._area))
+
+
+def outcome(reading: Any) -> Any:
+    """Shape, arguments and anchors of a formula, or its fault."""
+    try:
+        formula = reading()
+    except FormulaError as error:
+        return error.value
+    return formula.shape, formula.arguments, formula.anchors
+
+
+NUMBERS = st.one_of(st.integers(-(10**6), 10**6), st.floats(-1e9, 1e9))
+
+
+@given(NUMBERS, st.sampled_from([*shortcuts.SIMPLE, "Div"]), NUMBERS)
+def test_the_straight_way_of_an_operator_leads_where_pycels_own_leads(left: Any, name: str, right: Any) -> None:
+    own = build_operators(lambda is_exception, message: None)
+    assert shortcuts.operators()(left, name, right) == own(left, name, right)
+
+
+@pytest.mark.parametrize("formula", ["=SIN({})", "=COS({})", "=SQRT({})", "=INDEX(A1:B2,{})", "=INDEX(A1:A2,{})"])
+@pytest.mark.parametrize("value", [0, 1, 2, 3, -1, 0.5, 2.0, True, "x", "2", None, "#N/A"])
+def test_the_straight_way_of_a_function_leads_where_pycels_own_leads(
+    formula: str, value: Any, monkeypatch: Any
+) -> None:
+    cells = {"A1": 5, "A2": 6, "B1": 7, "B2": 8, "C1": value, "Z9": formula.format("C1")}
+    shortened = PycelModel(book(cells)).evaluate()
+    monkeypatch.setattr(shortcuts, "SHORTENED", {})
+    monkeypatch.setattr(compiled, "_space", {k: v for k, v in compiled._space.items() if k not in ("sin", "index")})
+    compiled.compiled.cache_clear()
+    try:
+        assert PycelModel(book(cells)).evaluate() == shortened
+    finally:
+        compiled.compiled.cache_clear()
 
 
 def test_a_problem_goes_when_its_cause_goes() -> None:

@@ -13,14 +13,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis.strategies import integers
 
+from tests.workbook.cells import disagreeing
 from workbook.build import build, inputs
-from workbook.judging.compare import TOLERANCE, difference
-from workbook.judging.matching import peaks_of
 from workbook.machine import CuttingMachine
 from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel_witness import PycelModel
-from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 MOVING = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
@@ -115,38 +112,24 @@ def machine(seed):
     return CuttingMachine.model_validate(data)
 
 
-def deviations(book, values):
-    """The cells in which the values are not the engine's, by block, quantity and row; and how many cells there are."""
-    peaks = peaks_of(book)
-    wrong, count = {}, 0
-    for cell in book.cells():
-        if not (isinstance(cell.content, str) and cell.content.startswith("=")):
-            continue
-        count += 1
-        computed = values[cell.block.sheet.title, cell.row, cell.column]
-        if not difference(computed, cell.expected, peaks[cell.block.name, cell.quantity.name]) <= TOLERANCE:
-            wrong[f"{cell.block.name}.{cell.quantity.name}[{cell.i}]"] = (computed, cell.expected)
-    return wrong, count
-
-
 @pytest.mark.parametrize("seed", range(60))
 def test_pycel_agrees_with_the_engine_in_every_cell(seed):
-    book = TEMPLATE.declare(machine(seed))
-    wrong, count = deviations(book, PycelModel(to_workbook(book, TEMPLATE.model)).evaluate())
-    assert wrong == {}
+    wrong, count = disagreeing(TEMPLATE, machine(seed))
+    assert wrong == []
     assert count > 2000
+
+
+def by_formualizer(written):
+    draft = io.BytesIO()
+    written.save(draft)
+    filled = io.BytesIO(formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"])
+    opened = openpyxl.load_workbook(filled, data_only=True)
+    return {(s.title, c.row, c.column): c.value for s in opened for row in s.iter_rows() for c in row}
 
 
 @pytest.mark.parametrize("seed", range(100, 106))
 def test_formualizer_agrees_with_the_engine_in_every_cell(seed):
-    book = TEMPLATE.declare(machine(seed))
-    draft = io.BytesIO()
-    to_workbook(book, TEMPLATE.model).save(draft)
-    filled = openpyxl.load_workbook(
-        io.BytesIO(formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"]), data_only=True
-    )
-    values = {(s.title, c.row, c.column): c.value for s in filled for row in s.iter_rows() for c in row}
-    assert deviations(book, values)[0] == {}
+    assert disagreeing(TEMPLATE, machine(seed), by_formualizer)[0] == []
 
 
 @settings(max_examples=12, derandomize=True)

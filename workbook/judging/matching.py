@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
 from workbook.address import Address
-from workbook.declare import Block, Book, Cell, as_rows
+from workbook.declare import Block, Book, Cell, Quantity, as_rows
 from workbook.reading.files import BookFile, Place, find_places
 from workbook.witnesses.pycel_witness import area_of
 from workbook.witnesses.shapes import Area, Formula, FormulaError, read
@@ -75,44 +76,9 @@ class Match:
         return {pair.address for pair in self.pairs}
 
     @cached_property
-    def peaks(self) -> dict[tuple[str, str], float]:
-        """What the deviations of each column are measured against, by block and quantity."""
-        return peaks_of(self.declared)
-
-    @cached_property
-    def _columns(self) -> dict[tuple[str, str], list[Address]]:
-        """The cells of each declared column, by block and quantity."""
-        columns: dict[tuple[str, str], list[Address]] = {}
-        for pair in self.pairs:
-            columns.setdefault((pair.cell.block.name, pair.cell.quantity.name), []).append(pair.address)
-        return columns
-
-    def expected(self, declared: Book) -> dict[Address, Any]:
-        """Return the engine's value of every formula cell, for a declaration of the same layout."""
-        return self._values(declared, formulas=True)
-
-    def inputs(self, declared: Book) -> dict[Address, Any]:
-        """Return the content of every input cell, for a declaration of the same layout."""
-        return self._values(declared, formulas=False)
-
-    def replaced(self, declared: Book, formulas: Container[Address]) -> dict[Address, Any]:
-        """Return what should stand in the cells that hold a constant where none belongs, or another one."""
-        right = self._values(declared, formulas=True)
-        found = {a: value for a, value in right.items() if a not in formulas}
-        return found | {
-            p.address: p.cell.content
-            for p in self.pairs
-            if p.cell.quantity.role == "constant" and p.held != p.cell.content
-        }
-
-    def _values(self, declared: Book, formulas: bool) -> dict[Address, Any]:
-        values: dict[Address, Any] = {}
-        for block in declared.blocks.values():
-            for q in block.quantities:
-                if (q.formula is not None) if formulas else (q.role == "input"):
-                    rows = as_rows(q.value, block.size, q.name)
-                    values.update(zip(self._columns.get((block.name, q.name), ()), rows, strict=False))
-        return values
+    def declared_at(self) -> dict[Address, Cell]:
+        """The declared cell at each address of the file."""
+        return {pair.address: pair.cell for pair in self.pairs}
 
     def same_shape(self, pair: Pair) -> bool:
         """Whether a formula of the file is the declared one, wherever rows, columns or sheets have moved to."""
@@ -196,15 +162,53 @@ def cell_index(places: dict[str, Place]) -> dict[Address, tuple[str, int, int]]:
     return {place.cell(i, j): (name, i, j) for name, place, i in cells for j in range(place.columns)}
 
 
-def peaks_of(declared: Book) -> dict[tuple[str, str], float]:
-    """Return the greatest size of each column, or its declared scale where that is greater."""
-    return {
-        (block.name, q.name): max([*numbers(as_rows(q.value, block.size, q.name)), q.scale or 0.0], default=0.0)
-        for block in declared.blocks.values()
-        for q in block.quantities
-    }
+class Right:
+    """What should stand in the cells of a matched file, by a declaration of the same layout.
+
+    That is the engine's value in a formula cell, what was entered in an input, and what is declared in a constant.
+    """
+
+    def __init__(self, match: Match, declared: Book) -> None:
+        self._cells, self._blocks = match.declared_at, declared.blocks
+        self._columns: dict[int, list[Any]] = {}
+        self._peaks: dict[int, float] = {}
+
+    def get(self, address: Address, default: Any = None) -> Any:
+        """Return what should stand in a cell; ``default`` for one that is not declared."""
+        cell = self._cells.get(address)
+        if cell is None:
+            return default
+        values = self._columns.get(id(cell.quantity))
+        return (values or self._column(cell))[cell.i]
+
+    def peak(self, address: Address) -> float:
+        """Return what deviations of a declared cell are measured against.
+
+        That is the greatest size in its column, or the declared scale where that is greater.
+        """
+        cell = self._cells[address]
+        key = id(cell.quantity)
+        if key not in self._peaks:
+            scale = self._declared(cell)[1].scale or 0.0
+            self._peaks[key] = max(greatest(self._columns.get(key) or self._column(cell)), scale)
+        return self._peaks[key]
+
+    def _column(self, cell: Cell) -> list[Any]:
+        block, q = self._declared(cell)
+        values = self._columns[id(cell.quantity)] = as_rows(q.value, block.size, q.name)
+        return values
+
+    def _declared(self, cell: Cell) -> tuple[Block, Quantity]:
+        block = self._blocks[cell.block.name]
+        return block, block.quantities[cell.column - cell.block.column]
 
 
-def numbers(values: list[Any]) -> list[float]:
-    """Return the sizes of the finite numbers among ``values``."""
-    return [abs(v) for v in values if isinstance(v, int | float) and abs(v) < float("inf")]
+def greatest(values: list[Any]) -> float:
+    """Return the greatest size of the finite numbers among ``values``, or 0."""
+    try:
+        size = max(map(abs, values), default=0.0)
+    except TypeError:  # texts or empty cells among them
+        size = math.inf
+    if size < math.inf:
+        return float(size)
+    return max((abs(v) for v in values if isinstance(v, int | float) and abs(v) < math.inf), default=0.0)

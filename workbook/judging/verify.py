@@ -14,7 +14,7 @@ from workbook.address import Address
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.audit import audit
 from workbook.judging.compare import ERRORS, TOLERANCE, difference, is_error
-from workbook.judging.matching import Match, Pair, peaks_of
+from workbook.judging.matching import Match, Pair, Right
 from workbook.machine import Machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
@@ -22,7 +22,8 @@ from workbook.templates import Template
 from workbook.witnesses import WITNESSES
 from workbook.witnesses.pycel_witness import PycelModel
 
-LONG, SPREAD = 60, 6  # tables of so many rows are looked at, at other inputs, in every so-many-th row
+LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
+SHARE = 3  # of shorter tables and single cells, every cell at one in so many of the other inputs
 ORDER = (
     "missing",
     "replaced",
@@ -131,15 +132,15 @@ def judge(
     suspects = structure(match, report, shapes)
     for remark in audit(match, model, template.model):
         report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
-    values(match, model, report, witnesses)
-    error_values(match, model, report)
+    computed = values(match, model, report, witnesses)
+    error_values(match, model, computed, report)
     try:
         variants = template.variants(machine)
     except ValidationError:  # numbers so large that no neighbour of theirs is one
         report.notes.append("the values entered leave no room for other ones: compared at these alone")
     else:
         elsewhere(match, model, variants, template, report, suspects)
-    report.unmatched = sorted(str(a) for a in model.formulas if a not in match.addresses)
+    report.unmatched = sorted(str(a) for a in model.formulas if a not in match.declared_at)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
 
 
@@ -166,8 +167,9 @@ def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]
     return suspects
 
 
-def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[str]) -> None:
-    """Compare what each witness computes at the values entered."""
+def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[str]) -> dict[Address, Any]:
+    """Compare what each witness computes at the values entered; return what the first that answered computes."""
+    answer: dict[Address, Any] = {}
     for name in witnesses:
         witness = WITNESSES[name]()
         ran = Ran(name, witness.version())
@@ -182,16 +184,15 @@ def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[
             report.findings.append(Finding("", name, "witness", str(error), "values to compare"))
             continue
         ran.compared = compared(match, model, computed, report, name)
+        answer = answer or computed
     report.compared = max((w.compared for w in report.witnesses), default=0)
+    return answer
 
 
-def error_values(match: Match, model: PycelModel, report: Report) -> None:
+def error_values(match: Match, model: PycelModel, computed: dict[Address, Any], report: Report) -> None:
     """Enter the error values of cells that belong to nothing declared: constants, and the engineer's own formulas."""
-    held = {a: value for a, value in model.constants.items() if a not in match.addresses}
-    foreign = {a for a in model.formulas if a not in match.addresses}
-    computed = model.evaluate(only=foreign) if foreign else {}
-    for address, value in {**held, **computed}.items():
-        if value in ERRORS:
+    for address, value in {**model.constants, **computed}.items():
+        if is_error(value) and value in ERRORS and address not in match.declared_at:
             report.findings.append(Finding(address.sheet, address.a1, "error", value, "no error value"))
 
 
@@ -199,20 +200,22 @@ def compared(match: Match, model: PycelModel, computed: dict[Address, Any], repo
     """Compare one witness's values; tell the cells at fault from those that only follow them. Return how many."""
     count, wrong = 0, []
     first = by == report.witnesses[0].name
+    right = Right(match, match.declared)
     for pair in match.pairs:
         if not pair.declared_formula or (pair.address not in model.formulas and pair.address not in model.problems):
             continue
         count += 1
-        deviation = deviation_of(match, pair, computed.get(pair.address), pair.cell.expected)
+        value = computed.get(pair.address)
+        deviation = difference(value, pair.cell.expected, right.peak(pair.address))
         sheet = pair.address.sheet
         if first:
             report.cells[sheet] = report.cells.get(sheet, 0) + 1
         if math.isfinite(deviation):
             report.deviations[sheet] = max(report.deviations.get(sheet, 0.0), deviation)
         if not deviation <= TOLERANCE:
-            wrong.append((pair, computed.get(pair.address), deviation))
+            wrong.append((pair, value, deviation))
     if wrong:
-        at_fault = faults(match, model, {pair.address for pair, _, _ in wrong}) if by != "saved" else None
+        at_fault = faults(model, right, {pair.address for pair, _, _ in wrong}) if by != "saved" else None
         for pair, value, deviation in wrong:
             kind = "error" if is_error(value) else "value"
             own = at_fault is None or pair.address in at_fault or not at_fault
@@ -220,16 +223,10 @@ def compared(match: Match, model: PycelModel, computed: dict[Address, Any], repo
     return count
 
 
-def faults(match: Match, model: PycelModel, wrong: set[Address]) -> set[Address]:
+def faults(model: PycelModel, right: Right, wrong: set[Address]) -> set[Address]:
     """Return the cells that are wrong even when all that they refer to is right."""
-    right = match.replaced(match.declared, model.formulas)
-    local = model.evaluate(right, match.expected(match.declared), wrong)
-    return {
-        pair.address
-        for pair in match.pairs
-        if pair.address in wrong
-        and not deviation_of(match, pair, local.get(pair.address), pair.cell.expected) <= TOLERANCE
-    }
+    computed = model.each(wrong, right.get)
+    return {a for a, value in computed.items() if not difference(value, right.get(a), right.peak(a)) <= TOLERANCE}
 
 
 def elsewhere(
@@ -237,36 +234,33 @@ def elsewhere(
 ) -> None:  # fmt: skip
     """Compare at other inputs, each cell with the right values around it.
 
-    Formulas that are not the declared ones, and short tables, are evaluated at every variation; of the formulas
-    of long tables, which are the declared ones in every row, a few rows at each, others at every one.
+    Formulas that are not the declared ones are evaluated at every variation, the others in turn.
     """
     if any(place is None for _, place in match.misfits):
         return
     known = {(f.sheet, f.cell) for f in report.findings}
-    for k, machine in enumerate(machines):
-        declared = template.declare(machine)
-        turn = {
-            p.address
-            for p in match.pairs
-            if p.address in suspects or p.cell.block.size < LONG or p.cell.i % (SPREAD * len(machines)) == SPREAD * k
-        }
-        expected = match.expected(declared)
-        right = match.inputs(declared) | match.replaced(declared, model.formulas)
-        computed = model.evaluate(right, expected, turn)
-        peaks = peaks_of(declared)
-        for pair in match.pairs:
-            a = pair.address
-            if a not in turn or a not in computed or not pair.declared_formula or (a.sheet, a.a1) in known:
-                continue
-            peak = peaks[pair.cell.block.name, pair.cell.quantity.name]
-            deviation = difference(computed[a], expected[a], peak)
-            if not deviation <= TOLERANCE:
+    pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in model.formulas}
+    for k, (machine, turn) in enumerate(zip(machines, turns(pairs, suspects, len(machines)), strict=True), 1):
+        right = Right(match, template.declare(machine))
+        for a, value in model.each(turn, right.get).items():
+            deviation = difference(value, right.get(a), right.peak(a))
+            if not deviation <= TOLERANCE and (a.sheet, a.a1) not in known:
                 known.add((a.sheet, a.a1))
-                report.add(
-                    pair, "value", computed[a], expected[a], deviation, f"pycel, at variation {k + 1} of the inputs"
-                )
+                by = f"pycel, at variation {k} of the inputs"
+                report.add(pairs[a], "value", value, right.get(a), deviation, by)
 
 
-def deviation_of(match: Match, pair: Pair, computed: Any, expected: Any) -> float:
-    """Return the deviation of one cell at the values entered, relative to its column."""
-    return difference(computed, expected, match.peaks[pair.cell.block.name, pair.cell.quantity.name])
+def turns(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:
+    """Return the cells that are looked at in each variation."""
+    found: list[list[Address]] = [[] for _ in range(variations)]
+    for n, (address, pair) in enumerate(pairs.items()):
+        cell = pair.cell
+        if address in suspects:
+            every, first = 1, 0
+        elif cell.block.size < LONG:
+            every, first = SHARE, n % SHARE
+        else:
+            every, first = variations, cell.i // SPREAD % variations + (variations if cell.i % SPREAD else 0)
+        for turn in found[first::every]:
+            turn.append(address)
+    return found

@@ -6,11 +6,13 @@ import io
 import warnings
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import openpyxl
 from openpyxl import Workbook
+from openpyxl.cell.cell import Cell, MergedCell
 from openpyxl.utils.cell import range_boundaries
 
 from workbook.address import Address
@@ -47,8 +49,13 @@ class BookFile:
 
     def value(self, address: Address) -> Any:
         """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty."""
-        cell = self.workbook[address.sheet]._cells.get((address.row, address.column))  # cell() would make an empty one
+        cell = self._sheets[address.sheet].get((address.row, address.column))
         return None if cell is None else cell.value
+
+    @cached_property
+    def _sheets(self) -> dict[str, dict[tuple[int, int], Cell | MergedCell]]:
+        """The cells that the file has: asking openpyxl for another would make one."""
+        return {sheet.title: sheet._cells for sheet in self.workbook.worksheets}
 
 
 def open_book(path: Path) -> BookFile:

@@ -1,8 +1,8 @@
-"""A workbook's formulas joined and evaluated, and evaluated again where something has changed."""
+"""A workbook's formulas joined and evaluated: all of them in order, or some of them each by itself."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from pycel.excelutil import AddressRange
@@ -11,8 +11,9 @@ from workbook.address import Address
 from workbook.witnesses.compiled import Compiled, compiled
 from workbook.witnesses.order import ordered
 from workbook.witnesses.shapes import Area, Formula, FormulaError
-from workbook.witnesses.steps import FormulaStep, RangeStep, entered
+from workbook.witnesses.steps import FormulaStep, RangeStep, entered, rows_of
 
+Found = Callable[[Address, Any], Any]  # what is found in a cell; else what a cell without a formula holds
 CYCLE = "#CYCLE!"
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
 
@@ -27,41 +28,64 @@ class Calculation:
         self, constants: Mapping[Address, Any], formulas: Mapping[Address, Formula], problems: dict[Address, str]
     ) -> None:
         self.problems = problems
+        self._constants = {address: entered(value) for address, value in constants.items()}
         self._numbers: dict[Any, int] = {None: 0}  # None is the empty cell, for ranges
         self._values: list[Any] = [None]
         self._steps: dict[int, FormulaStep | RangeStep] = {}
         self._areas: dict[int, Area] = {}
+        self._cells: dict[int, Address] = {}  # the single cells that formulas refer to
         self._range_cells = 0
-        for address, value in constants.items():
-            self._number(address, entered(value))
+        for address, value in self._constants.items():
+            self._number(address, value)
         self._formulas = {self._number(address): address for address in formulas}
         self._occupied = len(self._values)
         for number, address in self._formulas.items():
             self._join(number, address, formulas[address])
         self._order, cycles = ordered({number: step.sources for number, step in self._steps.items()})
         self._cyclic = self._note_cycles(cycles)
-        self._results = list(self._values)
-        self._due = bytearray(b"\1" * len(self._values))
-        self._given: dict[int, Any] = {}
 
-    def evaluate(
-        self,
-        inputs: Mapping[Address, Any] | None = None,
-        assumed: Mapping[Address, Any] | None = None,
-        only: Container[Address] | None = None,
-    ) -> dict[Address, Any]:
-        """Return the value of every formula cell, or of those in ``only``.
+    @property
+    def order(self) -> list[Address]:
+        """The formula cells, each after what it needs."""
+        return [self._formulas[number] for number in self._order if number in self._formulas]
 
-        ``inputs`` stand in for what cells hold, in this evaluation only. ``assumed`` are values that formulas
-        find in other formula cells instead of what those compute. With ``only``, nothing else is computed:
-        what those cells refer to must be constant or assumed. What has not changed is not computed again.
-        """
-        fixed = {self._input(a): entered(v) for a, v in (inputs or {}).items()}
-        known = ((self._numbers.get(a), v) for a, v in (assumed or {}).items())
-        given = {n: entered(v) for n, v in known if n in self._formulas} | fixed
-        wanted = {n: a for n, a in self._formulas.items() if only is None or a in only}
-        self._compute(given, wanted, everything=only is None)
-        return {a: fixed.get(n, self._results[n]) for n, a in wanted.items()}
+    def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> dict[Address, Any]:
+        """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
+        given = {self._input(address): entered(value) for address, value in (inputs or {}).items()}
+        values = list(self._values)
+        for number, value in given.items():
+            values[number] = value
+        formulas, steps = self._formulas, self._steps
+        for number in self._order:
+            if number not in given:
+                values[number] = self._result(formulas.get(number), steps[number], values, number in self._cyclic)
+        return {address: values[number] for number, address in formulas.items()}
+
+    def each(self, wanted: Iterable[Address], found: Found) -> dict[Address, Any]:
+        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
+        values: dict[int, Any] = {}
+        results = {}
+        for address in wanted:
+            number = self._numbers[address]
+            step = self._steps.get(number)
+            if step is None:  # it could not be joined
+                results[address] = self._values[number]
+                continue
+            for source in step.sources:
+                if source not in values:
+                    values[source] = self._look(source, found)
+            results[address] = self._computed(address, step, values)[0]
+        return results
+
+    def _look(self, number: int, found: Found) -> Any:
+        """Return the value of a cell, a range or a text when formula cells are not computed but looked up."""
+        if number in self._areas:
+            area = self._areas[number]
+            return rows_of([self._held(cell, found) for cell in area.cells()], area.right - area.left + 1)
+        return self._held(self._cells[number], found) if number in self._cells else self._values[number]
+
+    def _held(self, address: Address, found: Found) -> Any:
+        return entered(found(address, self._constants.get(address)))
 
     def _number(self, key: Any, value: Any = None) -> int:
         """Return the number of what ``key`` means; a new one, with ``value``, for what has none."""
@@ -95,6 +119,7 @@ class Calculation:
             return self._number(("text", argument), argument)
         if argument.single:
             self._numbers[argument] = number = self._number(argument.first)
+            self._cells[number] = argument.first
             return number
         if argument not in self._numbers:
             self._range_cells += argument.size
@@ -115,17 +140,9 @@ class Calculation:
             raise FormulaError("#VALUE!", "a reference is expected, not a text")
         return self._number(("address", argument.a1), AddressRange.create(argument.a1))
 
-    @property
-    def order(self) -> list[Address]:
-        """The formula cells, each after what it needs."""
-        return [self._formulas[number] for number in self._order if number in self._formulas]
-
     def _input(self, address: Address) -> int:
         """Return the number of a cell that is given a value; ranges that passed over it as empty now hold it."""
         number = self._number(address)
-        if number >= len(self._results):
-            self._results.append(None)
-            self._due.append(0)
         if number >= self._occupied:
             for area in self._areas.values():
                 if area.holds(address):
@@ -140,49 +157,29 @@ class Calculation:
                 self.problems[self._formulas[number]] = f"the cell depends on itself, through {through}"
         return set(cycles)
 
-    def _compute(self, given: dict[int, Any], wanted: Mapping[int, Address], everything: bool) -> None:
-        """Compute what is due: never computed, or dependent on something that is no longer as it was."""
-        due, changed = self._due, bytearray(len(self._values))
-        for number in self._given.keys() | given.keys():
-            default = CYCLE if number in self._cyclic else self._results[number]
-            self._see(number, given.get(number, default), changed)
-        self._given = given
-        ranges = self._areas if everything else {s for n in wanted for s in self._steps_of(n)}
-        for number in self._order:
-            step = self._steps[number]
-            if not (due[number] or 1 in map(changed.__getitem__, step.sources)):
-                continue
-            due[number] = number not in wanted and number not in ranges
-            if not due[number]:
-                self._results[number] = result = self._result(number, step)
-                if number not in given:
-                    self._see(number, result, changed)
-
-    def _steps_of(self, number: int) -> list[int]:
-        step = self._steps.get(number)
-        return [s for s in step.sources if s in self._areas] if step else []
-
-    def _see(self, number: int, value: Any, changed: bytearray) -> None:
-        """Let others find ``value``; a range counts as changed whenever it is filled again."""
-        before = self._values[number]
-        if type(value) is not type(before) or type(value) is tuple or value != before:
-            self._values[number] = value
-            changed[number] = 1
-
-    def _result(self, number: int, step: FormulaStep | RangeStep) -> Any:
-        address = self._formulas.get(number)
-        if self._cyclic and CYCLE in map(self._values.__getitem__, step.sources):
-            if address and number not in self._cyclic:
+    def _result(
+        self, address: Address | None, step: FormulaStep | RangeStep, values: list[Any], cyclic: bool
+    ) -> Any:  # fmt: skip
+        """Return what a step computes in an evaluation of the whole, and note what kept it from a value."""
+        if self._cyclic and CYCLE in map(values.__getitem__, step.sources):
+            if address and not cyclic:
                 self.problems[address] = "the cell depends on cells that depend on themselves"
             return CYCLE
-        try:
-            result = step.compute(self._values)
-        except OverflowError:
-            result = "#NUM!"
-        except Exception as error:  # pycel's functions raise whatever Python raises
-            if address:
-                self.problems[address] = f"pycel: {type(error).__name__}: {str(error)[:120]}"
-            return "#VALUE!"
-        if address in self.problems and number not in self._cyclic:
-            del self.problems[address]  # of an evaluation before
+        result, problem = self._computed(address, step, values)
+        if address:
+            if problem:
+                self.problems[address] = problem
+            elif address in self.problems and not cyclic:
+                del self.problems[address]  # of an evaluation before
         return result
+
+    @staticmethod
+    def _computed(
+        address: Address | None, step: FormulaStep | RangeStep, values: list[Any] | dict[int, Any]
+    ) -> tuple[Any, str]:
+        try:
+            return step.compute(values), ""
+        except OverflowError:
+            return "#NUM!", ""
+        except Exception as error:  # pycel's functions raise whatever Python raises
+            return "#VALUE!", f"pycel: {type(error).__name__}: {str(error)[:120]}"

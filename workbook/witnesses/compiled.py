@@ -16,7 +16,7 @@ from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
 from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
 
-from workbook.witnesses import limits
+from workbook.witnesses import limits, shortcuts
 from workbook.witnesses.shapes import FormulaError
 
 if sys.version_info >= (3, 14):  # where ast.Str is gone, for which pycel's compiler still asks
@@ -34,7 +34,7 @@ _space: dict[str, Any] = {
     "_R_": arguments.__getitem__,
     "_REF_": arguments.__getitem__,
     "pi": math.pi,
-    "excel_operator_operand_fixup": limits.build_operators(lambda is_exception, message: None),
+    "excel_operator_operand_fixup": shortcuts.operators(),
 }
 
 
@@ -91,9 +91,12 @@ def _compiled(shape: str) -> Compiled:
     code, names = formula.compiled_python
     made: list[Callable[[], Any]] = []
     _space["lambdas"] = made
+    new = set(names) - _space.keys()
     missing = load_functions(names, _space, MODULES)
     if missing:
         raise FormulaError("#NAME?", f"pycel has no function {', '.join(sorted(missing)).upper()}")
+    for name in new & shortcuts.SHORTENED.keys():
+        _space[name] = shortcuts.SHORTENED[name](_space[name])
     exec(code, _space)  # noqa: S102 - what pycel made of a shape: check() let no word of the file's own pass
     dummies = tuple(match[0] for match in DUMMY.finditer(shape))
     return Compiled(made[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))

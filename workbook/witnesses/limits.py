@@ -117,5 +117,6 @@ exp, sqrt, log10 = _of_one(math.exp), _of_one(math.sqrt), _of_one(math.log10)
 degrees, radians = _of_one(math.degrees), _of_one(math.radians)
 
 # pycel's own code for operators, over its own table of them with the power that knows a limit
-_globals = vars(excelutil) | {"PYTHON_AST_OPERATORS": PYTHON_AST_OPERATORS | {"Pow": raised}}
+OPERATORS = PYTHON_AST_OPERATORS | {"Pow": raised}
+_globals = vars(excelutil) | {"PYTHON_AST_OPERATORS": OPERATORS}
 build_operators = FunctionType(excelutil.build_operator_operand_fixup.__code__, _globals)

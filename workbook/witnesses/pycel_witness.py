@@ -8,7 +8,7 @@ recursion (:mod:`workbook.witnesses.calculation`). Every value is computed by py
 from __future__ import annotations
 
 import sys
-from collections.abc import Container, Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from importlib.metadata import version as package_version
 from typing import Any
@@ -19,8 +19,9 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.address import Address
 from workbook.reading.files import BookFile, Place
-from workbook.witnesses.calculation import Calculation
-from workbook.witnesses.shapes import REFERENCE, Area, Formula, FormulaError, anchored, read, reference
+from workbook.witnesses.calculation import Calculation, Found
+from workbook.witnesses.columns import Formulas
+from workbook.witnesses.shapes import REFERENCE, Area, Formula, FormulaError, anchored, reference
 from workbook.witnesses.steps import entered
 
 Cells = dict[Address, Any]
@@ -47,10 +48,10 @@ class PycelModel:
         self._names = names_of(workbook)
         self._epoch = workbook.epoch
         for sheet in workbook.worksheets:
-            known: dict[str, Area | str] = {}
+            formulas = Formulas(sheet.title, self._area)
             # the cells that the file has: its dimensions may be absurd, and iter_rows() would make all of them
             for (row, column), cell in sheet._cells.items():
-                self._take(Address(sheet.title, row, column), cell, known)
+                self._take(Address(sheet.title, row, column), cell, formulas)
         self._calculation = Calculation(self.constants | self._failed, self.formulas, self.problems)
 
     @property
@@ -64,22 +65,19 @@ class PycelModel:
         areas = {a for formula in self.formulas.values() for a in formula.arguments if isinstance(a, Area)}
         return {address for area in areas for address in area.cells()}
 
-    def evaluate(
-        self,
-        inputs: Mapping[Address, Any] | None = None,
-        assumed: Mapping[Address, Any] | None = None,
-        only: Container[Address] | None = None,
-    ) -> Cells:
-        """Return the value of every formula cell, or of those in ``only``.
+    def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
+        """Return the value of every formula cell; ``inputs`` stand in for what cells hold."""
+        return self._failed | self._calculation.evaluate(inputs)
 
-        ``inputs`` stand in for what cells hold. ``assumed`` are values that formulas find in other formula cells
-        instead of what those compute: with the right values assumed, a fault shows in its own cell only. With
-        ``only``, nothing else is computed: what those cells refer to must be constant or assumed.
+    def each(self, wanted: Iterable[Address], found: Found) -> Cells:
+        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to.
+
+        ``found`` is asked with what the cell holds if it holds no formula. With the right values found, a fault
+        shows in its own cell only.
         """
-        failed = {a: value for a, value in self._failed.items() if only is None or a in only}
-        return failed | self._calculation.evaluate(inputs, assumed, only)
+        return self._calculation.each(wanted, found)
 
-    def _take(self, address: Address, cell: Cell | MergedCell, known: dict[str, Area | str]) -> None:
+    def _take(self, address: Address, cell: Cell | MergedCell, formulas: Formulas) -> None:
         if cell.data_type != "f":
             if cell.value is not None:
                 self.constants[address] = entered(cell.value, self._epoch)
@@ -87,7 +85,7 @@ class PycelModel:
         try:
             if not isinstance(cell.value, str):
                 raise FormulaError("#VALUE!", f"a formula of the kind {type(cell.value).__name__} is not evaluated")
-            self.formulas[address] = read(cell.value, address.sheet, self._area, known)
+            self.formulas[address] = formulas.read(cell.value, address.row)
         except FormulaError as error:
             self._failed[address] = error.value
             self.problems[address] = str(error)

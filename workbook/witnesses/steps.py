@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from datetime import date, datetime, time, timedelta
 from typing import Any
 
@@ -24,7 +24,7 @@ class FormulaStep:
     def __init__(self, compiled: Compiled, sources: Sequence[int]) -> None:
         self._call, self._dummies, self.sources = compiled.call, compiled.dummies, sources
 
-    def compute(self, values: list[Any]) -> Any:
+    def compute(self, values: list[Any] | dict[int, Any]) -> Any:
         """Return what the cell holds; raise what pycel raises, and OverflowError for what no cell can hold."""
         arguments.update(zip(self._dummies, map(values.__getitem__, self.sources), strict=True))
         return held(self._call())
@@ -38,10 +38,15 @@ class RangeStep:
     def __init__(self, sources: Sequence[int], width: int) -> None:
         self.sources, self._width = sources, width
 
-    def compute(self, values: list[Any]) -> tuple[tuple[Any, ...], ...]:
+    def compute(self, values: list[Any] | dict[int, Any]) -> tuple[tuple[Any, ...], ...]:
         """Return the range as pycel's functions take it, a tuple of rows."""
-        cells = map(values.__getitem__, self.sources)
-        return tuple(zip(*[cells] * self._width, strict=True))
+        return rows_of(map(values.__getitem__, self.sources), self._width)
+
+
+def rows_of(values: Iterable[Any], width: int) -> tuple[tuple[Any, ...], ...]:
+    """Return values as rows of ``width``."""
+    cells = iter(values)
+    return tuple(zip(*[cells] * width, strict=True))
 
 
 def held(result: Any) -> Any:
