@@ -10,7 +10,7 @@ from rich.console import Console
 
 from tests.mutation.bench import Bench, sized
 from tests.mutation.examine import Tally, Verdict, examined, names_it_first
-from tests.mutation.machines import DRAWN, machines
+from tests.mutation.machines import machines
 from tests.mutation.mutants import Mutant
 from workbook.templates import TEMPLATES
 
@@ -41,8 +41,7 @@ def work(job: Job) -> Result:
     bench = Bench(template, sized(template))
     mutants = bench.orchard.every() if given.all else bench.orchard.sample(given.sample, given.seed)
     mine = list(islice(mutants, share, None, given.jobs))
-    drawn = given.random if bench.template.name in DRAWN else 0
-    elsewhere = [bench.inputs(m) for m in machines(bench.machine, drawn, given.seed)]
+    elsewhere = [bench.inputs(m) for m in machines(bench.machine, given.random, given.seed)]
     verdicts = list(examined(bench, mine, elsewhere))
     asked = [v.mutant for v in verdicts[:: given.whole] if v.found(given.values_only)] if given.whole else []
     return verdicts, [(m, names_it_first(bench.verified(m, not given.values_only), m)) for m in asked]

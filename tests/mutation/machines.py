@@ -1,39 +1,47 @@
-"""Random valid machines of one layout: what an engineer might enter, to tell whether a mutant ever shows."""
+"""Random valid machines of one layout: what an engineer might enter, to tell whether a mutant ever shows.
+
+Each template's own entries are drawn in ``draw_MODULE.py`` beside this file, named like its module under
+workbook/machines/; here is what they share.
+"""
 
 import random
-from itertools import pairwise
+from importlib import import_module
 from typing import Any
 
-from workbook.machine import Machine
+from pydantic import ValidationError
 
-DRAWN = ("cutting-machine",)  # the templates whose machines can be drawn here
+from workbook.machine import Machine
+from workbook.templates import MODULES
+
 LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
+TRIES = 200
 
 
 def machines(given: Machine, count: int, seed: int) -> list[Machine]:
     """Return machines with the sizes of ``given`` and other entries everywhere; the same for the same seed."""
     drawn = random.Random(seed)
-    return [type(given).model_validate(varied(given.model_dump(), drawn)) for _ in range(count)]
+    return [machine(given, drawn) for _ in range(count)]
 
 
-def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
-    """Return a description with every entry drawn anew."""
-    sizes, laws, drive = data["sizes"], data["laws"], data["drive"]
+def machine(given: Machine, drawn: random.Random) -> Machine:
+    """Return a machine drawn anew until it is a valid one."""
+    varied = import_module(f"tests.mutation.draw_{MODULES[given.template]}").varied
+    for _ in range(TRIES):
+        try:
+            return type(given).model_validate(varied(given.model_dump(), drawn))
+        except ValidationError as error:
+            refused = error
+    raise AssertionError(f"{TRIES} machines were drawn and none is valid; the last: {refused}")
+
+
+def vary_laws(laws: dict[str, Any], drawn: random.Random, room: int) -> None:
+    """Draw the parameters of every law."""
     for code in LAWS[:-1]:
         laws[code].update(lift=drawn.uniform(-300, 300), time=drawn.uniform(0.05, 3))
     low, high = sorted((drawn.uniform(0.02, 0.98), drawn.uniform(0.02, 0.98)))
     laws["TVP"].update(rise_end=low, fall_start=drawn.choice((low, high)))
     laws["MTP"]["durations"] = stages(drawn)
-    laws["OWN"].update(name=f"Law {drawn.randrange(1000)}", pieces=own_pieces(drawn, sizes["pieces"]))
-    data["timing"]["rate"] = drawn.uniform(5, 600)
-    for axis in data["timing"]["axes"]:
-        axis.update(closes=drawn.choice(("feed", "position")), phases=phases(drawn, sizes["phases"]))
-    drive.update(
-        rate=drawn.uniform(5, 600), force=drawn.choice((0.0, drawn.uniform(-900, 900))), radius=drawn.uniform(0.02, 2),
-        resists=drawn.choice(("always", "moving")), axis=drawn.choice(data["timing"]["axes"])["name"],
-        rotors=rotors(drawn, sizes["rotors"]), motor=motor(drawn),
-    )  # fmt: skip
-    return data
+    laws["OWN"].update(name=f"Law {drawn.randrange(1000)}", pieces=own_pieces(drawn, room))
 
 
 def shares(drawn: random.Random, count: int) -> list[float]:
@@ -61,39 +69,3 @@ def own_pieces(drawn: random.Random, room: int) -> list[dict[str, Any]]:
     if len(pieces) < room and drawn.random() < 0.3:
         pieces.insert(drawn.randrange(len(pieces) + 1), {"duration": 0.0, "c0": 5.0})
     return pieces
-
-
-def phases(drawn: random.Random, room: int) -> list[dict[str, Any]]:
-    """Return phases that fill the cycle; with some luck the first and last, or two in a row, move."""
-    edges = [0.0]
-    for share in shares(drawn, drawn.randint(1, room)):
-        edges.append(edges[-1] + share * 360)
-    edges[-1] = 360.0
-    made = []
-    for start, stop in pairwise(edges):
-        law = drawn.choice((*LAWS, "DWL"))
-        lift = 0.0 if law == "DWL" else drawn.choice((0.0, drawn.uniform(-200, 200), drawn.uniform(-200, 200)))
-        made.append({"start": start, "stop": stop, "lift": lift, "law": law})
-    return made
-
-
-def rotors(drawn: random.Random, room: int) -> list[dict[str, Any]]:
-    """Return rotating parts, geared or not."""
-    made: list[dict[str, Any]] = []
-    for i in range(drawn.randint(1, room)):
-        teeth = {f"teeth_{side}": float(drawn.randint(12, 99)) for side in ("driver", "driven")}
-        part = {"name": f"part {i}", "count": float(drawn.randint(0, 5)), "inertia": drawn.uniform(0, 2)}
-        made.append(part | (teeth if drawn.random() < 0.6 else {}))
-    return made
-
-
-def motor(drawn: random.Random) -> dict[str, float]:
-    """Return a motor that is far too small, about right or far too large."""
-    return {
-        "inertia": drawn.choice((0.0, drawn.uniform(0, 0.2))),
-        "rated_torque": 10 ** drawn.uniform(-3, 6),
-        "peak_torque": 10 ** drawn.uniform(-3, 6),
-        "max_speed": 10 ** drawn.uniform(-2, 7),
-        "reduction": drawn.uniform(0.2, 40),
-        "efficiency": drawn.uniform(0.3, 1),
-    }

@@ -7,7 +7,7 @@ import pytest
 from tests.mutation.bench import Bench, sized
 from tests.mutation.equivalence import Equivalence
 from tests.mutation.examine import Tally, examined, names_it_first
-from tests.mutation.machines import DRAWN, machines
+from tests.mutation.machines import machines
 from tests.mutation.mutants import KINDS, Mutant
 from workbook.templates import TEMPLATES
 
@@ -17,7 +17,6 @@ WHOLE = 4  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 
 every_template = pytest.mark.parametrize("name", TEMPLATES)
-every_drawn_template = pytest.mark.parametrize("name", DRAWN)
 
 
 @cache
@@ -76,7 +75,7 @@ def test_one_cell_evaluated_alone_tells_what_verify_reports_of_it(name: str, kin
         assert bool(own) == (bench(name).differs_at(mutant) is not None), str(mutant)
 
 
-@every_drawn_template
+@every_template
 def test_values_alone_find_most_of_what_shows_at_any_valid_input(name: str) -> None:
     here = bench(name)
     elsewhere = [here.inputs(m) for m in machines(here.machine, 25, SEED)]
@@ -96,7 +95,7 @@ def test_no_rule_of_equivalence_holds_for_a_mutant_that_shows(name: str) -> None
             assert held == [], str(mutant)
 
 
-@every_drawn_template
+@every_template
 def test_the_book_itself_agrees_with_the_engine_at_random_machines(name: str) -> None:
     """All cells from all others, nothing assumed: 3,000 formulas at 20 machines that nobody chose."""
     here = bench(name)

@@ -1,0 +1,36 @@
+"""Random pairs of motions: chosen angles or found ones, clearances that suffice or not."""
+
+import random
+from typing import Any
+
+from tests.mutation.machines import LAWS, vary_laws
+
+
+def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
+    """Return a description with every entry drawn anew; it may be one that a machine refuses."""
+    entries = data["overlap"]
+    vary_laws(data["laws"], drawn, data["sizes"]["pieces"])
+    codes = [drawn.choice(LAWS) for _ in range(3)]
+    if "OWN" in codes:
+        data["laws"]["OWN"]["pieces"] = rising(drawn)
+    clearance = drawn.uniform(2, 60)
+    entries.update(rate=drawn.uniform(100, 9000), view=drawn.choice((0.0, 360.0, drawn.uniform(0, 360))))
+    entries["transfer"] |= {"law": codes[0], "stroke": drawn.uniform(20, 300), "angle": drawn.uniform(60, 200)}
+    entries["tool"] |= {
+        "law_in": codes[1], "law_out": codes[2], "stroke": drawn.uniform(15, 200),
+        "dwell": drawn.choice((0.0, drawn.uniform(5, 90))),
+        "angle_in": drawn.choice((None, drawn.uniform(20, 150))),
+        "angle_out": drawn.choice((None, drawn.uniform(20, 150))),
+    }  # fmt: skip
+    entries["passage"] |= {
+        "remaining": drawn.choice((0.0, drawn.uniform(0.1, 12))), "clearance": clearance,
+        "margin": clearance * drawn.choice((0.0, 1.0, drawn.uniform(0.05, 0.6))),
+        "allowance": drawn.choice((0.0, drawn.uniform(0, 6))), "split": drawn.uniform(0.2, 0.8),
+    }  # fmt: skip
+    return data
+
+
+def rising(drawn: random.Random) -> list[dict[str, float]]:
+    """Return an own law that rises throughout: accelerated, then braked to rest."""
+    share = drawn.uniform(0.2, 0.8)
+    return [{"duration": share, "c0": 2 / share}, {"duration": 1 - share, "c0": -2 / (1 - share)}]
