@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive import STANDSTILL, LimitCheck, OperatingPoints
+from engine.drive import RETURNED, STANDSTILL, LimitCheck, OperatingPoints
 from engine.laws.base import Array
 from engine.selection import Task
 
@@ -200,7 +200,7 @@ def operating_points(
     m, r = pair
     w, dw, load = (np.asarray(values, dtype=np.float64) for values in (speed, acceleration, torque))
     tau, eta = float(reducers.ratio[r]), float(reducers.efficiency[r])
-    driven = (load * w >= 0.0) | (np.abs(w) < STANDSTILL)
+    driven = (load * w >= -RETURNED) | (np.abs(w) < STANDSTILL)
     own = (motors.inertia[m] + reducers.inertia[r]) / tau * dw
     at_motor = own + tau * load * np.where(driven, 1.0 / eta, eta)
     return OperatingPoints(w / tau, at_motor, at_motor * w / tau, np.asarray(time, dtype=np.float64))

@@ -144,7 +144,11 @@ class Block:
 
 @dataclass(frozen=True)
 class Series:
-    """One line of a chart; ``x`` and ``y`` are column references such as ``[samples.xi]``."""
+    """One line of a chart; ``x`` and ``y`` are column references such as ``[samples.xi]``.
+
+    ``points`` draws no line, ``marker`` a sign at each point; ``up`` and ``right`` are columns of lengths, of the
+    strokes that go up or to the right from each point: separate lines, none of them a series of its own.
+    """
 
     name: str
     x: str
@@ -152,6 +156,9 @@ class Series:
     dashed: bool = False
     points: bool = False
     color: str = ""
+    marker: Literal["none", "circle", "diamond", "square"] = "none"
+    up: str = ""
+    right: str = ""
 
 
 @dataclass(frozen=True)
@@ -166,6 +173,7 @@ class Chart:
     x_range: tuple[float, float, float] | None = None
     y_range: tuple[float, float, float] | None = None
     hide_y: bool = False
+    log_y: bool = False
 
 
 class Text(NamedTuple):

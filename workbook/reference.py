@@ -26,6 +26,7 @@ from engine.laws.base import Coefficients
 from engine.motion import Motion
 from engine.timing import Axis, Diagram
 from workbook import machine as entered
+from workbook.machines.cutting_model import CuttingMachine
 
 MM = 1e-3  # m
 RPM = 2 * math.pi / 60  # rad/s
@@ -85,7 +86,7 @@ def axis(given: entered.Axis, library: dict[str, Law]) -> Axis:
 class Cutting:
     """The engine's view of a cutting machine."""
 
-    def __init__(self, machine: entered.CuttingMachine, library: dict[str, Law]) -> None:
+    def __init__(self, machine: CuttingMachine, library: dict[str, Law]) -> None:
         self.machine = machine
         self.axes = [axis(a, library) for a in machine.timing.axes]
         self.diagram = Diagram(self.axes)

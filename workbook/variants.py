@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from workbook.machine import CuttingMachine, Machine
+from workbook.machine import Machine
+from workbook.machines.cutting_model import CuttingMachine
+from workbook.selection_variants import vary_selection
 
 LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 DURATIONS = (
@@ -50,6 +52,7 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
         drive[entry] *= next(scale)
     drive["rotors"] = rotors(k, sizes["rotors"])
     drive["motor"] = motor(drive["motor"], k, scale)
+    vary_selection(data["selection"], k, sizes)
     return data
 
 

@@ -2,16 +2,34 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import cast
 
+import numpy as np
+
 from workbook.declare import Book, result
-from workbook.machine import CuttingMachine, Machine
+from workbook.machine import Machine
+from workbook.machines.cutting_model import CuttingMachine
 from workbook.reference import Cutting
+from workbook.selection_reference import Asked, Choosing, Samples
 from workbook.sheets.about import about_sheet
-from workbook.sheets.drive import drive_sheet
+from workbook.sheets.drive import drive_sheet, operating, rms_lossless
+from workbook.sheets.selection import LoadCells, selection_sheet
 from workbook.sheets.timing import timing_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
 from workbook.variants import cutting_variants
+
+LOAD = LoadCells(
+    time="[drive.time]",
+    speed="[drive.w]",
+    acceleration="[drive.dw]",
+    torque="[drive.total]",
+    acceleration_rms="drive_wrms",
+    torque_rms="SQRT((drive_jtot*drive_wrms)^2+drive_cr^2*drive_share)",
+    power_rate_mean="drive_jtot*drive_wrms^2",
+    max_speed="MAX(MAX([drive.w]),0-MIN([drive.w]))",
+)
+"""Where the Drive sheet has the load at the roller shaft."""
 
 
 def declare(machine: Machine) -> Book:
@@ -34,8 +52,21 @@ def declare(machine: Machine) -> Book:
     timing_sheet(book, reference, shelf.stack)
     book.name_columns(book.blocks["axes"], "axis")
     drive_sheet(book, reference)
+    selection_sheet(book, LOAD, choosing(reference))
     shelf.sheets(book)
-    return finish(book, "Cutting machine", ("S1", "S2", "S3"))
+    return finish(book, "Cutting machine", ("S1", "S2", "S3", "S5"))
+
+
+def choosing(reference: Cutting) -> Choosing:
+    """Return the choice of motor and reducer for the load at the roller shaft, exact by the laws where they are."""
+    given, load, points = reference.machine, reference.drive.load, operating(reference)
+    lossless = rms_lossless(reference)
+    dw = lossless["acceleration"]
+    torque = sqrt((load.inertia * dw) ** 2 + load.torque**2 * lossless["share"])
+    asked = Asked(dw, torque, load.inertia * dw**2, float(np.abs(points["w"]).max()))
+    time = reference.angles / 360 * 60 / given.drive.rate
+    samples = Samples(time, points["w"], points["dw"], points["total"])
+    return Choosing(given.selection, given.sizes, asked, samples)
 
 
 TEMPLATE = Template(
@@ -43,5 +74,7 @@ TEMPLATE = Template(
     CuttingMachine,
     declare,
     cutting_variants,
-    LAW_SIZES | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "rotors": ("rotors", 0)},
+    LAW_SIZES
+    | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "rotors": ("rotors", 0)}
+    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
 )

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from openpyxl.chart import Reference, ScatterChart
 from openpyxl.chart.axis import ChartLines, NumericAxis
-from openpyxl.chart.data_source import StrData, StrRef, StrVal
+from openpyxl.chart.data_source import NumDataSource, NumRef, StrData, StrRef, StrVal
+from openpyxl.chart.error_bar import ErrorBars
 from openpyxl.chart.layout import Layout, ManualLayout
 from openpyxl.chart.legend import Legend
 from openpyxl.chart.marker import Marker
@@ -21,6 +22,8 @@ from openpyxl.utils import quote_sheetname
 from workbook.declare import Book, Chart, Series
 from workbook.writing.style import COLOURS, GRID
 
+WIDTH = 19050  # of a line: 1.5 points
+LOG_BASE = 10
 BELOW, BELOW_WITH_LEGEND = 1.5, 2.2  # cm for the labels of the abscissa, its title, the legend
 
 
@@ -57,13 +60,35 @@ def line(series: Series, book: Book, colour: str) -> XYSeries:
     """Return one line between the points, never a spline, which would bend a step backwards."""
     x, y = (Reference(range_string=book.range(r)) for r in (series.x, series.y))
     drawn: XYSeries = SeriesFactory(y, x, title=series.name)
-    drawn.smooth, drawn.marker = False, Marker(symbol="none")
-    drawn.graphicalProperties = GraphicalProperties(
-        ln=LineProperties(solidFill=series.color or colour, w=19050, prstDash="dash" if series.dashed else None)
-    )
-    if series.points:
-        drawn.graphicalProperties.line.noFill = True
+    ink = series.color or colour
+    stroke = LineProperties(solidFill=ink, w=WIDTH, prstDash="dash" if series.dashed else None)
+    drawn.smooth, drawn.marker = False, sign(series, ink)
+    drawn.graphicalProperties = GraphicalProperties(ln=LineProperties(noFill=True) if series.points else stroke)
+    drawn.errBars = strokes(series, book, stroke)
     return drawn
+
+
+def sign(series: Series, ink: str) -> Marker:
+    """Return the sign at each point, in one colour; none by default."""
+    if series.marker == "none":
+        return Marker(symbol="none")
+    look = GraphicalProperties(solidFill=ink, ln=LineProperties(solidFill=ink))
+    return Marker(symbol=series.marker, size=7, spPr=look)
+
+
+def strokes(series: Series, book: Book, stroke: LineProperties) -> ErrorBars | None:
+    """Return the strokes that leave each point of a series, drawn as its error bars."""
+    lengths = series.up or series.right
+    if not lengths:
+        return None
+    return ErrorBars(
+        errDir="y" if series.up else "x",
+        errBarType="plus",
+        errValType="cust",
+        noEndCap=True,
+        plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
+        spPr=GraphicalProperties(ln=stroke),
+    )
 
 
 def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
@@ -78,6 +103,8 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
         axis.majorGridlines = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
         if limits and isinstance(axis, NumericAxis):
             axis.scaling.min, axis.scaling.max, axis.majorUnit = limits
+    if chart.log_y:
+        drawn.y_axis.scaling.logBase = LOG_BASE
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.hide_y:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
