@@ -72,11 +72,11 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
         "count": 1.0 + k % 3,
         "belt": 0.6 + 0.3 * k,
         "friction": 0.02 * k,
-        "slope": (15.0, -20.0, 0.0, 35.0, -12.0, 5.0)[k],
-        "force": (0.0, -12.0, 7.0, 0.0, 3.0, -5.0)[k],
+        "slope": (15.0, -20.0, 0.0, 35.0, -32.0, 5.0)[k],
+        "force": (0.0, -12.0, 9.0, 0.0, 3.0, -5.0)[k],
         "inertia": 0.02 + 0.013 * k,
-        "torque": (0.3, 1.0, -0.7, 0.2, 0.4, -0.35)[k],
-        "friction_torque": 0.06 * k,
+        "torque": (0.9, 1.0, -0.7, 0.2, 0.4, -0.85)[k],
+        "friction_torque": 0.11 * k,
     }
     entry["motor"] = motor(k)
     return data
@@ -93,7 +93,7 @@ def phases(k: int, room: int) -> list[dict[str, Any]]:
     for i in range(room if k == 0 else min(room, (4, 3, 5, 2, 6, 4)[k])):
         law = "DWL" if (i + k) % 4 == 1 else LAWS[(k + i) % 6]
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (60.0 + 17 * i) * (-1) ** (i + k)
-        made.append({"law": law, "lift": lift, "duration": 0.08 + 0.05 * ((i * 5 + k) % 4)})
+        made.append({"law": law, "lift": lift, "duration": (0.2 + 0.17 * ((i * 5 + k) % 4)) / (3 if k == 1 else 1)})
     return made
 
 

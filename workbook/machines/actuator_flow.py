@@ -24,6 +24,9 @@ from engine.motion import Phase
 from workbook.machines.actuator_view import Actuator
 from workbook.reference import OwnLaw
 
+NEAR = 1e-9
+"""N or Nm at the load; a load that drives with less counts as resisting, or rounding would choose the side"""
+
 
 @dataclass(frozen=True)
 class Flow:
@@ -52,7 +55,7 @@ class Flow:
     @property
     def sign(self) -> float:
         """1 where the load resists the motion, −1 where it drives."""
-        return 1.0 if self.resists >= 0 else -1.0
+        return side(self.resists)
 
     @property
     def turn(self) -> Array:
@@ -72,13 +75,18 @@ class Flow:
         return found
 
 
+def side(resists: float) -> float:
+    """Return 1 for a load that resists a motion, −1 for one that drives it."""
+    return 1.0 if resists >= -NEAR else -1.0
+
+
 def flow(machine: Actuator, direction: float) -> Flow:
     """Return what the torque does as the acceleration changes, in one direction of motion."""
     m = machine.mechanism
     n, i = len(m.stages), m.ratio
     resists = m.steady * direction + m.rubbing
     driving = np.array([1 / stage.efficiency for stage in reversed(m.stages)])
-    keep = driving if resists >= 0 or machine.documented else 1 / driving
+    keep = driving if side(resists) > 0 or machine.documented else 1 / driving
     back = keep if machine.documented else 1 / keep
     lines = [_line(machine, m if s == 0 else machine.behind(s), direction, resists) for s in range(n)]
     lines.append((abs(resists), m.on_shaft(n)))
@@ -88,7 +96,7 @@ def flow(machine: Actuator, direction: float) -> Flow:
     chain = [math.prod(back[n - k :]) for k in range(n)]
     return Flow(
         resists=resists,
-        level=math.copysign(lines[0][0], resists),
+        level=side(resists) * lines[0][0],
         slope=lines[0][1],
         keep=keep,
         back=back,
@@ -103,12 +111,11 @@ def flow(machine: Actuator, direction: float) -> Flow:
 def _line(machine: Actuator, behind: Mechanism, direction: float, resists: float) -> tuple[float, float]:
     """Return size of the torque at rest and slope of the engine's torque, on the side where no stage turns round."""
     sizing = machine.sized(behind, machine.phases)
-    sign = 1.0 if resists >= 0 else -1.0
     inertia = behind.inertia() * behind.ratio**2
     if inertia == 0:
         return abs(float(sizing.torque(0.0, direction))), 0.0
     b = max(abs(resists), 1e-3) / inertia
-    at = sizing.torque([0.0, direction * sign * b], direction)
+    at = sizing.torque([0.0, direction * side(resists) * b], direction)
     return abs(float(at[0])), float(abs(at[1] - at[0])) / b
 
 

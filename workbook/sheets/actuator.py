@@ -83,16 +83,17 @@ def outcome(sheet: Sheet, machine: Sized) -> None:
         result("act_tf", "Friction at the motor", "T_f", "Nm", "=act_rubbing/act_i/act_eta", m.rubbing * per, scale=torque, source="over η, as when driving"),
         result("act_tl", "Weight and force at the motor", "T_l", "Nm", "=act_steady/act_i/act_eta", m.steady * per, scale=torque, source="over η, as when driving"),
         result("act_tr", "Both, moving forward", "T_R", "Nm", "=act_tf+act_tl", forwards * per, scale=torque),
-        result("act_vmax", "Largest speed of the load", "v", "m/s, rad/s", "=MAX([phases.v])", speed / m.ratio, scale=machine.speed_scale, source="m/s where it travels, else rad/s"),
+        result("act_vmax", "Largest speed of the load", "v", "m/s or rad/s", "=MAX([phases.v])", speed / m.ratio, scale=machine.speed_scale),
         result("act_wmax", "Largest speed of the motor", "ω_m", "rad/s", "=act_i*act_vmax", speed, scale=machine.speed_scale * m.ratio),
-        result("act_nmax", "", "n_m", "rpm", "=act_wmax*60/(2*PI())", speed / RPM, scale=machine.speed_scale * m.ratio / RPM),
+        result("act_nmax", "the same in rpm", "n_m", "rpm", "=act_wmax*60/(2*PI())", speed / RPM, scale=machine.speed_scale * m.ratio / RPM),
         result("act_alpha", "Largest acceleration of the motor", "ω̇_m", "rad/s²", "=act_i*MAX([phases.amax])", s.max_acceleration, scale=machine.acceleration_scale * m.ratio),
         result("act_thigh", "Highest torque of the motor", "", "Nm", "=MAX([extremes.torque])", max(machine.part_torques), scale=torque),
         result("act_tlow", "Lowest torque of the motor", "", "Nm", "=MIN([extremes.torque])", min(machine.part_torques), scale=torque),
         result("act_peak", "Peak torque", "T_max", "Nm", "=MAX(act_thigh,0-act_tlow)", peak, scale=torque),
         result("act_rms", "RMS torque over the cycle", "T_RMS", "Nm", "=SQRT(MAX(0,SUM([turns.square])+2*act_jm*act_i*SUM([turns.product])+(act_jm*act_i)^2*SUM([turns.grown]))/act_time)", rms, scale=torque, source="exact, not from samples: sheet RMS"),
         result("act_derate", "Derating with temperature", "", "", "=MIN(1,SQRT((act_temp_limit-act_temp)/(act_temp_limit-act_temp_rated)))", machine.derating, source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N))"),
-        result("act_rated_left", "Continuous torque that is left", "T_N", "Nm", "=act_motor_rated*act_derate", left),
+        result("act_rated_left", "Continuous torque that is left", "T_N,ϑ", "Nm", "=act_motor_rated*act_derate", left),
+        result("act_needed", "Rated torque that the motor must have", "", "Nm", "=IF(act_derate>0,act_rms/act_derate,0)", rms / machine.derating if machine.derating else 0.0, scale=torque, source="T_RMS over the derating"),
         result("act_res_rms", "Reserve: continuous over RMS torque", "", "", "=IF(act_rms>0,act_rated_left/act_rms,0)", left / rms if rms else 0.0, source="1 or more; 0 where none is asked for"),
         result("act_res_peak", "Reserve: peak torque", "", "", "=IF(act_peak>0,act_motor_peak/act_peak,0)", motor.peak_torque / peak if peak else 0.0),
         result("act_res_speed", "Reserve: speed", "", "", "=IF(act_nmax>0,act_motor_nmax/act_nmax,0)", machine.motor_speed / speed if speed else 0.0),
@@ -119,7 +120,7 @@ def workings(sheet: Sheet, machine: Sized) -> None:
     """Declare the load, and what the mechanism makes of it."""
     m, load = machine.mechanism, machine.given.load
     number = list(KINDS).index(machine.given.mechanism) + 1
-    unit, base = ("mm", "m") if machine.travels else ("°", "rad")
+    base = "m" if machine.travels else "rad"
     last, documented = len(m.stages), machine.documented
     reflected = {p.name: m.reflected(p, documented) for p in m.parts if p.shaft == last}
     moved = machine.slide.mass if machine.travels else load.inertia
@@ -130,16 +131,15 @@ def workings(sheet: Sheet, machine: Sized) -> None:
         calc("act_no", "Number of the mechanism", "", "", "=MATCH(act_mechanism,[mechanisms.name],0)", number, format="0"),
         calc("act_travels", "Its load travels (1) or turns (0)", "", "", "=INDEX([mechanisms.travels],act_no)", int(machine.travels), format="0"),
         calc("act_unit", "A unit of lift in m or rad", "", "", "=IF(act_travels=1,1/1000,PI()/180)", MM if machine.travels else pi / 180, source="mm, or degrees"),
-        calc("act_title_x", "Position, with its unit", "", "", '="position x ["&IF(act_travels=1,"mm","°")&"]"', f"position x [{unit}]", align="center"),
         calc("act_title_v", "Speed, with its unit", "", "", '="speed v ["&IF(act_travels=1,"m/s","rad/s")&"]"', f"speed v [{base}/s]", align="center"),
-        calc("act_wheel", "Ratio of the last element", "", "rad/m, 1", '=IF(act_travels=0,1,IF(act_no=1,2*PI()*act_turns*1000,2/(act_diameter/1000)))', machine.wheel, source="2πP; 2/D; 1"),
+        calc("act_wheel", "Ratio of the last element", "", "rad/m or 1", '=IF(act_travels=0,1,IF(act_no=1,2*PI()*act_turns*1000,2/(act_diameter/1000)))', machine.wheel, source="2πP; 2/D; 1"),
         calc("act_m", "Mass in all", "m", "kg", '=act_mass*IF(act_count="",1,act_count)', machine.slide.mass),
-        calc("act_load", "What is moved", "", "kg, kg m²", "=IF(act_travels=1,act_m,act_inertia)", moved),
+        calc("act_load", "What is moved", "", "kg or kg m²", "=IF(act_travels=1,act_m,act_inertia)", moved),
         calc("act_moved_belt", "and the belt", "", "kg", "=IF(INDEX([mechanisms.belt],act_no)=1,act_belt,0)+0", belt),
-        calc("act_steady", "What resists always", "", "N, Nm", "=IF(act_travels=1,act_force+act_m*act_g*SIN(RADIANS(act_slope)),act_torque)", m.steady, scale=machine.force_scale, source="F + m g sin θ; T"),
-        calc("act_rubbing", "What opposes the motion", "", "N, Nm", "=IF(act_travels=1,act_friction*act_m*act_g*ABS(COS(RADIANS(act_slope))),act_rub)+0", m.rubbing, scale=machine.force_scale, source="μ m g cos θ; T_f"),
-        calc("act_hold", "What the motor holds in a dwell", "", "N, Nm", '=IF(act_holding="brake",0,act_steady)', machine.hold, scale=machine.force_scale),
-        calc("act_i", "Ratio of motor to load", "i", "rad/m, 1", "=[stages.to.last]", m.ratio),
+        calc("act_steady", "What resists always", "", "N or Nm", "=IF(act_travels=1,act_force+act_m*act_g*SIN(RADIANS(act_slope)),act_torque)", m.steady, scale=machine.force_scale, source="F + m g sin θ; T"),
+        calc("act_rubbing", "What opposes the motion", "", "N or Nm", "=IF(act_travels=1,act_friction*act_m*act_g*ABS(COS(RADIANS(act_slope))),act_rub)+0", m.rubbing, scale=machine.force_scale, source="μ m g cos θ; T_f"),
+        calc("act_hold", "What the motor holds in a dwell", "", "N or Nm", '=IF(act_holding="brake",0,act_steady)', machine.hold, scale=machine.force_scale),
+        calc("act_i", "Ratio of motor to load", "i", "rad/m or 1", "=[stages.to.last]", m.ratio),
         calc("act_eta", "Efficiency in all", "η", "", "=[stages.eta_to.last]", m.efficiency),
         calc("act_over", "Losses on inertia", "", "", '=IF(act_method="document",act_eta,1)', m.efficiency if documented else 1.0, source="η as S4 has it; 1 physically"),
         calc("act_jload", "Inertia of the load at the motor", "J_load", "kg m²", "=act_load/act_i^2/act_over", reflected["load"], source="m/(η i²)"),

@@ -48,7 +48,7 @@ def cascade(machine: Sized, acceleration: Array, direction: Array, used: Array) 
     found = machine.shaft_torques(acceleration, direction, used)
     scales = [machine.force_scale / i * machine.mechanism.ratio_to(k) for k in range(last + 1)]
     made = [
-        calc(f"t{last}", "at the load", "F or T", "N, Nm", "=[base]+[stages.own.last]*[acc]", found[last], scale=scales[last], source="resists + m a, J ω̇"),
+        calc(f"t{last}", "at the load", "F, T", "N or Nm", "=[base]+[stages.own.last]*[acc]", found[last], scale=scales[last], source="resists + m a, J ω̇"),
     ]  # fmt: skip
     for k in reversed(range(last)):
         name = "into the mechanism" if k == 0 else f"behind gear {k}"
@@ -75,9 +75,9 @@ def extremes(sheet: Sheet, machine: Sized) -> None:
         constant("what", "part", "", "", [PARTS[part] for _, part in rows], align="left"),
         constant("p", "phase", "", "", [k + 1 for k, _ in rows]),
         result("torque", "motor torque", "T_m", "Nm", "=[total]+act_jm*act_i*[acc]", torque, scale=machine.torque_scale, source="T*_L + J_m ω̇"),
-        calc("acc", "load acceleration", "a", "m/s², rad/s²", f"=INDEX([phases.per],[p])*{pick}", a, scale=machine.acceleration_scale, source="C_a h/t²"),
+        calc("acc", "load acceleration", "a", "", f"=INDEX([phases.per],[p])*{pick}", a, scale=machine.acceleration_scale, source="C_a h/t²; m/s², or rad/s²"),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[p])", direction, format="0", scale=1.0),
-        calc("base", "resists", "", "N, Nm", "=INDEX([phases.base],[p])", machine.resisting(direction, used), scale=machine.force_scale),
+        calc("base", "resists", "", "N or Nm", "=INDEX([phases.base],[p])", machine.resisting(direction, used), scale=machine.force_scale),
         *columns,
         constant("part", "part", "", "", [part + 1 for _, part in rows]),
     )  # fmt: skip
@@ -115,7 +115,7 @@ def cycle(sheet: Sheet, machine: Sized, pieces: Pieces) -> None:
     sheet.table(
         "cycle", "Load and motor over the cycle", len(t),
         calc("time", "time", "t", "s", "=[k]*act_time/[cycle.k.last]", t, format="0.0000", scale=motion.total),
-        result("y", "position of the load", "x", "mm, °", "=(INDEX([phases.y0],[p])+INDEX([phases.h],[p])*[s])/act_unit", at.y / machine.unit, scale=machine.lift_scale / machine.unit, source="x_0 + h s"),
+        result("y", "position of the load", "x", "mm or °", "=(INDEX([phases.y0],[p])+INDEX([phases.h],[p])*[s])/act_unit", at.y / machine.unit, scale=machine.lift_scale / machine.unit, source="x_0 + h s"),
         result("rpm", "motor speed", "n_m", "rpm", "=[w]*60/(2*PI())", at.y1 * i / RPM, scale=v * i / RPM),
         result("torque", "motor torque", "T_m", "Nm", "=[total]+act_jm*[dw]", torque, scale=machine.torque_scale, source="T*_L + J_m ω̇_L"),
         result("power", "motor power", "P", "W", "=[torque]*[w]", torque * at.y1 * i, scale=machine.torque_scale * v * i, source="T_m ω_L"),
@@ -123,10 +123,10 @@ def cycle(sheet: Sheet, machine: Sized, pieces: Pieces) -> None:
         result("dw", "load acceleration", "ω̇_L", "rad/s²", "=act_i*[acc]", i * at.y2, scale=i * a, source="i a"),
         Quantity("total", "load torque", "T*_L", "Nm", "result", load.formula, load.value, source="T_L + J_L ω̇_L", scale=load.scale),
         constant("k", "sample", "k", "", list(range(len(t)))),
-        calc("vel", "speed of the load", "v", "m/s, rad/s", "=INDEX([phases.h],[p])/INDEX([phases.span],[p])*[v]", at.y1, scale=v, source="h v/t"),
-        calc("acc", "acceleration of the load", "a", "m/s², rad/s²", "=INDEX([phases.per],[p])*[a]", at.y2, scale=a, source="h a/t²"),
+        calc("vel", "speed of the load", "v", "", "=INDEX([phases.h],[p])/INDEX([phases.span],[p])*[v]", at.y1, scale=v, source="h v/t; m/s, or rad/s"),
+        calc("acc", "acceleration of the load", "a", "", "=INDEX([phases.per],[p])*[a]", at.y2, scale=a, source="h a/t²; m/s², or rad/s²"),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[p])", direction, format="0", scale=1.0),
-        calc("base", "resists", "", "N, Nm", "=INDEX([phases.base],[p])", machine.resisting(direction, np.ones(len(t))), scale=machine.force_scale),
+        calc("base", "resists", "", "N or Nm", "=INDEX([phases.base],[p])", machine.resisting(direction, np.ones(len(t))), scale=machine.force_scale),
         *columns,
         *joined.located(motion, t, pieces, FIND, ("last begin not above t", "(t − begin)/duration")),
     )  # fmt: skip

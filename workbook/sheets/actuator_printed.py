@@ -51,14 +51,14 @@ def printed_sheet(book: Book, machine: Sized) -> None:
         "printed", "Figures of S4: problem 1, the lead screw, and problem 2, the conveyor", len(FIGURES),
         constant("what", "figure", "", "", [f.what for f in FIGURES], align="left"),
         constant("unit", "unit", "", "", [f.unit or NONE for f in FIGURES]),
-        calc("here", "this book", "", "", [f"={f.cell}" for f in FIGURES], engine, scale=machine.torque_scale * 1e-6),
-        constant("screw", "lead screw, printed", "", "", [f.screw for f in FIGURES]),
+        calc("here", "this book", "", "", [f"={f.cell}" for f in FIGURES], engine, format="General", scale=machine.torque_scale * 1e-6),
+        constant("screw", "lead screw, printed", "", "", [f.screw for f in FIGURES], format="General"),
         constant("screw_exact", "lead screw, exact", "", "", [f.exact[0] for f in FIGURES], format="General"),
-        constant("conveyor", "conveyor, printed", "", "", [f.conveyor for f in FIGURES]),
+        constant("conveyor", "conveyor, printed", "", "", [f.conveyor for f in FIGURES], format="General"),
         constant("conveyor_exact", "conveyor, exact", "", "", [f.exact[1] for f in FIGURES], format="General"),
         constant("remark", "remark", "", "", [f.remark or NONE for f in FIGURES], align="left"),
     )  # fmt: skip
-    sheet.print_columns = 9
+    sheet.print_columns = 15
 
 
 def values(machine: Sized) -> list[float]:

@@ -10,7 +10,7 @@ import numpy as np
 from engine.laws import ConstantAcceleration, Cubic, Cycloidal, Law, ModifiedTrapezoidal, TrapezoidalVelocity
 from engine.motion import Phase
 from workbook.declare import Book, Quantity, Sheet, calc, constant, result
-from workbook.machines.actuator_flow import Flow, Sized, Squares, hinge
+from workbook.machines.actuator_flow import NEAR, Flow, Sized, Squares, hinge
 from workbook.reference import OwnLaw
 from workbook.sheets.stack import CODES
 
@@ -42,6 +42,9 @@ def rms_sheet(book: Book, machine: Sized, library: dict[str, Law]) -> None:
     sheet.note(
         "Where the load is slowed past y_s, power flows back through stage s and the slope A changes; Δ∫ follows from N1 = ∫(y − y_s)+ and N2 = ∫(y − y_s)+²."
     )
+    sheet.rows(
+        constant("act_near", "A load that drives with less counts as resisting", "R_0", "N or Nm", NEAR, format="0E+00", source="rounding never decides the losses"),
+    )  # fmt: skip
     turns(sheet, machine)
     for name, one in machine.flows.items():
         direction(sheet, machine, name, one)
@@ -56,7 +59,7 @@ def outcome(sheet: Sheet, machine: Sized) -> None:
     sheet.rows(
         result("act_wrms", "RMS acceleration of the load", "ω̇_L,rms", "rad/s²", "=act_i*SQRT(SUM([turns.grown])/act_time)", math.sqrt(grown / time), scale=machine.mechanism.ratio * machine.acceleration_scale),
         result("act_lrms", "RMS torque of the load", "T*_L,rms", "Nm", "=SQRT(MAX(0,SUM([turns.square]))/act_time)", math.sqrt(torque / time), scale=machine.torque_scale),
-        result("act_lmean", "Mean of acceleration times torque", "(ω̇_L T*_L)_mean", "Nm rad/s²", "=act_i*SUM([turns.product])/act_time", product / time, scale=machine.torque_scale * machine.mechanism.ratio * machine.acceleration_scale),
+        result("act_lmean", "Mean of acceleration times torque", "⟨ω̇_L T*_L⟩", "Nm rad/s²", "=act_i*SUM([turns.product])/act_time", product / time, scale=machine.torque_scale * machine.mechanism.ratio * machine.acceleration_scale),
     )  # fmt: skip
 
 
@@ -88,7 +91,7 @@ def turns(sheet: Sheet, machine: Sized) -> None:
         calc("time", "duration", "t", "s", "=INDEX([phases.span],[k])", t, scale=time),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[k])", of("direction"), format="0", scale=1.0),
         calc("no", "law", "", "", "=INDEX([phases.no],[k])", of("number"), format="0"),
-        calc("per", "b for a = 1", "|h|/t²", "m/s², rad/s²", "=ABS(INDEX([phases.per],[k]))", of("per"), scale=a),
+        calc("per", "b for a = 1", "|h|/t²", "", "=ABS(INDEX([phases.per],[k]))", of("per"), scale=a),
         calc("mean", "mean of b", "⟨b⟩", "", "=[per]*(INDEX(law_v1,[no])-INDEX(law_v0,[no]))", of("mean"), scale=a, source="(v(1) − v(0))|h|/t²"),
         calc("mean2", "mean of b²", "⟨b²⟩", "", "=([per]*INDEX(law_ca_rms,[no]))^2", of("mean2"), scale=a**2, source="(C_a,rms |h|/t²)²"),
         calc("level", "torque at b = 0", "B", "Nm", pick("forward_b", "backward_b", "INDEX([phases.base],[k])/act_i/act_eta"), of("level"), scale=torque),
@@ -189,8 +192,8 @@ def direction(sheet: Sheet, machine: Sized, name: str, one: Flow) -> None:
     sign = "1" if name == "forward" else "(0-1)"
     sheet.heading(f"Workings: moving {name}")
     sheet.rows(
-        calc(f"{name}_r", "The load resists with", "R", "N, Nm", f"={sign}*act_steady+act_rubbing", one.resists, scale=force),
-        calc(f"{name}_sign", "It resists (1) or drives (−1)", "", "", f"=IF({name}_r>=0,1,0-1)", one.sign, format="0"),
+        calc(f"{name}_r", "The load resists with", "R", "N or Nm", f"={sign}*act_steady+act_rubbing", one.resists, scale=force),
+        calc(f"{name}_sign", "It resists (1) or drives (−1)", "", "", f"=IF({name}_r>=0-act_near,1,0-1)", one.sign, format="0"),
         calc(f"{name}_b", "Torque at b = 0", "B", "Nm", f"={name}_sign*[{name}.hold.last]*[{name}.keep.last]", one.level, scale=torque, source="in the direction of motion"),
         calc(f"{name}_a", "Slope", "A", "Nm/b", f"=act_i*act_j0+[{name}.weight.last]*[{name}.keep.last]", one.slope, scale=torque / a),
     )  # fmt: skip
@@ -200,7 +203,7 @@ def direction(sheet: Sheet, machine: Sized, name: str, one: Flow) -> None:
         name, "Stages, from the load to the motor", n,
         constant("row", "row", "", "", list(range(1, n + 1))),
         constant("s", "stage", "s", "", list(range(n, 0, -1))),
-        calc("keep", "factor before the turn", "e", "", f'=IF(OR(act_method="document",{name}_r>=0),1/INDEX([stages.eta],[s]),INDEX([stages.eta],[s]))', one.keep, source="1/η driving, η driven"),
+        calc("keep", "factor before the turn", "e", "", f'=IF(OR(act_method="document",{name}_sign=1),1/INDEX([stages.eta],[s]),INDEX([stages.eta],[s]))', one.keep, source="1/η driving, η driven"),
         calc("back", "factor after it", "r", "", '=IF(act_method="document",[keep],1/[keep])', one.back),
         calc("tail", "factors behind", "Π e", "", "=" + first.format("1", "[tail-1]*[keep-1]"), one.tail),
         calc("hold", "torque at b = 0", "W", "Nm", f"=ABS({name}_r)/act_i*[tail]", one.hold, scale=torque, source="at the motor's speed"),
