@@ -130,7 +130,7 @@ def workings(sheet: Sheet, machine: Sized) -> None:
         constant("act_g", "Gravity", "g", "m/s²", GRAVITY, source="S4's torques were worked out with 9.8"),
         calc("act_no", "Number of the mechanism", "", "", "=MATCH(act_mechanism,[mechanisms.name],0)", number, format="0"),
         calc("act_travels", "Its load travels (1) or turns (0)", "", "", "=INDEX([mechanisms.travels],act_no)", int(machine.travels), format="0"),
-        calc("act_unit", "A unit of lift in m or rad", "", "", "=IF(act_travels=1,1/1000,PI()/180)", MM if machine.travels else pi / 180, source="mm, or degrees"),
+        calc("act_unit", "A unit of lift in m or rad", "", "", "=IF(act_travels=1,1/1000,RADIANS(1))", MM if machine.travels else pi / 180, source="mm, or degrees"),
         calc("act_title_v", "Speed, with its unit", "", "", '="speed v ["&IF(act_travels=1,"m/s","rad/s")&"]"', f"speed v [{base}/s]", align="center"),
         calc("act_wheel", "Ratio of the last element", "", "rad/m or 1", '=IF(act_travels=0,1,IF(act_no=1,2*PI()*act_turns*1000,2/(act_diameter/1000)))', machine.wheel, source="2πP; 2/D; 1"),
         calc("act_m", "Mass in all", "m", "kg", '=act_mass*IF(act_count="",1,act_count)', machine.slide.mass),

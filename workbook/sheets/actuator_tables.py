@@ -114,6 +114,6 @@ def stages(sheet: Sheet, machine: Actuator) -> None:
         calc("eta", "efficiency", "η_k", "", [*(f'=IF({g.format("efficiency")}="",1,{g.format("efficiency")})' for g in gear), "=IF(act_travels=1,act_eta_out,1)"], [s.efficiency for s in m.stages]),
         calc("to", "motor over this shaft", "i_k", "", "=[ratio]*IF([k]=1,1,[to-1])", [m.ratio_to(k) for k in range(1, n + 1)], source="N_1 … N_k"),
         calc("eta_to", "efficiency up to here", "", "", "=[eta]*IF([k]=1,1,[eta_to-1])", [m.efficiency_to(k) for k in range(1, n + 1)]),
-        calc("own", "inertia behind it", "J_k", "kg m²", [*("=SUMPRODUCT(([parts.on]=[k])*[parts.total])" for _ in gear), "=act_load+act_moved_belt"], own, source="of a load that travels: kg"),
+        calc("own", "inertia behind it", "J_k", "kg m²", "=IF([k]=[stages.k.last],act_load+act_moved_belt,SUMPRODUCT(([parts.on]=[k])*[parts.total]))", own, source="of a load that travels: kg"),
         calc("at_motor", "at the motor", "J*", "kg m²", "=[own]/[to]^2", [j / m.ratio_to(k) ** 2 for k, j in enumerate(own, 1)], source="J_k/i_k², without losses"),
     )  # fmt: skip
