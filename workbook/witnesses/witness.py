@@ -8,6 +8,7 @@ from typing import IO, Any, Protocol
 
 import openpyxl
 from openpyxl import Workbook
+from openpyxl.cell.cell import Cell, MergedCell
 
 from workbook.address import Address
 from workbook.reading.files import BookFile
@@ -28,13 +29,19 @@ class Witness(Protocol):
 def formula_cells(workbook: Workbook) -> Iterator[Address]:
     """Yield the address of every formula cell."""
     for sheet in workbook.worksheets:
-        for row in sheet.iter_rows():
-            for cell in row:
-                if cell.data_type == "f" and cell.row and cell.column:
-                    yield Address(sheet.title, cell.row, cell.column)
+        for (row, column), cell in sheet._cells.items():
+            if cell.data_type == "f":
+                yield Address(sheet.title, row, column)
 
 
 def cached_values(path: Path | IO[bytes], file: BookFile) -> dict[Address, Any]:
     """Return what another copy of the file holds as results of the formula cells of ``file``."""
-    held = openpyxl.load_workbook(path, data_only=True)
-    return {a: held[a.sheet].cell(a.row, a.column).value for a in formula_cells(file.workbook)}
+    held = {sheet.title: sheet._cells for sheet in openpyxl.load_workbook(path, data_only=True).worksheets}
+    return {a: result_of(held[a.sheet].get((a.row, a.column))) for a in formula_cells(file.workbook)}
+
+
+def result_of(cell: Cell | MergedCell | None) -> Any:
+    """Return what a cell holds; an empty text is a result too, which openpyxl reads as nothing."""
+    if cell is None:
+        return None
+    return "" if cell.value is None and cell.data_type == "str" else cell.value
