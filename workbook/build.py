@@ -6,6 +6,7 @@ import tempfile
 from pathlib import Path
 
 from workbook.collector import collector_paused
+from workbook.functions import publish
 from workbook.machine import Machine
 from workbook.reading.carried import not_carried
 from workbook.reading.entries import Entries, read_machine, write_machine
@@ -51,16 +52,17 @@ def committed() -> list[Path]:
 
 
 def write_templates() -> list[Path]:
-    """Generate the workbook of every committed machine description."""
+    """Generate the workbook of every committed machine description, and the files of the functions."""
     books = [description.with_suffix(".xlsx") for description in committed()]
     for description, book in zip(committed(), books, strict=True):
         build(read_machine(description), book, overwrite=True)
-    return books
+    return [*books, *publish.write_files()]
 
 
 def stale_templates() -> list[Path]:
-    """Return the committed workbooks that today's code would generate differently."""
-    return [description.with_suffix(".xlsx") for description in committed() if stale(description)]
+    """Return the committed files that today's code would generate differently."""
+    books = [description.with_suffix(".xlsx") for description in committed() if stale(description)]
+    return books + publish.stale_files()
 
 
 def stale(description: Path) -> bool:

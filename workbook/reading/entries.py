@@ -118,6 +118,8 @@ class Entries:
 
     def _template(self) -> Template:
         place = self.file.places.get("book_template")
+        if place is None and "MOTION.S" in self.file.workbook.defined_names:
+            raise ReadError(f"{self.file.path}: holds the functions MOTION.*, but no machine to compare or to read")
         if place is None:
             raise ReadError(f"{self.file.path}: not a workbook of motionbook: it has no cell named book_template")
         address = place.cell(0, 0)

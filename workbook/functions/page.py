@@ -1,0 +1,188 @@
+"""The page that shows each function in use: a law, a motion of phases, shafts and a profile, all to be changed."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Any
+
+from engine.laws.inverse import inverse
+from workbook.declare import FIRST, Book, Chart, Series, Sheet, Text, calc, constant, given, result
+from workbook.functions.declared import FUNCTIONS, Argument
+from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
+
+LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
+TVP = "[tvp.rise_end]:[tvp.fall_start]"
+MTP = "[mtp.d1]:[mtp.d7]"
+OWN = "[own.duration.first]:[own.phase.last]"
+P = f'IF({LAW}="TVP",{TVP},IF({LAW}="MTP",{MTP},IF({LAW}="OWN",{OWN},0)))'
+PHASES = f"[phases.law.first]:[phases.p{WIDTH}.last]"
+ARGUMENTS = {
+    "law": LAW, "xi": XI, "s": S, "x": X, "parameters": P, "phases": PHASES, "inertias": "[shafts.inertia]",
+    "ratios": "[shafts.ratio]", "values": "[profile.value]", "durations": "[profile.span]",
+}  # fmt: skip
+PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
+WORKS = '=IF(ISERROR(MOTION.S("CUB",0.5,0)),"no: they need Excel 365 or 2024, or LibreOffice with motion.oxt","yes")'
+
+
+def declare(shown: Shown) -> Book:
+    """Declare the book."""
+    book = Book("motion-functions", "Motion laws as functions")
+    sheet = book.sheet("Functions", 'Motion laws as functions of your own sheets, as in  =MOTION.S("CIC", B7, 0)')
+    sheet.texts.append(Text(1, FIRST, book.title, "title"))
+    sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))
+    introduction(sheet)
+    entries(sheet, shown)
+    functions(sheet, shown)
+    sheet.chart_row(*(curve(*words, "law") for words in LAW_CURVES), width=4, height=15)
+    motion(sheet, shown)
+    sums(sheet, shown)
+    arguments(sheet)
+    samples(sheet, shown)
+    sheet.print_columns = 17
+    return book
+
+
+def introduction(sheet: Sheet) -> None:
+    """Say how the functions come into another workbook, and whether they compute here."""
+    sheet.heading("In your own workbook")
+    for line in (
+        "1  Excel 365, 2024 or Excel for the web: open your workbook beside this one.",
+        "2  Right-click this tab > Move or Copy > To book: your workbook, Create a copy; the functions come along.",
+        "3  Type  =MOTION.  into any cell; the copied sheet may be deleted again.",
+        "LibreOffice: install motion.oxt (Tools > Extension Manager), which computes the same file by the same names.",
+    ):
+        sheet.note(line)
+    sheet.rows(result("fn_works", "Do the functions compute here?", "", "", WORKS, "yes", align="center"))
+
+
+def entries(sheet: Sheet, shown: Shown) -> None:
+    """Declare what the examples take: change it, and everything below follows."""
+    laws, pieces = shown.laws, shown.pieces
+    sheet.heading("What to enter for the examples")
+    sheet.rows(
+        given("fn_law", "Law", "", "", shown.law, "law", align="center", source="OWN: the pieces below"),
+        given("fn_xi", "Share of the rise time", "ξ", "", shown.xi, "xi", source="0 to 1"),
+        given("fn_s", "Share of the rise", "s", "", shown.s, "s", source="0 to 1"),
+        given("fn_x", "Abscissa of the motion", "x", "", shown.x, "x", source="0 to the sum of its durations"),
+    )
+    sheet.row += 1
+    sheet.table(
+        "tvp", "Parameters of TVP", 1,
+        given("rise_end", "end of acceleration", "", "", [laws.TVP.rise_end], "laws.TVP.rise_end"),
+        given("fall_start", "start of deceleration", "", "", [laws.TVP.fall_start], "laws.TVP.fall_start"),
+    )  # fmt: skip
+    sheet.table("mtp", "Parameters of MTP: seven durations, of sum 1", 1, *(
+        given(f"d{i}", f"stage {i}", "", "", [d], "laws.MTP.durations.*", format="0.0000")
+        for i, d in enumerate(laws.MTP.durations, 1)
+    ))  # fmt: skip
+    rows = len(pieces) + EMPTY_PIECES
+    sheet.table("own", "Parameters of OWN: a row a piece, a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(
+        given(name, words, "", "", column(pieces, i, rows), f"laws.OWN.pieces.*.{name}", format="General")
+        for i, (name, words) in enumerate(PIECE.items())
+    ))  # fmt: skip
+
+
+def column(rows: list[list[Any]], i: int, size: int) -> list[Any]:
+    """Return a column of a table, filled up with empty cells."""
+    return [row[i] if i < len(row) else None for row in rows] + [None] * (size - len(rows))
+
+
+def functions(sheet: Sheet, shown: Shown) -> None:
+    """Declare a row a function: how it is called, its result for the entries, what it gives."""
+    calls = [f"{f.name}({', '.join(a.name.en for a in f.arguments)})" for f in FUNCTIONS]
+    formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
+    sheet.heading("The functions, each computed for these entries")
+    sheet.table(
+        "functions", "Category of the function wizard: Machine motion", len(FUNCTIONS),
+        constant("call", "function", "", "", calls, align="left"),
+        result("gives", "result", "", "", formulas, results(shown), format="0.000000"),
+        constant("about", "what it gives", "", "", [f.help.en for f in FUNCTIONS], align="left"),
+    )  # fmt: skip
+
+
+def results(shown: Shown) -> list[Any]:
+    """Return the engine's value of each function for the entries, #NUM! where there is none."""
+    law, motion, k = shown.one.evaluate(shown.xi), shown.motion.at(shown.x), shown.one.coefficients
+    xi = "#NUM!" if shown.law == "DWL" else inverse(shown.one, shown.s)
+    jerk = k.cj if isfinite(k.cj) else "#NUM!"
+    return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion, shown.reduced, shown.rms]
+
+
+LAW_CURVES = (
+    ("Position", "xi", "s", "ξ", "s"),
+    ("Velocity", "xi", "v", "ξ", "v"),
+    ("Acceleration", "xi", "a", "ξ", "a"),
+    ("Jerk", "xi", "j", "ξ", "j"),
+)
+MOTION_CURVES = (
+    ("Position of the motion", "x", "y", "x", "y"),
+    ("Velocity of the motion", "x", "y1", "x", "y'"),
+    ("Acceleration of the motion", "x", "y2", "x", "y''"),
+)
+
+
+def curve(title: str, x: str, y: str, x_axis: str, y_axis: str, table: str) -> Chart:
+    """Return the chart of one column of a sampled table."""
+    line = Series(title, f"[{table}.{x}]", f"[{table}.{y}]")
+    span = (0.0, 1.0, 0.2) if table == "law" else None
+    return Chart(title, x_axis, y_axis, (line,), f"{title} over {x_axis}, sampled in the table below", span)
+
+
+def motion(sheet: Sheet, shown: Shown) -> None:
+    """Declare the table of phases, and the charts of the motion."""
+    rows = len(shown.phases) + EMPTY_PHASES
+    phases = [[p.law, p.duration, p.lift, *p.p] for p in shown.phases]
+    sheet.heading("A motion of phases", "Empty rows at the end are left out; what a law does not take may stay empty.")
+    sheet.table(
+        "phases", "Phases", rows,
+        given("law", "law", "", "", column(phases, 0, rows), "phases.*.law", align="center"),
+        given("duration", "duration", "", "", column(phases, 1, rows), "phases.*.duration", format="General"),
+        given("lift", "lift", "", "", column(phases, 2, rows), "phases.*.lift", format="General"),
+        *(given(f"p{i}", f"parameter {i}", "", "", column(phases, 2 + i, rows), "phases.*.p.*", format="General")
+          for i in range(1, WIDTH + 1)),
+    )  # fmt: skip
+    sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=15)
+
+
+def sums(sheet: Sheet, shown: Shown) -> None:
+    """Declare the shafts and the profile."""
+    sheet.heading("Shafts that turn together, and a profile constant in each interval")
+    shafts, profile = shown.shafts, shown.profile
+    sheet.table(
+        "shafts", "Shafts", len(shafts),
+        given("inertia", "inertia", "J", "", [s.inertia for s in shafts], "shafts.*.inertia", format="General"),
+        given("ratio", "speed ratio", "ω_i/ω", "", [s.ratio for s in shafts], "shafts.*.ratio", format="General"),
+    )  # fmt: skip
+    sheet.table(
+        "profile", "Profile", len(profile),
+        given("value", "value", "", "", [i.value for i in profile], "profile.*.value", format="General"),
+        given("span", "duration", "t", "", [i.duration for i in profile], "profile.*.duration", format="General"),
+    )  # fmt: skip
+
+
+def arguments(sheet: Sheet) -> None:
+    """Declare what each argument takes."""
+    found: dict[str, Argument] = {a.name.en: a for f in FUNCTIONS for a in f.arguments}
+    sheet.heading("The arguments")
+    sheet.table(
+        "arguments", "Bad arguments give the error values of built-in functions: #VALUE!, #NUM!", len(found),
+        constant("argument", "argument", "", "", list(found), align="left"),
+        constant("takes", "what it takes", "", "", [a.help.en for a in found.values()], align="left"),
+    )  # fmt: skip
+
+
+def samples(sheet: Sheet, shown: Shown) -> None:
+    """Declare the sampled law and the sampled motion."""
+    sheet.heading("The sampled law and the sampled motion")
+    sheet.table("law", "The law", LAW_STEPS + 1, calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", shown.xis),
+        *(result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
+          for name, words, values in zip("svaj", ("position", "velocity", "acceleration", "jerk"), shown.samples,
+                                         strict=True)),
+        constant("k", "sample", "k", "", list(range(LAW_STEPS + 1))))  # fmt: skip
+    sheet.table("motion", "The motion", MOTION_STEPS + 1,
+        calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", shown.xs),
+        *(result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
+          for name, words, symbol, key, values in zip(
+              ("y", "y1", "y2"), ("position", "velocity", "acceleration"), ("y", "y'", "y''"), ("POS", "VEL", "ACC"),
+              shown.moved, strict=True)),
+        constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1))))  # fmt: skip

@@ -1,0 +1,98 @@
+"""The files by which Excel gets the functions: a workbook with the names, and their text."""
+
+from __future__ import annotations
+
+import io
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from openpyxl import Workbook
+from openpyxl.utils import get_column_letter
+from openpyxl.workbook.defined_name import DefinedName
+
+from workbook.declare import Book
+from workbook.functions.declared import NAMESPACE
+from workbook.functions.names import definitions
+from workbook.functions.page import declare
+from workbook.functions.shown import EXAMPLE, Shown
+from workbook.template import FOLDER
+from workbook.writing import archive, dynamic
+from workbook.writing.same import same_book
+from workbook.writing.write import replace, spell_out, to_workbook
+
+NOTE = 255  # characters of the comment that Excel shows beside a name
+HEAD = """\
+The motion functions as names of Excel 365, Excel 2024 and Excel for the web (English; comma between arguments).
+
+Quicker, and right in every language of Excel: open motion-functions.xlsx beside your workbook and copy its sheet
+there (right-click its tab > Move or Copy); the names come with it.
+By hand: Formulas > Name Manager > New for each entry below: its name, and its formula under Refers to.
+The names that begin with _ are called by the others: take them all.
+"""
+
+
+def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
+    """Write the workbook with the names and the page that shows them, replacing what is there."""
+    book = declare(shown)
+    workbook = to_workbook(book, Shown)
+    name_functions(workbook)
+    spell_out(workbook)
+    draft = io.BytesIO()
+    workbook.save(draft)
+    parts = dynamic.completed(archive.unzipped(draft.getvalue()), results(book), f"{NAMESPACE}.")
+    abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
+    replace(path, lambda beside: archive.pack(parts, beside, abouts))
+
+
+def name_functions(workbook: Workbook) -> None:
+    """Give a workbook the functions as its only names: a copied sheet then brings along nothing else."""
+    workbook.defined_names.clear()
+    for one in definitions():
+        workbook.defined_names[one.name] = DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored)
+
+
+def results(book: Book) -> dict[str, dict[str, object]]:
+    """Return the engine's values of the formula cells, by part and cell."""
+    found: dict[str, dict[str, object]] = {}
+    for number, sheet in enumerate(book.sheets, 1):
+        cells = found.setdefault(f"xl/worksheets/sheet{number}.xml", {})
+        for block in sheet.blocks:
+            for cell in block.cells():
+                if cell.quantity.formula is not None:
+                    cells[f"{get_column_letter(cell.column)}{cell.row}"] = cell.expected
+    return found
+
+
+def write_text(path: Path) -> None:
+    """Write the definitions to paste elsewhere: a name, what it is for, and its formula in one line."""
+    entries = (f"{one.name}\n{one.note}\n={' '.join(one.formula.split())}\n" for one in definitions())
+    path.write_bytes("\n".join([HEAD, *entries]).encode())  # the same line ends on every system
+
+
+COMMITTED: dict[str, Callable[[Path], None]] = {"motion-functions.xlsx": write_book, "motion-functions.txt": write_text}
+"""the files that lie beside the templates, with what writes each"""
+
+
+def write_files() -> list[Path]:
+    """Generate the committed files."""
+    for name, write in COMMITTED.items():
+        write(FOLDER / name)
+    return [FOLDER / name for name in COMMITTED]
+
+
+def stale_files() -> list[Path]:
+    """Return the committed files that today's code would generate differently."""
+    with tempfile.TemporaryDirectory() as folder:
+        return [FOLDER / name for name in COMMITTED if stale(name, Path(folder) / name)]
+
+
+def stale(name: str, fresh: Path) -> bool:
+    """Whether a committed file differs from a fresh one."""
+    COMMITTED[name](fresh)
+    kept = FOLDER / name
+    if not kept.exists():
+        return True
+    if kept.suffix == ".xlsx":
+        return not same_book(fresh, kept)
+    return kept.read_bytes() != fresh.read_bytes()

@@ -1,0 +1,153 @@
+"""What the page of the functions has entered, and what the engine says of it."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from itertools import chain
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from engine.drive import Inertia, reflected_inertia
+from engine.laws import Law, Piece, PieceLaw, law
+from engine.laws.base import Kinematics
+from engine.motion import Motion, MotionValues, Phase
+from workbook.machine import LawCode, Laws, Model, NotNegative, Number, Positive, Share
+
+LAW_STEPS, MOTION_STEPS = 100, 120
+EMPTY_PIECES, EMPTY_PHASES = 2, 2
+WIDTH = 7  # parameters of a phase's law, at most
+
+
+class ShownPhase(Model):
+    """A row of the table of phases."""
+
+    law: Literal["DWL", "ACS", "TVP", "CIC", "CUB", "MTP"]
+    duration: Positive
+    lift: Number = 0.0
+    p: Annotated[list[Share], Field(max_length=WIDTH)] = Field(default_factory=list)
+
+    @property
+    def made(self) -> Phase:
+        """The engine's phase."""
+        return Phase(made(self.law, self.p), self.lift, self.duration)
+
+
+class Shaft(Model):
+    """A shaft with its inertia, and its speed over that of the reference shaft."""
+
+    inertia: NotNegative
+    ratio: Number
+
+
+class Interval(Model):
+    """An interval of a profile: its value and how long it lasts."""
+
+    value: Number
+    duration: NotNegative
+
+
+class Shown(Model):
+    """Every input of the page."""
+
+    law: LawCode = "MTP"
+    xi: Share = 0.3
+    s: Share = 0.3
+    x: NotNegative = 120.0
+    laws: Laws = Laws()
+    phases: list[ShownPhase]
+    shafts: list[Shaft]
+    profile: list[Interval]
+
+    @cached_property
+    def one(self) -> Law:
+        """The law that is chosen."""
+        return made(self.law, self.parameters)
+
+    @property
+    def parameters(self) -> list[float]:
+        """The numbers that the chosen law takes, piece after piece those of the own law."""
+        laws = self.laws
+        return {
+            "TVP": [laws.TVP.rise_end, laws.TVP.fall_start],
+            "MTP": laws.MTP.durations,
+            "OWN": list(chain.from_iterable(self.pieces)),
+        }.get(self.law, [])
+
+    @property
+    def pieces(self) -> list[list[float]]:
+        """The rows of the own law."""
+        return [[float(v) for v in piece.model_dump().values()] for piece in self.laws.OWN.pieces]
+
+    @cached_property
+    def xis(self) -> NDArray[np.float64]:
+        """The sampled ξ."""
+        return np.arange(LAW_STEPS + 1) / LAW_STEPS
+
+    @cached_property
+    def samples(self) -> Kinematics[NDArray[np.float64]]:
+        """The chosen law at the sampled ξ."""
+        return self.one.evaluate(self.xis)
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The phases, joined."""
+        return Motion([phase.made for phase in self.phases])
+
+    @cached_property
+    def xs(self) -> NDArray[np.float64]:
+        """The sampled x."""
+        return np.arange(MOTION_STEPS + 1) * self.motion.total / MOTION_STEPS
+
+    @cached_property
+    def moved(self) -> MotionValues[NDArray[np.float64]]:
+        """The motion at the sampled x."""
+        return self.motion.at(self.xs)
+
+    @property
+    def reduced(self) -> float:
+        """The reflected inertia of the shafts."""
+        return reflected_inertia([Inertia("", 1.0, shaft.inertia, shaft.ratio) for shaft in self.shafts])
+
+    @property
+    def rms(self) -> float:
+        """The root mean square of the profile."""
+        value, duration = np.array([(one.value, one.duration) for one in self.profile]).T
+        return float(np.sqrt(value**2 @ duration / duration.sum()))
+
+
+def made(code: str, numbers: list[float]) -> Law:
+    """Return the engine's law of a code with its parameters in a row."""
+    match code:
+        case "TVP":
+            return law(code, rise_end=numbers[0], fall_start=numbers[1])
+        case "MTP":
+            return law(code, durations=tuple(numbers))
+        case "OWN":
+            rows = np.array(numbers).reshape(-1, 8).tolist()
+            return PieceLaw([Piece(d, (a, b, c, e), *sine) for d, a, b, c, e, *sine in rows])
+    return law(code)
+
+
+EXAMPLE = Shown(
+    phases=[
+        ShownPhase(law="DWL", duration=30.0),
+        ShownPhase(law="MTP", duration=120.0, lift=80.0, p=[0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125]),
+        ShownPhase(law="DWL", duration=60.0),
+        ShownPhase(law="TVP", duration=90.0, lift=-50.0, p=[0.25, 0.75]),
+        ShownPhase(law="CIC", duration=60.0, lift=-30.0),
+    ],
+    shafts=[
+        Shaft(inertia=0.02, ratio=1.0),
+        Shaft(inertia=0.5, ratio=0.2),
+        Shaft(inertia=0.0012, ratio=-3.0),
+    ],
+    profile=[
+        Interval(value=12.0, duration=0.2),
+        Interval(value=3.0, duration=0.5),
+        Interval(value=-9.0, duration=0.2),
+        Interval(value=0.0, duration=0.6),
+    ],
+)
