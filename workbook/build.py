@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from pydantic import BaseModel
+
 from workbook.collector import collector_paused
+from workbook.errors import InputError
 from workbook.functions import publish
 from workbook.machine import Machine
 from workbook.reading.carried import not_carried
-from workbook.reading.entries import Entries, read_machine, write_machine
+from workbook.reading.catalogue import read_motors, read_reducers
+from workbook.reading.entries import Entries, checked, read_machine, template_named, write_machine
 from workbook.reading.files import open_book
+from workbook.selection_model import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 from workbook.writing.write import refuse_existing, replace, save, to_workbook
+
+READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
@@ -24,6 +32,45 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
     with collector_paused():
         book = template.declare(machine)
         save(to_workbook(book, template.model), book, path, overwrite)
+
+
+def described(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:
+    """Read a machine description, its choice of motor and reducer among the catalogues that are named.
+
+    Where none is named, and the description has none of its own, motors.csv and reducers.csv beside it are taken.
+    Raises ReadError and InputError, with a line for each fault.
+    """
+    machine = read_machine(path)
+    named = {"motors": motors, "reducers": reducers}
+    choice = getattr(machine, "selection", None)
+    if not isinstance(choice, Selection):
+        unused = [f"--{entry}" for entry, file in named.items() if file is not None]
+        if unused:
+            raise InputError([f"{path}: {machine.template} chooses no motor; {' and '.join(unused)} cannot be used"])
+        return machine
+    for entry, file in named.items():
+        beside = path.parent / f"{entry}.csv"
+        if file is None and entry not in choice.model_fields_set and beside.is_file():
+            named[entry] = beside
+    return with_catalogues(machine, choice, named, str(path))
+
+
+def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path | None], where: str) -> Machine:
+    """Return the machine with other catalogues, in tables that have room for them."""
+    rows = {entry: READERS[entry](file) for entry, file in named.items() if file is not None}
+    if not rows:
+        return machine
+    data, entries = machine.model_dump(), choice.model_dump()
+    for entry, products in rows.items():
+        if len(products) > MOST_PRODUCTS:
+            raise InputError([f"{named[entry]}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
+        entries[entry] = [row.model_dump() for row in products]
+        data["sizes"][entry] = max(data["sizes"][entry], len(products))
+        one = entry[:-1]
+        if choice.pair == "best" and entries[one] not in [row["name"] for row in entries[entry]]:
+            del entries[one]
+    data["selection"] = entries
+    return checked(template_named(machine.template, where), data, lambda key: f"{where}: {key}")
 
 
 def inputs(path: Path) -> tuple[Machine, list[str]]:

@@ -17,7 +17,7 @@ from workbook.errors import MotionbookError
 from workbook.functions import oxt
 from workbook.judging import many
 from workbook.judging.many import AGREES, DISAGREES, UNREADABLE
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.entries import write_machine
 from workbook.reports import console as show
 from workbook.reports import page as reports
 from workbook.reports import summary
@@ -46,6 +46,11 @@ def to(metavar: str, words: str) -> Any:
 def report_to(option: str, metavar: str, words: str) -> Any:
     """Return the option that names a report's file."""
     return typer.Option(option, metavar=metavar, help=words)
+
+
+def catalogue(metavar: str, words: str) -> Any:
+    """Return the option that names a catalogue; the name of its parameter is the option's."""
+    return typer.Option(metavar=metavar, help=words)
 
 
 def witness_named(name: str) -> str:
@@ -85,13 +90,17 @@ With = Annotated[
 def build(
     machine: Machine = None,
     output: Annotated[Path | None, to("BOOK.xlsx", "Where to write; else here, named like the description.")] = None,
+    motors: Annotated[
+        Path | None, catalogue("MOTORS.csv", "Motors to choose among; else those in or beside the description.")
+    ] = None,
+    reducers: Annotated[Path | None, catalogue("REDUCERS.csv", "Reducers to choose among, likewise.")] = None,
     force: Force = False,
 ) -> None:
     """Build a workbook from a machine description."""
     source = machine or TEMPLATES["cutting-machine"].description
     target = output or Path(f"{source.stem}.xlsx")
     with err.status(f"Building {target} …"):
-        make.build(read_machine(source), target, overwrite=force)
+        make.build(make.described(source, motors, reducers), target, overwrite=force)
     out.print(f"Built {target.resolve()}", soft_wrap=True)
 
 

@@ -11,6 +11,7 @@ from workbook.catalogue_model import Efficiency, MotorRow, Name, ReducerRow
 from workbook.machine import EntryError, Model, Positive, Sizes
 from workbook.reading.catalogue import committed_motors, committed_reducers
 
+MOST_PRODUCTS = 100  # rows of a catalogue
 Criterion = Literal["margin", "inertia match", "size", "cost"]
 
 
@@ -34,8 +35,8 @@ class Selection(Model):
     def _complete(cls, data: Any) -> Any:
         if not isinstance(data, dict):
             return data
-        data = {"motors": committed_motors(), "reducers": committed_reducers()} | data
-        for entry, rows in (("motor", data["motors"]), ("reducer", data["reducers"])):
+        for entry, committed in (("motor", committed_motors), ("reducer", committed_reducers)):
+            rows = data.get(f"{entry}s", committed())
             if data.get(entry) is None and isinstance(rows, list) and rows:
                 first = rows[0]
                 data = data | {entry: first.get("name") if isinstance(first, dict) else getattr(first, "name", None)}
@@ -53,8 +54,8 @@ class Selection(Model):
 class SelectionSizes(Sizes):
     """How large the tables are built: also the rows of the two catalogues."""
 
-    motors: Annotated[int, Field(ge=1, le=100)] = 22
-    reducers: Annotated[int, Field(ge=1, le=100)] = 18
+    motors: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 22
+    reducers: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 18
 
 
 def unique(entry: str, rows: Sequence[MotorRow | ReducerRow]) -> set[str]:
