@@ -15,12 +15,20 @@ from workbook.sheets.actuator_printed import printed_sheet
 from workbook.sheets.actuator_rms import rms_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
 from workbook.variants import LAWS, factors, vary_laws
+from workbook.variants import own_pieces as own
 
 KINDS = ("rotary table", "conveyor", "rack and pinion", "belt", "lead screw", "gear train")
 RISING = (
     [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}],
-    [{"duration": 1.0, "c1": 60.0, "c2": -180.0, "c3": 120.0}],
+    [
+        {"duration": 0.3, "c0": 3.0, "c1": 1.5, "c2": -2.0, "c3": 0.7, "amplitude": 1.2, "omega": 7.0, "phase": 0.4},
+        {"duration": 0.25, "c0": 1.0, "c1": -9.0, "amplitude": 2.0, "omega": 3.0, "phase": 1.1},
+        {"duration": 0.45, "c0": -2.0, "c2": 4.0, "amplitude": -1.0, "omega": 9.0},
+    ],
 )
+"""own laws that rise throughout, where a phase takes the own law"""
+BACKWARDS = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]
+"""and one that does not, where none does"""
 
 
 def declare(machine: Machine) -> Book:
@@ -57,7 +65,6 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
     """Return the ``k``-th variation of a description."""
     sizes, entry, scale = data["sizes"], data["actuator"], factors(k)
     vary_laws(data["laws"], k, scale, sizes["pieces"])
-    data["laws"]["OWN"]["pieces"] = RISING[k % 2]
     entry |= {
         "mechanism": KINDS[k],
         "method": "document" if k == 3 else "physical",
@@ -66,6 +73,7 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
         "gears": [gear(k, i) for i in range((k + 1) % 3 if k else sizes["gears"])],
         "phases": phases(k, sizes["phases"]),
     }  # fmt: skip
+    data["laws"]["OWN"]["pieces"] = own_pieces(k, sizes["pieces"], entry["phases"])
     entry["parts"] = parts(k, sizes["rotors"], len(entry["gears"]))
     entry["load"] |= {
         "mass": 4.0 + 2.3 * k,
@@ -90,11 +98,19 @@ def gear(k: int, i: int) -> dict[str, Any]:
 def phases(k: int, room: int) -> list[dict[str, Any]]:
     """Return phases up to the table's last row in turn, with laws and directions of every kind."""
     made = []
-    for i in range(room if k == 0 else min(room, (4, 3, 5, 2, 6, 4)[k])):
-        law = "DWL" if (i + k) % 4 == 1 else LAWS[(k + i) % 6]
+    laws = ("OWN",) if k == 2 else LAWS if k % 3 == 0 else LAWS[:-1]
+    for i in range(room if k == 0 else min(room, (24, 6, 6, 2, 6, 6)[k])):
+        law = "DWL" if (i + k) % 4 == 1 and k != 2 else laws[(k + i) % len(laws)]
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (60.0 + 17 * i) * (-1) ** (i + k)
         made.append({"law": law, "lift": lift, "duration": (0.2 + 0.17 * ((i * 5 + k) % 4)) / (3 if k == 1 else 1)})
     return made
+
+
+def own_pieces(k: int, room: int, taken: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return an own law: one that rises, if a phase takes it."""
+    if any(phase["law"] == "OWN" for phase in taken):
+        return RISING[1] if k % 2 == 0 and room >= len(RISING[1]) else RISING[0]
+    return BACKWARDS if k % 2 else own(k, room)
 
 
 def parts(k: int, room: int, gears: int) -> list[dict[str, Any]]:

@@ -41,8 +41,6 @@ class Flow:
     """factor of a stage's torque before power turns round in it: 1/η driving, η driven"""
     back: Array
     """factor after it"""
-    tail: Array
-    """product of the factors behind the stage"""
     hold: Array
     """torque behind the stage at b = 0, referred to the motor's shaft"""
     weight: Array
@@ -100,7 +98,6 @@ def flow(machine: Actuator, direction: float) -> Flow:
         slope=lines[0][1],
         keep=keep,
         back=back,
-        tail=np.array([math.prod(keep[:r]) for r in range(n)]),
         hold=np.array([lines[s][0] / m.ratio_to(s) for s in shafts]),
         weight=np.array([lines[s][1] / m.ratio_to(s) for s in shafts]),
         first=first,

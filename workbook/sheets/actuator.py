@@ -44,7 +44,7 @@ def entries(sheet: Sheet, machine: Sized) -> None:
         given("act_turns", "Lead screw: turns per mm", "P", "rev/mm", out.turns, "actuator.output.turns", format="0.0##", source="S4: 0.5"),
         given("act_diameter", "Roller, pinion, pulley: diameter", "D", "mm", out.diameter, "actuator.output.diameter", format="0.0##", source="S4's conveyor: 300"),
         given("act_eta_out", "Efficiency of screw, roller, pinion, pulley", "η", "", out.efficiency, "actuator.output.efficiency", format="0.0##", source="S4's screw: 0.45"),
-        given("act_method", "Losses", "", "", e.method, "actuator.method", source="document: over η always, as in S4; physical: times η where the load drives"),
+        given("act_method", "Losses", "", "", e.method, "actuator.method", source="document: over η always (S4); physical: times η if driven"),
         given("act_holding", "In a dwell the load is held by", "", "", e.holding, "actuator.holding", source="S4 counts no torque there, as with a brake"),
         given("act_mass", "Load that travels: mass of one", "m", "kg", load.mass, "actuator.load.mass", format="0.0##", source="S4: 6; conveyor 15"),
         given("act_count", "how many", "n", "", load.count, "actuator.load.count", format="0", source="S4: 1; conveyor 10"),

@@ -51,7 +51,7 @@ def printed_sheet(book: Book, machine: Sized) -> None:
         "printed", "Figures of S4: problem 1, the lead screw, and problem 2, the conveyor", len(FIGURES),
         constant("what", "figure", "", "", [f.what for f in FIGURES], align="left"),
         constant("unit", "unit", "", "", [f.unit or NONE for f in FIGURES]),
-        calc("here", "this book", "", "", [f"={f.cell}" for f in FIGURES], engine, format="General", scale=machine.torque_scale * 1e-6),
+        calc("here", "this book", "", "", [f"={f.cell}" for f in FIGURES], engine, format="[<0.001]0.0000E+00;0.00000", scale=machine.torque_scale * 1e-6),
         constant("screw", "lead screw, printed", "", "", [f.screw for f in FIGURES], format="General"),
         constant("screw_exact", "lead screw, exact", "", "", [f.exact[0] for f in FIGURES], format="General"),
         constant("conveyor", "conveyor, printed", "", "", [f.conveyor for f in FIGURES], format="General"),

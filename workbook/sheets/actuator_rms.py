@@ -176,7 +176,7 @@ def stage_columns(machine: Sized, rows: list[Row], r: int) -> list[Quantity]:
     shares = [row.share(r) for row in rows]
     return [
         calc(f"y{k}", f"{name}: turns at", "y_s", "", f"={chosen('y', k)}", [float(row.flow.turn[r]) for row in rows], scale=a),
-        calc(f"x{k}", f"{name}: share of the largest", "x", "", f"=IF([peak]>[y{k}],[y{k}]/[peak],1)", shares, scale=1.0),
+        calc(f"x{k}", f"{name}: share of the largest", "x", "", f"=IF([peak]>0,MIN(1,[y{k}]/[peak]),1)", shares, scale=1.0),
         calc(f"gap{k}", f"{name}: angle", "acos x", "rad", f"=ATAN2([x{k}],SQRT(1-[x{k}]^2))", np.arccos(shares), scale=1.0),
         calc(f"o{k}", f"{name}: N1 of the own law", "", "", OWN.format(k, ""), own(1), scale=a, source="by trapezoids on its samples"),
         calc(f"oo{k}", f"{name}: N2 of the own law", "", "", OWN.format(k, "^2"), own(2), scale=a**2, source="by trapezoids on its samples"),
@@ -193,26 +193,24 @@ def direction(sheet: Sheet, machine: Sized, name: str, one: Flow) -> None:
     sheet.heading(f"Workings: moving {name}")
     sheet.rows(
         calc(f"{name}_r", "The load resists with", "R", "N or Nm", f"={sign}*act_steady+act_rubbing", one.resists, scale=force),
-        calc(f"{name}_sign", "It resists (1) or drives (−1)", "", "", f"=IF({name}_r>=0-act_near,1,0-1)", one.sign, format="0"),
+        calc(f"{name}_sign", "It resists (1) or drives (−1)", "", "", f"=IF({name}_r+act_near<0,0-1,1)", one.sign, format="0"),
         calc(f"{name}_b", "Torque at b = 0", "B", "Nm", f"={name}_sign*[{name}.hold.last]*[{name}.keep.last]", one.level, scale=torque, source="in the direction of motion"),
         calc(f"{name}_a", "Slope", "A", "Nm/b", f"=act_i*act_j0+[{name}.weight.last]*[{name}.keep.last]", one.slope, scale=torque / a),
     )  # fmt: skip
     sheet.row += 1
-    first = "IF([row]=1,{0},{1})"
     sheet.table(
         name, "Stages, from the load to the motor", n,
         constant("row", "row", "", "", list(range(1, n + 1))),
         constant("s", "stage", "s", "", list(range(n, 0, -1))),
         calc("keep", "factor before the turn", "e", "", f'=IF(OR(act_method="document",{name}_sign=1),1/INDEX([stages.eta],[s]),INDEX([stages.eta],[s]))', one.keep, source="1/η driving, η driven"),
         calc("back", "factor after it", "r", "", '=IF(act_method="document",[keep],1/[keep])', one.back),
-        calc("tail", "factors behind", "Π e", "", "=" + first.format("1", "[tail-1]*[keep-1]"), one.tail),
-        calc("hold", "torque at b = 0", "W", "Nm", f"=ABS({name}_r)/act_i*[tail]", one.hold, scale=torque, source="at the motor's speed"),
-        calc("weight", "torque per b", "U", "Nm/b", "=act_i*INDEX([stages.at_motor],[s])+" + first.format("0", "[weight-1]*[keep-1]"), one.weight, scale=torque / a),
+        calc("hold", "torque at b = 0", "W", "Nm", f"=IF([row]=1,ABS({name}_r)/act_i,[hold-1]*[keep-1])", one.hold, scale=torque, source="at the motor's speed"),
+        calc("weight", "torque per b", "U", "Nm/b", "=act_i*INDEX([stages.at_motor],[s])+IF([row]=1,0,[weight-1]*[keep-1])", one.weight, scale=torque / a),
         calc("y", "turns at", "y_s", "", "=IF([weight]>0,[hold]/[weight],0)", one.turn, scale=a, source="W/U"),
-        calc("all", "factors after, from the load", "", "", "=[back]*" + first.format("1", "[all-1]"), np.cumprod(one.back)),
+        calc("all", "factors after, from the load", "", "", "=IF([row]=1,[back],[back]*[all-1])", np.cumprod(one.back)),
         calc("first", "factors after, in front", "Π r", "", f"=[{name}.all.last]/[all]", one.first),
         calc("inertia", "slope of the shaft in front", "", "Nm/b", "=act_i*[first]*IF([s]=1,act_j0,INDEX([stages.at_motor],MAX([s]-1,1)))", fronts(machine, one), scale=torque / a),
-        calc("sum", "sum so far", "", "Nm/b", "=[inertia]+" + first.format("0", "[sum-1]"), np.cumsum(fronts(machine, one)), scale=torque / a),
+        calc("sum", "sum so far", "", "Nm/b", "=IF([row]=1,[inertia],[inertia]+[sum-1])", np.cumsum(fronts(machine, one)), scale=torque / a),
         calc("front", "slope of all in front", "", "Nm/b", f"=[{name}.sum.last]-[sum]+[inertia]", one.front, scale=torque / a),
         calc("step", "change of slope", "ΔA", "Nm/b", "=[first]*([back]-[keep])*[weight]", one.step, scale=torque / a),
         calc("both", "slopes before and after", "ΣA", "Nm/b", "=2*[front]+[first]*([back]+[keep])*[weight]", one.both, scale=torque / a),

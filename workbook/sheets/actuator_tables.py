@@ -41,7 +41,7 @@ def motion(sheet: Sheet, machine: Actuator) -> None:
         *(result(name, words, symbol, "Nm", f"=INDEX([extremes.torque],3*([k]-1)+{j + 1})", torques[:, j], scale=torque, source=source)
           for j, (name, words, symbol, source) in enumerate((
               ("acc", "torque accelerating", "T_acc", "at the largest a"),
-              ("level", "torque at uniform speed", "T_ss", "at a = 0; in a dwell"),
+              ("level", "torque uniform", "T_ss", "at a = 0; in a dwell"),
               ("dec", "torque decelerating", "T_dec", "at the lowest a")))),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
@@ -112,8 +112,9 @@ def stages(sheet: Sheet, machine: Actuator) -> None:
         constant("k", "number", "k", "", list(range(1, n + 1))),
         calc("ratio", "ratio", "N_k", "", [*(f'=IF({g.format("ratio")}="",1,{g.format("ratio")})' for g in gear), "=act_wheel"], [s.ratio for s in m.stages], source="of screw or wheel: in rad/m"),
         calc("eta", "efficiency", "η_k", "", [*(f'=IF({g.format("efficiency")}="",1,{g.format("efficiency")})' for g in gear), "=IF(act_travels=1,act_eta_out,1)"], [s.efficiency for s in m.stages]),
-        calc("to", "motor over this shaft", "i_k", "", "=[ratio]*IF([k]=1,1,[to-1])", [m.ratio_to(k) for k in range(1, n + 1)], source="N_1 … N_k"),
-        calc("eta_to", "efficiency up to here", "", "", "=[eta]*IF([k]=1,1,[eta_to-1])", [m.efficiency_to(k) for k in range(1, n + 1)]),
-        calc("own", "inertia behind it", "J_k", "kg m²", "=IF([k]=[stages.k.last],act_load+act_moved_belt,SUMPRODUCT(([parts.on]=[k])*[parts.total]))", own, source="of a load that travels: kg"),
+        calc("to", "motor over this shaft", "i_k", "", "=IF([k]=1,[ratio],[ratio]*[to-1])", [m.ratio_to(k) for k in range(1, n + 1)], source="N_1 … N_k"),
+        calc("eta_to", "efficiency up to here", "", "", "=IF([k]=1,[eta],[eta]*[eta_to-1])", [m.efficiency_to(k) for k in range(1, n + 1)]),
+        calc("own", "inertia behind it", "J_k", "kg m²", "=[end]*(act_load+act_moved_belt)+SUMPRODUCT(([parts.on]=[k])*[parts.total])", own, source="of a load that travels: kg"),
         calc("at_motor", "at the motor", "J*", "kg m²", "=[own]/[to]^2", [j / m.ratio_to(k) ** 2 for k, j in enumerate(own, 1)], source="J_k/i_k², without losses"),
+        constant("end", "the load's (1)", "", "", [0] * rows + [1]),
     )  # fmt: skip
