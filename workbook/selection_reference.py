@@ -32,7 +32,7 @@ class Samples:
 
 @dataclass(frozen=True)
 class Asked:
-    """What the load asks for: as :class:`engine.selection.Task`, where 0 says that it does not move."""
+    """What the load asks for: as :class:`engine.selection.Task`, where 0 says that it does not accelerate."""
 
     acceleration_rms: float
     torque_rms: float
@@ -41,7 +41,7 @@ class Asked:
 
     @property
     def task(self) -> Task | None:
-        """The engine's task, or None for a load that stands still or has no torque."""
+        """The engine's task, or None for a load that does not accelerate, or has no torque."""
         if min(self.acceleration_rms, self.torque_rms, self.max_speed) <= 0.0:
             return None
         return Task(self.acceleration_rms, self.torque_rms, self.power_rate_mean, self.max_speed)

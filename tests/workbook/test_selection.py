@@ -1,6 +1,7 @@
 """The Selection sheet: the engine's values in its cells, its verdicts, catalogues from CSV files, the round trip."""
 
 import math
+import random
 
 import numpy as np
 import openpyxl
@@ -10,6 +11,8 @@ from typer.testing import CliRunner
 
 from engine.pairing import rank
 from engine.selection import Task, accelerating_factor
+from tests.mutation import draw_cutting
+from tests.mutation.draw_selection import vary_selection
 from workbook.build import build, described, inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
@@ -84,6 +87,15 @@ def test_every_cell_agrees_with_the_engine(criterion, pair, tmp_path, build_book
     report = verify(build_book(given, tmp_path / "book.xlsx"))
     assert report.findings == []
     assert report.cells["Selection"] > 500
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_machines_and_catalogues_agree_too(seed, tmp_path, build_book):
+    drawn = random.Random(seed)
+    data = draw_cutting.varied(machine().model_dump(), drawn)
+    vary_selection(data["selection"], data["sizes"], drawn)
+    report = verify(build_book(TEMPLATE.model.model_validate(data), tmp_path / "book.xlsx"))
+    assert report.findings == []
 
 
 def test_the_committed_catalogues_say_where_each_figure_is_from():
@@ -191,7 +203,7 @@ def test_a_load_at_rest_leaves_nothing_to_select():
     for phase in data["timing"]["axes"][0]["phases"]:
         phase |= {"lift": 0.0, "law": "DWL"}
     value = shown(TEMPLATE.model.model_validate(data))
-    assert value("sel_message") == "the load does not move, or has no torque: there is nothing to select"
+    assert value("sel_message") == "the load does not accelerate, or has no torque: there is nothing to select"
     assert value("sel_beta") == 0
 
 

@@ -87,7 +87,7 @@ def asked(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
         calc("sel_mean", "Mean of their product", "", "Nm rad/s²", f"={load.power_rate_mean}", a.power_rate_mean, scale=max(a.acceleration_rms * a.torque_rms, 1e-3)),
         calc("sel_wmax", "Largest speed of the load", "ω_L,max", "rad/s", f"={load.max_speed}", a.max_speed, scale=1e-3),
         calc("sel_tmax", "Torque that the reducer must hold", "f T*_L,max", "Nm", f"=sel_factor*MAX(MAX({load.torque}),0-MIN({load.torque}))", view.torque_needed, scale=1e-3),
-        calc("sel_moves", "The load moves, and has a torque", "", "", "=IF(MIN(sel_wrms,sel_trms,sel_wmax)>0,1,0)", int(a.task is not None), source="1 yes, 0 no: then there is nothing to select"),
+        calc("sel_moves", "The load accelerates, and has a torque", "", "", "=IF(MIN(sel_wrms,sel_trms,sel_wmax)>0,1,0)", int(a.task is not None), source="1 yes, 0 no: then there is nothing to select"),
         result("sel_beta", "Load factor", "β", "Nm rad/s²", "=IF(sel_moves=1,2*(sel_wrms*sel_trms+sel_mean),0)", a.load_factor, source="2 (ω̇_rms T*_rms + mean); S5, eq. (15), step 2", scale=1e-3),
     )  # fmt: skip
 
@@ -114,7 +114,7 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
 
 
 MESSAGE = (
-    '=IF(sel_moves=0,"the load does not move, or has no torque: there is nothing to select",'
+    '=IF(sel_moves=0,"the load does not accelerate, or has no torque: there is nothing to select",'
     'IF(sel_pair="chosen","your own pair",'
     'IF(sel_count>0,"the best of the pairs that can do it",'
     'IF(sel_usable>0,"no usable pair has the figures for this criterion: choose another one",'
@@ -126,7 +126,7 @@ MESSAGE = (
 def message(view: Choosing) -> str:
     """Return in words what came out."""
     if view.ranges is None:
-        return "the load does not move, or has no torque: there is nothing to select"
+        return "the load does not accelerate, or has no torque: there is nothing to select"
     if view.given.pair == "chosen":
         return "your own pair"
     if len(view.ranking):

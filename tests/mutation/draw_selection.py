@@ -1,0 +1,58 @@
+"""Random catalogues and choices of motor and reducer, for the templates that have a sheet Selection."""
+
+import random
+from typing import Any
+
+
+def vary_selection(selection: dict[str, Any], sizes: dict[str, Any], drawn: random.Random) -> None:
+    """Draw the catalogues, the criterion and the pair anew; ``sizes`` says how many rows there are."""
+    motors = [motor(i, drawn) for i in range(drawn.randint(1, sizes["motors"]))]
+    reducers = [reducer(i, drawn) for i in range(drawn.randint(1, sizes["reducers"]))]
+    if drawn.random() < 0.3:
+        motors[-1] = motors[0] | {"name": "again"}  # equals in the ranking
+    selection |= {
+        "criterion": drawn.choice(("margin", "inertia match", "size", "cost")),
+        "pair": drawn.choice(("best", "best", "chosen")),
+        "efficiency": drawn.choice((1.0, drawn.uniform(0.5, 1))),
+        "torque_factor": drawn.uniform(0.5, 3),
+        "motors": motors,
+        "reducers": reducers,
+        "motor": drawn.choice(motors)["name"],
+        "reducer": drawn.choice(reducers)["name"],
+    }
+
+
+def motor(i: int, drawn: random.Random) -> dict[str, Any]:
+    """Return a motor, small or large, with or without a curve, a mass, a cost."""
+    rated, top = 10 ** drawn.uniform(-2, 5), drawn.uniform(300, 9000)
+    made = {
+        "name": f"motor {i}",
+        "inertia": rated ** drawn.uniform(0.9, 1.4) * 10 ** drawn.uniform(-5, -3),
+        "rated_torque": rated,
+        "peak_torque": rated * drawn.uniform(1, 5),
+        "max_speed": top,
+        "mass": maybe(drawn, drawn.uniform(0.1, 90)),
+        "cost": maybe(drawn, drawn.uniform(50, 9000)),
+    }
+    if drawn.random() < 0.4:
+        made |= {"full_torque_to": drawn.uniform(0, 0.95) * top, "end_torque": rated * drawn.uniform(0, 2)}
+    return made
+
+
+def reducer(i: int, drawn: random.Random) -> dict[str, Any]:
+    """Return a reducer, with or without an inertia, limits, a mass, a cost."""
+    return {
+        "name": f"reducer {i}",
+        "reduction": 10 ** drawn.uniform(-0.3, 2),
+        "efficiency": drawn.uniform(0.4, 1),
+        "inertia": maybe(drawn, 10 ** drawn.uniform(-6, -1)),
+        "max_speed": maybe(drawn, drawn.uniform(500, 9000)),
+        "max_torque": maybe(drawn, 10 ** drawn.uniform(0, 5)),
+        "mass": maybe(drawn, drawn.uniform(0.1, 90)),
+        "cost": maybe(drawn, drawn.uniform(50, 9000)),
+    }
+
+
+def maybe(drawn: random.Random, value: float) -> float | None:
+    """Return a figure, or none."""
+    return None if drawn.random() < 0.25 else value
