@@ -53,6 +53,8 @@ SEVERAL = {
     "several s": ('SUM(MOTION.XI("ACS",{0;0.125;0.875},0))', 0.25 + 0.75),
     "several x": ('SUM(MOTION.VEL({0;1;2;3},{"ACS",2,4;"DWL",2,0}))', 4.0),
     "one of several is no share": ('SUM(MOTION.A("ACS",{0,2},0))', "#NUM!"),
+    "a law in an array of one": ('SUM(MOTION.S({"cub"},{0.5;1},0))', 1.5),
+    "several laws at once": ('SUM(MOTION.S({"CUB";"ACS"},0.5,0))', "#VALUE!"),
     "a function of functions": ('MOTION.XI("CIC",MOTION.S("CIC",0.3,0),0)', 0.3),
 }
 
