@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from workbook import __version__
+from workbook.errors import WriteError
 from workbook.functions.declared import CATEGORY, FUNCTIONS, LANGUAGES, NAMESPACE, Function, Text
 from workbook.writing.archive import zipped
 from workbook.writing.write import refuse_existing, replace
@@ -53,7 +54,9 @@ DESCRIPTION = {
 
 
 def write(path: Path, overwrite: bool = False) -> None:
-    """Write the add-in; raise WriteError where ``path`` exists or cannot be written."""
+    """Write the add-in; raise WriteError where ``path`` exists, is not named .oxt, or cannot be written."""
+    if path.suffix.lower() != ".oxt":
+        raise WriteError(f"{path}: LibreOffice installs only files named .oxt; expected such a name")
     refuse_existing(path, overwrite)
     data = zipped(parts())
 

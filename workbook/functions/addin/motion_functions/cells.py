@@ -1,6 +1,7 @@
 """What a spreadsheet hands over, a single value or rows of them, read as codes, parameters and phases.
 
-In rows an empty cell comes as an empty text.
+In rows an empty cell comes as an empty text. An argument that is left out comes as None, and is refused: Excel's
+functions of the same names take none fewer.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from .library import PARAMETERS, law
 from .refused import NUM, VALUE, Refused
 
 Cell = Union[float, str]
-Cells = Union[Cell, Tuple[Tuple[Cell, ...], ...]]
+Cells = Union[Cell, Tuple[Tuple[Cell, ...], ...], None]
 
 
 def number(cell: Cell) -> float:
@@ -28,6 +29,8 @@ def number(cell: Cell) -> float:
 
 def rows(cells: Cells) -> tuple[tuple[float, ...], ...]:
     """Return the numbers of a range, or of a single value, by row."""
+    if cells is None:
+        raise Refused(VALUE)
     if not isinstance(cells, tuple):
         return ((number(cells),),)
     return tuple(tuple(number(cell) for cell in row) for row in cells)
@@ -36,7 +39,8 @@ def rows(cells: Cells) -> tuple[tuple[float, ...], ...]:
 def named(name: Cell, parameters: Cells) -> Law:
     """Return the law of a code with the parameters in cells; those of a law that takes none are not looked at."""
     code = str(name).strip().upper()
-    return law(code, rows(parameters) if PARAMETERS.get(code) != 0 else ())
+    unread = PARAMETERS.get(code) == 0 and parameters is not None
+    return law(code, () if unread else rows(parameters))
 
 
 @lru_cache(maxsize=128)

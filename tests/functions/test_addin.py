@@ -1,0 +1,236 @@
+"""The LibreOffice add-in, as installed, against the engine; and what is in its file."""
+
+import ast
+import itertools
+import subprocess
+import sys
+import zipfile
+
+import openpyxl
+import pytest
+from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.formula import ArrayFormula
+
+from engine.laws import CATALOGUE, law
+from tests.functions.calc import Calc
+from tests.functions.case import VALUE, Case, read, write
+from tests.functions.cases import value_cases
+from tests.functions.edges import edge_cases
+from workbook.functions import oxt
+from workbook.functions.addin.motion_functions import library
+from workbook.functions.declared import FUNCTIONS, OWN_WIDTH, PARAMETERS
+
+OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has
+ALLOWED = {"__future__", "bisect", "functools", "itertools", "math", "struct", "typing", "unohelper", "motionbook",
+           "motion_functions", "com.sun.star.lang"}  # fmt: skip
+
+
+def cells(path, count):
+    """The first rows of the only sheet, as values."""
+    rows = openpyxl.load_workbook(path, data_only=True).active.iter_rows(values_only=True)
+    return list(itertools.islice(rows, count))
+
+
+def disagreeing(cases, found):
+    return [f"{case.name}: {value!r}, expected {case.expected!r}"
+            for case, value in zip(cases, found, strict=True) if not case.agrees(value)]  # fmt: skip
+
+
+def test_every_case_agrees_with_the_engine(calc, tmp_path):
+    cases = [*value_cases(), *edge_cases()]
+    assert {case.function for case in cases} == {function.key for function in FUNCTIONS}
+    write(cases, tmp_path / "cases.xlsx")
+    assert disagreeing(cases, read(calc.computed(tmp_path / "cases.xlsx"))) == []
+
+
+def test_the_same_as_array_formulas_in_a_book_that_brings_the_excel_names(calc, tmp_path):
+    cases = edge_cases()
+    write(cases, tmp_path / "excel.xlsx")
+    book = openpyxl.load_workbook(tmp_path / "excel.xlsx")
+    for (cell,) in book["Cases"].iter_rows(max_col=1):
+        book["Cases"][cell.coordinate] = ArrayFormula(cell.coordinate, cell.value)
+    for function in FUNCTIONS:
+        text = "_xlfn.LAMBDA(_xlpm.law,_xlpm.xi,_xlpm.p,12345)"
+        book.defined_names[function.name] = DefinedName(function.name, attr_text=text)
+    book.save(tmp_path / "excel.xlsx")
+    assert disagreeing(cases, read(calc.computed(tmp_path / "excel.xlsx"))) == []
+
+
+def test_without_the_add_in_no_function_has_a_value(add_in, tmp_path):
+    cases = [next(c for c in value_cases() if c.function == function.key) for function in FUNCTIONS]
+    write(cases, tmp_path / "cases.xlsx")
+    calc = Calc()
+    try:
+        calc.install(add_in)
+        assert disagreeing(cases, read(calc.computed(tmp_path / "cases.xlsx"))) == []
+        calc.remove(oxt.IDENTIFIER)
+        assert set(read(calc.computed(tmp_path / "cases.xlsx"))) == {"#NAME?"}
+    finally:
+        calc.close()
+
+
+def test_a_sheet_typed_by_hand_is_saved_with_the_names_of_excel(calc):
+    path = calc.written(
+        [
+            'sheet.getCellByPosition(0, 0).FormulaLocal = "=motion.s(""CIC"";0.3;0)"',
+            'sheet.getCellByPosition(1, 0).FormulaLocal = "=10*MOTION.CV(""MTP"";A2:G2)"',
+            *(f"sheet.getCellByPosition({i}, 1).Value = {d}" for i, d in enumerate(library_classic())),
+        ]
+    )
+    asked, found = (openpyxl.load_workbook(path, data_only=values).active[1] for values in (False, True))
+    assert [cell.value for cell in asked[:2]] == ['=MOTION.S("CIC",0.3,0)', '=10*MOTION.CV("MTP",A2:G2)']
+    assert found[0].value == pytest.approx(law("CIC").s(0.3), rel=1e-14)
+    assert found[1].value == pytest.approx(20.0, rel=1e-14)
+
+
+def library_classic():
+    return (0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125)
+
+
+def test_an_open_document_computes_too(calc):
+    path = calc.written(['sheet.getCellByPosition(0, 0).Formula = "=MOTION.S(""CUB"";0.5;0)"'], "typed.ods")
+    assert cells(calc.computed(path), 1)[0][0] == 0.5
+
+
+def test_a_column_goes_in_as_into_built_in_functions(calc, tmp_path):
+    book = openpyxl.Workbook()
+    sheet = book.active
+    for row in range(1, 6):
+        sheet.cell(row, 1, row / 10)
+    sheet["B1"] = ArrayFormula("B1:B5", '=MOTION.S("CUB",A1:A5,0)')
+    sheet["C2"] = '=MOTION.S("CUB",A1:A5,0)'  # meets the column in its own row
+    book.save(tmp_path / "column.xlsx")
+    rows = cells(calc.computed(tmp_path / "column.xlsx"), 5)
+    assert [row[1] for row in rows] == pytest.approx([law("CUB").s(row / 10) for row in range(1, 6)], rel=1e-14)
+    assert rows[1][2] == pytest.approx(law("CUB").s(0.2), rel=1e-14)
+
+
+def test_no_argument_can_be_left_out(calc, tmp_path):
+    short = [Case("S", ("ACS", 0.5), VALUE), Case("CV", ("ACS",), VALUE), Case("JRED", (1.0,), VALUE),
+             Case("POS", (1.0,), VALUE), Case("RMS", (1.0,), VALUE)]  # fmt: skip
+    write(short, tmp_path / "short.xlsx")
+    assert disagreeing(short, read(calc.computed(tmp_path / "short.xlsx"))) == []
+
+
+def texts(function, language):
+    """What the function wizard says about a function, in its order."""
+    words = (function.help, *(text for argument in function.arguments for text in (argument.name, argument.help)))
+    return tuple(getattr(text, language) for text in words)
+
+
+def test_the_function_wizard_shows_every_function_with_its_arguments(calc):
+    path = calc.written(
+        [
+            'all = Split("' + " ".join(function.name for function in FUNCTIONS) + '")',
+            'functions = createUnoService("com.sun.star.sheet.FunctionDescriptions")',
+            "For row = 0 To UBound(all)",
+            "  parts = functions.getByName(all(row))",
+            "  For Each part In parts",
+            '    If part.Name = "Description" Then sheet.getCellByPosition(0, row).String = part.Value',
+            '    If part.Name = "Arguments" Then taken = part.Value',
+            "  Next",
+            "  column = 1",
+            "  For Each one In taken",
+            "    sheet.getCellByPosition(column, row).String = one.Name",
+            "    sheet.getCellByPosition(column + 1, row).String = one.Description",
+            "    column = column + 2",
+            "  Next",
+            "Next",
+        ]
+    )
+    shown = [tuple(text for text in row if text) for row in cells(path, len(FUNCTIONS))]
+    assert shown == [texts(function, "en") for function in FUNCTIONS]
+
+
+@pytest.mark.parametrize(("locale", "language"), [("it-IT", "it"), ("de-AT", "de"), ("en-GB", "en"), ("fr-FR", "en")])
+def test_the_texts_come_in_the_users_language(calc, locale, language):
+    path = calc.written(
+        [
+            'provider = createUnoService("com.sun.star.configuration.ConfigurationProvider")',
+            'place = argument("nodepath", "/org.openoffice.Office.CalcAddIns/AddInInfo/MOTION/AddInFunctions")',
+            f'wanted = Array(place, argument("Locale", "{locale}"))',
+            'kind = "com.sun.star.configuration.ConfigurationAccess"',
+            "all = provider.createInstanceWithArguments(kind, wanted)",
+            "keys = all.getElementNames()",
+            "For row = 0 To UBound(keys)",
+            "  sheet.getCellByPosition(0, row).String = keys(row)",
+            '  sheet.getCellByPosition(1, row).String = all.getByName(keys(row)).getByName("Description")',
+            '  taken = all.getByName(keys(row)).getByName("Parameters")',
+            "  column = 2",
+            "  inner = taken.getElementNames()",
+            "  For Each key In inner",
+            '    sheet.getCellByPosition(column, row).String = taken.getByName(key).getByName("DisplayName")',
+            '    sheet.getCellByPosition(column + 1, row).String = taken.getByName(key).getByName("Description")',
+            "    column = column + 2",
+            "  Next",
+            "Next",
+        ]
+    )
+    found = {row[0]: {text for text in row[1:] if text} for row in cells(path, len(FUNCTIONS))}
+    assert found == {function.key: set(texts(function, language)) for function in FUNCTIONS}
+
+
+def test_the_installed_types_are_those_declared(calc):
+    path = calc.written(
+        [
+            'reflection = createUnoService("com.sun.star.reflection.CoreReflection")',
+            "row = 0",
+            'methods = reflection.forName("motionbook.XMotionFunctions").getMethods()',
+            "For Each method In methods",
+            '  text = method.ReturnType.Name & " " & method.Name & "("',
+            "  infos = method.ParameterInfos",
+            "  For Each one In infos",
+            '    text = text & "[in] " & one.aType.Name & " " & one.aName & ", "',
+            "  Next",
+            "  sheet.getCellByPosition(0, row).String = text",
+            "  row = row + 1",
+            "Next",
+        ]
+    )
+    found = {str(row[0]).removesuffix(", ") + ");" for row in cells(path, 100)}
+    assert {oxt.signature(function) for function in FUNCTIONS} <= found
+
+
+def test_the_types_were_made_from_what_is_declared():
+    assert (oxt.PACKAGE / "motion.idl").read_text(encoding="utf-8") == oxt.idl()
+
+
+def test_every_law_of_the_library_is_declared():
+    assert {*PARAMETERS, "OWN"} == {entry.code for entry in CATALOGUE}
+    assert (library.PARAMETERS, library.OWN_WIDTH) == (PARAMETERS, OWN_WIDTH)
+
+
+def test_the_same_bytes_each_time(add_in, tmp_path):
+    oxt.write(tmp_path / "again.oxt")
+    assert (tmp_path / "again.oxt").read_bytes() == add_in.read_bytes()
+
+
+def test_the_components_python_is_old_enough_and_needs_nothing_else(add_in):
+    with zipfile.ZipFile(add_in) as archive:
+        sources = {name: archive.read(name) for name in archive.namelist() if name.endswith(".py")}
+    assert len(sources) > 5
+    for name, source in sources.items():
+        tree = ast.parse(source, name, feature_version=OLD_PYTHON)
+        absolute = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and not n.level]
+        plain = [alias.name for n in ast.walk(tree) if isinstance(n, ast.Import) for alias in n.names]
+        assert {*plain, *(str(n.module).split(".cells")[0] for n in absolute)} - ALLOWED <= {
+            f"motion_functions.{module}" for module in ("coefficients", "composed", "refused")
+        }
+
+
+def test_the_command_writes_the_add_in_and_overwrites_nothing_unasked(add_in, tmp_path):
+    def run(*arguments):
+        line = [sys.executable, "-m", "workbook", "addin", *arguments]
+        return subprocess.run(line, cwd=tmp_path, capture_output=True, text=True, encoding="utf-8")
+
+    target = tmp_path / "motion.oxt"
+    assert run().returncode == 0
+    assert target.read_bytes() == add_in.read_bytes()
+    target.write_text("mine")
+    refused = run("-o", "motion.oxt")
+    assert (refused.returncode, target.read_text()) == (2, "mine")
+    assert "the file exists" in refused.stderr
+    assert run("--force").returncode == 0
+    assert target.read_bytes() == add_in.read_bytes()
+    misnamed = run("-o", "motion.zip")
+    assert (misnamed.returncode, (tmp_path / "motion.zip").exists()) == (2, False)
