@@ -1,7 +1,6 @@
 """LibreOffice Calc with a profile of its own, into which extensions can be installed."""
 
 import os
-import pwd
 import shutil
 import signal
 import subprocess
@@ -11,7 +10,6 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from tests.workbook.office import MODULE, TIMEOUT
-
 from workbook.witnesses.libreoffice_witness import PROFILE, program
 
 FILTERS = {"xlsx": "Calc MS Excel 2007 XML", "ods": "calc8"}
@@ -82,6 +80,8 @@ class Calc:
     def _run(self, command, *arguments):
         user = {}
         if sys.platform != "win32" and os.geteuid() == 0:
+            import pwd  # not above: Windows has none
+
             nobody = pwd.getpwnam("nobody")
             user = {"user": nobody.pw_uid, "group": nobody.pw_gid, "extra_groups": []}
             for path in (self.folder, *self.folder.rglob("*")):
