@@ -33,7 +33,8 @@ def declare(shown: Shown) -> Book:
     introduction(sheet)
     entries(sheet, shown)
     functions(sheet, shown)
-    sheet.chart_row(*(curve(*words, "law") for words in LAW_CURVES), width=4, height=15)
+    sheet.chart_row(*(curve(*words, "law") for words in LAW_CURVES), width=4, height=13)
+    parameters(sheet, shown)
     motion(sheet, shown)
     sums(sheet, shown)
     arguments(sheet)
@@ -57,26 +58,30 @@ def introduction(sheet: Sheet) -> None:
 
 def entries(sheet: Sheet, shown: Shown) -> None:
     """Declare what the examples take: change it, and everything below follows."""
-    laws, pieces = shown.laws, shown.pieces
     sheet.heading("What to enter for the examples")
     sheet.rows(
-        given("fn_law", "Law", "", "", shown.law, "law", align="center", source="OWN: the pieces below"),
+        given("fn_law", "Law", "", "", shown.law, "law", align="center", source="its parameters stand below"),
         given("fn_xi", "Share of the rise time", "ξ", "", shown.xi, "xi", source="0 to 1"),
         given("fn_s", "Share of the rise", "s", "", shown.s, "s", source="0 to 1"),
         given("fn_x", "Abscissa of the motion", "x", "", shown.x, "x", source="0 to the sum of its durations"),
     )
-    sheet.row += 1
+
+
+def parameters(sheet: Sheet, shown: Shown) -> None:
+    """Declare the parameters of the laws that take any."""
+    laws, pieces = shown.laws, shown.pieces
+    sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
     sheet.table(
-        "tvp", "Parameters of TVP", 1,
+        "tvp", "TVP: shares of the rise time", 1,
         given("rise_end", "end of acceleration", "", "", [laws.TVP.rise_end], "laws.TVP.rise_end"),
         given("fall_start", "start of deceleration", "", "", [laws.TVP.fall_start], "laws.TVP.fall_start"),
     )  # fmt: skip
-    sheet.table("mtp", "Parameters of MTP: seven durations, of sum 1", 1, *(
+    sheet.table("mtp", "MTP: seven durations, of sum 1", 1, *(
         given(f"d{i}", f"stage {i}", "", "", [d], "laws.MTP.durations.*", format="0.0000")
         for i, d in enumerate(laws.MTP.durations, 1)
     ))  # fmt: skip
     rows = len(pieces) + EMPTY_PIECES
-    sheet.table("own", "Parameters of OWN: a row a piece, a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(
+    sheet.table("own", "OWN: a row a piece of a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(
         given(name, words, "", "", column(pieces, i, rows), f"laws.OWN.pieces.*.{name}", format="General")
         for i, (name, words) in enumerate(PIECE.items())
     ))  # fmt: skip
@@ -93,7 +98,7 @@ def functions(sheet: Sheet, shown: Shown) -> None:
     formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
     sheet.heading("The functions, each computed for these entries")
     sheet.table(
-        "functions", "Category of the function wizard: Machine motion", len(FUNCTIONS),
+        "functions", "In Excel, a range of ξ, s or x gives as many results", len(FUNCTIONS),
         constant("call", "function", "", "", calls, align="left"),
         result("gives", "result", "", "", formulas, results(shown), format="0.000000"),
         constant("about", "what it gives", "", "", [f.help.en for f in FUNCTIONS], align="left"),
@@ -141,7 +146,7 @@ def motion(sheet: Sheet, shown: Shown) -> None:
         *(given(f"p{i}", f"parameter {i}", "", "", column(phases, 2 + i, rows), "phases.*.p.*", format="General")
           for i in range(1, WIDTH + 1)),
     )  # fmt: skip
-    sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=15)
+    sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=13)
 
 
 def sums(sheet: Sheet, shown: Shown) -> None:
