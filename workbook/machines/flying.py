@@ -13,6 +13,7 @@ from workbook.sheets.about import about_sheet
 from workbook.sheets.flying import cutter_sheet
 from workbook.sheets.flying_cycle import cycle_sheet
 from workbook.sheets.flying_lengths import lengths_sheet
+from workbook.sheets.flying_turning import turning_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
 from workbook.variants import LAWS, factors, vary_laws
 
@@ -41,9 +42,10 @@ def declare(machine: Machine) -> Book:
             result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta, scale=scale["beta"]),
         ],
     )
-    cutter_sheet(book, view, shelf.stack)
+    cutter_sheet(book, view)
     lengths_sheet(book, view)
     cycle_sheet(book, view, shelf.stack)
+    turning_sheet(book, view, shelf.stack)
     shelf.sheets(book)
     return finish(book, "Flying machining", ("S5", "S1", "S3"))
 
@@ -62,7 +64,7 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
         data["laws"]["OWN"]["pieces"] = RISING
     drum, saw, load = entries["drum"], entries["saw"], entries["load"]
     drum |= {"tools": 1.0 + k, "radius": 90.0 + 17 * k, "tool_angle": (47.0, 0.0, 31.0, 22.0, 29.0, 17.0)[k]}
-    saw |= {"tool_length": 210.0 + 40 * k, "lead": 25.0 + 6 * k, "stroke": (900.0, 60.0)[k % 2] * next(scale)}
+    saw |= {"tool_length": 210.0 + 40 * k, "lead": 25.0 + 6 * k, "stroke": (60.0, 2000.0)[k % 2] * next(scale)}
     load |= {"inertia": 0.01 * next(scale), "mass": 3.0 * k, "torque": (0.0, 2.5, -1.5, 0.0, 4.0, 0.7)[k]}
     entries["limits"] = limits(k, scale)
     entries["line_speed"] = 35.0 + 21 * k
@@ -80,7 +82,7 @@ def limits(k: int, scale: Iterator[float]) -> dict[str, float]:
 
 def product(entries: dict[str, Any], k: int) -> dict[str, Any]:
     """Return kind of machine, product and strategy: shorter, longer, far too long, exactly the design length."""
-    kind = "flying saw" if k in (2, 5) else DRUM
+    kind = "saw" if k == 2 else DRUM
     drum, saw = entries["drum"], entries["saw"]
     if kind == DRUM:
         whole = 2 * 3.141592653589793 * drum["radius"] / drum["tools"]

@@ -20,7 +20,9 @@ from engine.selection import Task
 from workbook.machine import EntryError, Laws, Machine, Model, NotNegative, Number, Positive, Sizes
 from workbook.reference import MM, PER_MINUTE, RPM, OwnLaw, laws
 
-DRUM = "rotary drum"
+DRUM = "drum"
+CASES = {"faster": "faster", "constant speed": "in step", "slower": "slower"}
+"""the engine's words for the three cases, and the sheet's"""
 NEAR = 1e-12  # of a length, a time, a speed: so near is the same
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LONGER = 1.001  # times the tool length, the shortest product: the tool needs time to get back
@@ -93,7 +95,7 @@ class LengthsEntry(Model):
 class CutterEntry(Model):
     """The product and its line, the tool, the law of the superimposed motion."""
 
-    kind: Literal["rotary drum", "flying saw"] = "rotary drum"
+    kind: Literal["drum", "saw"] = "drum"
     line_speed: Positive  # m/min
     product_length: Positive  # mm
     law: RiseCode
@@ -185,7 +187,7 @@ class BookCut(Cut):
     @property
     def does(self) -> str:
         """What the tool does while it re-positions."""
-        return "stands still" if self.waits else "reverses" if self.reverses else "keeps moving"
+        return "waits" if self.waits else "reverses" if self.reverses else "keeps on"
 
     @property
     def wait(self) -> tuple[float, float]:
@@ -254,6 +256,27 @@ class Flying:
         """The product lengths compared (mm)."""
         given, n = self.given.lengths, self.sizes.lengths
         return given.shortest + np.arange(n + 1) * (given.longest - given.shortest) / n
+
+    @property
+    def limit(self) -> float:
+        """L_p,lim in mm; 0 for a saw, which always reverses."""
+        return self.cut.limit_length / MM if self.is_drum else 0.0
+
+    @property
+    def allowed_line(self) -> float:
+        """The line speed at which the shaft reaches the first of its limits (m/s): ω ~ v_L, ω̇ ~ v_L²."""
+        limits = self.given.limits
+        unit = BookCut(self.tool, self.cut.product_length, 1.0, self.law, self.given.beyond)
+        by_speed = limits.speed * RPM / unit.max_angular_speed
+        dw = unit.max_angular_acceleration
+        return min(by_speed, sqrt(limits.acceleration / dw)) if dw > 0.0 else by_speed
+
+    @property
+    def case(self) -> int:
+        """Which row of the cases by product length holds: shorter than L_0, as long, longer, too long to keep on."""
+        if self.cut.case != "slower":
+            return 1 if self.cut.case == "faster" else 2
+        return 4 if self.cut.speed_range[0] <= NEAR * self.line else 3
 
     @property
     def holds(self) -> dict[str, bool]:

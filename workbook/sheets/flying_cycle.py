@@ -41,7 +41,7 @@ def cycle_sheet(book: Book, machine: Flying, pieces: sampling.Pieces) -> None:
         calc("product", "position of the product", "", "mm", "=fly_v*[t]*1000", machine.line * t / MM, scale=s["mm"], source="v_L t"),
         calc("line", "line speed", "v_L", "m/s", "=fly_v", machine.line),
         constant("k", "sample", "k", "", list(range(len(t)))),
-        calc("part", "part of the cycle", "", "", PART, part, format="0", source="1 re-positions, 2 waits, 3 works"),
+        calc("part", "part of the cycle", "", "", PART, part, format="0", source="1 moves, 2 waits, 3 works"),
         calc("waited", "has waited", "", "s", "=MIN(fly_wait,MAX(0,[t]-fly_stop))", waited, scale=cut.cycle_time),
         calc("xi", "abscissa of the law", "ξ", "", "=MIN(1,([t]-[waited])/fly_tm)", xi, scale=1.0, source="(t − t_waited)/t_m"),
         *sampling.finding("fly_no", "xi", pieces.locate(number, xi), "l"),

@@ -22,7 +22,7 @@ def lengths_columns(machine: Flying, cuts: Sequence[BookCut], length: str, way: 
         return [getattr(cut, name) / per for cut in cuts]
 
     waits = f'=IF(AND({IS_DRUM},{way}="standstill",{length}>fly_limit),1,0)'
-    does = '=IF([waits]=1,"stands still",IF([low]<0-fly_near*fly_v,"reverses","keeps moving"))'
+    does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps on"))'
     return [
         result("does", "the tool", "", "", does, [cut.does for cut in cuts]),
         result("low", "lowest speed", "v_min", "m/s", "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts], scale=s["v"]),
@@ -33,7 +33,7 @@ def lengths_columns(machine: Flying, cuts: Sequence[BookCut], length: str, way: 
         calc("h", "dynamic displacement", "h", "mm", f"=fly_l0-{length}", of("displacement", MM), scale=longest_h, source="L_0 − L_p"),
         calc("tr", "re-positioning time", "t_R", "s", f"=({length}-fly_lt)/1000/fly_v", of("repositioning_time"), scale=longest_time, source="(L_p − L_T)/v_L"),
         calc("waits", "waits", "", "", waits, [float(c.waits) for c in cuts], format="0", source="1: beyond L_p,lim"),
-        calc("tm", "of the superimposed motion", "t_m", "s", "=IF([waits]=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,[tr])", of("moving_time"), scale=longest_time),
+        calc("tm", "motion time", "t_m", "s", "=IF([waits]=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,[tr])", of("moving_time"), scale=longest_time),
         calc("h1", "displacement by the law", "h", "mm", "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM), scale=longest_h),
         calc("dv", "change of speed", "Δv_max", "m/s", "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=s["v"], source="S5, eq. (10)"),
         calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²", "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"), scale=s["dw"], source="S5, eq. (13)"),
@@ -59,8 +59,9 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
         *(Chart(f"{title} against product length", "product length L_p [mm]", unit, (
             *(Series(name, "[lengths.length]", f"[lengths.{column}]") for name, column in lines),
             Series("product entered", "[length_line.x]", f"[length_line.{at}]", dashed=True),
-            Series("design length L_0", "[length_line.x0]", f"[length_line.{at}]", dashed=True, color="7F7F7F")),
-            f"{title} over the product length, with the product entered and the design length marked")
+            Series("design length L_0", "[length_line.x0]", f"[length_line.{at}]", dashed=True, color="7F7F7F"),
+            Series("L_p,lim", "[length_line.x1]", f"[length_line.{at}]", dashed=True, color="C00000")),
+            f"{title} over the product length; marked are the product entered, L_0 and L_p,lim")
           for title, unit, lines, at in charts),
         width=7, height=18,
     )  # fmt: skip
@@ -76,16 +77,22 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
 
 
 def line(book: Book, machine: Flying, cuts: Sequence[BookCut]) -> None:
-    """Declare the lines at the product entered and at the design length, as drawn in the charts."""
+    """Declare the lines at the product entered, at L_0 and at L_p,lim, as drawn in the charts."""
     s = machine.scales
     low, high = min(c.speed_range[0] for c in cuts), max(c.speed_range[1] for c in cuts)
     peak, beta = max(c.max_acceleration for c in cuts), max(machine.asked(c).factor for c in cuts)
-    cut, tool = machine.cut, machine.tool
+    cut, tool, e = machine.cut, machine.tool, machine.given.lengths
+    shown = "=IF(AND({0}>fly_short,{0}<fly_long),{0},fly_length)"
+
+    def within(length: float) -> float:
+        return length if e.shortest < length < e.longest else cut.product_length / MM
+
     book.sheets[-1].table(
-        "length_line", "The product entered and the design length, as drawn in the charts", 2,
+        "length_line", "The product entered, L_0 and L_p,lim, as drawn in the charts", 2,
         constant("end", "end of the line", "", "", [0, 1]),
         calc("x", "product", "L_p", "mm", "=fly_length", [cut.product_length / MM] * 2),
-        calc("x0", "design length", "L_0", "mm", "=IF(fly_l0>0,fly_l0,fly_length)", [(tool.design_length or cut.product_length) / MM] * 2, source="a saw has none"),
+        calc("x0", "design length", "L_0", "mm", shown.format("fly_l0"), [within(tool.design_length / MM)] * 2, source="L_p where it is not among these lengths"),
+        calc("x1", "limit", "L_p,lim", "mm", shown.format("fly_limit"), [within(machine.limit)] * 2, source="L_p where it is not among these lengths"),
         calc("speed", "speed", "", "m/s", "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high], scale=s["v"]),
         calc("a", "acceleration", "", "m/s²", "=[end]*MAX([lengths.a])", [0.0, peak], scale=s["a"]),
         calc("beta", "load factor", "", "W/s", "=[end]*MAX([lengths.beta])", [0.0, beta], scale=s["beta"]),

@@ -1,4 +1,4 @@
-"""Where a tool that reverses turns: the law's velocity inverted by halving; and where the own law is fastest."""
+"""The Turning sheet: where each law is fastest, and where a tool that reverses turns, both in the time of the law."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import Array
-from workbook.declare import Sheet, calc, constant
+from workbook.declare import Book, Sheet, calc, constant
 from workbook.machines.flying_model import NEAR, REST, Flying, fastest
 from workbook.reference import MM
 from workbook.sheets import sampling
@@ -14,18 +14,48 @@ from workbook.sheets.stack import CODES
 
 HALVINGS = 30  # the position at a turning point is known to the square of what this leaves
 
+PEAKS = {
+    "DWL": "=0",
+    "ACS": "=1/2",
+    "TVP": "=TVP_av",
+    "CIC": "=1/2",
+    "CUB": "=1/2",
+    "MTP": "=MTP_d1+MTP_d2+MTP_d3",
+    "OWN": "=MIN([own_fast.at])",
+}
+
+
+def turning_sheet(book: Book, machine: Flying, pieces: sampling.Pieces) -> None:
+    """Declare the sheet."""
+    sheet = book.sheet(
+        "Turning", "Workings: where the law is fastest, and where a tool that reverses stands for an instant."
+    )
+    peaks(sheet, machine)
+    turning_points(sheet, machine, pieces)
+    own_peak(sheet, machine)
+
+
+def peaks(sheet: Sheet, machine: Flying) -> None:
+    """Declare where each law is fastest."""
+    sheet.heading("Where each law is fastest", "There a drum that slows down is slowest, and waits if it has to.")
+    sheet.table(
+        "fastest", "The laws by number", len(CODES),
+        constant("code", "law", "", "", list(CODES)),
+        calc("at", "abscissa", "ξ_v", "", [PEAKS[code] for code in CODES], [fastest(machine.library[c]) if c != "DWL" else 0.0 for c in CODES], scale=1.0),
+    )  # fmt: skip
+
 
 def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> None:
     """Declare both turning points: the law gets as fast as v* on its way to its peak, and slows to it after."""
     cut, law = machine.cut, machine.law
-    wanted = -machine.line * cut.moving_time / cut.superimposed if cut.reverses else 0.0
+    wanted = -machine.line * cut.moving_time / cut.superimposed if cut.reverses else 1.0
     peak, number = fastest(law), CODES.index(machine.given.law) + 1
     sheet.heading(
         "Turning points", "Where the tool stands for an instant before it reverses: v(ξ) = v*, found by halving."
     )
-    reverse = '=IF(fly_does="reverses",0-fly_v*1000*fly_tm/fly_h1,0)'
+    reverse = '=IF(fly_does="reverses",0-fly_v*1000*fly_tm/fly_h1,1)'
     sheet.rows(
-        calc("fly_turn_v", "Velocity of the law at which the tool stands", "v*", "", reverse, wanted, scale=1.0, source="−v_L t_m/h; 0: it does not reverse, nor turn within"),
+        calc("fly_turn_v", "Velocity of the law at which the tool stands", "v*", "", reverse, wanted, scale=1.0, source="−v_L t_m/h; of a tool that never turns, that of the mean"),
         *(calc(f"fly_turn_{k}", f"Position at the {word} turning point", "", "mm", f"=fly_v*1000*[turn_{k}.xi.last]*fly_tm+fly_h1*[turn_{k}.s.last]", at, scale=machine.scales["mm"], source="v_L t + h s")
           for k, word, at in zip((1, 2), ("first", "second"), positions(machine, wanted, peak), strict=True)),
     )  # fmt: skip
