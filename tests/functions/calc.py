@@ -57,8 +57,11 @@ class Calc:
 
     def computed(self, book, kind="xlsx"):
         """Let Calc compute a copy of a book and save it; return that."""
-        self._office("--convert-to", kind, "--outdir", self.folder / "made", shutil.copy(book, self.folder))
-        return self.folder / "made" / f"{book.stem}.{kind}"
+        target = self.folder / "made" / f"{book.stem}.{kind}"
+        target.unlink(missing_ok=True)
+        self._office("--convert-to", kind, "--outdir", target.parent, shutil.copy(book, self.folder))
+        assert target.exists()
+        return target
 
     def written(self, lines, name="basic.xlsx"):
         """Run lines of Basic about a new ``sheet``; return the book that it is then saved as."""

@@ -13,8 +13,8 @@ from openpyxl.worksheet.formula import ArrayFormula
 
 from engine.laws import CATALOGUE, law
 from tests.functions.calc import Calc
-from tests.functions.case import VALUE, Case, read, write
-from tests.functions.cases import value_cases
+from tests.functions.case import NUM, VALUE, Case, read, write
+from tests.functions.cases import CLASSIC, engine_law, value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions import oxt
 from workbook.functions.addin.motion_functions import library
@@ -56,13 +56,12 @@ def test_the_same_as_array_formulas_in_a_book_that_brings_the_excel_names(calc, 
     assert disagreeing(cases, read(calc.computed(tmp_path / "excel.xlsx"))) == []
 
 
-def test_without_the_add_in_no_function_has_a_value(add_in, tmp_path):
+def test_once_the_add_in_is_removed_no_function_is_known(add_in, tmp_path):
     cases = [next(c for c in value_cases() if c.function == function.key) for function in FUNCTIONS]
     write(cases, tmp_path / "cases.xlsx")
     calc = Calc()
     try:
         calc.install(add_in)
-        assert disagreeing(cases, read(calc.computed(tmp_path / "cases.xlsx"))) == []
         calc.remove(oxt.IDENTIFIER)
         assert set(read(calc.computed(tmp_path / "cases.xlsx"))) == {"#NAME?"}
     finally:
@@ -74,17 +73,13 @@ def test_a_sheet_typed_by_hand_is_saved_with_the_names_of_excel(calc):
         [
             'sheet.getCellByPosition(0, 0).FormulaLocal = "=motion.s(""CIC"";0.3;0)"',
             'sheet.getCellByPosition(1, 0).FormulaLocal = "=10*MOTION.CV(""MTP"";A2:G2)"',
-            *(f"sheet.getCellByPosition({i}, 1).Value = {d}" for i, d in enumerate(library_classic())),
+            *(f"sheet.getCellByPosition({i}, 1).Value = {d}" for i, d in enumerate(CLASSIC)),
         ]
     )
     asked, found = (openpyxl.load_workbook(path, data_only=values).active[1] for values in (False, True))
     assert [cell.value for cell in asked[:2]] == ['=MOTION.S("CIC",0.3,0)', '=10*MOTION.CV("MTP",A2:G2)']
     assert found[0].value == pytest.approx(law("CIC").s(0.3), rel=1e-14)
     assert found[1].value == pytest.approx(20.0, rel=1e-14)
-
-
-def library_classic():
-    return (0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125)
 
 
 def test_an_open_document_computes_too(calc):
@@ -116,6 +111,17 @@ def texts(function, language):
     """What the function wizard says about a function, in its order."""
     words = (function.help, *(text for argument in function.arguments for text in (argument.name, argument.help)))
     return tuple(getattr(text, language) for text in words)
+
+
+def test_a_sine_of_hundreds_of_turns_is_refused_where_every_turn_would_be_searched(calc, tmp_path):
+    def turning(omega):
+        return ((1.0, 0.0, 60.0, -180.0, 120.0, 1.0, omega, 0.0),)
+
+    cases = [Case("CV", ("OWN", turning(1001.0)), NUM), Case("XI", ("OWN", 0.5, turning(-1001.0)), NUM)]
+    slower, wanted = turning(999.0), engine_law("OWN", turning(999.0)).coefficients
+    cases += [Case("CV", ("OWN", slower), wanted.cv), Case("CARMS", ("OWN", slower), wanted.ca_rms)]
+    write(cases, tmp_path / "turns.xlsx")
+    assert disagreeing(cases, read(calc.computed(tmp_path / "turns.xlsx"))) == []
 
 
 def test_the_function_wizard_shows_every_function_with_its_arguments(calc):

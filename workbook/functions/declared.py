@@ -10,7 +10,7 @@ What both back ends promise, beside the help texts:
   cells is #VALUE!, impossible values are #NUM!: what the engine's law refuses. The other laws ignore p.
 - ξ is right-continuous at breaks, with a tolerance of 1e-12; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
-  10,000 rad in one piece.
+  1,000 rad in one piece.
 - A row of a table of phases: code, duration, lift, then at least as many parameters as the law takes; what stands
   beyond is ignored. Rows at the end whose first three cells are empty are ignored. OWN has no place in a row: #VALUE!.
   A table of fewer than three columns, or without rows: #VALUE!. A duration that is not positive, or a dwell with a

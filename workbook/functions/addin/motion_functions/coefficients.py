@@ -12,7 +12,7 @@ from .refused import NUM, Refused
 
 JUMP = 1e-9  # of the largest acceleration: a smaller one is rounding
 BACKWARDS = 1e-9  # of the mean velocity: a smaller velocity backwards is rounding
-MOST = 1e4  # rad of a sine within a piece: beyond, a cell would wait for seconds
+MOST = 1e3  # rad of a sine within a piece: beyond, a cell would keep Calc waiting
 
 # Gauss-Legendre with five nodes (Abramowitz & Stegun, 25.4.29), as (node, weight) on −1 … 1
 NEAR, FAR = math.sqrt(5 - 2 * math.sqrt(10 / 7)) / 3, math.sqrt(5 + 2 * math.sqrt(10 / 7)) / 3
@@ -32,7 +32,7 @@ class Coefficients(NamedTuple):
 
 @lru_cache(maxsize=512)
 def coefficients(law: Law) -> Coefficients:
-    """Return the coefficients of a law, for unit rise and time; refuses sines of more than 10,000 rad in a piece."""
+    """Return the coefficients of a law, for unit rise and time; refuses sines of more than 1,000 rad in a piece."""
     if any(abs(stage.piece.omega) * stage.piece.duration > MOST for stage in law.stages):
         raise Refused(NUM)
     v = [v for stage in law.stages for v in velocities(stage)]

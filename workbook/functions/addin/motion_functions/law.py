@@ -10,6 +10,7 @@ from .piece import Piece
 from .refused import NUM, Refused
 
 TOLERANCE = 1e-12  # a ξ this near to a break counts as on it
+ROUNDING = 4e-16
 
 
 class Stage(NamedTuple):
@@ -39,10 +40,11 @@ class Stage(NamedTuple):
             over, speed = self.v0 * u + gained_s - wanted, self.v0 + gained_v
             low, high = (low, u) if over >= 0.0 else (u, high)
             newton = u - over / speed if speed > 0.0 else -1.0
-            following = newton if low < newton < high else (low + high) / 2
-            if abs(following - u) <= 1e-16 * u:
-                break
+            following = newton if low <= newton <= high else (low + high) / 2
+            done = abs(following - u) <= ROUNDING * u
             u = following
+            if done:
+                break
         return self.origin + self.way * u
 
 
@@ -57,6 +59,7 @@ class Law:
             *(Stage(p, 1, x, 0.0, s, v) for p, x, s, v in _carried(ahead)),
             *(Stage(p, -1, end - x, 1.0, s, v) for p, x, s, v in _carried(behind)[::-1]),
         ]
+        self.heights = [stage.at(begin)[0] for stage, begin in zip(self.stages, self.begins)]
         self.end = self.at(1.0)[0]
 
     def at(self, xi: float) -> tuple[float, float, float, float]:
@@ -73,8 +76,7 @@ class Law:
             raise Refused(NUM)
         if s <= 0.0 or s >= self.end:
             return 0.0 if s <= 0.0 else 1.0
-        heights = [stage.at(begin)[0] for stage, begin in zip(self.stages, self.begins)]
-        return self.stages[max(bisect_left(heights, s) - 1, 0)].xi_at(s)
+        return self.stages[max(bisect_left(self.heights, s) - 1, 0)].xi_at(s)
 
 
 def _carried(pieces: Sequence[Piece]) -> list[tuple[Piece, float, float, float]]:
