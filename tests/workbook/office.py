@@ -31,11 +31,18 @@ End Sub
 """
 
 
-def edit(source, target, edits):
-    """Carry out ``edits``, lines of Basic about ``book``, on an unprotected copy of ``source``."""
+LOCALE = """<item oor:path="/org.openoffice.Setup/L10N"><prop oor:name="ooSetupSystemLocale" oor:op="fuse">
+<value>{locale}</value></prop></item></oor:items>"""
+
+
+def edit(source, target, edits, locale="en-US"):
+    """Carry out ``edits``, lines of Basic about ``book``, on an unprotected copy of ``source``, in a locale."""
     with tempfile.TemporaryDirectory() as profile:
         run = [program(), "--headless", "--norestore", f"-env:UserInstallation={Path(profile).as_uri()}"]
         subprocess.run([*run, "--terminate_after_init"], capture_output=True, timeout=TIMEOUT)  # makes the profile
+        settings = Path(profile) / "user" / "registrymodifications.xcu"
+        written = settings.read_text(encoding="utf-8").replace("</oor:items>", LOCALE.format(locale=locale))
+        settings.write_text(written, encoding="utf-8")
         module = Path(profile) / "user" / "basic" / "Standard" / "Module1.xba"
         text = MACRO.format(edits="\n  ".join(edits))
         module.write_text(MODULE.format(text=escape(text)), encoding="utf-8")

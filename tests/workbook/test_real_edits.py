@@ -276,3 +276,12 @@ def test_fault_made_in_libreoffice_is_named_where_it_now_stands(book, declared, 
     row = openpyxl.load_workbook(edited).defined_names["axis2"].attr_text.split("!")[1].split(":")[0].split("$")[2]
     assert int(row) == place.row + 3
     assert worst.cell.endswith(str(place.row + 4))
+
+
+@needs_office
+def test_numbers_typed_with_a_decimal_comma(book, layout, declared, tmp_path):
+    rate = declared.blocks["timing_rate"]
+    typed = f'book.Sheets.getByName("Timing").getCellByPosition({rate.column - 1}, {rate.row - 1}).FormulaLocal = "%s"'
+    edited = office.edit(book, tmp_path / "edited.xlsx", [typed % "90,25"], locale="de-DE")
+    assert verify(edited, ["pycel", "saved"]).findings == []
+    assert inputs(edited)[0].timing.rate == 90.25

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -13,6 +13,8 @@ from workbook.declare import Block, Book, Cell, Quantity, as_rows
 from workbook.reading.files import BookFile, Place, find_places
 from workbook.witnesses.pycel_witness import area_of
 from workbook.witnesses.shapes import Area, Formula, FormulaError, read
+
+MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
 
 
 class Pair(NamedTuple):
@@ -108,11 +110,25 @@ class Match:
 
     @cached_property
     def _declared_index(self) -> dict[Address, tuple[str, int, int]]:
-        return cell_index({b.name: declared_place(b) for b in self.declared.blocks.values()})
+        return cell_index({name: declared_place(b) for name, b in self.declared.blocks.items()}, lambda name: 1)
 
     @cached_property
     def _held_index(self) -> dict[Address, tuple[str, int, int]]:
-        return cell_index({name: self.file.places[name] for name in self.declared.blocks if name in self.file.places})
+        places = {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
+        return cell_index(places, self._header_above)
+
+    def _header_above(self, name: str) -> int:
+        """Return how many rows above a block of the file its header stands: rows may lie between."""
+        block, place = self.declared.blocks[name], self.file.places[name]
+        line = [self._texts.get((block.sheet.title, block.row - 1, column)) for column in block.columns.values()]
+        for up in range(1, min(MOST_BETWEEN, place.row)):
+            if any(text and self.file.value(place.cell(-up, j)) == text for j, text in enumerate(line)):
+                return up
+        return 1
+
+    @cached_property
+    def _texts(self) -> dict[tuple[str, int, int], str]:
+        return {(s.title, text.row, text.column): text.text for s in self.declared.sheets for text in s.texts}
 
     @cached_property
     def _declared_names(self) -> dict[str, Area]:
@@ -152,14 +168,18 @@ def declared_area(book: Book, name: str) -> Area:
     return area_of(Place(block.sheet.title, block.row, block.columns[column], block.size, 1))
 
 
-def cell_index(places: dict[str, Place]) -> dict[Address, tuple[str, int, int]]:
+def cell_index(
+    places: dict[str, Place], header: Callable[[str], int]
+) -> dict[Address, tuple[str, int, int]]:  # fmt: skip
     """Return the block, row and column of every cell of the blocks, and of the headers above them.
 
-    A column that takes from the row above reads its header in the first row (and makes nothing of it).
+    A column that takes from the row above reads its header in the first row (and makes nothing of it); ``header``
+    tells how many rows above the block it stands.
     """
-    cells = [(name, place, i) for name, place in places.items() for i in range(-1, place.rows)]
-    cells.sort(key=lambda found: found[2] >= 0)  # a cell of a block is no header of the block below
-    return {place.cell(i, j): (name, i, j) for name, place, i in cells for j in range(place.columns)}
+    columns = [(name, place, j) for name, place in places.items() for j in range(place.columns)]
+    up = {name: header(name) for name in places}
+    cells = {place.cell(-up[name], j): (name, -1, j) for name, place, j in columns}
+    return cells | {place.cell(i, j): (name, i, j) for name, place, j in columns for i in range(place.rows)}
 
 
 class Right:
