@@ -44,7 +44,9 @@ class Asked:
         """The engine's task, or None for a load that does not accelerate, or has no torque."""
         if min(self.acceleration_rms, self.torque_rms, self.max_speed) <= 0.0:
             return None
-        return Task(self.acceleration_rms, self.torque_rms, self.power_rate_mean, self.max_speed)
+        bound = self.acceleration_rms * self.torque_rms  # which rounding, and an own law's samples, may overstep
+        mean = max(-bound, min(bound, self.power_rate_mean))
+        return Task(self.acceleration_rms, self.torque_rms, mean, self.max_speed)
 
     @property
     def load_factor(self) -> float:

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Any, cast
+
+import numpy as np
 
 from workbook.declare import Book, result
 from workbook.machine import Machine
-from workbook.machines.actuator_flow import Sized
+from workbook.machines.actuator_flow import Sized, Squares
 from workbook.machines.actuator_model import ActuatorSizing
+from workbook.selection_reference import Asked, Choosing, Samples
+from workbook.selection_variants import vary_selection
 from workbook.sheets.about import about_sheet
 from workbook.sheets.actuator import actuator_sheet
-from workbook.sheets.actuator_cycle import cycle_sheet
+from workbook.sheets.actuator_cycle import cascade, cycle_sheet
 from workbook.sheets.actuator_printed import printed_sheet
 from workbook.sheets.actuator_rms import rms_sheet
+from workbook.sheets.selection import LoadCells, selection_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
 from workbook.variants import LAWS, factors, vary_laws
 from workbook.variants import own_pieces as own
@@ -29,6 +35,18 @@ RISING = (
 """own laws that rise throughout, where a phase takes the own law"""
 BACKWARDS = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]
 """and one that does not, where none does"""
+
+LOAD = LoadCells(
+    time="[cycle.time]",
+    speed="[cycle.w]",
+    acceleration="[cycle.dw]",
+    torque="[cycle.total]",
+    acceleration_rms="act_wrms",
+    torque_rms="act_lrms",
+    power_rate_mean="act_lmean",
+    max_speed="act_wmax",
+)
+"""where the book has the load at the shaft that the motor, or its reducer, is coupled to"""
 
 
 def declare(machine: Machine) -> Book:
@@ -51,9 +69,10 @@ def declare(machine: Machine) -> Book:
     actuator_sheet(book, view)
     cycle_sheet(book, view, shelf.stack)
     rms_sheet(book, view, shelf.laws)
+    selection_sheet(book, LOAD, choosing(view, given))
     printed_sheet(book, view)
     shelf.sheets(book)
-    return finish(book, "Sizing of an actuator", ("S4", "S1", "S3"))
+    return finish(book, "Sizing of an actuator", ("S4", "S1", "S3", "S5"))
 
 
 def variants(machine: Machine) -> list[Machine]:
@@ -87,6 +106,7 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
         "friction_torque": 0.11 * k,
     }
     entry["motor"] = motor(k)
+    vary_selection(data["selection"], k, sizes)
     return data
 
 
@@ -137,10 +157,24 @@ def motor(k: int) -> dict[str, Any]:
     return made
 
 
+def choosing(view: Sized, given: ActuatorSizing) -> Choosing:
+    """Return the choice of motor and reducer for the load at the first shaft."""
+    motion, t, i = view.sizing.motion, view.time, view.mechanism.ratio
+    at = motion.at(t)
+    direction = np.array([m.direction for m in view.moves])[motion.phase_index(t)]
+    load = cascade(view, at.y2, direction, np.ones(len(t))).pop().value
+    torque, product, grown = (view.total(name) / motion.total for name in Squares._fields)
+    asked = Asked(sqrt(grown), sqrt(torque), product, view.sizing.max_speed)
+    samples = Samples(t, i * at.y1, i * at.y2, np.asarray(load))
+    return Choosing(given.selection, given.sizes, asked, samples)
+
+
 TEMPLATE = Template(
     "actuator-sizing",
     ActuatorSizing,
     declare,
     variants,
-    LAW_SIZES | {"cycle": ("cycle", 1), "phases": ("phases", 0), "rotors": ("parts", 0), "gears": ("gears", 0)},
+    LAW_SIZES
+    | {"cycle": ("cycle", 1), "phases": ("phases", 0), "rotors": ("parts", 0), "gears": ("gears", 0)}
+    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
 )

@@ -8,9 +8,10 @@ from pydantic import Field, model_validator
 
 from engine.laws.inverse import is_monotone
 from engine.mechanism import cylinder
-from workbook.machine import EntryError, Machine, Model, NotNegative, Number, Positive, Sizes, Text
+from workbook.machine import EntryError, Machine, Model, NotNegative, Number, Positive, Text
 from workbook.machines.composer_model import ComposedPhase
 from workbook.reference import MM, laws
+from workbook.selection_model import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
 KINDS = {
@@ -138,7 +139,7 @@ class ActuatorEntry(Model):
         return self
 
 
-class ActuatorSizes(Sizes):
+class ActuatorSizes(SelectionSizes):
     """How large the tables are built: also the rows for gears."""
 
     phases: Annotated[int, Field(ge=2, le=24)] = 6
@@ -150,6 +151,7 @@ class ActuatorSizing(Machine):
 
     template: Literal["actuator-sizing"] = "actuator-sizing"
     actuator: ActuatorEntry
+    selection: Selection = Selection()
     sizes: ActuatorSizes = ActuatorSizes()
 
     @model_validator(mode="after")
@@ -163,6 +165,7 @@ class ActuatorSizing(Machine):
         ):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")
+        require_room(self.selection, self.sizes)
         for i, part in enumerate(a.parts):
             if part.shaft > len(a.gears):
                 expected = f"0 to {len(a.gears)}, the number of gears"
