@@ -19,6 +19,7 @@ from tests.functions.edges import edge_cases
 from workbook.functions import oxt
 from workbook.functions.addin.motion_functions import library
 from workbook.functions.declared import FUNCTIONS, OWN_WIDTH, PARAMETERS
+from workbook.template import FOLDER
 
 OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has
 ALLOWED = {"__future__", "bisect", "functools", "itertools", "math", "struct", "typing", "unohelper", "motionbook",
@@ -57,7 +58,7 @@ def test_the_same_as_array_formulas_in_a_book_that_brings_the_excel_names(calc, 
 
 
 def test_once_the_add_in_is_removed_no_function_is_known(add_in, tmp_path):
-    cases = [next(c for c in value_cases() if c.function == function.key) for function in FUNCTIONS]
+    cases = list({case.function: case for case in value_cases()}.values())
     write(cases, tmp_path / "cases.xlsx")
     calc = Calc()
     try:
@@ -80,6 +81,30 @@ def test_a_sheet_typed_by_hand_is_saved_with_the_names_of_excel(calc):
     assert [cell.value for cell in asked[:2]] == ['=MOTION.S("CIC",0.3,0)', '=10*MOTION.CV("MTP",A2:G2)']
     assert found[0].value == pytest.approx(law("CIC").s(0.3), rel=1e-14)
     assert found[1].value == pytest.approx(20.0, rel=1e-14)
+
+
+def test_a_saved_book_gets_no_second_name_for_a_function(calc, tmp_path):
+    write(edge_cases()[:3], tmp_path / "named.xlsx")
+    book = openpyxl.load_workbook(tmp_path / "named.xlsx")
+    book.defined_names["MOTION.S"] = DefinedName("MOTION.S", attr_text="Data!$A$1")
+    book.save(tmp_path / "named.xlsx")
+    with zipfile.ZipFile(calc.computed(tmp_path / "named.xlsx")) as archive:
+        assert archive.read("xl/workbook.xml").count(b'name="MOTION.S"') == 1  # Excel refuses two of one name
+
+
+def test_the_page_for_excel_computes_to_what_it_was_saved_with(calc):
+    page = FOLDER / "motion-functions.xlsx"
+    computed = calc.computed(page)
+    asked, saved, found = (load(path, data_only=values) for path, values in (
+        (page, False), (page, True), (computed, True)))  # fmt: skip
+    formulas = [cell.coordinate for row in asked.iter_rows() for cell in row if cell.data_type == "f"]
+    assert len(formulas) > 500
+    cases = [Case("S", (at,), saved[at].value, 1e-9) for at in formulas]
+    assert disagreeing(cases, [found[at].value for at in formulas]) == []
+
+
+def load(path, data_only):
+    return openpyxl.load_workbook(path, data_only=data_only).active
 
 
 def test_an_open_document_computes_too(calc):

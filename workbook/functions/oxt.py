@@ -130,7 +130,8 @@ def calc_add_ins() -> bytes:
     functions = node(node(node(root, "AddInInfo"), NAMESPACE, new=True), "AddInFunctions")
     for function in FUNCTIONS:
         entry = node(functions, function.key, new=True)
-        localized(entry, "DisplayName", Text(*[function.name] * len(LANGUAGES)))
+        for name in ("DisplayName", "CompatibilityName"):  # without the second, a saved .xlsx gets empty names
+            localized(entry, name, Text(*[function.name] * len(LANGUAGES)))
         localized(entry, "Description", function.help)
         SubElement(SubElement(entry, "prop", {"oor:name": "Category"}), "value").text = "Add-In"
         localized(entry, "CategoryDisplayName", CATEGORY)
