@@ -4,6 +4,7 @@ import random
 from typing import Any, get_args
 
 from tests.mutation.draw_overlap import rising
+from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import LAWS, vary_laws
 from workbook.machines.actuator_model import Kind
 
@@ -24,6 +25,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     )  # fmt: skip
     size = {"turns": drawn.uniform(0.02, 1), "diameter": drawn.uniform(20, 400)}
     entry["output"] = size | {"efficiency": drawn.uniform(0.3, 1)}
+    vary_selection(data["selection"], sizes, drawn)
     return data
 
 

@@ -5,6 +5,7 @@ import random
 from itertools import pairwise
 
 import numpy as np
+import openpyxl
 import pytest
 
 from engine.actuator import Sizing
@@ -25,7 +26,7 @@ from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["actuator-sizing"]
 CONVEYOR = TEMPLATE.description.with_name("actuator-sizing-conveyor.toml")
-SMALL = {"cycle": 24, "law": 8, "own_law": 8}
+SMALL = {"cycle": 24, "law": 8, "own_law": 8, "motors": 5, "reducers": 5}
 LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 
 
@@ -33,6 +34,8 @@ def entries(path=TEMPLATE.description, **changed):
     """A committed description with small tables; ``load__mass=3`` changes an entry of the actuator."""
     data = read_machine(path).model_dump()
     data["sizes"] |= SMALL
+    choice = data["selection"]
+    choice |= {"motors": choice["motors"][:5], "reducers": choice["reducers"][:5]}
     for name, value in changed.items():
         part, _, entry = name.rpartition("__")
         (data["actuator"][part] if part else data["actuator"])[entry] = value
@@ -249,6 +252,20 @@ def test_pycel_agrees_at_machines_drawn_at_random(seed, tmp_path, build_book):
     machine = TEMPLATE.model.model_validate(varied(entries(), random.Random(seed)))
     report = verify(build_book(machine, tmp_path / "b.xlsx"))
     assert report.findings == []
+
+
+@pytest.mark.parametrize("mechanism", ["conveyor", "gear train"])
+def test_another_mechanism_chosen_in_the_book(mechanism, tmp_path, build_book):
+    """The lead screw's book, another entry taken from the drop-down, saved: cells and engine follow alike."""
+    path = build_book(described(output__diameter=60.0, load__inertia=0.01, load__torque=0.2), tmp_path / "b.xlsx")
+    book = openpyxl.load_workbook(path)
+    sheet, cell = next(book.defined_names["act_mechanism"].destinations)
+    book[sheet][cell] = mechanism
+    book.save(path)
+    report = verify(path)
+    assert report.findings == []
+    machine, lost = inputs(path)
+    assert (machine.actuator.mechanism, lost) == (mechanism, [])
 
 
 @pytest.mark.parametrize("path", [TEMPLATE.description, CONVEYOR], ids=["screw", "conveyor"])
