@@ -17,6 +17,7 @@ from engine.selection import Ranges, Task, ratio_ranges, rms_torque
 from workbook.reference import RPM
 from workbook.selection_model import Selection, SelectionSizes
 
+NONE = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed that small comes from rounding
 PLACES = 9  # decimals in which scores are compared: equal to an engineer, equal in the ranking
 
 
@@ -42,7 +43,7 @@ class Asked:
     @property
     def task(self) -> Task | None:
         """The engine's task, or None for a load that does not accelerate, or has no torque."""
-        if min(self.acceleration_rms, self.torque_rms, self.max_speed) <= 0.0:
+        if min(self.acceleration_rms, self.torque_rms, self.max_speed) <= NONE:
             return None
         bound = self.acceleration_rms * self.torque_rms  # which rounding, and an own law's samples, may overstep
         mean = max(-bound, min(bound, self.power_rate_mean))

@@ -9,11 +9,14 @@ from workbook.declare import Book, result
 from workbook.machine import Machine
 from workbook.machines.flying_model import DRUM, Flying, FlyingCutter
 from workbook.reference import RPM
+from workbook.selection_reference import Asked, Choosing, Samples
+from workbook.selection_variants import vary_selection
 from workbook.sheets.about import about_sheet
 from workbook.sheets.flying import cutter_sheet
 from workbook.sheets.flying_cycle import cycle_sheet
 from workbook.sheets.flying_lengths import lengths_sheet
 from workbook.sheets.flying_turning import turning_sheet
+from workbook.sheets.selection import LoadCells, selection_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
 from workbook.variants import LAWS, factors, vary_laws
 
@@ -22,6 +25,18 @@ RISING = [
     {"duration": 0.6, "c0": -10 / 3},
 ]
 """An own law that speeds up once: for less time than it slows down."""
+
+LOAD = LoadCells(
+    time="[cycle.t]",
+    speed="[cycle.w]",
+    acceleration="[cycle.dw]",
+    torque="[cycle.torque]",
+    acceleration_rms="fly_dw_rms",
+    torque_rms="fly_torque_rms",
+    power_rate_mean="fly_mean",
+    max_speed="fly_w_max",
+)
+"""Where the book has the load at the shaft of the drum or the slide."""
 
 
 def declare(machine: Machine) -> Book:
@@ -45,6 +60,7 @@ def declare(machine: Machine) -> Book:
     cutter_sheet(book, view)
     lengths_sheet(book, view)
     cycle_sheet(book, view, shelf.stack)
+    selection_sheet(book, LOAD, choosing(view, given))
     turning_sheet(book, view, shelf.stack)
     shelf.sheets(book)
     return finish(book, "Flying machining", ("S5", "S1", "S3"))
@@ -69,6 +85,7 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
     entries["limits"] = limits(k, scale)
     entries["line_speed"] = 35.0 + 21 * k
     entries |= product(entries, k) | {"law": law}
+    vary_selection(data["selection"], k, data["sizes"])
     return data
 
 
@@ -98,10 +115,21 @@ def product(entries: dict[str, Any], k: int) -> dict[str, Any]:
     }
 
 
+def choosing(view: Flying, given: FlyingCutter) -> Choosing:
+    """Return the choice of motor and reducer for the load at the tool's shaft."""
+    at, r, load, asked = view.samples, view.tool.radius, view.load, view.asked(view.cut)
+    dw = at.acceleration / r
+    samples = Samples(view.times, at.speed / r, dw, load.torque + load.inertia * dw)
+    need = Asked(asked.acceleration, asked.torque, asked.mean, view.cut.max_angular_speed)
+    return Choosing(given.selection, given.sizes, need, samples)
+
+
 TEMPLATE = Template(
     "flying-cutter",
     FlyingCutter,
     declare,
     variants,
-    LAW_SIZES | {"cycle": ("cycle", 1), "lengths": ("lengths", 1)},
+    LAW_SIZES
+    | {"cycle": ("cycle", 1), "lengths": ("lengths", 1)}
+    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
 )

@@ -19,6 +19,7 @@ from engine.motion import Phase
 from engine.selection import Task
 from workbook.machine import EntryError, Laws, Machine, Model, NotNegative, Number, Positive, Sizes
 from workbook.reference import MM, PER_MINUTE, RPM, OwnLaw, laws
+from workbook.selection_model import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
 CASES = {"faster": "faster", "constant speed": "in step", "slower": "slower"}
@@ -107,7 +108,7 @@ class CutterEntry(Model):
     lengths: LengthsEntry
 
 
-class FlyingSizes(Sizes):
+class FlyingSizes(SelectionSizes):
     """How large the tables are built: also the intervals of the product lengths compared."""
 
     lengths: Annotated[int, Field(ge=2, le=400)] = 60
@@ -118,6 +119,7 @@ class FlyingCutter(Machine):
 
     template: Literal["flying-cutter"] = "flying-cutter"
     cutter: CutterEntry
+    selection: Selection = Selection()
     sizes: FlyingSizes = FlyingSizes()
 
     @model_validator(mode="after")
@@ -125,6 +127,7 @@ class FlyingCutter(Machine):
         filled, room = len(self.laws.OWN.pieces), self.sizes.pieces
         if filled > room:
             raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
+        require_room(self.selection, self.sizes)
         require_law(self.cutter.law, self.laws, self.sizes)
         least = tool_of(self.cutter).tool_length / MM * LONGER
         for entry, length in (

@@ -10,7 +10,7 @@ import numpy as np
 from engine.drive import RETURNED, STANDSTILL
 from workbook.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.reference import RPM
-from workbook.selection_reference import PLACES, Choosing
+from workbook.selection_reference import NONE, PLACES, Choosing
 from workbook.sheets.selection_curves import charts, curves
 from workbook.sheets.selection_tables import catalogues, pairs, ranking
 
@@ -87,7 +87,7 @@ def asked(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
         calc("sel_mean", "Mean of their product", "", "Nm rad/s²", f"={load.power_rate_mean}", a.power_rate_mean, scale=max(a.acceleration_rms * a.torque_rms, 1e-3)),
         calc("sel_wmax", "Largest speed of the load", "ω_L,max", "rad/s", f"={load.max_speed}", a.max_speed, scale=1e-3),
         calc("sel_tmax", "Torque that the reducer must hold", "f T*_L,max", "Nm", f"=sel_factor*MAX(MAX({load.torque}),0-MIN({load.torque}))", view.torque_needed, scale=1e-3),
-        calc("sel_moves", "The load accelerates, and has a torque", "", "", "=IF(MIN(sel_wrms,sel_trms,sel_wmax)>0,1,0)", int(a.task is not None), source="1 yes, 0 no: then there is nothing to select"),
+        calc("sel_moves", "The load accelerates, and has a torque", "", "", "=IF(MIN(sel_wrms,sel_trms,sel_wmax)>sel_none,1,0)", int(a.task is not None), source="1 yes, 0 no: then there is nothing to select"),
         result("sel_beta", "Load factor", "β", "Nm rad/s²", "=IF(sel_moves=1,2*(sel_wrms*sel_trms+sel_mean),0)", a.load_factor, source="2 (ω̇_rms T*_rms + mean); S5, eq. (15), step 2", scale=1e-3),
     )  # fmt: skip
 
@@ -202,6 +202,7 @@ def workings(sheet: Sheet, view: Choosing) -> None:
         calc("sel_slope", "Fall of the peak torque beyond", "", "Nm/rpm", of("motors", "slope", "sel_m"), made["slope"], scale=1e-3),
         calc("sel_nlimit", "Largest input speed of the reducer", "", "rpm", "=IF(sel_found=1,IF(COUNT(INDEX([reducers.nmax],sel_r))=1,INDEX([reducers.nmax],sel_r),0),0)", made["nlimit"], source="0: not given", scale=1.0),
         calc("sel_tlimit", "Largest output torque of the reducer", "", "Nm", "=IF(sel_found=1,IF(COUNT(INDEX([reducers.tmax],sel_r))=1,INDEX([reducers.tmax],sel_r),0),0)", made["tlimit"], source="0: not given", scale=1.0),
+        constant("sel_none", "A smaller acceleration, torque or speed is none", "", "SI", NONE, format="0E+00", source="so small it comes from rounding"),
         constant("sel_places", "Decimals in which scores are compared", "", "", PLACES, format="0", source="equal to an engineer, equal in the ranking"),
         constant("sel_still", "Slower than this counts as standing", "ω_0", "rad/s", STANDSTILL, format="0E+00", source="at the load's shaft"),
         constant("sel_returned", "A load that gives back less counts as driven", "P_0", "W", RETURNED, format="0E+00", source="at the load's shaft; rounding never decides the losses"),
