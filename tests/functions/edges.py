@@ -74,6 +74,9 @@ def parameters():
     yield Case("S", ("MTP", 0.5, tuple((d,) for d in CLASSIC)), 0.5)
     yield Case("S", ("MTP", 0.5, ((0.125, 0.25, 0.125, None, 0.125, 0.25, 0.125),)), 0.5)
     yield Case("S", ("OWN", 0.5, ((1.0, None, 60.0, -180.0, 120.0, None, None, None),)), 0.5)
+    for name, value in (("S", 0.5), ("V", 1.875), ("XI", 0.5)):
+        yield Case(name, ("OWN", 0.5, (*POLYNOMIAL_345, (None,) * 8)), value)
+    yield Case("CJ", ("OWN", ((None,) * 8, *POLYNOMIAL_345, (None,) * 8)), 60.0)
 
 
 def phases():

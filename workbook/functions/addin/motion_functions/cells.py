@@ -40,16 +40,26 @@ def named(name: Cell, parameters: Cells) -> Law:
     """Return the law of a code with the parameters in cells; those of a law that takes none are not looked at."""
     code = str(name).strip().upper()
     unread = PARAMETERS.get(code) == 0 and parameters is not None
-    return law(code, () if unread else rows(parameters))
+    found = () if unread else rows(parameters)
+    if code == "OWN":  # blank rows are no pieces, and whole columns of them would fill the cache
+        found = tuple(row for row in found if any(row)) or found[:1]
+    return law(code, found)
 
 
-@lru_cache(maxsize=128)
 def motion(table: Cells) -> Motion:
     """Return the motion of a table of phases, a row a phase: code, duration, lift, parameters of the law."""
     if not isinstance(table, tuple) or len(table[0]) < 3:
         raise Refused(VALUE)
-    count = max((k for k, row in enumerate(table, 1) if any(cell != "" for cell in row[:3])), default=0)
-    return Motion([phase(row) for row in table[:count]])
+    count = len(table)
+    while count and not any(cell != "" for cell in table[count - 1][:3]):
+        count -= 1
+    return joined(table[:count])
+
+
+@lru_cache(maxsize=128)
+def joined(table: tuple[tuple[Cell, ...], ...]) -> Motion:
+    """Return the motion of a table without blank rows at its end."""
+    return Motion([phase(row) for row in table])
 
 
 def phase(row: tuple[Cell, ...]) -> Phase:
