@@ -13,6 +13,7 @@ VENV = ROOT / ".venv"
 STAMP, LOG = VENV / "set-up.txt", VENV / "set-up.log"
 LOCKS = {"run": ROOT / "requirements.lock", "dev": ROOT / "requirements-dev.lock"}  # dev includes run
 CHECKS = ("ruff format --check .", "ruff check .", "mypy", "lint-imports", "motionbook templates --check")
+OVER_CORES = ("-n", "auto", "--dist", "worksteal")  # neighbours stay together: they share their books
 OFFLINE = re.compile("(NewConnection|NameResolution|ConnectTimeout|ReadTimeout|Proxy)Error")
 USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook into the current folder
 {0} start.py COMMAND ...               any other motionbook command; COMMAND --help explains it
@@ -81,7 +82,7 @@ def main(arguments: "list[str]") -> int:
         require(sys.version_info[:2])
         set_up("dev" if command in ("test", "check") else "run")
         if command == "test":
-            return subprocess.call([program("pytest"), *arguments[1:]], cwd=ROOT)
+            return subprocess.call([program("pytest"), *OVER_CORES, *arguments[1:]], cwd=ROOT)
         if command == "check":
             failed = [job for job in CHECKS if subprocess.call([program(job.split()[0]), *job.split()[1:]], cwd=ROOT)]
             print("Failed: " + ", ".join(failed) if failed else "Every check passed.")

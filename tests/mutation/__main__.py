@@ -8,6 +8,7 @@ from itertools import chain, islice
 
 from rich.console import Console
 
+from tests.mutation import names
 from tests.mutation.bench import Bench, sized
 from tests.mutation.examine import Tally, Verdict, examined, names_it_first
 from tests.mutation.machines import machines
@@ -29,6 +30,8 @@ def options(arguments: list[str] | None = None) -> argparse.Namespace:
                         help="ask all of verify about every N-th mutant, 0: about none (default 25)")  # fmt: skip
     parser.add_argument("--random", type=int, default=60, metavar="N",
                         help="random machines at which to look for survivors (default 60)")  # fmt: skip
+    parser.add_argument("--names", type=int, default=20, metavar="N",
+                        help="faults a template in names of blocks, columns and inputs (default 20 each)")  # fmt: skip
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes")
     parser.add_argument("--show", type=int, default=100, metavar="N", help="survivors to print (default 100)")
     return parser.parse_args(arguments)
@@ -47,17 +50,36 @@ def work(job: Job) -> Result:
     return verdicts, [(m, names_it_first(bench.verified(m, not given.values_only), m)) for m in asked]
 
 
+def misnamed(job: Job) -> list[tuple[str, bool]]:
+    """Judge one share of the faults in a template's names: each in words, and whether it is found."""
+    name, given, share = job
+    template = TEMPLATES[name]
+    bench = Bench(template, sized(template, cycle=12, law=4, own_law=4))
+    count = len(names.blocks(bench)) if given.all else given.names
+    faults = chain(
+        names.shifted(bench, names.blocks(bench), count, given.seed),
+        names.shifted(bench, names.columns(bench), count, given.seed),
+        islice(names.swapped(bench, given.seed), count),
+    )
+    return [(str(f), names.outcome(bench, f) != "agrees") for f in islice(faults, share, None, given.jobs)]
+
+
 def main() -> int:
-    """Judge and print; exit code 1 if a mutant survives or another cell is named first."""
+    """Judge and print; exit code 1 if a mutant or a name survives, or another cell is named first."""
     given, console = options(), Console()
     jobs = [(name, given, share) for name in TEMPLATES for share in range(given.jobs)]
     tally = Tally(given.values_only)
     with ProcessPoolExecutor(given.jobs) as pool:
         results = list(pool.map(work, jobs))
+        renamed = list(chain.from_iterable(pool.map(misnamed, jobs)))
     tally.verdicts = list(chain.from_iterable(verdicts for verdicts, _ in results))
     tally.whole = list(chain.from_iterable(whole for _, whole in results))
     tally.show(console, given.show)
-    return int(bool(tally.survivors or tally.not_first))
+    lost = [words for words, found in renamed if not found]
+    console.print(f"{len(renamed) - len(lost)} of {len(renamed)} faults in names are found", highlight=False)
+    for words in lost[: given.show]:
+        console.print(f"Not found: {words}", highlight=False, markup=False, soft_wrap=True)
+    return int(bool(tally.survivors or tally.not_first or lost))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ still damages.
 
 import random
 import re
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -206,7 +206,7 @@ class Orchard:
         return chain.from_iterable(map(self.mutator.of, chain.from_iterable(self.strata.values())))
 
     def sample(self, size: int, seed: int) -> list[Mutant]:
-        """Return ``size`` mutants, spread evenly over quantities and kinds of fault.
+        """Return ``size`` mutants, spread evenly over quantities and kinds of fault; one of each quantity comes first.
 
         Of a long column its first, second and last rows and one between are drawn from: three hundred equal rows
         count no more than one cell that stands alone.
@@ -217,11 +217,15 @@ class Orchard:
             for cell in representatives(cells, drawn):
                 for mutant in self.mutator.of(cell):
                     groups[(mutant.kind, *stratum)].append(mutant)
-        queues = list(groups.values())
-        drawn.shuffle(queues)
-        for queue in queues:
-            drawn.shuffle(queue)
-        rounds = chain.from_iterable(zip_longest(*queues))
+        keys = list(groups)
+        drawn.shuffle(keys)
+        met: Counter[tuple[str, ...]] = Counter()
+        turn = {}
+        for key in keys:
+            drawn.shuffle(groups[key])
+            turn[key] = met[key[1:]]
+            met[key[1:]] += 1
+        rounds = chain.from_iterable(zip_longest(*(groups[key] for key in sorted(keys, key=turn.__getitem__))))
         return [m for m in rounds if m is not None][:size]
 
 
