@@ -45,7 +45,7 @@ def motion(sheet: Sheet, machine: Actuator) -> None:
               ("dec", "torque decelerating", "T_dec", "at the lowest a")))),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
-        calc("h", "lift used", "h", "", '=IF([kind]="spare",0,[lift]*act_unit)', filled(si, n), scale=h, source="in m, or rad"),
+        calc("h", "lift used", "h", "", "=[lift]*act_unit", filled(si, n), scale=h, source="in m, or rad"),
         calc("span", "duration used", "t", "s", '=IF([kind]="spare",0,[duration])', filled([p.duration for p in phases], n), scale=total),
         calc("begin", "begins at", "", "s", '=IF([kind]="spare",2*act_time,IF([k]=1,0,[begin-1]+[span-1]))', filled(edges[:-1], n, 2 * total), scale=total, source="spare rows: out of reach"),
         calc("y0", "position at its begin", "x_0", "", "=IF([k]=1,0,[y0-1]+[h-1])", np.cumsum([0.0, *filled(si, n)])[:-1], scale=h, source="lifts before, in m or rad"),
