@@ -1,11 +1,13 @@
 """The LAMBDA names give what the engine gives, computed by IronCalc."""
 
+import math
+
 import openpyxl
 import pytest
 
 from tests.functions import lambdas
 from tests.functions.case import Case
-from tests.functions.cases import value_cases
+from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions.declared import FUNCTIONS
 
@@ -46,6 +48,34 @@ def test_a_wrong_answer_is_noticed(answers):
     assert case.agrees(found)
     assert not case.agrees(found + 2.0 * case.tolerance)
     assert not case.agrees("#NUM!")
+
+
+def mixed():
+    """An own law of a cubic and a sine that starts and ends without acceleration, its greatest jerk in between."""
+    c0, p, omega, phi = 5.0 * math.sin(0.4), -5.0, 9.0, 0.4
+    c1 = 20.0 - c0 - p * math.sin(omega + phi)
+    return ((1.0, c0, c1, -30.0, 10.0, p, omega, phi),)
+
+
+OWN_LAWS = {
+    "a cubic and a sine": mixed(),
+    "pieces that last for no time": ((0.0, 9.0, *[0.0] * 6), *POLYNOMIAL_345, (0.0, -9.0, *[0.0] * 6)),
+}
+
+
+def test_the_greatest_jerk_of_the_cubic_and_the_sine_lies_in_between():
+    law = engine_law("OWN", mixed())
+    assert law.coefficients.cj > 1.05 * max(abs(law.j(0.0)), abs(law.j(1.0)))
+
+
+@pytest.mark.parametrize("law", OWN_LAWS)
+def test_coefficients_of_an_own_law(folder, law):
+    p = OWN_LAWS[law]
+    k = engine_law("OWN", p).coefficients
+    wanted = {"CV": k.cv, "CA": k.ca, "CARMS": k.ca_rms, "CJ": k.cj}
+    cases = [Case(name, ("OWN", p), value, 1e-9 * value) for name, value in wanted.items()]
+    found = lambdas.computed(cases, folder / "own.xlsx")
+    assert [(c.name, f) for c, f in zip(cases, found, strict=True) if not c.agrees(f)] == []
 
 
 SEVERAL = {
