@@ -156,22 +156,25 @@ class Series:
     dashed: bool = False
     points: bool = False
     color: str = ""
-    marker: Literal["none", "circle", "diamond", "square"] = "none"
+    marker: Literal["none", "circle", "diamond", "dash"] = "none"
     up: str = ""
     right: str = ""
 
 
 @dataclass(frozen=True)
 class Chart:
-    """An XY chart: lines between points, never splines. An axis title ``=name`` shows the cell of that name."""
+    """An XY chart: lines between points, never splines. An axis title ``=name`` shows the cell of that name.
+
+    A range is least, largest and step; a largest or a step of None is left to the program.
+    """
 
     title: str
     x: str
     y: str
     series: tuple[Series, ...]
     about: str
-    x_range: tuple[float, float, float] | None = None
-    y_range: tuple[float, float, float] | None = None
+    x_range: tuple[float, float | None, float | None] | None = None
+    y_range: tuple[float, float | None, float | None] | None = None
     hide_y: bool = False
     log_y: bool = False
 

@@ -16,7 +16,8 @@ from workbook.selection_reference import Choosing
 if TYPE_CHECKING:
     from workbook.sheets.selection import LoadCells
 
-POINTS = 20  # of the curves of figure 12
+POINTS = 24  # of the curves of figure 12
+LEAST, MOST = 0.001, 0.1  # of α, where they begin
 OFF = -1.0  # left of the charts' edge
 SIDES = (-1, -1, 1, 1, 1, 1, -1, -1, -1)
 UPPER = (1, 1, 1, 1, -1, -1, -1, -1, 1)
@@ -27,9 +28,10 @@ def charts(sheet: Sheet, view: Choosing) -> None:
     """Place the three charts beside the figures."""
     down = view.rooms[0]
     ranges = (
-        Series("vertical: each motor from max(τ_min, τ_lim) to τ_max", "[figure11.x]", "[figure11.low]", points=True, up="[figure11.up]"),
+        Series("motors: from max(τ_min, τ_lim)", "[figure11.x]", "[figure11.low]", points=True, marker="dash", up="[figure11.up]", color="1F4E79"),
+        Series("to τ_max", "[figure11.x]", "[figure11.high]", points=True, marker="dash", color="1F4E79"),
         Series("τ_opt", "[figure11.x]", "[figure11.best]", points=True, marker="circle", color="1F4E79"),
-        Series("horizontal: reducers that hold the load", "[figure11r.x]", "[figure11r.tau]", points=True, right="[figure11r.right]", color="A6A6A6"),
+        Series("across: reducers that hold the load", "[figure11r.x]", "[figure11r.tau]", points=True, right="[figure11r.right]", color="A6A6A6"),
         Series("the pair", "[figure11p.x]", "[figure11p.tau]", points=True, marker="diamond", color="C55A11"),
     )  # fmt: skip
     sheet.chart(
@@ -58,7 +60,8 @@ def charts(sheet: Sheet, view: Choosing) -> None:
     sheet.chart(
         Chart("Ratios against the load factor, the pair's motor (S5, figure 12)", "load factor β [Nm rad/s²]",
               "transmission ratio τ", against,
-              "Largest, best and least transmission ratio of the chosen motor against the load factor"),
+              "Largest, best and least transmission ratio of the chosen motor against the load factor",
+              (0, None, None), log_y=True),
         column=13, row=47, width=8, height=18,
     )  # fmt: skip
     sheet.row = max(sheet.row, 66)
@@ -98,7 +101,8 @@ def figure11(sheet: Sheet, view: Choosing) -> None:
         constant("k", "motor", "", "", list(range(1, down + 1))),
         calc("x", "place", "", "", f"=IF({accepted},[k],sel_off)", np.where(good, np.arange(1, down + 1), OFF), scale=1.0),
         calc("low", "from", "τ", "", f"=IF({accepted},INDEX([motors.low],[k]),[reducers.tau.1])", low, scale=1e-3),
-        calc("up", "length", "", "", f"=IF({accepted},INDEX([motors.tau_max],[k])-[low],0)", np.where(good, high - low, 0.0), scale=first),
+        calc("high", "to", "τ_max", "", f"=IF({accepted},INDEX([motors.tau_max],[k]),[reducers.tau.1])", high, scale=1e-3),
+        calc("up", "length", "", "", "=[high]-[low]", high - low, scale=first),
         calc("best", "best", "τ_opt", "", f"=IF({accepted},INDEX([motors.tau_opt],[k]),[reducers.tau.1])", best, scale=1e-3),
     )  # fmt: skip
     sheet.table(
@@ -121,22 +125,29 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
     chosen, a = view.chosen, view.asked
     x = load_curves(view)
     row = "MAX(1,sel_m)"
+    first = float(view.reducers.ratio[0])
+    sheet.rows(
+        constant("sel_least", "Figure 12 begins at this share of α at least", "", "", LEAST, format="0.0##"),
+        constant("sel_most", "… and at this at most", "", "", MOST, format="0.0##"),
+        calc("sel_first", "It begins at", "", "", f"=MAX(sel_least,MIN(sel_most,sel_beta/(sel_eta*INDEX([motors.alpha],{row}))))", float(x["share"][0]), source="so that the present load is in it"),
+    )  # fmt: skip
+    sheet.row += 1
     sheet.table(
         "figure12", "Figure 12: the motor of the pair, or else the first, and this load driven faster and slower", POINTS,
         constant("k", "point", "", "", list(range(1, POINTS + 1))),
-        calc("share", "share of α", "β/(η α)", "", "=1-(1-[k]/[figure12.k.last])^2", x["share"], source="closer together near the tip"),
+        calc("share", "share of α", "β/(η α)", "", "=1-(1-sel_first)*(1-([k]-1)/([figure12.k.last]-1))^2", x["share"], source="closer together near the tip"),
         calc("beta", "load factor", "β", "Nm rad/s²", f"=[share]*sel_eta*INDEX([motors.alpha],{row})", x["beta"], scale=1e-3),
         calc("pace", "pace", "√(β/β_now)", "", "=IF(sel_moves=1,SQRT([beta]/sel_beta),0)", x["pace"], source="on ω̇ and T* alike", scale=1e-3),
         calc("root", "", "√(α − β/η)", "", f"=SQRT((1-[share])*INDEX([motors.alpha],{row}))", x["root"], scale=1e-3),
         calc("wide", "", "", "", "=SQRT([root]^2+4*sel_wrms*sel_trms*[pace]^2/sel_eta)", x["wide"], source="√(α − β/η + 4 ω̇ T*/η)", scale=1e-3),
-        result("tau_min", "least ratio", "τ_min", "", f"=IF(sel_moves=1,2*SQRT(INDEX([motors.inertia],{row}))*sel_wrms*[pace]/([wide]+[root]),0)", x["tau_min"], scale=1e-3),
-        result("tau_opt", "best ratio", "τ_opt", "", f"=INDEX([motors.tau_opt],{row})", x["tau_opt"], scale=1e-3),
-        result("tau_max", "largest ratio", "τ_max", "", f"=IF(sel_moves=1,SQRT(INDEX([motors.inertia],{row}))*([wide]+[root])*sel_eta/(2*sel_trms*[pace]),0)", x["tau_max"], scale=1e-3),
+        result("tau_min", "least ratio", "τ_min", "", f"=IF(sel_moves=1,2*SQRT(INDEX([motors.inertia],{row}))*sel_wrms*[pace]/([wide]+[root]),[reducers.tau.1])", x["tau_min"], scale=1e-3),
+        result("tau_opt", "best ratio", "τ_opt", "", f"=IF(sel_moves=1,INDEX([motors.tau_opt],{row}),[reducers.tau.1])", x["tau_opt"], scale=1e-3),
+        result("tau_max", "largest ratio", "τ_max", "", f"=IF(sel_moves=1,SQRT(INDEX([motors.inertia],{row}))*([wide]+[root])*sel_eta/(2*sel_trms*[pace]),[reducers.tau.1])", x["tau_max"], scale=1e-3),
     )  # fmt: skip
     sheet.table(
         "figure12p", "Figure 12: the pair", 1,
-        calc("beta", "load factor", "β", "", "=IF(sel_found=1,sel_beta,0)", [a.load_factor if chosen else 0.0], scale=1.0),
-        calc("tau", "ratio", "τ", "", "=IF(sel_found=1,sel_tau,0)", [float(view.reducers.ratio[chosen[1]]) if chosen else 0.0], scale=1.0),
+        calc("beta", "load factor", "β", "", "=IF(sel_found=1,sel_beta,sel_off)", [a.load_factor if chosen else OFF], scale=1.0),
+        calc("tau", "ratio", "τ", "", "=IF(sel_found=1,sel_tau,[reducers.tau.1])", [float(view.reducers.ratio[chosen[1]]) if chosen else first], scale=1e-3),
     )  # fmt: skip
 
 
@@ -146,12 +157,12 @@ def load_curves(view: Choosing) -> dict[str, Array]:
     motors, eta, task = view.motors, view.given.efficiency, view.asked.task
     inertia, rated = float(motors.inertia[m]), float(motors.rated_torque[m])
     alpha = rated**2 / inertia
-    share = 1.0 - (1.0 - np.arange(1, POINTS + 1) / POINTS) ** 2
+    begin = max(LEAST, min(MOST, view.asked.load_factor / (eta * alpha)))
+    share = 1.0 - (1.0 - begin) * (1.0 - np.arange(POINTS) / (POINTS - 1)) ** 2
     beta, root = share * eta * alpha, np.sqrt((1.0 - share) * alpha)
-    nothing = np.zeros(POINTS)
     if task is None:
-        return {"share": share, "beta": beta, "pace": nothing, "root": root, "wide": root,
-                "tau_min": nothing, "tau_opt": nothing, "tau_max": nothing}  # fmt: skip
+        flat = dict.fromkeys(("tau_min", "tau_opt", "tau_max"), np.full(POINTS, view.reducers.ratio[0]))
+        return {"share": share, "beta": beta, "pace": np.zeros(POINTS), "root": root, "wide": root} | flat
     pace = np.sqrt(beta / task.load_factor)
     found = [
         ratio_ranges(

@@ -24,6 +24,7 @@ from workbook.writing.style import COLOURS, GRID
 
 WIDTH = 19050  # of a line: 1.5 points
 LOG_BASE = 10
+SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW, BELOW_WITH_LEGEND = 1.5, 2.2  # cm for the labels of the abscissa, its title, the legend
 
 
@@ -73,7 +74,7 @@ def sign(series: Series, ink: str) -> Marker:
     if series.marker == "none":
         return Marker(symbol="none")
     look = GraphicalProperties(solidFill=ink, ln=LineProperties(solidFill=ink))
-    return Marker(symbol=series.marker, size=7, spPr=look)
+    return Marker(symbol=series.marker, size=SIGNS[series.marker], spPr=look)
 
 
 def strokes(series: Series, book: Book, stroke: LineProperties) -> ErrorBars | None:
