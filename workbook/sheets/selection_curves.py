@@ -196,9 +196,9 @@ def limits(sheet: Sheet, view: Choosing) -> None:
         constant("outer", "at the largest speed", "", "", list(OUTER)),
         calc("rpm", "speed", "n", "rpm", "=IF(AND([side]<0,MIN([pair_cycle.rpm])>=0-sel_still),0,[side])*IF([outer]=1,sel_nmax,sel_knee)",
              [s * (speeds[2] if o else speeds[1]) for s, o in zip(side, OUTER, strict=True)], scale=1.0),
-        calc("peak", "peak torque", "T_M,max", "Nm", "=[upper]*(sel_peak+IF([outer]=1,sel_slope*(sel_nmax-sel_knee),0))",
+        calc("peak", "peak torque", "T_max", "Nm", "=[upper]*(sel_peak+IF([outer]=1,sel_slope*(sel_nmax-sel_knee),0))",
              [u * (torques[2] if o else torques[1]) for u, o in zip(UPPER, OUTER, strict=True)], scale=1e-3),
-        calc("rated", "rated torque", "T_M,N", "Nm", "=[upper]*sel_rated", [u * rated for u in UPPER], scale=1e-3),
+        calc("rated", "rated torque", "T_N", "Nm", "=[upper]*sel_rated", [u * rated for u in UPPER], scale=1e-3),
     )  # fmt: skip
 
 
@@ -220,7 +220,7 @@ def cycle(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
         calc("w", "speed of the load", "ω_L", "rad/s", f"=INDEX({load.speed},[k])", s.speed, scale=1e-3),
         calc("load", "load torque", "T*_L", "Nm", f"=INDEX({load.torque},[k])", s.torque, scale=1e-3),
         result("rpm", "motor speed", "n_M", "rpm", "=IF(sel_found=1,[w]/sel_tau*60/(2*PI()),0)", p.speed / RPM, source="ω_L/τ", scale=1e-3),
-        result("torque", "motor torque", "T_M", "Nm", torque, p.torque, source="(J_M + J_T) ω̇_L/τ + τ T*_L/η; braking: η", scale=1e-3),
+        result("torque", "motor torque", "T_M", "Nm", torque, p.torque, source="J ω̇/τ + τ T*/η, braking τ T* η", scale=1e-3),
         calc("part", "adds to the mean square", "", "Nm² s", "=IF([k]=1,0,([torque]^2+[torque-1]^2)/2*([time]-[time-1]))", part, source="trapezoidal rule", scale=1e-6),
-        result("spare", "below the motor's curve", "", "Nm", "=IF(ABS([rpm])>sel_nmax,0,sel_peak+sel_slope*MAX(ABS([rpm])-sel_knee,0))-ABS([torque])", spare, source="peak torque at this speed less |T_M|", scale=max(size, 1e-3)),
+        result("spare", "below the motor's curve", "", "Nm", "=IF(ABS([rpm])>sel_nmax,0,sel_peak+sel_slope*MAX(ABS([rpm])-sel_knee,0))-ABS([torque])", spare, source="peak at n_M less |T_M|", scale=max(size, 1e-3)),
     )  # fmt: skip

@@ -15,6 +15,8 @@ from workbook.selection_reference import Choosing
 BEST = 10  # rows of the ranking
 BLANK = '0.0##;-0.0##;"–"'  # a row without a pair shows a dash
 FINE = '0.0000##;-0.0000##;"–"'
+WHOLE = '0;-0;"–"'
+SMALL = '0.000000##;-0.000000##;"–"'
 
 
 def column(rows: Sequence[Any], entry: str, room: int) -> list[Any]:
@@ -45,7 +47,7 @@ def ranking(sheet: Sheet, view: Choosing) -> None:
         "ranking", "The best pairs (S5, step 6)", BEST,
         result("motor", "motor", "", "", '=IF([at]>0,INDEX([motors.name],INDEX([pairs.m],[at])),"–")', padded(motor_names, BEST, "–"), align="left"),
         constant("place", "place", "", "", list(range(1, BEST + 1))),
-        calc("at", "row among the pairs", "", "", "=IF([place]<=sel_count,MATCH([place],[pairs.place],0),0)", padded(m * across + r + 1, BEST, 0), scale=1.0, format='0;-0;"–"'),
+        calc("at", "row among the pairs", "", "", "=IF([place]<=sel_count,MATCH([place],[pairs.place],0),0)", padded(m * across + r + 1, BEST, 0), scale=1.0, format=WHOLE),
         calc("i", "reduction", "i", "", at("i", "r", "reducers"), padded(1.0 / view.reducers.ratio[r], BEST), scale=1.0, format=BLANK),
         result("rms", "RMS torque", "T_rms", "Nm", "=IF([at]>0,INDEX([pairs.rms],[at]),0)", padded(found.rms_torque[:n], BEST), scale=1e-3, format=BLANK),
         result("margin", "margin", "", "", "=IF([at]>0,INDEX([motors.rated],INDEX([pairs.m],[at]))/[rms],0)", padded(found.margin[:n], BEST), scale=1.0, format=BLANK),
@@ -171,8 +173,8 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         calc("speed", "speed of the motor", "n_M", "rpm", "=IF([on]=1,sel_wmax*[i]*60/(2*PI()),0)", x["speed"], source="ω_L,max/τ", scale=1e-3, format=BLANK),
         calc("load", "load's RMS at the motor", "", "Nm", "=IF([on]=1,[tau]*sel_trms/[eta],0)", x["load"], source="τ T*_rms/η", scale=1e-3, format=BLANK),
         calc("acc", "RMS acceleration of the motor", "", "rad/s²", "=IF([on]=1,sel_wrms*[i],0)", x["acc"], source="ω̇_rms/τ", scale=1e-3, format=BLANK),
-        calc("cross", "mean product", "", "", "=IF([on]=1,2*sel_mean/[eta],0)", x["cross"], source="2 (ω̇ T*)_mean/η", scale=max(x["cross_scale"], 1e-3)),
-        calc("match", "inertia that balances", "", "kg m²", "=IF([on]*sel_moves=1,[tau]^2/[eta]*sel_trms/sel_wrms,0)", x["match"], source="τ² T*_rms / (η ω̇_rms)", scale=1e-6),
+        calc("cross", "mean product", "", "", "=IF([on]=1,2*sel_mean/[eta],0)", x["cross"], source="2 (ω̇ T*)_mean/η", scale=max(x["cross_scale"], 1e-3), format=BLANK),
+        calc("match", "inertia that balances", "", "kg m²", "=IF([on]*sel_moves=1,[tau]^2/[eta]*sel_trms/sel_wrms,0)", x["match"], source="τ² T*_rms / (η ω̇_rms)", scale=1e-6, format=SMALL),
         calc("on", "in use", "", "", "=COUNT([i])", x["on"], scale=1.0),
         calc("strong", "strong enough", "", "", "=IF([on]=1,IF(COUNT([tmax])=0,1,IF(sel_tmax<=[tmax],1,0)),0)", x["strong"], source="f T*_max", scale=1.0),
         calc("fits", "and not too fast", "", "", "=IF([strong]=1,IF(COUNT([nmax])=0,1,IF([speed]<=[nmax],1,0)),0)", x["fits"], scale=1.0),
@@ -224,12 +226,12 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
         constant("k", "pair", "", "", (k + 1).tolist()),
         constant("m", "motor", "", "", (k // across + 1).tolist()),
         constant("r", "reducer", "", "", (k % across + 1).tolist()),
-        calc("total", "inertia", "J_M + J_T", "kg m²", "=IF(INDEX([motors.on],[m])*INDEX([reducers.on],[r])*sel_moves=1,INDEX([motors.inertia],[m])+INDEX([reducers.inertia],[r]),0)", x["total"], scale=1e-6),
-        result("rms", "RMS torque", "T_M,rms", "Nm", "=IF([total]>0,SQRT(MAX(0,INDEX([reducers.load],[r])^2+([total]*INDEX([reducers.acc],[r]))^2+[total]*INDEX([reducers.cross],[r]))),0)", x["rms"], source="√((τ T*/η)² + (J ω̇/τ)² + 2 J (ω̇T*)/η)", scale=1e-3),
-        result("usable", "usable", "", "", "=IF([total]*INDEX([reducers.fits],[r])>0,IF(AND([rms]<=INDEX([motors.rated],[m]),INDEX([reducers.speed],[r])<=INDEX([motors.nmax],[m])),1,0),0)", x["usable"], source="torques and speeds", scale=1.0),
-        calc("counts", "ranked", "", "", "=[usable]*INDEX([motors.has],[m])*INDEX([reducers.has],[r])", x["counts"], source="has the figures", scale=1.0),
-        result("score", "score, the lowest best", "", "", score, x["score"], source="by the criterion", scale=1e-3),
-        result("place", "place", "", "", f"=IF([counts]=1,1+SUMPRODUCT([pairs.counts]*({before})),0)", x["place"], source="equals: table order", scale=1.0),
+        calc("total", "inertia", "J", "kg m²", "=IF(INDEX([motors.on],[m])*INDEX([reducers.on],[r])*sel_moves=1,INDEX([motors.inertia],[m])+INDEX([reducers.inertia],[r]),0)", x["total"], source="J_M + J_T", scale=1e-6, format=SMALL),
+        result("rms", "RMS torque", "T_rms", "Nm", "=IF([total]>0,SQRT(MAX(0,INDEX([reducers.load],[r])^2+([total]*INDEX([reducers.acc],[r]))^2+[total]*INDEX([reducers.cross],[r]))),0)", x["rms"], source="√((τ T*/η)² + (J ω̇/τ)² + 2 J (ω̇T*)/η)", scale=1e-3, format=BLANK),
+        result("usable", "usable", "", "", "=IF([total]*INDEX([reducers.fits],[r])>0,IF(AND([rms]<=INDEX([motors.rated],[m]),INDEX([reducers.speed],[r])<=INDEX([motors.nmax],[m])),1,0),0)", x["usable"], source="torques and speeds", scale=1.0, format=WHOLE),
+        calc("counts", "ranked", "", "", "=[usable]*INDEX([motors.has],[m])*INDEX([reducers.has],[r])", x["counts"], source="has the figures", scale=1.0, format=WHOLE),
+        result("score", "score, the lowest best", "", "", score, x["score"], source="by the criterion", scale=1e-3, format=FINE),
+        result("place", "place", "", "", f"=IF([counts]=1,1+SUMPRODUCT([pairs.counts]*({before})),0)", x["place"], source="equals: table order", scale=1.0, format=WHOLE),
     )  # fmt: skip
 
 
