@@ -1,32 +1,57 @@
 """Make the pictures of the README from the committed workbooks; needs LibreOffice and pdftoppm.
 
-.venv/bin/python docs/pictures.py
+.venv/bin/python -m docs.pictures
 """
 
 from __future__ import annotations
 
+import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
-from workbook.templates import TEMPLATES
+from tests.functions.calc import Calc
+from workbook.functions import oxt
+from workbook.template import FOLDER
 from workbook.witnesses.libreoffice_witness import convert
 
 HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch
-PICTURES = (  # file, template, page of the printed book, left, top, width, height in dots
+FUNCTIONS = "motion-functions"  # computed by the add-in
+PICTURES = (  # file, workbook, page of the printed book, left, top, width, height in dots
     ("timing.png", "cutting-machine", 2, 75, 85, 1000, 650),
     ("drive.png", "cutting-machine", 12, 75, 85, 1010, 665),
+    ("selection.png", "cutting-machine", 21, 75, 85, 1010, 640),
     ("motion.png", "motion-composer", 2, 75, 85, 1010, 610),
     ("overlap.png", "indexing-overlap", 2, 75, 85, 1010, 640),
+    ("actuator.png", "actuator-sizing", 2, 75, 85, 1010, 665),
+    ("cutter.png", "flying-cutter", 2, 75, 85, 1010, 665),
+    ("functions.png", FUNCTIONS, 1, 75, 85, 910, 665),
 )
 
 
-def main() -> None:
-    """Print each book to PDF, and cut each picture out of its page."""
+def printed(name: str, folder: Path) -> Path:
+    """Print a book to PDF."""
+    book = FOLDER / f"{name}.xlsx"
+    if name != FUNCTIONS:
+        return convert(book, "pdf", folder)
+    calc = Calc()
+    try:
+        oxt.write(folder / "motion.oxt")
+        calc.install(folder / "motion.oxt")
+        return Path(shutil.copy(calc.computed(book, "pdf"), folder))
+    finally:
+        calc.close()
+
+
+def main(wanted: list[str]) -> None:
+    """Cut each picture, or those that are named, out of a page of its book."""
     with tempfile.TemporaryDirectory() as folder:
-        for name, template, page, left, top, width, height in PICTURES:
-            pdf = convert(TEMPLATES[template].book, "pdf", Path(folder))
+        for name, book, page, left, top, width, height in PICTURES:
+            if wanted and name not in wanted:
+                continue
+            pdf = printed(book, Path(folder))
             cut = ["-x", left, "-y", top, "-W", width, "-H", height]
             command = ["pdftoppm", "-png", "-singlefile", "-r", RESOLUTION, "-f", page, "-l", page, *cut]
             subprocess.run([*map(str, command), str(pdf), str(HERE / Path(name).stem)], check=True)
@@ -34,4 +59,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])
