@@ -15,7 +15,7 @@ from workbook.witnesses.shapes import Area, Formula
 SKIPS_TEXT = ("MAX", "MIN", "SUM", "COUNT")
 """Functions to which a range may grow by cells without numbers."""
 
-ALWAYS_OK = re.compile(r"own_sum|axis\d_(forward|follows|fills)|TVP_order|MTP_sum")
+ALWAYS_OK = re.compile(r"own_sum|axis\d_(forward|follows|fills)|TVP_order|MTP_sum|act_ok_(rows|rises|shafts|temp)")
 """Checks of what the machine's model refuses already: no valid input lets them say FAIL."""
 
 
@@ -57,9 +57,10 @@ class Equivalence:
     def _dead(self, mutant: Mutant) -> bool:
         tokens = tokens_of(mutant.original)
         for condition, taken in branches(tokens, mutant.at):
-            texts = [t.value for t in tokens[slice(*condition)]]
-            held = self._constant(mutant.address.sheet, texts[0]) if len(texts) == 3 and texts[1] == "=" else None
-            if held is not None and taken != (1 if held == float(texts[2]) else 2):
+            first, *rest = tokens[slice(*condition)]
+            held = self._constant(mutant.address.sheet, first.value)
+            compared = len(rest) == 2 and rest[0].value == "=" and rest[1].subtype == "NUMBER"
+            if held is not None and compared and taken != (1 if held == float(rest[1].value) else 2):
                 return True
         return False
 

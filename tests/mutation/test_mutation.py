@@ -11,9 +11,9 @@ from tests.mutation.machines import machines
 from tests.mutation.mutants import KINDS, Mutant
 from workbook.templates import TEMPLATES
 
-SEED, PARTS = 7, 6
-SAMPLE = 1500  # mutants of a template: more than it has quantities
-WHOLE = 4  # of each kind, to be judged by all of verify
+SEED, PARTS = 7, 3
+SAMPLE = 720  # mutants of a template: more than it has quantities
+WHOLE = 2  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 
 every_template = pytest.mark.parametrize("name", TEMPLATES)
