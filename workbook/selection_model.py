@@ -18,7 +18,8 @@ Criterion = Literal["margin", "inertia match", "size", "cost"]
 class Selection(Model):
     """The catalogues, the criterion, and the pair that is looked at.
 
-    Without catalogues, those that come with the templates; a motor or reducer that is not named is the first one.
+    Without catalogues, those that come with the templates. A motor or reducer that is not named is the first one,
+    unless it is to be looked at.
     """
 
     criterion: Criterion = "margin"
@@ -37,7 +38,8 @@ class Selection(Model):
             return data
         for entry, committed in (("motor", committed_motors), ("reducer", committed_reducers)):
             rows = data.get(f"{entry}s", committed())
-            if data.get(entry) is None and isinstance(rows, list) and rows:
+            named = data.get(entry) is not None or data.get("pair") == "chosen"
+            if not named and isinstance(rows, list) and rows:
                 first = rows[0]
                 data = data | {entry: first.get("name") if isinstance(first, dict) else getattr(first, "name", None)}
         return data

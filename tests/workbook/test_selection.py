@@ -394,3 +394,59 @@ def test_the_exact_task_is_near_that_of_the_samples():
     assert sampled.acceleration_rms == pytest.approx(exact.acceleration_rms, rel=5e-3)
     assert sampled.torque_rms == pytest.approx(exact.torque_rms, rel=5e-3)
     assert sampled.power_rate_mean == pytest.approx(exact.power_rate_mean, rel=1e-2)
+
+
+def edited(path, out, *changes):
+    """A copy of a workbook in which the cells beside texts of the Selection sheet hold something else."""
+    book = openpyxl.load_workbook(path)
+    sheet = book["Selection"]
+    for text, down, column, value in changes:
+        row = next(r for r in range(sheet.max_row, 0, -1) if sheet.cell(r, 2).value == text)
+        sheet.cell(row + down, column).value = value
+    book.save(out)
+    return out
+
+
+def test_a_product_typed_into_an_empty_row_is_ranked_and_carried_over(tmp_path, build_book):
+    figures = (("added", 2), (0.004, 4), (400.0, 5), (900.0, 6), (3000.0, 7))
+    book = build_book(machine(), tmp_path / "book.xlsx")
+    changes = [("twin", 1, column, value) for value, column in figures]
+    report = verify(edited(book, tmp_path / "edited.xlsx", *changes))
+    assert report.findings == []
+    given, _ = inputs(tmp_path / "edited.xlsx")
+    assert [m.name for m in given.selection.motors] == ["small", "large", "twin", "added"]
+    assert shown(given)("ranking", "motor")[0] == "added"
+
+
+@pytest.mark.parametrize(
+    ("change", "line"),
+    [
+        (("small", 0, 4, -1.0), "(inertia): found -1; expected a number greater than 0"),
+        (("large", 0, 2, "small"), "(motor): a second motor is named 'small'; expected another name"),
+        (("Motor, if chosen", 0, 4, None), "(Motor, if chosen): no motor is named ''; expected a name of its table"),
+        (("twin", 1, 2, "half"), "(inertia): empty; expected a number greater than 0"),
+    ],
+)
+def test_what_cannot_be_in_a_workbook_is_named_by_its_cell(change, line, tmp_path, build_book):
+    book = build_book(machine(pair="chosen", motor="small", reducer="i 5"), tmp_path / "book.xlsx")
+    with pytest.raises(InputError) as found:
+        inputs(edited(book, tmp_path / "edited.xlsx", change))
+    assert "edited.xlsx: Selection!" in str(found.value)
+    assert line in str(found.value)
+
+
+@pytest.mark.parametrize("entry", ["Motor, if chosen", "Reducer, if chosen"])
+def test_a_pair_that_is_not_in_the_tables_shows_words_and_no_errors(entry, tmp_path, build_book):
+    book = build_book(machine(pair="chosen", motor="small", reducer="i 5"), tmp_path / "book.xlsx")
+    edited(book, tmp_path / "edited.xlsx", (entry, 0, 4, "nothing"))
+    values = PycelModel(openpyxl.load_workbook(tmp_path / "edited.xlsx")).evaluate()
+    shown_values = [value for (sheet, _, _), value in values.items() if sheet == "Selection"]
+    assert "choose a motor and a reducer of the tables" in shown_values
+    assert [v for v in shown_values if isinstance(v, str) and v.startswith("#")] == []
+
+
+@pytest.mark.parametrize("template", ["cutting-machine", "actuator-sizing", "flying-cutter"])
+def test_every_template_with_a_load_finds_a_pair(template):
+    book = TEMPLATES[template].declare(read_machine(TEMPLATES[template].description))
+    assert book.blocks["sel_ok"].quantities[0].value == "OK"
+    assert book.blocks["overall"].quantities[0].value == "OK"

@@ -115,7 +115,7 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
 
 MESSAGE = (
     '=IF(sel_moves=0,"the load does not accelerate, or has no torque: there is nothing to select",'
-    'IF(sel_pair="chosen","your own pair",'
+    'IF(sel_pair="chosen",IF(sel_found=1,"your own pair","choose a motor and a reducer of the tables"),'
     'IF(sel_count>0,"the best of the pairs that can do it",'
     'IF(sel_usable>0,"no usable pair has the figures for this criterion: choose another one",'
     'IF(COUNTIF([motors.verdict],"yes")=0,"no motor will do: each is too weak or too slow for this load",'
@@ -184,12 +184,15 @@ def workings(sheet: Sheet, view: Choosing) -> None:
     def best(column: str) -> str:
         return f"IF(sel_count>0,INDEX([pairs.{column}],MATCH(1,[pairs.place],0)),0)"
 
+    def named(cell: str, table: str) -> str:
+        return f"IF(ISNUMBER(MATCH({cell},[{table}.name],0)),MATCH({cell},[{table}.name],0),0)"
+
     sheet.heading("Workings")
     sheet.rows(
         calc("sel_no", "Number of the criterion", "", "", f"={listed},{len(words)}" + ")" * (len(words) - 1), words.index(view.given.criterion) + 1),
-        calc("sel_m", "Row of the motor", "", "", f'=IF(sel_pair="best",{best("m")},MATCH(sel_motor,[motors.name],0))', made["m"], source="0: none", scale=1.0),
-        calc("sel_r", "Row of the reducer", "", "", f'=IF(sel_pair="best",{best("r")},MATCH(sel_reducer,[reducers.name],0))', made["r"], scale=1.0),
-        calc("sel_found", "There is a pair", "", "", "=IF(sel_m>0,1,0)", int(made["m"] > 0), source="1 yes, 0 no", scale=1.0),
+        calc("sel_m", "Row of the motor", "", "", f'=IF(sel_pair="best",{best("m")},{named("sel_motor", "motors")})', made["m"], source="0: none", scale=1.0),
+        calc("sel_r", "Row of the reducer", "", "", f'=IF(sel_pair="best",{best("r")},{named("sel_reducer", "reducers")})', made["r"], scale=1.0),
+        calc("sel_found", "There is a pair", "", "", "=IF(AND(sel_m>0,sel_r>0),1,0)", int(made["m"] > 0), source="1 yes, 0 no", scale=1.0),
         calc("sel_jm", "Inertia of the motor", "J_M", "kg m²", of("motors", "inertia", "sel_m"), made["jm"], scale=1e-6),
         calc("sel_jt", "Inertia of the reducer at the motor's shaft", "J_T", "kg m²", of("reducers", "inertia", "sel_r"), made["jt"], scale=1e-6),
         calc("sel_j", "Both", "J_M + J_T", "kg m²", "=sel_jm+sel_jt", made["jm"] + made["jt"], scale=1e-6),
