@@ -18,7 +18,8 @@ from workbook.reference import RPM
 from workbook.selection_model import Selection, SelectionSizes
 
 NONE = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed that small comes from rounding
-PLACES = 9  # decimals in which scores are compared: equal to an engineer, equal in the ranking
+PLACES = 6  # decimals in which scores are compared: equal to an engineer, equal in the ranking
+STEP = 1e-9  # by which each row of the pairs ranks behind the one above it where they are equal
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,7 @@ class Choosing:
         has_m = [name is None or getattr(row, name) is not None for row in m]
         has_r = [name is None or getattr(row, name) is not None for row in r]
         found = self._ranked(np.flatnonzero(has_m), np.flatnonzero(self.strong & has_r), self.given.criterion)
-        order = np.lexsort((found.reducer, found.motor, np.round(found.score, PLACES)))
+        order = np.argsort(np.round(found.score, PLACES) + self.row(found) * STEP, kind="stable")
         return Pairs(*(getattr(found, f)[order] for f in Pairs.__dataclass_fields__))
 
     def _ranked(self, some: NDArray[Any], boxes: NDArray[Any], criterion: str) -> Pairs:
@@ -161,9 +162,13 @@ class Choosing:
         return self._spread(self.ranking, np.round(self.ranking.score, PLACES), 0.0)
 
     @cached_property
-    def places(self) -> Array:
-        """The place of each ranked pair, from 1; 0 for the others."""
-        return self._spread(self.ranking, np.arange(1.0, len(self.ranking) + 1.0), 0.0)
+    def ranked(self) -> NDArray[np.bool_]:
+        """Whether each pair is ranked."""
+        return self._spread(self.ranking, np.ones(len(self.ranking)), 0.0) > 0.0
+
+    def row(self, pairs: Pairs) -> NDArray[Any]:
+        """Return the row of pairs in the table of all of them, from 1."""
+        return np.asarray(pairs.motor * self.rooms[1] + pairs.reducer + 1)
 
     @cached_property
     def chosen(self) -> tuple[int, int] | None:

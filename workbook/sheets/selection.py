@@ -10,7 +10,7 @@ import numpy as np
 from engine.drive import RETURNED, STANDSTILL
 from workbook.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.reference import RPM
-from workbook.selection_reference import NONE, PLACES, Choosing
+from workbook.selection_reference import NONE, PLACES, STEP, Choosing
 from workbook.sheets.selection_curves import charts, curves
 from workbook.sheets.selection_tables import catalogues, pairs, ranking
 
@@ -182,7 +182,7 @@ def workings(sheet: Sheet, view: Choosing) -> None:
         return f"=IF(sel_found=1,INDEX([{table}.{column}],{row}),0)"
 
     def best(column: str) -> str:
-        return f"IF(sel_count>0,INDEX([pairs.{column}],MATCH(1,[pairs.place],0)),0)"
+        return f"IF([ranking.at.1]>0,INDEX([pairs.{column}],[ranking.at.1]),0)"
 
     def named(cell: str, table: str) -> str:
         return f"IF(ISNUMBER(MATCH({cell},[{table}.name],0)),MATCH({cell},[{table}.name],0),0)"
@@ -207,6 +207,7 @@ def workings(sheet: Sheet, view: Choosing) -> None:
         calc("sel_tlimit", "Largest output torque of the reducer", "", "Nm", "=IF(sel_found=1,IF(COUNT(INDEX([reducers.tmax],sel_r))=1,INDEX([reducers.tmax],sel_r),0),0)", made["tlimit"], source="0: not given", scale=1.0),
         constant("sel_none", "A smaller acceleration, torque or speed is none", "", "SI", NONE, format="0E+00", source="so small it comes from rounding"),
         constant("sel_places", "Decimals in which scores are compared", "", "", PLACES, format="0", source="equal to an engineer, equal in the ranking"),
+        constant("sel_step", "By which a pair ranks behind an equal one above it", "", "", STEP, format="0E+00"),
         constant("sel_still", "Slower than this counts as standing", "ω_0", "rad/s", STANDSTILL, format="0E+00", source="at the load's shaft"),
         constant("sel_returned", "A load that gives back less counts as driven", "P_0", "W", RETURNED, format="0E+00", source="at the load's shaft; rounding never decides the losses"),
         constant("sel_off", "Where charts hide what is not drawn", "", "", OFF, format="0", source="left of their edge"),

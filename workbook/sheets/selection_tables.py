@@ -10,7 +10,7 @@ import numpy as np
 from engine.laws.base import Array
 from workbook.declare import Sheet, calc, constant, given, result
 from workbook.reference import RPM
-from workbook.selection_reference import Choosing
+from workbook.selection_reference import STEP, Choosing
 
 BEST = 10  # rows of the ranking
 BLANK = '0.0##;-0.0##;"–"'  # a row without a pair shows a dash
@@ -35,7 +35,6 @@ def ranking(sheet: Sheet, view: Choosing) -> None:
     found = view.ranking
     n = min(len(found), BEST)
     m, r = found.motor[:n], found.reducer[:n]
-    across = view.rooms[1]
 
     def at(column: str, row: str, table: str) -> str:
         return f"=IF([at]>0,INDEX([{table}.{column}],INDEX([pairs.{row}],[at])),0)"
@@ -47,7 +46,7 @@ def ranking(sheet: Sheet, view: Choosing) -> None:
         "ranking", "The best pairs (S5, step 6)", BEST,
         result("motor", "motor", "", "", '=IF([at]>0,INDEX([motors.name],INDEX([pairs.m],[at])),"–")', padded(motor_names, BEST, "–"), align="left"),
         constant("place", "place", "", "", list(range(1, BEST + 1))),
-        calc("at", "row among the pairs", "", "", "=IF([place]<=sel_count,MATCH([place],[pairs.place],0),0)", padded(m * across + r + 1, BEST, 0), scale=1.0, format=WHOLE),
+        calc("at", "row among the pairs", "", "", "=IF([place]<=sel_count,MATCH(SMALL([pairs.key],[place]),[pairs.key],0),0)", padded(view.row(found)[:n], BEST, 0), scale=1.0, format=WHOLE),
         calc("i", "reduction", "i", "", at("i", "r", "reducers"), padded(1.0 / view.reducers.ratio[r], BEST), scale=1.0, format=BLANK),
         result("rms", "RMS torque", "T_rms", "Nm", "=IF([at]>0,INDEX([pairs.rms],[at]),0)", padded(found.rms_torque[:n], BEST), scale=1e-3, format=BLANK),
         result("margin", "margin", "", "", "=IF([at]>0,INDEX([motors.rated],INDEX([pairs.m],[at]))/[rms],0)", padded(found.margin[:n], BEST), scale=1.0, format=BLANK),
@@ -209,7 +208,7 @@ def reducer_values(view: Choosing) -> dict[str, Any]:
 
 
 def pairs(sheet: Sheet, view: Choosing) -> None:
-    """Declare every pair: its RMS torque with the reducer's η and inertia, whether it is usable, its place."""
+    """Declare every pair: its RMS torque with the reducer's η and inertia, whether it is usable, what it is sorted by."""
     down, across = view.rooms
     k = np.arange(down * across)
     x = pair_values(view)
@@ -219,7 +218,6 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
         "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r]),"
         "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r])),sel_places),0)"
     )
-    before = "([pairs.score]<[score])*([pairs.k]>[k])+([pairs.score]<=[score])*([pairs.k]<[k])"
     sheet.heading("Every pair")
     sheet.table(
         "pairs", "Pairs in the order of the tables", len(k),
@@ -231,19 +229,19 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
         result("usable", "usable", "", "", "=IF([total]*INDEX([reducers.fits],[r])>0,IF(AND([rms]<=INDEX([motors.rated],[m]),INDEX([reducers.speed],[r])<=INDEX([motors.nmax],[m])),1,0),0)", x["usable"], source="torques and speeds", scale=1.0, format=WHOLE),
         calc("counts", "ranked", "", "", "=[usable]*INDEX([motors.has],[m])*INDEX([reducers.has],[r])", x["counts"], source="has the figures", scale=1.0, format=WHOLE),
         result("score", "score, the lowest best", "", "", score, x["score"], source="by the criterion", scale=1e-3, format=FINE),
-        result("place", "place", "", "", f"=IF([counts]=1,1+SUMPRODUCT([pairs.counts]*({before})),0)", x["place"], source="equals: table order", scale=1.0, format=WHOLE),
+        calc("key", "sorted by", "", "", '=IF([counts]=1,[score]+[k]*sel_step,"–")', x["key"], source="equals: table order", scale=1e-3, format="0.000000000"),
     )  # fmt: skip
 
 
 def pair_values(view: Choosing) -> dict[str, list[Any]]:
     """Return the engine's values for the columns of the pairs, spare rows included."""
-    ranked = view.places > 0.0
+    counts, scores = spread(view, view.ranked.astype(int)), spread(view, view.scores)
     inertia = view.motors.inertia[:, None] + view.reducers.inertia
     total = inertia if view.asked.task else np.zeros(inertia.shape)
     return {
         "total": spread(view, total), "rms": spread(view, view.rms),
-        "usable": spread(view, view.usable.astype(int)), "counts": spread(view, ranked.astype(int)),
-        "score": spread(view, view.scores), "place": spread(view, view.places.astype(int)),
+        "usable": spread(view, view.usable.astype(int)), "counts": counts, "score": scores,
+        "key": [s + k * STEP if c else "–" for k, (s, c) in enumerate(zip(scores, counts, strict=True), 1)],
     }  # fmt: skip
 
 
