@@ -87,6 +87,12 @@ class Choosing:
         )
 
     @cached_property
+    def acceleration_scale(self) -> float:
+        """What the load's acceleration (rad/s²) is measured by where it may be near 0: its speed in a cycle."""
+        time = self.samples.time
+        return max(self.asked.acceleration_rms, self.asked.max_speed / float(time[-1] - time[0]), 1e-3)
+
+    @cached_property
     def ranges(self) -> Ranges | None:
         """The ratios that each motor accepts, steps 3 and 4; None without a task."""
         if self.asked.task is None:

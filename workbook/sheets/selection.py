@@ -82,9 +82,9 @@ def asked(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
     a = view.asked
     sheet.heading("What the load asks for")
     sheet.rows(
-        calc("sel_wrms", "RMS acceleration of the load", "ω̇_L,rms", "rad/s²", f"={load.acceleration_rms}", a.acceleration_rms, source="over the cycle", scale=1e-3),
+        calc("sel_wrms", "RMS acceleration of the load", "ω̇_L,rms", "rad/s²", f"={load.acceleration_rms}", a.acceleration_rms, source="over the cycle", scale=view.acceleration_scale),
         calc("sel_trms", "RMS of the generalized load torque", "T*_L,rms", "Nm", f"={load.torque_rms}", a.torque_rms, source="T*_L = T_L + J_L ω̇_L", scale=1e-3),
-        calc("sel_mean", "Mean of their product", "", "Nm rad/s²", f"={load.power_rate_mean}", a.power_rate_mean, scale=max(a.acceleration_rms * a.torque_rms, 1e-3)),
+        calc("sel_mean", "Mean of their product", "", "Nm rad/s²", f"={load.power_rate_mean}", a.power_rate_mean, scale=max(view.acceleration_scale * a.torque_rms, 1e-3)),
         calc("sel_wmax", "Largest speed of the load", "ω_L,max", "rad/s", f"={load.max_speed}", a.max_speed, scale=1e-3),
         calc("sel_tmax", "Torque that the reducer must hold", "f T*_L,max", "Nm", f"=sel_factor*MAX(MAX({load.torque}),0-MIN({load.torque}))", view.torque_needed, scale=1e-3),
         calc("sel_moves", "The load accelerates, and has a torque", "", "", "=IF(MIN(sel_wrms,sel_trms,sel_wmax)>sel_none,1,0)", int(a.task is not None), source="1 yes, 0 no: then there is nothing to select"),

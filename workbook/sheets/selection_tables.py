@@ -171,7 +171,7 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         result("tau", "ratio", "τ", "", "=IF([on]=1,1/[i],0)", x["tau"], source="1/i", scale=1e-3, format=FINE),
         calc("speed", "speed of the motor", "n_M", "rpm", "=IF([on]=1,sel_wmax*[i]*60/(2*PI()),0)", x["speed"], source="ω_L,max/τ", scale=1e-3, format=BLANK),
         calc("load", "load's RMS at the motor", "", "Nm", "=IF([on]=1,[tau]*sel_trms/[eta],0)", x["load"], source="τ T*_rms/η", scale=1e-3, format=BLANK),
-        calc("acc", "RMS acceleration of the motor", "", "rad/s²", "=IF([on]=1,sel_wrms*[i],0)", x["acc"], source="ω̇_rms/τ", scale=1e-3, format=BLANK),
+        calc("acc", "RMS acceleration of the motor", "", "rad/s²", "=IF([on]=1,sel_wrms*[i],0)", x["acc"], source="ω̇_rms/τ", scale=x["acc_scale"], format=BLANK),
         calc("cross", "mean product", "", "", "=IF([on]=1,2*sel_mean/[eta],0)", x["cross"], source="2 (ω̇ T*)_mean/η", scale=max(x["cross_scale"], 1e-3), format=BLANK),
         calc("match", "inertia that balances", "", "kg m²", "=IF([on]*sel_moves=1,[tau]^2/[eta]*sel_trms/sel_wrms,0)", x["match"], source="τ² T*_rms / (η ω̇_rms)", scale=1e-6, format=SMALL),
         calc("on", "in use", "", "", "=COUNT([i])*COUNT([eta])", x["on"], scale=1.0),
@@ -201,7 +201,8 @@ def reducer_values(view: Choosing) -> dict[str, Any]:
     return {
         "verdict": padded(verdict, n, "–"), "tau": padded(r.ratio, n), "speed": padded(speed / RPM, n),
         "load": padded(r.ratio * a.torque_rms / r.efficiency, n), "acc": padded(a.acceleration_rms / r.ratio, n),
-        "cross": padded(2.0 * a.power_rate_mean / r.efficiency, n), "cross_scale": a.acceleration_rms * a.torque_rms,
+        "cross": padded(2.0 * a.power_rate_mean / r.efficiency, n), "cross_scale": view.acceleration_scale * a.torque_rms,
+        "acc_scale": view.acceleration_scale / float(r.ratio.min()),
         "match": padded(match, n), "on": padded([1] * count, n, 0), "strong": padded(view.strong.astype(int), n, 0),
         "fits": padded(fits.astype(int), n, 0), "has": padded(has, n, spare_has), "figure": padded(figure, n),
     }  # fmt: skip
