@@ -19,7 +19,7 @@ from workbook.selection_model import Selection, SelectionSizes
 
 NONE = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed that small comes from rounding
 PLACES = 6  # decimals in which scores are compared: equal to an engineer, equal in the ranking
-STEP = 1e-9  # by which each row of the pairs ranks behind the one above it where they are equal
+STEP = 1e-10  # by which each row of the pairs ranks behind the one above it where they are equal
 
 
 @dataclass(frozen=True)
@@ -127,8 +127,20 @@ class Choosing:
         has_m = [name is None or getattr(row, name) is not None for row in m]
         has_r = [name is None or getattr(row, name) is not None for row in r]
         found = self._ranked(np.flatnonzero(has_m), np.flatnonzero(self.strong & has_r), self.given.criterion)
-        order = np.argsort(np.round(found.score, PLACES) + self.row(found) * STEP, kind="stable")
+        if self.given.criterion == "margin":
+            found = replace(found, score=np.sqrt(found.score))  # the engine's is squared: the same order, finer here
+        order = np.argsort(self.key(found), kind="stable")
         return Pairs(*(getattr(found, f)[order] for f in Pairs.__dataclass_fields__))
+
+    def unit(self, pairs: Pairs) -> float:
+        """Return what scores are counted in: kilograms and costs in shares of the largest."""
+        counted = self.given.criterion in ("size", "cost") and len(pairs) > 0
+        return float(pairs.score.max()) or 1.0 if counted else 1.0
+
+    def key(self, pairs: Pairs) -> Array:
+        """Return what pairs are sorted by: the rounded score (halves up, as in cells), then their row."""
+        rounded = np.floor(pairs.score / self.unit(pairs) * 10**PLACES + 0.5) / 10**PLACES
+        return np.asarray(rounded + self.row(pairs) * STEP)
 
     def _ranked(self, some: NDArray[Any], boxes: NDArray[Any], criterion: str) -> Pairs:
         """Rank some of the motors with some of the reducers; indices are those of the whole catalogues."""
@@ -165,7 +177,12 @@ class Choosing:
     @cached_property
     def scores(self) -> Array:
         """The score of each ranked pair at its place in the catalogues, 0 elsewhere."""
-        return self._spread(self.ranking, np.round(self.ranking.score, PLACES), 0.0)
+        return self._spread(self.ranking, self.ranking.score, 0.0)
+
+    @cached_property
+    def keys(self) -> Array:
+        """What each ranked pair is sorted by, at its place in the catalogues; 0 elsewhere."""
+        return self._spread(self.ranking, self.key(self.ranking), 0.0)
 
     @cached_property
     def ranked(self) -> NDArray[np.bool_]:

@@ -206,6 +206,7 @@ def workings(sheet: Sheet, view: Choosing) -> None:
         calc("sel_nlimit", "Largest input speed of the reducer", "", "rpm", "=IF(sel_found=1,IF(COUNT(INDEX([reducers.nmax],sel_r))=1,INDEX([reducers.nmax],sel_r),0),0)", made["nlimit"], source="0: not given", scale=1.0),
         calc("sel_tlimit", "Largest output torque of the reducer", "", "Nm", "=IF(sel_found=1,IF(COUNT(INDEX([reducers.tmax],sel_r))=1,INDEX([reducers.tmax],sel_r),0),0)", made["tlimit"], source="0: not given", scale=1.0),
         constant("sel_none", "A smaller acceleration, torque or speed is none", "", "SI", NONE, format="0E+00", source="so small it comes from rounding"),
+        calc("sel_unit", "Scores are counted in", "", "", "=IF(AND(sel_no>2,MAX([pairs.score])>0),MAX([pairs.score]),1)", view.unit(view.ranking), source="the largest mass or cost, else 1"),
         constant("sel_places", "Decimals in which scores are compared", "", "", PLACES, format="0", source="equal to an engineer, equal in the ranking"),
         constant("sel_step", "By which a pair ranks behind an equal one above it", "", "", STEP, format="0E+00"),
         constant("sel_still", "Slower than this counts as standing", "ω_0", "rad/s", STANDSTILL, format="0E+00", source="at the load's shaft"),

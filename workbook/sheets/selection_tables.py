@@ -10,7 +10,7 @@ import numpy as np
 from engine.laws.base import Array
 from workbook.declare import Sheet, calc, constant, given, result
 from workbook.reference import RPM
-from workbook.selection_reference import STEP, Choosing
+from workbook.selection_reference import Choosing
 
 BEST = 10  # rows of the ranking
 BLANK = '0.0##;-0.0##;"–"'  # a row without a pair shows a dash
@@ -214,10 +214,10 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
     k = np.arange(down * across)
     x = pair_values(view)
     score = (
-        "=IF([counts]=1,ROUND(CHOOSE(sel_no,([rms]/INDEX([motors.rated],[m]))^2,"
+        "=IF([counts]=1,CHOOSE(sel_no,[rms]/INDEX([motors.rated],[m]),"
         "EXP(ABS(LN(INDEX([reducers.match],[r])/[total]))/2),"
         "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r]),"
-        "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r])),sel_places),0)"
+        "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r])),0)"
     )
     sheet.heading("Every pair")
     sheet.table(
@@ -230,19 +230,19 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
         result("usable", "usable", "", "", "=IF([total]*INDEX([reducers.fits],[r])>0,IF(AND([rms]<=INDEX([motors.rated],[m]),INDEX([reducers.speed],[r])<=INDEX([motors.nmax],[m])),1,0),0)", x["usable"], source="torques and speeds", scale=1.0, format=WHOLE),
         calc("counts", "ranked", "", "", "=[usable]*INDEX([motors.has],[m])*INDEX([reducers.has],[r])", x["counts"], source="has the figures", scale=1.0, format=WHOLE),
         result("score", "score, the lowest best", "", "", score, x["score"], source="by the criterion", scale=1e-3, format=FINE),
-        calc("key", "sorted by", "", "", '=IF([counts]=1,[score]+[k]*sel_step,"–")', x["key"], source="equals: table order", scale=1e-3, format="0.000000000"),
+        calc("key", "sorted by", "", "", '=IF([counts]=1,ROUND([score]/sel_unit,sel_places)+[k]*sel_step,"–")', x["key"], source="score, then row", scale=1e-3, format="0.0000000000"),
     )  # fmt: skip
 
 
 def pair_values(view: Choosing) -> dict[str, list[Any]]:
     """Return the engine's values for the columns of the pairs, spare rows included."""
-    counts, scores = spread(view, view.ranked.astype(int)), spread(view, view.scores)
+    counts, keys = spread(view, view.ranked.astype(int)), spread(view, view.keys)
     inertia = view.motors.inertia[:, None] + view.reducers.inertia
     total = inertia if view.asked.task else np.zeros(inertia.shape)
     return {
         "total": spread(view, total), "rms": spread(view, view.rms),
-        "usable": spread(view, view.usable.astype(int)), "counts": counts, "score": scores,
-        "key": [s + k * STEP if c else "–" for k, (s, c) in enumerate(zip(scores, counts, strict=True), 1)],
+        "usable": spread(view, view.usable.astype(int)), "counts": counts, "score": spread(view, view.scores),
+        "key": [key if ranked else "–" for key, ranked in zip(keys, counts, strict=True)],
     }  # fmt: skip
 
 
