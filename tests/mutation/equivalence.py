@@ -61,8 +61,12 @@ class Equivalence:
             held = self._constant(mutant.address.sheet, first.value)
             compared = len(rest) == 2 and rest[0].value == "=" and rest[1].subtype == "NUMBER"
             if held is not None and compared and taken != (1 if held == float(rest[1].value) else 2):
-                return True
+                return not self._circular(mutant)
         return False
+
+    def _circular(self, mutant: Mutant) -> bool:
+        formula = self.bench.read(mutant)
+        return formula is not None and mutant.address in precedents(formula)
 
     def _constant(self, sheet: str, text: str) -> float | None:
         """Return the number in a constant's cell; None for any other cell."""

@@ -9,7 +9,7 @@ from tests.mutation.bench import Bench, sized
 from tests.mutation.names import blocks, columns, outcome, shifted, swapped
 from workbook.templates import TEMPLATES
 
-COUNT, SEED = 6, 3
+COUNT, SEED = 4, 3
 
 every_template = pytest.mark.parametrize("name", TEMPLATES)
 

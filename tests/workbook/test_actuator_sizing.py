@@ -13,6 +13,7 @@ from engine.laws import TrapezoidalVelocity
 from engine.mechanism import Part, Slide, Stage, conveyor, cylinder, gear_train, lead_screw
 from engine.motion import Phase
 from tests.mutation.draw_actuator import varied
+from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
@@ -21,8 +22,6 @@ from workbook.reading.entries import checked, read_machine
 from workbook.reference import laws
 from workbook.sheets.actuator_printed import FIGURES
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel_witness import PycelModel
-from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["actuator-sizing"]
 CONVEYOR = TEMPLATE.description.with_name("actuator-sizing-conveyor.toml")
@@ -46,30 +45,9 @@ def described(path=TEMPLATE.description, **changed):
     return TEMPLATE.model.model_validate(entries(path, **changed))
 
 
-def computed(machine):
-    """What pycel computes in each block, by name: a value, or a list for a column of a table."""
-    book = TEMPLATE.declare(machine)
-    values = PycelModel(to_workbook(book, TEMPLATE.model)).evaluate()
-
-    def value(name, column=None):
-        block = book.blocks[name]
-        cells = [c for c in block.cells() if column in (None, c.quantity.name)]
-        got = [values[(block.sheet.title, c.row, c.column)] for c in cells]
-        return got if block.is_table else got[0]
-
-    return value
-
-
-def test_every_formula_cell_has_an_engine_value():
-    cells = list(TEMPLATE.declare(read_machine(TEMPLATE.description)).cells())
-    formulas = [c for c in cells if isinstance(c.content, str) and c.content.startswith("=")]
-    assert not [f"{c.block.name}.{c.quantity.name}[{c.i}]" for c in formulas if c.expected is None]
-    assert len(formulas) > 15_000
-
-
 def test_s4_lead_screw():
     """Printed figures with the tolerance of their digits; where S4 is misprinted or rounded, the exact ones only."""
-    value = computed(described())
+    value = computed(TEMPLATE, described())
     assert value("parts", "one")[0] == pytest.approx(1.47e-5, abs=5e-8)
     assert value("act_jload") == pytest.approx(1.35e-6, abs=5e-9)
     assert value("act_jmach") == pytest.approx(1.605973e-5, abs=5e-12)  # printed 1.65e-5
@@ -89,7 +67,7 @@ def test_s4_lead_screw():
 
 
 def test_s4_conveyor():
-    value = computed(described(CONVEYOR))
+    value = computed(TEMPLATE, described(CONVEYOR))
     light = 1.509848 * (1 - 9.8 / 9.81)  # S4 worked with g = 9.8
     assert value("parts", "at_motor")[0] == pytest.approx(4.96e-3, abs=5e-6)
     assert value("act_jbelt") == pytest.approx(9e-5, rel=1e-12)
@@ -110,7 +88,7 @@ def test_s4_conveyor():
 @pytest.mark.parametrize(("path", "side"), [(TEMPLATE.description, 0), (CONVEYOR, 1)], ids=["screw", "conveyor"])
 def test_the_figures_called_exact_are_those_of_the_book_as_delivered(path, side):
     exact = [figure.exact[side] for figure in FIGURES]
-    assert computed(described(path))("printed", "here") == pytest.approx(exact, rel=2e-6)
+    assert computed(TEMPLATE, described(path))("printed", "here") == pytest.approx(exact, rel=2e-6)
 
 
 def test_the_description_is_the_engine_s_lead_screw():
@@ -120,7 +98,7 @@ def test_the_description_is_the_engine_s_lead_screw():
     for method in ("document", "physical"):
         machine = described(method=method, phases=[{"law": "TVP", "lift": 8.0, "duration": 0.2}])
         sizing = Sizing(mechanism, phases, mechanism.inertia(method == "document") / 4, method, "brake")
-        assert computed(machine)("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-12)
+        assert computed(TEMPLATE, machine)("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-12)
 
 
 def test_the_description_is_the_engine_s_conveyor():
@@ -129,7 +107,7 @@ def test_the_description_is_the_engine_s_conveyor():
     data = entries(CONVEYOR, load__friction=0.05, method="physical", holding="motor")
     data["actuator"]["gears"][0]["efficiency"] = 0.9
     machine = TEMPLATE.model.model_validate(data)
-    value, view = computed(machine), Sized(machine, laws(machine.laws, 8))
+    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws, 8))
     sizing = Sizing(mechanism, view.phases, mechanism.inertia())
     assert value("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-12)
     assert value("act_peak") == pytest.approx(sizing.peak_torque, rel=1e-12)
@@ -156,7 +134,7 @@ def test_a_train_of_two_gears():
     parts = [Part("a", 1e-4), Part("b", 1e-3, 1), Part("load", 0.05, 2)]
     train = gear_train([Stage("first", 3.0, 0.8), Stage("second", 5.0, 0.7)], parts, 1.0, 0.5)
     phases = Sized(machine, laws(machine.laws, 8)).phases
-    value = computed(machine)
+    value = computed(TEMPLATE, machine)
     assert value("act_rms") == pytest.approx(Sizing(train, phases, 1e-4).rms_torque, rel=1e-11)
     assert value("act_lrms") == pytest.approx(Sizing(train, phases, 0.0).rms_torque, rel=1e-11)
     assert value("act_peak") == pytest.approx(Sizing(train, phases, 1e-4).peak_torque, rel=1e-12)
@@ -168,7 +146,7 @@ def test_rms_in_closed_form_where_power_turns_round_within_the_law(law, slope):
     """The cells split a law where its load gives power back; the engine integrates; fine samples are nearly so."""
     there_and_back = [{"law": law, "lift": lift, "duration": 0.22} for lift in (160.0, -160.0)]
     machine = described(method="physical", holding="motor", load__slope=slope, phases=there_and_back)
-    value, view = computed(machine), Sized(machine, laws(machine.laws, 8))
+    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws, 8))
     assert any(0 < x < 1 for x in value("turns", "x1"))  # it does turn round
     sizing = view.sizing
     assert value("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-11)
@@ -196,8 +174,8 @@ def test_rms_of_the_own_law_comes_near_the_exact_one_as_its_samples_grow():
 
 
 def test_losses_help_to_brake():
-    value = computed(described(method="physical", load__slope=-60.0, load__friction=0.0))
-    documented = computed(described(load__slope=-60.0, load__friction=0.0))
+    value = computed(TEMPLATE, described(method="physical", load__slope=-60.0, load__friction=0.0))
+    documented = computed(TEMPLATE, described(load__slope=-60.0, load__friction=0.0))
     lossless = 6 * 9.81 * math.sin(math.radians(60)) / (1000 * math.pi)
     assert value("phases", "level")[0] == pytest.approx(-lossless * 0.45, rel=1e-12)
     assert documented("phases", "level")[0] == pytest.approx(-lossless / 0.45, rel=1e-12)
@@ -205,7 +183,7 @@ def test_losses_help_to_brake():
 
 def test_the_columns_for_a_selection_are_the_load_without_the_motor():
     """T_m = T*_L + J_m ω̇_L in every row, and the exact means are those of the same columns."""
-    value = computed(described(method="physical"))
+    value = computed(TEMPLATE, described(method="physical"))
     w, dw, load, torque = (np.array(value("cycle", c)) for c in ("w", "dw", "total", "torque"))
     assert torque == pytest.approx(load + value("act_jm") * dw, abs=1e-15)
     assert w.max() == pytest.approx(value("act_wmax"), rel=1e-12)
@@ -225,7 +203,7 @@ def test_the_columns_for_a_selection_are_the_load_without_the_motor():
     ],
 )
 def test_a_motor_that_is_too_small_fails_one_check(changed, failed):
-    value = computed(described(**changed))
+    value = computed(TEMPLATE, described(**changed))
     checks = ("act_ok_rms", "act_ok_peak", "act_ok_speed")
     assert [name for name in checks if value(name) == "FAIL"] == [failed]
     assert value("overall") == "FAIL"

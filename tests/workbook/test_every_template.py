@@ -10,6 +10,7 @@ from tests.mutation.machines import machine
 from tests.workbook import office
 from tests.workbook.test_real_edits import numbers
 from workbook.build import build, inputs
+from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
@@ -28,6 +29,13 @@ def book(layout, tmp_path_factory):
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
     build(layout, path)
     return path
+
+
+@pytest.mark.parametrize("template", TEMPLATES.values(), ids=TEMPLATES)
+def test_every_formula_cell_has_an_engine_value(template):
+    cells = [cell for cell in template.declare(read_machine(template.description)).cells() if is_formula(cell.content)]
+    assert [f"{c.block.name}.{c.quantity.name}[{c.i}]" for c in cells if c.expected is None] == []
+    assert len(cells) > 10_000
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -7,14 +7,13 @@ import pytest
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal
 from engine.selection import Task
+from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.flying import RISING
 from workbook.reading.entries import checked, read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel_witness import PycelModel
-from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["flying-cutter"]
 SAW = TEMPLATE.description.with_name("flying-cutter-saw.toml")
@@ -39,31 +38,10 @@ def described(description=TEMPLATE.description, **changed):
     return TEMPLATE.model.model_validate(entries(description, **changed))
 
 
-def computed(machine):
-    """What pycel computes in each block, by name: a value, or a list for a column of a table."""
-    book = TEMPLATE.declare(machine)
-    values = PycelModel(to_workbook(book, TEMPLATE.model)).evaluate()
-
-    def value(name, column=None):
-        block = book.blocks[name]
-        cells = [c for c in block.cells() if column in (None, c.quantity.name)]
-        got = [values[(block.sheet.title, c.row, c.column)] for c in cells]
-        return got if block.is_table else got[0]
-
-    return value
-
-
-def test_every_formula_cell_has_an_engine_value():
-    cells = list(TEMPLATE.declare(read_machine(TEMPLATE.description)).cells())
-    formulas = [c for c in cells if isinstance(c.content, str) and c.content.startswith("=")]
-    assert not [f"{c.block.name}.{c.quantity.name}[{c.i}]" for c in formulas if c.expected is None]
-    assert len(formulas) > 15_000
-
-
 @pytest.mark.parametrize("length", [180.0, 320.0])
 def test_s5_lengths_and_times(length):
     """S5, 'Kinematic analysis': L_0 = θ_0 R_t, L_T = θ_T R_t, t_C, t_T, t_R, h."""
-    value = computed(described(product_length=length))
+    value = computed(TEMPLATE, described(product_length=length))
     assert [value(f"fly_{n}") for n in ("l0", "lt", "lr")] == pytest.approx([1e3 * x for x in (L0, LT, L0 - LT)])
     times = [length / 1e3 / LINE, LT / LINE, (length / 1e3 - LT) / LINE]
     assert [value(f"fly_{n}") for n in ("tc", "tt", "tr")] == pytest.approx(times, rel=1e-12)
@@ -73,7 +51,7 @@ def test_s5_lengths_and_times(length):
 @pytest.mark.parametrize("length", [180.0, 320.0])
 def test_s5_equations_10_to_13_and_19(length):
     """For the cycloidal law: C_v = 2, C_a = 2π, C_a,rms = π√2."""
-    value = computed(described(product_length=length))
+    value = computed(TEMPLATE, described(product_length=length))
     rest, h, whole = length / 1e3 - LT, L0 - length / 1e3, length / 1e3
     dv, a = 2 * h / rest * LINE, 2 * pi * abs(h) / rest**2 * LINE**2
     rms = pi * sqrt(2) * abs(h) / rest**2 * sqrt(rest / whole) * LINE**2
@@ -93,20 +71,20 @@ def test_s5_equations_10_to_13_and_19(length):
     ],
 )
 def test_s5_cases_by_the_sign_of_h(length, case, does, row):
-    value = computed(described(product_length=length))
+    value = computed(TEMPLATE, described(product_length=length))
     assert (value("fly_case"), value("fly_does")) == (case, does)
     assert value("cases", "here") == ["is here" if k == row else "-" for k in (1, 2, 3, 4)]
 
 
 def test_s5_limit_length_brings_the_drum_to_standstill():
-    value = computed(described(product_length=LIMIT * (1 - 1e-12)))
+    value = computed(TEMPLATE, described(product_length=LIMIT * (1 - 1e-12)))
     assert value("fly_limit") == pytest.approx(LIMIT, rel=1e-12)
     assert value("fly_low") == pytest.approx(0.0, abs=1e-9)
 
 
 def test_beyond_the_limit_the_drum_waits_or_reverses():
-    waiting = computed(described(product_length=600.0, beyond="standstill"))
-    back = computed(described(product_length=600.0, beyond="reversal"))
+    waiting = computed(TEMPLATE, described(product_length=600.0, beyond="standstill"))
+    back = computed(TEMPLATE, described(product_length=600.0, beyond="reversal"))
     assert (waiting("fly_does"), back("fly_does")) == ("waits", "reverses")
     assert waiting("fly_wait") > 0.0 == back("fly_wait")
     assert waiting("fly_low") == pytest.approx(0.0, abs=1e-12)
@@ -124,7 +102,7 @@ def test_the_torque_over_the_cycle_has_the_mean_squares_of_the_cells():
     """A load torque beside the inertia: T*_L,rms and (ω̇ T*)_mean against the sampled cycle."""
     machine = entries(load__torque=3.0)
     machine["sizes"]["cycle"] = 240
-    value = computed(TEMPLATE.model.model_validate(machine))
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
     task = Task.of_samples(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
     assert value("fly_dw_rms") == pytest.approx(task.acceleration_rms, rel=1e-5)
     assert value("fly_torque_rms") == pytest.approx(task.torque_rms, rel=1e-5)
@@ -135,15 +113,15 @@ def test_the_torque_over_the_cycle_has_the_mean_squares_of_the_cells():
 
 def test_at_the_highest_line_speed_the_shaft_is_at_its_first_limit():
     for limits in ({"speed": 300.0, "acceleration": 1e5}, {"speed": 1e4, "acceleration": 500.0}):
-        value = computed(described(limits=limits))
-        at = computed(described(limits=limits, line_speed=value("fly_line_max")))
+        value = computed(TEMPLATE, described(limits=limits))
+        at = computed(TEMPLATE, described(limits=limits, line_speed=value("fly_line_max")))
         reached = at("fly_n") / limits["speed"], at("fly_dw") / limits["acceleration"]
         assert max(reached) == pytest.approx(1.0, rel=1e-12)
         assert (at("fly_ok_speed"), at("fly_ok_acceleration")) == ("OK", "OK")
 
 
 def test_lengths_are_the_cuts_of_each_length():
-    value, drum = computed(described()), rotary_drum(3, RADIUS, radians(30))
+    value, drum = computed(TEMPLATE, described()), rotary_drum(3, RADIUS, radians(30))
     cuts = [Cut(drum, length / 1e3, LINE, Cycloidal()) for length in value("lengths", "length")]
     assert value("lengths", "high") == pytest.approx([c.speed_range[1] for c in cuts], rel=1e-12)
     assert value("lengths", "a") == pytest.approx([c.max_acceleration for c in cuts], rel=1e-9)
@@ -155,7 +133,7 @@ def test_lengths_are_the_cuts_of_each_length():
 def test_the_stroke_of_a_saw_is_exact_with_every_law(law):
     machine = entries(SAW, law=law)
     machine["laws"]["OWN"]["pieces"] = RISING
-    value = computed(TEMPLATE.model.model_validate(machine))
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
     engine = TEMPLATE.declare(TEMPLATE.model.model_validate(machine)).blocks["fly_stroke"].quantities[0].value
     assert value("fly_stroke") == pytest.approx(engine, rel=1e-12)
     assert (value("fly_limit"), value("fly_does")) == (0, "reverses")
@@ -163,18 +141,18 @@ def test_the_stroke_of_a_saw_is_exact_with_every_law(law):
 
 def test_the_stroke_of_the_saw_with_constant_acceleration_by_hand():
     """It brakes with a = 4 L_p/t_R² from v_L to −v, and back: s = v_L²/(2a) forwards, more than L_T behind."""
-    value, line, length, rest = computed(described(SAW, law="ACS")), 0.5, 2.0, 3.0
+    value, line, length, rest = computed(TEMPLATE, described(SAW, law="ACS")), 0.5, 2.0, 3.0
     a = 4 * length / rest**2
     forwards = line**2 / (2 * a)
     assert value("fly_stroke") == pytest.approx(1e3 * (0.5 + 2 * forwards), rel=1e-12)
 
 
 def test_the_saw_has_no_mean_speed_and_needs_its_stroke():
-    value = computed(described(SAW))
+    value = computed(TEMPLATE, described(SAW))
     assert value("cycle", "s")[-1] == pytest.approx(0.0, abs=1e-9)
     assert value("fly_rpm_high") == pytest.approx(750.0, rel=1e-12)
     assert value("fly_ok_stroke") == "OK"
-    short = computed(described(SAW, saw__stroke=850.0))
+    short = computed(TEMPLATE, described(SAW, saw__stroke=850.0))
     assert (short("fly_ok_stroke"), short("overall")) == ("FAIL", "FAIL")
     assert flying_saw(0.5, 0.04 / (2 * pi)).radius * 1e3 == pytest.approx(value("fly_r"), rel=1e-12)
 

@@ -13,6 +13,7 @@ from engine.pairing import rank
 from engine.selection import Task, accelerating_factor
 from tests.mutation import draw_cutting
 from tests.mutation.draw_selection import vary_selection
+from tests.workbook.cells import computed
 from workbook.build import build, described, inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
@@ -24,7 +25,6 @@ from workbook.reference import Cutting
 from workbook.template import FOLDER, LawShelf
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel_witness import PycelModel
-from workbook.writing.write import to_workbook
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 MOTORS, REDUCERS = FOLDER / "motors.csv", FOLDER / "reducers.csv"
@@ -64,20 +64,6 @@ def machine(**choice):
 def view(given):
     shelf = LawShelf(given.laws, given.sizes)
     return choosing(Cutting(given, shelf.laws))
-
-
-def shown(given):
-    """What pycel computes in a book's cells and tables, by name."""
-    book = TEMPLATE.declare(given)
-    values = PycelModel(to_workbook(book, TEMPLATE.model)).evaluate()
-
-    def value(name, column=None):
-        block = book.blocks[name]
-        cells = [c for c in block.cells() if column in (None, c.quantity.name)]
-        got = [values[(block.sheet.title, c.row, c.column)] for c in cells]
-        return got if block.is_table else got[0]
-
-    return value
 
 
 @pytest.mark.parametrize("criterion", ["margin", "inertia match", "size", "cost"])
@@ -124,7 +110,7 @@ def test_motors_have_the_power_rate_that_their_makers_print(name, kilowatts_per_
 
 
 def test_the_committed_machine_finds_a_pair_of_its_catalogues():
-    value = shown(read_machine(TEMPLATE.description))
+    value = computed(TEMPLATE, read_machine(TEMPLATE.description))
     assert value("sel_motor_used") == "HDT BH20G (2000 rpm)"
     assert value("sel_reducer_used") == "Beckhoff AG2400 TP300 MF i=5"
     assert value("sel_usable") == 1
@@ -134,7 +120,7 @@ def test_the_committed_machine_finds_a_pair_of_its_catalogues():
 
 def test_beta_of_the_feeding_group_is_its_power_rate():
     """β = 2 (ω̇_rms T*_rms + J_tot ω̇_rms²), with C_r = 67 Nm always and J_tot = 1.164 kg m² (S1, S5 eq. (15))."""
-    value = shown(machine())
+    value = computed(TEMPLATE, machine())
     dw, inertia = value("sel_wrms"), 1.164
     torque = math.hypot(inertia * dw, 67.0)
     assert value("sel_trms") == pytest.approx(torque, rel=1e-12)
@@ -142,14 +128,14 @@ def test_beta_of_the_feeding_group_is_its_power_rate():
 
 
 def test_tau_opt_is_the_middle_of_the_range_on_a_logarithmic_scale():
-    value = shown(machine(efficiency=0.9))
+    value = computed(TEMPLATE, machine(efficiency=0.9))
     low, high, best = (np.array(value("motors", c)[:3]) for c in ("tau_min", "tau_max", "tau_opt"))
     assert np.sqrt(low * high) == pytest.approx(best, rel=1e-12)
 
 
 def test_pairs_with_the_reducer_out_of_the_picture_are_those_whose_ratio_lies_in_the_range():
     boxes = [{"name": f"i {i}", "reduction": float(i), "efficiency": 1.0} for i in (3, 6, 12, 25)]
-    value = shown(machine(reducers=boxes))
+    value = computed(TEMPLATE, machine(reducers=boxes))
     low, high, verdict = (value("motors", c)[:3] for c in ("low", "tau_max", "verdict"))
     inside = [int(verdict[m] == "yes" and low[m] <= 1 / box["reduction"] <= high[m]) for m in range(3) for box in boxes]
     assert value("pairs", "usable")[:12] == inside
@@ -157,7 +143,7 @@ def test_pairs_with_the_reducer_out_of_the_picture_are_those_whose_ratio_lies_in
 
 
 def test_equals_are_ranked_in_the_order_of_the_tables():
-    value = shown(machine())
+    value = computed(TEMPLATE, machine())
     best = value("ranking", "motor")
     assert best.index("large") < best.index("twin")
     assert value("ranking", "score")[0] == value("ranking", "score")[1]
@@ -170,19 +156,19 @@ def test_the_ranking_is_the_engines():
     strong = [b for b in given.selection.reducers if b.max_torque >= looked.torque_needed]
     assert [b.name for b in strong] == ["i 5", "i 8"]
     found = rank(task, looked.motors, looked._some_reducers(np.flatnonzero(looked.strong)), "inertia match")
-    value = shown(given)
+    value = computed(TEMPLATE, given)
     assert value("sel_count") == len(found) > 0
     assert value("ranking", "match")[: len(found)] == pytest.approx(found.mismatch.tolist(), rel=1e-12)
 
 
 def test_size_takes_the_lightest_pair():
-    value = shown(machine(criterion="size"))
+    value = computed(TEMPLATE, machine(criterion="size"))
     assert value("sel_motor_used") == "small"
     assert value("ranking", "score")[0] == pytest.approx(35.0)
 
 
 def test_a_criterion_without_figures_is_said_in_words():
-    value = shown(machine(criterion="cost"))
+    value = computed(TEMPLATE, machine(criterion="cost"))
     assert value("sel_message") == "no usable pair has the figures for this criterion: choose another one"
     assert (value("sel_usable") > 0, value("sel_count"), value("sel_motor_used")) == (True, 0, "none")
     assert value("sel_ok") == "FAIL"
@@ -190,7 +176,7 @@ def test_a_criterion_without_figures_is_said_in_words():
 
 def test_no_motor_at_all_is_said_in_words():
     weak = [row | {"rated_torque": 0.5} for row in STRONG]
-    value = shown(machine(motors=weak))
+    value = computed(TEMPLATE, machine(motors=weak))
     assert value("sel_message") == "no motor will do: each is too weak or too slow for this load"
     assert set(value("motors", "verdict")) == {"too weak", "–"}
     assert set(value("ranking", "motor")) == {"–"}
@@ -202,7 +188,7 @@ def test_a_load_at_rest_leaves_nothing_to_select():
     data = machine().model_dump()
     for phase in data["timing"]["axes"][0]["phases"]:
         phase |= {"lift": 0.0, "law": "DWL"}
-    value = shown(TEMPLATE.model.model_validate(data))
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
     assert value("sel_message") == "the load does not accelerate, or has no torque: there is nothing to select"
     assert value("sel_beta") == 0
 
@@ -221,7 +207,7 @@ def test_a_load_at_rest_leaves_nothing_to_select():
 def test_each_check_of_step_7_can_fail(change, failing):
     choice = {"motors": STRONG, "reducers": BOXES} | change
     first = {"motor": choice["motors"][0]["name"], "reducer": choice["reducers"][0]["name"]}
-    value = shown(machine(pair="chosen", **first, **change))
+    value = computed(TEMPLATE, machine(pair="chosen", **first, **change))
     assert value(failing) == "FAIL"
     assert value("sel_ok") == "OK"
 
@@ -230,13 +216,13 @@ def test_the_pair_drives_the_load_as_the_drive_sheet_says():
     """The same motor, reducer and load: the torque over the cycle is that of the Drive sheet."""
     data = machine(pair="chosen", motor="large", reducer="i 5").model_dump()
     data["drive"]["motor"] |= {"inertia": 0.021, "reduction": 5.0, "efficiency": 0.95}
-    value = shown(TEMPLATE.model.model_validate(data))
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
     assert value("pair_cycle", "torque") == pytest.approx(value("drive", "torque"), rel=1e-12, abs=1e-9)
     assert value("sel_rms") == pytest.approx(value("drive_rms"), rel=1e-12)
 
 
 def test_a_reducer_without_an_inertia_is_named_and_counts_as_none():
-    value = shown(machine())
+    value = computed(TEMPLATE, machine())
     assert value("sel_nojt") == 1
     assert value("pairs", "total")[1] == STRONG[0]["inertia"]
 
@@ -378,7 +364,7 @@ def test_figure_11_has_a_logarithmic_axis_and_a_line_for_each_product(tmp_path, 
 
 def test_figure_12_closes_at_alpha_and_goes_through_the_range_at_the_present_load():
     given = machine(pair="chosen", motor="large", reducer="i 5")
-    value = shown(given)
+    value = computed(TEMPLATE, given)
     beta = np.array(value("figure12", "beta"))
     low, high = (np.array(value("figure12", c)) for c in ("tau_min", "tau_max"))
     assert low[-1] == pytest.approx(high[-1], rel=1e-12)
@@ -417,7 +403,7 @@ def test_a_product_typed_into_an_empty_row_is_ranked_and_carried_over(tmp_path, 
     assert report.findings == []
     given, _ = inputs(tmp_path / "edited.xlsx")
     assert [m.name for m in given.selection.motors] == ["small", "large", "twin", "added"]
-    assert shown(given)("ranking", "motor")[0] == "added"
+    assert computed(TEMPLATE, given)("ranking", "motor")[0] == "added"
 
 
 @pytest.mark.parametrize(
