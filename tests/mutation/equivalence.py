@@ -55,6 +55,8 @@ class Equivalence:
         return formula is not None and self._fed.isdisjoint(precedents(formula))
 
     def _dead(self, mutant: Mutant) -> bool:
+        if mutant.kind == "name":  # two places change
+            return False
         tokens = tokens_of(mutant.original)
         for condition, taken in branches(tokens, mutant.at):
             first, *rest = tokens[slice(*condition)]
