@@ -38,9 +38,14 @@ class Inputs:
 
 
 def sized(template: Template, **sizes: int) -> Machine:
-    """Return the committed machine of a template with smaller tables."""
-    machine = read_machine(template.description)
-    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update=SMALL | sizes)})
+    """Return the committed machine of a template with smaller tables, and of its catalogues some products."""
+    data = read_machine(template.description).model_dump()
+    data["sizes"] |= SMALL | sizes
+    if "selection" in data:
+        chosen = data["selection"]
+        chosen["motors"], chosen["reducers"] = chosen["motors"][::6], chosen["reducers"][:1] + chosen["reducers"][1::4]
+        data["sizes"] |= {name: len(chosen[name]) + 1 for name in ("motors", "reducers")}
+    return template.model.model_validate(data)
 
 
 def remembered(declare: Callable[[Machine], Book]) -> Callable[[Machine], Book]:

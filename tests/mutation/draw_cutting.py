@@ -4,6 +4,7 @@ import random
 from itertools import pairwise
 from typing import Any
 
+from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import LAWS, shares, vary_laws
 
 
@@ -11,6 +12,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     """Return a description with every entry drawn anew."""
     sizes, drive = data["sizes"], data["drive"]
     vary_laws(data["laws"], drawn, sizes["pieces"])
+    vary_selection(data["selection"], sizes, drawn)
     data["timing"]["rate"] = drawn.uniform(5, 600)
     for axis in data["timing"]["axes"]:
         axis.update(closes=drawn.choice(("feed", "position")), phases=phases(drawn, sizes["phases"]))

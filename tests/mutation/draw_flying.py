@@ -4,23 +4,18 @@ import random
 from math import pi, radians
 from typing import Any
 
-from pydantic import ValidationError
-
-from tests.mutation.machines import LAWS, own_pieces, stages
-from workbook.machines.flying_model import FlyingCutter
+from tests.mutation.draw_selection import vary_selection
+from tests.mutation.machines import LAWS, vary_laws
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
-    """Return a description with every entry drawn anew."""
-    laws, entries = data["laws"], data["cutter"]
-    for code in LAWS[:-1]:
-        laws[code].update(lift=drawn.uniform(-300, 300), time=drawn.uniform(0.05, 3))
-    low, high = sorted((drawn.uniform(0.02, 0.98), drawn.uniform(0.02, 0.98)))
-    laws["TVP"].update(rise_end=low, fall_start=drawn.choice((low, high)))
-    laws["MTP"]["durations"] = stages(drawn)
+    """Return a description with every entry drawn anew; a law of little speed makes it one that is refused."""
+    entries = data["cutter"]
+    vary_laws(data["laws"], drawn, data["sizes"]["pieces"])
     law = drawn.choice(LAWS)
-    pieces = hump(drawn) if law == "OWN" else own_pieces(drawn, data["sizes"]["pieces"])
-    laws["OWN"].update(name=f"Law {drawn.randrange(1000)}", pieces=pieces)
+    if law == "OWN":
+        data["laws"]["OWN"]["pieces"] = hump(drawn)
+    vary_selection(data["selection"], data["sizes"], drawn)
     drum = {"tools": float(drawn.randint(1, 8)), "radius": drawn.uniform(30, 400)}
     drum["tool_angle"] = drawn.choice((0.0, drawn.uniform(0.02, 0.9))) * 360 / drum["tools"]
     saw = {"tool_length": drawn.uniform(20, 900), "lead": drawn.uniform(5, 300), "stroke": 10 ** drawn.uniform(1, 5)}
@@ -35,7 +30,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         lengths={"shortest": least + drawn.uniform(0.2, 0.8) * (whole - least),
                  "longest": least + drawn.uniform(1, 14) * (whole - least)},
     )  # fmt: skip
-    return data if is_valid(data) else varied(data, drawn)
+    return data
 
 
 def load(drawn: random.Random) -> dict[str, float]:
@@ -58,12 +53,3 @@ def hump(drawn: random.Random) -> list[dict[str, Any]]:
             sine = {"amplitude": sign * pi / duration, "omega": pi / duration}
             made.append({"duration": duration, **sine})
     return made if drawn.random() < 0.7 else [*made, {"duration": 0.0, "c0": 5.0}]
-
-
-def is_valid(data: dict[str, Any]) -> bool:
-    """Whether the rules of the description are kept: a seven-stage law of little speed, for one, breaks them."""
-    try:
-        FlyingCutter.model_validate(data)
-    except ValidationError:
-        return False
-    return True
