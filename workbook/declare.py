@@ -23,6 +23,8 @@ from typing import Any, Literal, NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
+from workbook.chart import Chart
+
 Role = Literal["input", "calculation", "result", "check", "constant"]
 REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
 
@@ -140,43 +142,6 @@ class Block:
             raise ValueError(f"{self.name}.{q.name}: {len(q.formula)} formulas for {self.size} rows")
         rows = [self.sheet.book.resolve(text, self) for text in q.formula]
         return [text.format(self.row + i, self.row + i - 1) for i, text in enumerate(rows)]
-
-
-@dataclass(frozen=True)
-class Series:
-    """One line of a chart; ``x`` and ``y`` are column references such as ``[samples.xi]``.
-
-    ``points`` draws no line, ``marker`` a sign at each point; ``up`` and ``right`` are columns of lengths, of the
-    strokes that go up or to the right from each point: separate lines, none of them a series of its own.
-    """
-
-    name: str
-    x: str
-    y: str
-    dashed: bool = False
-    points: bool = False
-    color: str = ""
-    marker: Literal["none", "circle", "diamond", "dash"] = "none"
-    up: str = ""
-    right: str = ""
-
-
-@dataclass(frozen=True)
-class Chart:
-    """An XY chart: lines between points, never splines. An axis title ``=name`` shows the cell of that name.
-
-    A range is least, largest and step; a largest or a step of None is left to the program.
-    """
-
-    title: str
-    x: str
-    y: str
-    series: tuple[Series, ...]
-    about: str
-    x_range: tuple[float, float | None, float | None] | None = None
-    y_range: tuple[float, float | None, float | None] | None = None
-    hide_y: bool = False
-    log_y: bool = False
 
 
 class Text(NamedTuple):

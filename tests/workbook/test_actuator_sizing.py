@@ -20,7 +20,7 @@ from workbook.judging.verify import verify
 from workbook.machines.actuator_flow import Sized
 from workbook.reading.entries import checked, read_machine
 from workbook.reference import laws
-from workbook.sheets.actuator_printed import FIGURES
+from workbook.sheets.actuator.printed import FIGURES
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["actuator-sizing"]

@@ -11,17 +11,18 @@ from workbook.declare import Book, result
 from workbook.machine import Machine
 from workbook.machines.actuator_flow import Sized, Squares
 from workbook.machines.actuator_model import ActuatorSizing
-from workbook.selection_reference import Asked, Choosing, Samples
-from workbook.selection_variants import vary_selection
+from workbook.machines.selection.variants import vary_selection
+from workbook.machines.selection.view import Asked, Choosing, Samples
+from workbook.machines.variants import LAWS, factors, vary_laws
+from workbook.machines.variants import own_pieces as own
 from workbook.sheets.about import about_sheet
-from workbook.sheets.actuator import actuator_sheet
-from workbook.sheets.actuator_cycle import cascade, cycle_sheet
-from workbook.sheets.actuator_printed import printed_sheet
-from workbook.sheets.actuator_rms import rms_sheet
-from workbook.sheets.selection import LoadCells, selection_sheet
+from workbook.sheets.actuator.cycle import cascade, cycle_sheet
+from workbook.sheets.actuator.printed import printed_sheet
+from workbook.sheets.actuator.rms import rms_sheet
+from workbook.sheets.actuator.sheet import actuator_sheet
+from workbook.sheets.selection.load import LoadCells
+from workbook.sheets.selection.sheet import selection_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
-from workbook.variants import LAWS, factors, vary_laws
-from workbook.variants import own_pieces as own
 
 KINDS = ("rotary table", "conveyor", "rack and pinion", "belt", "lead screw", "gear train")
 RISING = (

@@ -10,8 +10,8 @@ from engine.laws.inverse import is_monotone
 from engine.mechanism import cylinder
 from workbook.machine import EntryError, Machine, Model, NotNegative, Number, Positive, Text
 from workbook.machines.composer_model import ComposedPhase
+from workbook.machines.selection.model import Selection, SelectionSizes, require_room
 from workbook.reference import MM, laws
-from workbook.selection_model import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
 KINDS = {

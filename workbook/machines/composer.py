@@ -8,10 +8,10 @@ from typing import Any, cast
 from workbook.declare import Book, result
 from workbook.machine import Machine
 from workbook.machines.composer_model import Composition, MotionComposer
+from workbook.machines.variants import LAWS, factors, vary_laws
 from workbook.sheets.about import about_sheet
 from workbook.sheets.composer import motion_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
-from workbook.variants import LAWS, factors, vary_laws
 
 UNIT = "in the units of Motion"
 UNITS = (("s", "mm"), ("°", "°"), ("mm", "mm"), ("°", "mm"), ("rad", "m"), ("s", "°"))

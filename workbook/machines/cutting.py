@@ -10,14 +10,15 @@ import numpy as np
 from workbook.declare import Book, result
 from workbook.machine import Machine
 from workbook.machines.cutting_model import CuttingMachine
+from workbook.machines.selection.view import Asked, Choosing, Samples
+from workbook.machines.variants import cutting_variants
 from workbook.reference import Cutting
-from workbook.selection_reference import Asked, Choosing, Samples
 from workbook.sheets.about import about_sheet
 from workbook.sheets.drive import drive_sheet, operating, rms_lossless
-from workbook.sheets.selection import LoadCells, selection_sheet
+from workbook.sheets.selection.load import LoadCells
+from workbook.sheets.selection.sheet import selection_sheet
 from workbook.sheets.timing import timing_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
-from workbook.variants import cutting_variants
 
 LOAD = LoadCells(
     time="[drive.time]",

@@ -7,7 +7,7 @@ from typing import Literal, Self
 from pydantic import model_validator
 
 from workbook.machine import Drive, EntryError, Machine, Timing
-from workbook.selection_model import Selection, SelectionSizes, require_room
+from workbook.machines.selection.model import Selection, SelectionSizes, require_room
 
 
 class CuttingMachine(Machine):

@@ -8,17 +8,18 @@ from typing import Any, cast
 from workbook.declare import Book, result
 from workbook.machine import Machine
 from workbook.machines.flying_model import DRUM, Flying, FlyingCutter
+from workbook.machines.selection.variants import vary_selection
+from workbook.machines.selection.view import Asked, Choosing, Samples
+from workbook.machines.variants import LAWS, factors, vary_laws
 from workbook.reference import RPM
-from workbook.selection_reference import Asked, Choosing, Samples
-from workbook.selection_variants import vary_selection
 from workbook.sheets.about import about_sheet
-from workbook.sheets.flying import cutter_sheet
-from workbook.sheets.flying_cycle import cycle_sheet
-from workbook.sheets.flying_lengths import lengths_sheet
-from workbook.sheets.flying_turning import turning_sheet
-from workbook.sheets.selection import LoadCells, selection_sheet
+from workbook.sheets.flying.cycle import cycle_sheet
+from workbook.sheets.flying.lengths import lengths_sheet
+from workbook.sheets.flying.sheet import cutter_sheet
+from workbook.sheets.flying.turning import turning_sheet
+from workbook.sheets.selection.load import LoadCells
+from workbook.sheets.selection.sheet import selection_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
-from workbook.variants import LAWS, factors, vary_laws
 
 RISING = [
     {"duration": 0.4, "c0": 5.0},

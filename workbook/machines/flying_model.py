@@ -18,8 +18,8 @@ from engine.laws.sections import velocity_extremes, velocity_peak
 from engine.motion import Phase
 from engine.selection import Task
 from workbook.machine import EntryError, Laws, Machine, Model, NotNegative, Number, Positive, Sizes
+from workbook.machines.selection.model import Selection, SelectionSizes, require_room
 from workbook.reference import MM, PER_MINUTE, RPM, OwnLaw, laws
-from workbook.selection_model import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
 CASES = {"faster": "faster", "constant speed": "in step", "slower": "slower"}

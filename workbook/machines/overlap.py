@@ -7,14 +7,14 @@ from typing import Any, cast
 from workbook.declare import Book, result
 from workbook.machine import Machine
 from workbook.machines.overlap_model import IndexingOverlap, Overlapping
+from workbook.machines.variants import LAWS, factors, vary_laws
 from workbook.reference import MM
 from workbook.sheets.about import about_sheet
-from workbook.sheets.overlap import overlap_sheet
-from workbook.sheets.overlap_cycle import cycle_sheet
-from workbook.sheets.overlap_inverse import inverse_sheet
-from workbook.sheets.overlap_picture import picture_sheet
+from workbook.sheets.overlap.cycle import cycle_sheet
+from workbook.sheets.overlap.inverse import inverse_sheet
+from workbook.sheets.overlap.picture import picture_sheet
+from workbook.sheets.overlap.sheet import overlap_sheet
 from workbook.template import LAW_SIZES, LawShelf, Template, finish
-from workbook.variants import LAWS, factors, vary_laws
 
 RISING = [
     {"duration": 0.4, "c0": 5.0},

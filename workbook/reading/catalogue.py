@@ -12,9 +12,9 @@ from pydantic import ValidationError
 
 import workbook
 from workbook import rules
-from workbook.catalogue_model import MotorRow, ReducerRow
 from workbook.errors import InputError, ReadError
 from workbook.machine import EntryError
+from workbook.machines.selection.catalogue import MotorRow, ReducerRow
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
 FOLDER = Path(workbook.__file__).parent.parent / "templates"

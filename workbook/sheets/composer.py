@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from engine.motion import EDGE_TOLERANCE, Junction
-from workbook.declare import Book, Chart, Series, Sheet, calc, check, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.machines.composer_model import Composition
 from workbook.sheets import phases as joined
 from workbook.sheets import sampling

@@ -9,7 +9,8 @@ import numpy as np
 
 from engine.drive import RETURNED, STANDSTILL
 from engine.timing import shaft_speed
-from workbook.declare import Book, Chart, Series, Sheet, calc, check, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.reference import PER_MINUTE, RPM, Cutting
 
 S1 = "S1, slide 'Feeding group layout'"

@@ -9,7 +9,8 @@ import numpy as np
 
 from engine.laws import CATALOGUE, Law
 from engine.laws.base import BREAK_TOLERANCE
-from workbook.declare import Book, Chart, Series, Sheet, calc, check, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.machine import OwnLaw, Piece, Sizes
 from workbook.sheets import sampling
 from workbook.sheets.laws import PAGES

@@ -9,7 +9,8 @@ import numpy as np
 from engine import timing as engine_timing
 from engine.motion import Motion
 from engine.timing import Movement, shaft_speed
-from workbook.declare import Book, Chart, Quantity, Series, Sheet, calc, check, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.machine import Axis, Sizes
 from workbook.reference import MM, Cutting
 from workbook.sheets import phases as joined_phases

@@ -19,7 +19,8 @@ from openpyxl.drawing.line import LineProperties
 from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
 from openpyxl.utils import quote_sheetname
 
-from workbook.declare import Book, Chart, Series
+from workbook.chart import Chart, Series
+from workbook.declare import Book
 from workbook.writing.style import COLOURS, GRID
 
 WIDTH = 19050  # of a line: 1.5 points

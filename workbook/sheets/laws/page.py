@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from engine.laws import Law
-from workbook.declare import Book, Chart, Quantity, Series, Sheet, calc, check, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.reference import MM
 from workbook.sheets import sampling
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from workbook.declare import Book, Chart, Quantity, Series, calc, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Quantity, calc, constant, given, result
 from workbook.machines.flying_model import DRUM, BookCut, Flying
 from workbook.reference import MM
 

@@ -7,8 +7,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from workbook.catalogue_model import Efficiency, MotorRow, Name, ReducerRow
 from workbook.machine import EntryError, Model, Positive, Sizes
+from workbook.machines.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
 from workbook.reading.catalogue import committed_motors, committed_reducers
 
 MOST_PRODUCTS = 100  # rows of a catalogue

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from workbook.declare import Chart, Series, Sheet
+from workbook.chart import Chart, Series
+from workbook.declare import Sheet
 
 TIME = "time t [s]"
 

@@ -6,7 +6,8 @@ import numpy as np
 
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.overlap import Schedule
-from workbook.declare import Book, Chart, Quantity, Series, Sheet, calc, constant, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.machines.overlap_model import TURN, Overlapping
 from workbook.reference import MM
 from workbook.sheets import sampling

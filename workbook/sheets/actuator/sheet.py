@@ -5,11 +5,12 @@ from __future__ import annotations
 from math import pi
 
 from engine.mechanism import GRAVITY
-from workbook.declare import Book, Chart, Series, Sheet, calc, check, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.machines.actuator_flow import Sized
 from workbook.machines.actuator_model import KINDS
 from workbook.reference import MM, RPM
-from workbook.sheets.actuator_tables import gears, motion, parts, stages
+from workbook.sheets.actuator.tables import gears, motion, parts, stages
 
 BELOW_CHARTS = 66  # the row from which the sheet is free in its whole width
 

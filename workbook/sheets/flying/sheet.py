@@ -7,8 +7,8 @@ from math import degrees
 from workbook.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.machines.flying_model import CASES, LEAST_CV, LONGER, NEAR, Flying, fastest
 from workbook.reference import MM, PER_MINUTE, RPM
-from workbook.sheets.flying_charts import beside
-from workbook.sheets.flying_lengths import IS_DRUM, lengths_columns
+from workbook.sheets.flying.charts import beside
+from workbook.sheets.flying.lengths import IS_DRUM, lengths_columns
 from workbook.sheets.stack import CODES
 
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width

@@ -9,8 +9,8 @@ import numpy as np
 
 from engine.laws.base import Array
 from workbook.declare import Sheet, calc, constant, given, result
+from workbook.machines.selection.view import Choosing
 from workbook.reference import RPM
-from workbook.selection_reference import Choosing
 
 BEST = 10  # rows of the ranking
 BLANK = '0.0##;-0.0##;"–"'  # a row without a pair shows a dash

@@ -8,9 +8,10 @@ import numpy as np
 
 from engine.laws.inverse import inverse
 from engine.overlap import movement_time
-from workbook.declare import Book, Chart, Series, Sheet, calc, check, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.machines.overlap_model import TURN, Overlapping
-from workbook.sheets.overlap_cycle import EPS, ToolState, diagrams, turned
+from workbook.sheets.overlap.cycle import EPS, ToolState, diagrams, turned
 from workbook.sheets.sampling import Pieces
 
 BELOW_CHARTS = 45  # the row from which the sheet is free in its whole width

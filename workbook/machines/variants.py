@@ -7,7 +7,7 @@ from typing import Any
 
 from workbook.machine import Machine
 from workbook.machines.cutting_model import CuttingMachine
-from workbook.selection_variants import vary_selection
+from workbook.machines.selection.variants import vary_selection
 
 LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 DURATIONS = (

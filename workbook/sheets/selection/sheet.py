@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from engine.drive import RETURNED, STANDSTILL
 from workbook.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.machines.selection.view import NONE, PLACES, STEP, Choosing
 from workbook.reference import RPM
-from workbook.selection_reference import NONE, PLACES, STEP, Choosing
-from workbook.sheets.selection_curves import charts, curves
-from workbook.sheets.selection_tables import catalogues, pairs, ranking
+from workbook.sheets.selection.curves import charts, curves
+from workbook.sheets.selection.load import LoadCells
+from workbook.sheets.selection.tables import catalogues, pairs, ranking
 
 OFF = -1.0  # left of the charts' edge: where what is not drawn lies
 LIMITS = (
@@ -23,24 +23,6 @@ LIMITS = (
     ("sel_ok_output", "Selection: torque within the reducer's", "OR(sel_tlimit=0,sel_tmax<=sel_tlimit)"),
 )
 """Step 7: each check and its condition, in the order of :func:`engine.pairing.checks`."""
-
-
-@dataclass(frozen=True)
-class LoadCells:
-    """Where a template has the load at its own shaft, in the notation of :mod:`workbook.declare`.
-
-    ``time`` (s), ``speed`` (rad/s), ``acceleration`` (rad/s²) and ``torque`` (Nm, T*_L = T_L + J_L ω̇_L) are columns
-    of one table, such as ``[drive.w]``; the other four are formulas without ``=``, such as ``drive_wrms``.
-    """
-
-    time: str
-    speed: str
-    acceleration: str
-    torque: str
-    acceleration_rms: str
-    torque_rms: str
-    power_rate_mean: str
-    max_speed: str
 
 
 def selection_sheet(book: Book, load: LoadCells, view: Choosing) -> Sheet:

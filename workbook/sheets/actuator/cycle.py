@@ -6,7 +6,8 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.motion import EDGE_TOLERANCE
-from workbook.declare import Book, Quantity, Series, Sheet, calc, constant, result
+from workbook.chart import Series
+from workbook.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.machines.actuator_flow import Sized
 from workbook.reference import RPM
 from workbook.sheets import phases as joined

@@ -14,8 +14,8 @@ from engine.drive import LimitCheck, OperatingPoints
 from engine.laws.base import Array
 from engine.pairing import Motors, Pairs, Reducers, TorqueCurve, checks, operating_points, rank
 from engine.selection import Ranges, Task, ratio_ranges, rms_torque
+from workbook.machines.selection.model import Selection, SelectionSizes
 from workbook.reference import RPM
-from workbook.selection_model import Selection, SelectionSizes
 
 NONE = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed that small comes from rounding
 PLACES = 6  # decimals in which scores are compared: equal to an engineer, equal in the ranking

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from engine.drive import STANDSTILL
 from engine.laws.base import Array
 from engine.selection import Task, ratio_ranges
-from workbook.declare import Chart, Series, Sheet, calc, constant, result
+from workbook.chart import Chart, Series
+from workbook.declare import Sheet, calc, constant, result
+from workbook.machines.selection.view import Choosing
 from workbook.reference import RPM
-from workbook.selection_reference import Choosing
-
-if TYPE_CHECKING:
-    from workbook.sheets.selection import LoadCells
+from workbook.sheets.selection.load import LoadCells
 
 POINTS = 24  # of the curves of figure 12
 LEAST, MOST = 0.001, 0.1  # of α, where they begin

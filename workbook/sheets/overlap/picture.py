@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from engine.laws.base import Array
-from workbook.declare import Book, Chart, Series, Sheet, calc, constant, given, result
+from workbook.chart import Chart, Series
+from workbook.declare import Book, Sheet, calc, constant, given, result
 from workbook.machines.overlap_model import TURN, Overlapping
 from workbook.reference import MM
 from workbook.sheets import sampling
-from workbook.sheets.overlap_cycle import ALLOWED, LANE_SHARE, ToolState, allowed, transfer_columns
+from workbook.sheets.overlap.cycle import ALLOWED, LANE_SHARE, ToolState, allowed, transfer_columns
 
 WIDTH, BODY, PLATE = 0.3, 1.5, 0.2  # of the picture: tool in transfer strokes, its length and the plate in tool strokes
 PUNCH = (

@@ -1,0 +1,1 @@
+"""The sheet Selection: motor and reducer from catalogues."""
