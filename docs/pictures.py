@@ -22,7 +22,7 @@ FUNCTIONS = "motion-functions"  # computed by the add-in
 PICTURES = (  # file, workbook, page of the printed book, left, top, width, height in dots
     ("timing.png", "cutting-machine", 2, 75, 85, 1000, 650),
     ("drive.png", "cutting-machine", 12, 75, 85, 1010, 665),
-    ("selection.png", "cutting-machine", 21, 75, 85, 1010, 640),
+    ("selection.png", "flying-cutter", 12, 75, 85, 1010, 640),
     ("motion.png", "motion-composer", 2, 75, 85, 1010, 610),
     ("overlap.png", "indexing-overlap", 2, 75, 85, 1010, 640),
     ("actuator.png", "actuator-sizing", 2, 75, 85, 1010, 665),
