@@ -161,7 +161,7 @@ class Sizing:
         """max |T_m| (Nm), exact."""
         return max(abs(part.torque) for part in self.parts)
 
-    @property
+    @cached_property
     def rms_torque(self) -> float:
         """sqrt(∫T_m² dt / t) over the cycle (Nm), exact: not from samples. Source: S4, T_RMS."""
         return math.sqrt(math.fsum(self._square(phase) for phase in self.phases) / self.motion.total)

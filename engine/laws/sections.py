@@ -19,6 +19,9 @@ SAMPLES = 257
 INSIDE = 1e-9
 """of a stage, by which samples keep off its ends, where a law already has the value of the next stage"""
 
+STEPS, LEAST = 60, 1e-16
+"""of a search for a crossing: at most so many halvings, down to so short a bracket"""
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 PANELS = 4  # a section, in an integral
 
@@ -52,10 +55,14 @@ def roots(function: Callable[[Array], Array], edges: Array) -> Array:
     xi = edges[:-1, None] + np.diff(edges)[:, None] * share
     above = function(xi) > 0.0
     row, column = np.nonzero(above[:, :-1] != above[:, 1:])
+    if row.size == 0:
+        return np.empty(0)
     low, high = xi[row, column], xi[row, column + 1]
     low_above = above[row, column]
-    for _ in range(60):
+    for _ in range(STEPS):
         middle = 0.5 * (low + high)
+        if (high - low <= LEAST).all():
+            break
         same = (function(middle) > 0.0) == low_above
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     return np.sort(0.5 * (low + high))

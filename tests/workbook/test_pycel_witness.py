@@ -494,15 +494,50 @@ def test_the_straight_way_of_an_operator_leads_where_pycels_own_leads(left: Any,
     assert shortcuts.operators()(left, name, right) == own(left, name, right)
 
 
-@pytest.mark.parametrize("formula", ["=SIN({})", "=COS({})", "=SQRT({})", "=INDEX(A1:B2,{})", "=INDEX(A1:A2,{})"])
+COLUMNS = st.lists(st.one_of(NUMBERS, st.sampled_from(["x", None, True, "#N/A", "3"])), min_size=3, max_size=3)
+
+
+@given(
+    COLUMNS, st.sampled_from([*shortcuts.SIMPLE, "Div", "Pow", "BitAnd"]), st.one_of(COLUMNS, NUMBERS), st.booleans()
+)
+def test_the_straight_way_over_ranges_leads_where_pycels_own_leads(one: Any, name: str, two: Any, turned: bool) -> None:
+    left, right = (tuple((v,) for v in part) if isinstance(part, list) else part for part in (one, two))
+    if turned:
+        left, right = right, left
+    own = build_operators(lambda is_exception, message: None)
+    assert shortcuts.operators()(left, name, right) == own(left, name, right)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        "=SIN({})",
+        "=COS({})",
+        "=SQRT({})",
+        "=ABS({})",
+        "=INDEX(A1:B2,{})",
+        "=INDEX(A1:A2,{})",
+        "=IF({}>1,A1,B2)",
+        "=IF({},A1,B2)",
+        "=IF(A1>B1,A1:B1,{})",
+        "=MIN({},A1)",
+        "=MAX({},A1,B1)",
+        "=SUM({})",
+        "=MAX(C1:C1)",
+        "=SUM(A1:C2)",
+        "=MIN(A1:C1)",
+        "=MAX(A1:C2,{})",
+    ],
+)
 @pytest.mark.parametrize("value", [0, 1, 2, 3, -1, 0.5, 2.0, True, "x", "2", None, "#N/A"])
 def test_the_straight_way_of_a_function_leads_where_pycels_own_leads(
     formula: str, value: Any, monkeypatch: Any
 ) -> None:
     cells = {"A1": 5, "A2": 6, "B1": 7, "B2": 8, "C1": value, "Z9": formula.format("C1")}
+    made = set(shortcuts.SHORTENED)
     shortened = PycelModel(book(cells)).evaluate()
     monkeypatch.setattr(shortcuts, "SHORTENED", {})
-    monkeypatch.setattr(compiled, "_space", {k: v for k, v in compiled._space.items() if k not in ("sin", "index")})
+    monkeypatch.setattr(compiled, "_space", {k: v for k, v in compiled._space.items() if k not in made})
     compiled.compiled.cache_clear()
     try:
         assert PycelModel(book(cells)).evaluate() == shortened

@@ -7,7 +7,8 @@ these ways a book takes half as long again. Anything but plain numbers takes pyc
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from itertools import repeat
 from typing import Any
 
 from pycel.lib import lookup
@@ -25,11 +26,20 @@ def operators() -> Callable[[Any, str, Any], Any]:
     checked = build_operators(lambda is_exception, message: None)
 
     def operate(left: Any, operator: str, right: Any) -> Any:
-        if type(left) in NUMBERS and type(right) in NUMBERS:
+        kind, other = type(left), type(right)
+        if kind in NUMBERS and other in NUMBERS:
             if operator in SIMPLE:
                 return SIMPLE[operator](left, right)
             if operator == "Div" and right:
                 return DIVIDE(left, right)
+        elif kind is tuple and other is tuple:
+            if len(left) == len(right) and len(left[0]) == len(right[0]):
+                rows = zip(left, right, strict=True)
+                return tuple(tuple(map(operate, a, repeat(operator), b)) for a, b in rows)
+        elif kind is tuple and other in NUMBERS:
+            return tuple(tuple(map(operate, row, repeat(operator), repeat(right))) for row in left)
+        elif other is tuple and kind in NUMBERS:
+            return tuple(tuple(map(operate, repeat(left), repeat(operator), row)) for row in right)
         return checked(left, operator, right)
 
     return operate
@@ -63,10 +73,44 @@ def of_one(body: Callable[[float], float]) -> Callable[[Function], Function]:
     return shortened
 
 
+def condition(checked: Function) -> Function:
+    """Return IF, straight for a comparison and values that are no ranges."""
+
+    def call(test: Any, true_value: Any, false_value: Any = 0) -> Any:
+        if type(test) is bool and type(true_value) is not tuple and type(false_value) is not tuple:
+            return true_value if test else false_value
+        return checked(test, true_value, false_value)
+
+    return call
+
+
+def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Function]:
+    """Return a function of any numbers, straight for numbers and for one range that holds nothing else."""
+
+    def shortened(checked: Function) -> Function:
+        def call(*arguments: Any) -> Any:
+            one = arguments[0] if arguments else None
+            values = (
+                [value for row in one for value in row] if len(arguments) == 1 and type(one) is tuple else arguments
+            )
+            if values and NUMBERS.issuperset(map(type, values)):
+                return body(values)
+            return checked(*arguments)
+
+        return call
+
+    return shortened
+
+
 SHORTENED: dict[str, Callable[[Function], Function]] = {
     "index": index,
     "sin": of_one(math.sin),
     "cos": of_one(math.cos),
     "sqrt": of_one(math.sqrt),
+    "abs_": of_one(abs),
+    "if_": condition,
+    "min_": of_many(min),
+    "max_": of_many(max),
+    "sum_": of_many(sum),
 }
 """pycel's functions that have a straight way, by their names there"""
