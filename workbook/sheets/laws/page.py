@@ -74,31 +74,50 @@ def law_sheet(
 ) -> None:
     """Declare the sheet of one law."""
     sheet = book.sheet(page.code, f"{page.title} ({page.source})")
-    code, k = page.code, law.coefficients
     lift, time = entered.lift * MM, entered.time
     sheet.heading("What to enter")
+    entries(sheet, page, law, entered)
+    sheet.heading("What comes out: the coefficients, for unit rise and time")
+    coefficients(sheet, page, law)
+    sheet.heading("What comes out: the rise h in the time t_a")
+    risen(sheet, page.code, law, number, lift, time)
+    sheet.heading(
+        "Pieces",
+        "On each piece a(u) = c0 + c1 u + P sin(ωu + φ), u = ξ − ξ_k; velocity and position are carried on.",
+    )
+    pieces_table(sheet, page, law)
+    checks(sheet, page, law)
+    draw(sheet, page.code)
+    sheet.row = max(sheet.row, 50)
+    sheet.print_columns = 19
+    sheet.heading("Table")
+    samples(sheet, page.code, law, number, lift, time, intervals, stack)
+
+
+def entries(sheet: Sheet, page: LawPage, law: Law, entered: Any) -> None:
+    """Declare the rise that is shown, and the law's parameters."""
+    code = page.code
     sheet.rows(
-        given(
-            f"{code}_h",
-            "Rise shown",
-            "h",
-            "mm",
-            entered.lift,
-            f"laws.{code}.lift",
-            source="any; a return is negative",
-        ),
+        given(f"{code}_h", "Rise shown", "h", "mm", entered.lift, f"laws.{code}.lift", source="any; a return is negative"),
         given(f"{code}_t", "Time of the rise", "t_a", "s", entered.time, f"laws.{code}.time"),
         *page.parameters(law),
-    )
-    sheet.heading("What comes out: the coefficients, for unit rise and time")
+    )  # fmt: skip
+
+
+def coefficients(sheet: Sheet, page: LawPage, law: Law) -> None:
+    """Declare the law's coefficients, and what they are worked out from."""
     for name, label, symbol in COEFFICIENTS:
         formula, words = page.coefficients[name]
-        sheet.rows(result(f"{code}_{name}", label, symbol, "", formula, finite(getattr(k, name)), source=words))
+        value = finite(getattr(law.coefficients, name))
+        sheet.rows(result(f"{page.code}_{name}", label, symbol, "", formula, value, source=words))
     if workings := page.workings(law):
         sheet.heading("Workings")
         sheet.rows(*workings)
-    sheet.heading("What comes out: the rise h in the time t_a")
-    m = lift / time
+
+
+def risen(sheet: Sheet, code: str, law: Law, number: int, lift: float, time: float) -> None:
+    """Declare the largest velocity and accelerations of the rise."""
+    m, k = lift / time, law.coefficients
     sheet.rows(
         calc(f"{code}_h_m", "Rise in metres", "h", "m", f"={code}_h/1000", lift, source="h / 1000"),
         result(f"{code}_yv", "Largest velocity", "ẏ_max", "m/s", f"={code}_cv*ABS({code}_h_m)/{code}_t", k.cv * abs(m), source="C_v h / t_a"),
@@ -112,25 +131,13 @@ def law_sheet(
         ),
         calc(f"{code}_no", "Number on the sheet Laws", "", "", f'=MATCH("{code}",law_code,0)', number, format="0"),
     )  # fmt: skip
-    sheet.heading(
-        "Pieces",
-        "On each piece a(u) = c0 + c1 u + P sin(ωu + φ), u = ξ − ξ_k; velocity and position are carried on.",
-    )
-    pieces_table(sheet, page, law)
-    sheet.checks(
-        *page.checks(law),
-        check(
-            f"{code}_ends",
-            f"{page.code} ends at s = 1, at rest",
-            f"AND(ABS([{code}_samples.s.last]-1)<check_zero,ABS([{code}_samples.v.last])<check_zero)",
-            True,
-        ),
-    )
-    draw(sheet, code)
-    sheet.row = max(sheet.row, 50)
-    sheet.print_columns = 19
-    sheet.heading("Table")
-    samples(sheet, code, law, number, lift, time, intervals, stack)
+
+
+def checks(sheet: Sheet, page: LawPage, law: Law) -> None:
+    """Declare the law's own checks, and that it ends where it should."""
+    code = page.code
+    ends = f"AND(ABS([{code}_samples.s.last]-1)<check_zero,ABS([{code}_samples.v.last])<check_zero)"
+    sheet.checks(*page.checks(law), check(f"{code}_ends", f"{code} ends at s = 1, at rest", ends, True))
 
 
 def pieces_table(sheet: Sheet, page: LawPage, law: Law) -> None:
