@@ -37,3 +37,11 @@ def test_two_inputs_whose_names_have_changed_places_are_found(name: str) -> None
     here = bench(name)
     pairs = islice(swapped(here, SEED), COUNT)
     assert [str(r) for r in pairs if outcome(here, r) == "agrees"] == []
+
+
+@every_template
+def test_two_inputs_of_one_label_whose_names_have_changed_places_are_found(name: str) -> None:
+    here = bench(name)
+    labels = {block.name: (block.sheet.title, block.quantities[0].label) for block in here.declared.blocks.values()}
+    alike = (r for r in swapped(here, SEED) if len({labels[name] for name in r.targets}) == 1)
+    assert [str(r) for r in islice(alike, COUNT) if outcome(here, r) == "agrees"] == []

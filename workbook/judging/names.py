@@ -76,17 +76,17 @@ def texts_beside(match: Match, place: Place) -> set[str]:
 
 
 def disordered(match: Match) -> Iterator[Misled]:
-    """Yield tables that have changed places with others of the same columns."""
+    """Yield tables of the same columns, and cells of the same label, that have changed places with one another."""
     alike: dict[tuple[str, ...], list[tuple[Block, Place]]] = {}
     for sheet in match.declared.sheets:
         for block in sheet.blocks:
-            if block.is_table and block.name in match.file.places:
-                key = (sheet.title, *(q.name for q in block.quantities))
-                alike.setdefault(key, []).append((block, match.file.places[block.name]))
-    for tables in alike.values():
-        for (before, first), (after, second) in pairwise(tables):
+            if block.name in match.file.places:
+                what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
+                alike.setdefault((sheet.title, *what), []).append((block, match.file.places[block.name]))
+    for blocks in alike.values():
+        for (before, first), (after, second) in pairwise(blocks):
             if first[:3] >= second[:3]:
-                yield Misled(second, after.name, "a table above or left of", f"a table below {before.name}")
+                yield Misled(second, after.name, f"above or left of {before.name}", f"below {before.name}")
 
 
 def said(place: Place | None) -> str:
