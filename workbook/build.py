@@ -10,7 +10,6 @@ from pydantic import BaseModel
 
 from workbook.collector import collector_paused
 from workbook.errors import InputError
-from workbook.functions import publish
 from workbook.machine import Machine
 from workbook.machines.selection.model import MOST_PRODUCTS, Selection
 from workbook.reading.carried import not_carried
@@ -100,6 +99,8 @@ def committed() -> list[Path]:
 
 def write_templates() -> list[Path]:
     """Generate the workbook of every committed machine description, and the files of the functions."""
+    from workbook.functions import publish  # slow to import, and no other command needs it
+
     books = [description.with_suffix(".xlsx") for description in committed()]
     for description, book in zip(committed(), books, strict=True):
         build(read_machine(description), book, overwrite=True)
@@ -108,6 +109,8 @@ def write_templates() -> list[Path]:
 
 def stale_templates() -> list[Path]:
     """Return the committed files that today's code would generate differently."""
+    from workbook.functions import publish
+
     books = [description.with_suffix(".xlsx") for description in committed() if stale(description)]
     return books + publish.stale_files()
 

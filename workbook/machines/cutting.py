@@ -10,8 +10,8 @@ import numpy as np
 from workbook.declare import Book, result
 from workbook.machine import Machine
 from workbook.machines.cutting_model import CuttingMachine
+from workbook.machines.cutting_variants import variants
 from workbook.machines.selection.view import Asked, Choosing, Samples
-from workbook.machines.variants import cutting_variants
 from workbook.reference import Cutting
 from workbook.sheets.about import about_sheet
 from workbook.sheets.drive import drive_sheet, operating, rms_lossless
@@ -74,7 +74,7 @@ TEMPLATE = Template(
     "cutting-machine",
     CuttingMachine,
     declare,
-    cutting_variants,
+    variants,
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "rotors": ("rotors", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
