@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
+
+
+def in_scope(text: str, scope: str) -> str:
+    """Return a name, a reference or a formula with ``scope`` for each ``@``."""
+    return text.replace("@", scope)
 
 
 @dataclass(frozen=True)
 class Series:
     """One line of a chart; ``x`` and ``y`` are column references such as ``[samples.xi]``.
 
+    A name ``=tool1_name`` shows the cell of that name.
     ``points`` draws no line, ``marker`` a sign at each point; ``up`` and ``right`` are columns of lengths, of the
     strokes that go up or to the right from each point: separate lines, none of them a series of its own.
     """
@@ -23,6 +29,11 @@ class Series:
     marker: Literal["none", "circle", "diamond", "dash"] = "none"
     up: str = ""
     right: str = ""
+
+    def within(self, scope: str) -> Series:
+        """Return the line with ``scope`` for each ``@`` in its references."""
+        name, x, y, up, right = (in_scope(text, scope) for text in (self.name, self.x, self.y, self.up, self.right))
+        return replace(self, name=name, x=x, y=y, up=up, right=right)
 
 
 @dataclass(frozen=True)
@@ -41,3 +52,7 @@ class Chart:
     y_range: tuple[float, float | None, float | None] | None = None
     hide_y: bool = False
     log_y: bool = False
+
+    def within(self, scope: str) -> Chart:
+        """Return the chart with ``scope`` for each ``@`` in the references of its lines."""
+        return replace(self, series=tuple(series.within(scope) for series in self.series)) if scope else self

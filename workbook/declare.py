@@ -9,6 +9,8 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 ``[xi-1]``            the cell one row above it
 ``[samples.xi]``      the whole column ``xi`` of table ``samples``, absolute
 ``[samples.xi.first]``, ``.last``, ``.3``   its first, last, third cell
+``@stroke``           ``tool2_stroke`` in the scope ``tool2_`` (:meth:`Sheet.scoped`),
+                      by which one function declares the like of several parts
 ``drive_rate``        anything else is Excel's own text; scalars go by defined name
 ====================  ==========================================================
 """
@@ -17,13 +19,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Literal, NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
-from workbook.chart import Chart
+from workbook.chart import Chart, in_scope
 
 Role = Literal["input", "calculation", "result", "check", "constant"]
 REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
@@ -51,6 +54,13 @@ class Quantity:
     format: str = ""
     choices: str = ""
     align: str = ""
+
+    def within(self, scope: str) -> Quantity:
+        """Return the quantity with ``scope`` for each ``@`` in its name and formulas."""
+        formula = self.formula
+        if formula is not None:
+            formula = in_scope(formula, scope) if isinstance(formula, str) else [in_scope(f, scope) for f in formula]
+        return replace(self, name=in_scope(self.name, scope), formula=formula)
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:
@@ -170,6 +180,16 @@ class Sheet:
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
     one_page: bool = False
+    scope: str = ""
+
+    @contextmanager
+    def scoped(self, scope: str) -> Iterator[None]:
+        """Let ``@`` stand for ``scope`` in the names and formulas of what is placed meanwhile."""
+        before, self.scope = self.scope, scope
+        try:
+            yield
+        finally:
+            self.scope = before
 
     def heading(self, text: str, note: str = "") -> None:
         """Begin a section."""
@@ -186,7 +206,7 @@ class Sheet:
 
     def rows(self, *quantities: Quantity) -> None:
         """Place quantities one below the other: label, symbol, value, unit, source."""
-        for q in quantities:
+        for q in self._own(quantities):
             for column, text, style in (
                 (FIRST, q.label, "label"),
                 (FIRST + 1, q.symbol, "symbol"),
@@ -201,7 +221,7 @@ class Sheet:
     def checks(self, *quantities: Quantity) -> None:
         """Place checks, and enter them in the book's list, on which the overall verdict rests."""
         self.rows(*quantities)
-        self.book.checks += [(self, q) for q in quantities]
+        self.book.checks += [(self, q) for q in self._own(quantities)]
 
     def table(self, name: str, title: str, size: int, *quantities: Quantity) -> Block:
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations."""
@@ -215,13 +235,14 @@ class Sheet:
             for k, (text, style) in enumerate(lines):
                 self.texts.append(Text(self.row + 1 + k, FIRST + i, text, style))
         top = self.row + (4 if explained else 3)
-        block = self._place(Block(name, self, top, FIRST, quantities, size, title))
+        name = in_scope(name, self.scope)
+        block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title))
         self.row = top + size + 1
         return block
 
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:
         """Place a chart with its corner at a cell, ``width`` columns by ``height`` rows large."""
-        self.charts.append((chart, row, column, width, height))
+        self.charts.append((chart.within(self.scope), row, column, width, height))
 
     def chart_row(self, *charts: Chart, width: int = 5, height: int = 17) -> None:
         """Place charts side by side below what is there."""
@@ -230,6 +251,9 @@ class Sheet:
             self.chart(chart, column, self.row, width if i else width - 2, height)
             column += width if i else width - 2
         self.row += height + 1
+
+    def _own(self, quantities: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
+        return tuple(q.within(self.scope) for q in quantities) if self.scope else quantities
 
     def _place(self, block: Block) -> Block:
         if block.name in self.book.blocks:

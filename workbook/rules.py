@@ -80,7 +80,9 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
     if get_origin(kind) is list:
         least = next((c.min_length for c in constraints if isinstance(c, MinLen)), 0)
         most = next((c.max_length for c in constraints if isinstance(c, MaxLen)), None)
-        return f"{least} entries" if least == most else f"a list of at least {least} entries" if least else "a list"
+        if most is not None:
+            return f"{least} entries" if least == most else f"a list of {least} to {most} entries"
+        return f"a list of at least {least} entries" if least else "a list"
     if isinstance(kind, type) and issubclass(kind, BaseModel):
         return f"the entries {', '.join(kind.model_fields)}"
     bounds = [

@@ -9,7 +9,7 @@ from openpyxl.chart.error_bar import ErrorBars
 from openpyxl.chart.layout import Layout, ManualLayout
 from openpyxl.chart.legend import Legend
 from openpyxl.chart.marker import Marker
-from openpyxl.chart.series import XYSeries
+from openpyxl.chart.series import SeriesLabel, XYSeries
 from openpyxl.chart.series_factory import SeriesFactory
 from openpyxl.chart.shapes import GraphicalProperties
 from openpyxl.chart.text import RichText
@@ -51,17 +51,23 @@ def heading(text: str, size: int) -> Title:
 
 def linked(name: str, book: Book, size: int) -> Title:
     """Return a title that shows the cell of this name: it follows the units that are entered."""
+    paragraph = Paragraph(pPr=ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)))
+    return Title(tx=ChartText(strRef=cell(name, book)), overlay=False, txPr=RichText(p=[paragraph]))
+
+
+def cell(name: str, book: Book) -> StrRef:
+    """Return a reference to the cell of this name, with the text that it shows."""
     block = book.blocks[name]
     shown = StrData(ptCount=1, pt=[StrVal(idx=0, v=str(block.quantities[0].value))])
-    cell = StrRef(f=f"{quote_sheetname(block.sheet.title)}!{block.span}", strCache=shown)
-    paragraph = Paragraph(pPr=ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)))
-    return Title(tx=ChartText(strRef=cell), overlay=False, txPr=RichText(p=[paragraph]))
+    return StrRef(f=f"{quote_sheetname(block.sheet.title)}!{block.span}", strCache=shown)
 
 
 def line(series: Series, book: Book, colour: str) -> XYSeries:
     """Return one line between the points, never a spline, which would bend a step backwards."""
     x, y = (Reference(range_string=book.range(r)) for r in (series.x, series.y))
     drawn: XYSeries = SeriesFactory(y, x, title=series.name)
+    if series.name.startswith("="):
+        drawn.tx = SeriesLabel(strRef=cell(series.name[1:], book))
     ink = series.color or colour
     stroke = LineProperties(solidFill=ink, w=WIDTH, prstDash="dash" if series.dashed else None)
     drawn.smooth, drawn.marker = False, sign(series, ink)
