@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,7 +25,8 @@ class Template:
     """A kind of machine: its description's model, the book declared from a description, variations to verify at.
 
     ``sizes`` tells for each entry of a description's ``sizes`` which block shows it, and by how many rows that
-    block is longer.
+    block is longer. ``laid_out`` gives a machine the layout that a file has by its defined names, where the number
+    of sheets depends on the description.
     """
 
     name: str
@@ -33,6 +34,7 @@ class Template:
     declare: Callable[[Machine], Book]
     variants: Callable[[Machine], list[Machine]]
     sizes: dict[str, tuple[str, int]]
+    laid_out: Callable[[Machine, Container[str]], Machine] = lambda machine, names: machine
 
     @property
     def description(self) -> Path:

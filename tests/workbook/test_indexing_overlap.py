@@ -25,8 +25,17 @@ def entries(**changed):
     data["laws"]["OWN"]["pieces"] = RISING
     for name, value in changed.items():
         part, _, entry = name.rpartition("__")
-        (data["overlap"][part] if part else data["overlap"])[entry] = value
+        place(data["overlap"], part)[entry] = value
     return data
+
+
+def place(overlap, part):
+    """Where the entries of a part stand, by its name: of the first tool, unless a number follows (``passage2``)."""
+    name, number = part.rstrip("0123456789"), part.lstrip("abcdefghijklmnopqrstuvwxyz")
+    if name in ("tool", "passage"):
+        tool = overlap["tools"][int(number or 1) - 1]
+        return tool["passage"] if name == "passage" else tool
+    return overlap[name] if name else overlap
 
 
 def described(**changed):
@@ -36,24 +45,24 @@ def described(**changed):
 def test_s2_one_after_the_other():
     """S2: 55°, 4.154 m/s²; exactly 4.154172."""
     value = computed(TEMPLATE, described())
-    assert value("schedules", "in")[0] == pytest.approx(55, abs=1e-12)
-    assert value("overlap_a0") == pytest.approx(4.154, abs=5e-4)
-    assert value("overlap_a0") == pytest.approx(4.154172, abs=5e-7)
+    assert value("tool1_schedules", "in")[0] == pytest.approx(55, abs=1e-12)
+    assert value("tool1_a0") == pytest.approx(4.154, abs=5e-4)
+    assert value("tool1_a0") == pytest.approx(4.154172, abs=5e-7)
 
 
 def test_s2_effective_angle_and_what_remains():
     """S2: 15°, 135°, 120° and 70° each way; 44 % of the time, exactly 0.4392684."""
     value = computed(TEMPLATE, described())
-    found = [value(f"overlap_{name}") for name in ("begin", "end", "effective", "free_in", "free_out")]
+    found = [value(f"tool1_{name}") for name in ("begin", "end", "effective", "free_in", "free_out")]
     assert found == pytest.approx([15, 135, 120, 70, 70], abs=1e-9)
-    assert value("inverse_in", "xi")[0] == pytest.approx(0.44, abs=5e-3)
-    assert value("inverse_in", "xi")[0] == pytest.approx(0.4392684, abs=5e-8)
+    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.44, abs=5e-3)
+    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.4392684, abs=5e-8)
 
 
 def test_s2_new_angle_with_and_without_the_allowance():
     """S2: 125°, exactly 124.8369°; 120° with the allowance of 5°."""
     value = computed(TEMPLATE, described())
-    _, longest, as_set = value("schedules", "in")
+    _, longest, as_set = value("tool1_schedules", "in")
     assert longest == pytest.approx(125, abs=0.5)
     assert longest == pytest.approx(124.8369, abs=5e-5)
     assert as_set == pytest.approx(120, abs=0.5)
@@ -63,33 +72,33 @@ def test_s2_new_angle_with_and_without_the_allowance():
 def test_s2_at_its_rounded_angle():
     """S2: 0.625 s, 0.804 m/s² and 5.17 times lower at 125°; rounding up costs 0.1 mm of the margin."""
     value = computed(TEMPLATE, described(tool__angle_in=125.0, tool__angle_out=125.0))
-    assert value("schedules", "t_in")[2] == pytest.approx(0.625, abs=1e-12)
-    assert value("overlap_a1") == pytest.approx(0.804248, abs=5e-7)
-    assert value("overlap_ratio") == pytest.approx(5.17, abs=5e-3)
-    assert value("overlap_ratio") == pytest.approx(5.1653, abs=5e-5)
-    assert 0.8 < value("overlap_least") < 1.0
-    assert (value("overlap_ok_collide"), value("overlap_ok_margin"), value("overall")) == ("OK", "FAIL", "FAIL")
+    assert value("tool1_schedules", "t_in")[2] == pytest.approx(0.625, abs=1e-12)
+    assert value("tool1_a1") == pytest.approx(0.804248, abs=5e-7)
+    assert value("tool1_ratio") == pytest.approx(5.17, abs=5e-3)
+    assert value("tool1_ratio") == pytest.approx(5.1653, abs=5e-5)
+    assert 0.8 < value("tool1_least") < 1.0
+    assert (value("tool1_ok_collide"), value("tool1_ok_margin"), value("overall")) == ("OK", "FAIL", "FAIL")
 
 
 def test_the_margin_is_what_stays_free_at_the_longest_angle():
     value = computed(TEMPLATE, described(passage__allowance=0.0))
-    assert value("overlap_least") == pytest.approx(1.0, abs=1e-9)
+    assert value("tool1_least") == pytest.approx(1.0, abs=1e-9)
     assert value("overall") == "OK"
 
 
 def test_parts_that_collide_fail_the_book():
     value = computed(TEMPLATE, described(tool__angle_in=160.0, tool__angle_out=95.0, view=134.0))
-    assert value("overlap_least") < 0
-    assert value("overlap_ok_collide") == value("overall") == "FAIL"
-    assert value("view_says") == "COLLISION"
+    assert value("tool1_least") < 0
+    assert value("tool1_ok_collide") == value("overall") == "FAIL"
+    assert value("stands", "says") == ["COLLISION"]
 
 
 @pytest.mark.parametrize("law", LAWS)
 def test_any_law_is_inverted_to_1e_9(law):
     machine = described(transfer__law=law, tool__law_in=law, tool__law_out=law)
     value, engine = computed(TEMPLATE, machine), laws(machine.laws, 8)[law]
-    for name in ("transfer", "in", "out"):
-        s, xi = (value(f"inverse_{name}", column) for column in ("s", "xi"))
+    for name in ("inverse_transfer", "tool1_inverse_in", "tool1_inverse_out"):
+        s, xi = (value(name, column) for column in ("s", "xi"))
         assert xi == pytest.approx([inverse(engine, x) for x in s], abs=1e-9)
         assert [engine.s(x) for x in xi] == pytest.approx(s, abs=1e-12)
     assert value("inverse_residual") < 1e-12
@@ -100,8 +109,8 @@ def test_half_of_the_stroke_at_half_of_the_time_decides_no_halving_by_rounding()
     """The cubic law is at s = 1/2 just in the middle of its only piece, where the first halving looks."""
     machine = described(tool__law_in="CUB", tool__law_out="CUB", passage__clearance=25.0, passage__margin=0.0)
     value = computed(TEMPLATE, machine)
-    assert value("inverse_in", "s")[0] == 0.5
-    assert value("inverse_in", "xi")[0] == pytest.approx(0.5, abs=1e-12)
+    assert value("tool1_inverse_in", "s")[0] == 0.5
+    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.5, abs=1e-12)
 
 
 def test_the_picture_moves_with_the_angle():
@@ -110,18 +119,18 @@ def test_the_picture_moves_with_the_angle():
     for column in ("x", "y"):
         assert len(value("outline", column)) == 12
     assert value("outline", "x") != other("outline", "x")
-    assert min(value("punch", "yb")) == pytest.approx(50, abs=1e-12)
-    assert min(other("punch", "yb")) == min(other("punch", "ya")) == pytest.approx(0, abs=1e-9)
+    assert min(value("tool1_punch", "yb")) == pytest.approx(50, abs=1e-12)
+    assert min(other("tool1_punch", "yb")) == min(other("tool1_punch", "ya")) == pytest.approx(0, abs=1e-9)
     assert max(value("view_line", "theta")) == 60
 
 
 def test_the_table_of_margins_is_the_engine_s_schedule_of_each():
     value = computed(TEMPLATE, described())
-    for margin, angle, ratio in zip(*(value("margins", c) for c in ("margin", "in", "ratio")), strict=True):
+    for margin, angle, ratio in zip(*(value("tool1_margins", c) for c in ("margin", "in", "ratio")), strict=True):
         machine = described(passage__margin=margin)
-        view = Overlapping(machine, laws(machine.laws, 8))
-        assert angle == pytest.approx(view.as_set.way_in * 57.29577951308232, rel=1e-9)
-        before, after = (s.peak_acceleration(view.rate) for s in (view.before, view.as_set))
+        (station,) = Overlapping(machine, laws(machine.laws, 8)).stations
+        assert angle == pytest.approx(station.as_set.way_in * 57.29577951308232, rel=1e-9)
+        before, _, after = station.peaks
         assert ratio == pytest.approx(before / after, rel=1e-9)
 
 
@@ -140,10 +149,10 @@ def test_pycel_agrees_at_each_variation(k, tmp_path, build_book):
 
 def test_the_variations_fail_both_checks_of_the_clearance():
     books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described())]
-    failed = [{q.name for _, q in book.checks if q.value == "FAIL" and q.name.startswith("overlap")} for book in books]
-    assert {"overlap_ok_margin"} in failed
-    assert {"overlap_ok_margin", "overlap_ok_collide"} in failed
-    assert "COLLISION" in [book.blocks["view_says"].quantities[0].value for book in books]
+    failed = [{q.name for _, q in book.checks if q.value == "FAIL" and q.name.startswith("tool1")} for book in books]
+    assert {"tool1_ok_margin"} in failed
+    assert {"tool1_ok_margin", "tool1_ok_collide"} in failed
+    assert "COLLISION" in [book.blocks["stands"].quantities[-1].value[0] for book in books]
 
 
 def test_what_goes_in_comes_out(tmp_path):

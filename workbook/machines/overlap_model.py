@@ -1,11 +1,12 @@
-"""Overlap of two motions (S2): what an engineer enters, and the engine's view of it."""
+"""Overlap of a transfer and tools (S2): what an engineer enters, and the engine's view of it."""
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import replace
 from functools import cached_property
 from math import degrees, radians
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal, Self, cast
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -27,12 +28,14 @@ from engine.overlap import (
     sweep_margin,
 )
 from engine.timing import shaft_speed
-from workbook.machine import Angle, EntryError, Laws, Machine, Model, NotNegative, Positive, Sizes, Text
+from workbook.machine import Angle, EntryError, Machine, Model, NotNegative, Positive, Sizes, Text
 from workbook.reference import MM, laws
 
 PER_HOUR = 1 / 3600  # 1/s
 TURN = 360.0
+MOST_TOOLS = 6
 RiseCode = Literal["ACS", "TVP", "CIC", "CUB", "MTP", "OWN"]
+SCOPE = "tool{}_"  # of the names of a tool's cells
 LEAST = 0.01  # degrees: no cam moves in less
 PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
 
@@ -44,18 +47,6 @@ class TransferEntry(Model):
     law: RiseCode
     stroke: Positive  # mm
     angle: PartAngle  # degrees of the master shaft
-
-
-class ToolEntry(Model):
-    """The motion that enters when the part is there, and is out before the next transfer."""
-
-    name: Text
-    law_in: RiseCode
-    law_out: RiseCode
-    stroke: Positive  # mm
-    dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
-    angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
-    angle_out: PartAngle | None = None
 
 
 class PassageEntry(Model):
@@ -76,14 +67,34 @@ class PassageEntry(Model):
         return self
 
 
+class ToolEntry(Model):
+    """A motion that enters when the part is there, and is out before the next transfer."""
+
+    name: Text
+    law_in: RiseCode
+    law_out: RiseCode
+    stroke: Positive  # mm
+    dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
+    angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
+    angle_out: PartAngle | None = None
+    passage: PassageEntry
+
+
 class OverlapEntry(Model):
-    """Both motions, their passage, and the angle at which the picture shows them."""
+    """The transfer, the tools that work at its stations, and the angle at which the picture shows them."""
 
     rate: Positive  # pieces/h
     transfer: TransferEntry
-    tool: ToolEntry
-    passage: PassageEntry
+    tools: Annotated[list[ToolEntry], Field(min_length=1, max_length=MOST_TOOLS)]
     view: Angle = 0.0  # degrees
+
+    @model_validator(mode="after")
+    def _distinct(self) -> Self:
+        names = [tool.name for tool in self.tools]
+        for i, name in enumerate(names):
+            if name in names[:i]:
+                raise EntryError(f"tools.{i}.name", f"a second tool is named {name!r}; expected a name of its own")
+        return self
 
 
 class OverlapSizes(Sizes):
@@ -93,7 +104,7 @@ class OverlapSizes(Sizes):
 
 
 class IndexingOverlap(Machine):
-    """Two motions over one master shaft, one after the other and with overlap (S2)."""
+    """A transfer and tools over one master shaft, one after the other and with overlap (S2)."""
 
     template: Literal["indexing-overlap"] = "indexing-overlap"
     overlap: OverlapEntry
@@ -105,65 +116,90 @@ class IndexingOverlap(Machine):
         if filled > room:
             raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
         self._rises()
-        self._leaves_angles()
+        for i, tool in enumerate(self.overlap.tools):
+            self._leaves_angles(f"overlap.tools.{i}", tool)
+        for station in Overlapping(self, laws(self.laws, self.sizes.own_law)).stations:
+            station.require_one_turn()
         return self
 
     def _rises(self) -> None:
-        own = own_law(self.laws, self.sizes)
-        for entry in ("transfer.law", "tool.law_in", "tool.law_out"):
-            part, _, name = entry.partition(".")
-            if getattr(getattr(self.overlap, part), name) != "OWN":
-                continue
-            if not is_monotone(own):
-                raise EntryError(
-                    f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout"
-                )
-            if abs(own.end.s - 1) > BREAK_TOLERANCE:
-                raise EntryError(
-                    f"overlap.{entry}", f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
-                )
+        given = self.overlap
+        used = {"transfer.law": given.transfer.law}
+        for i, tool in enumerate(given.tools):
+            used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
+        entry = next((entry for entry, code in used.items() if code == "OWN"), None)
+        if entry is None:
+            return
+        own = laws(self.laws, self.sizes.own_law)["OWN"]
+        if not is_monotone(own):
+            raise EntryError(f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout")
+        if abs(own.end.s - 1) > BREAK_TOLERANCE:
+            raise EntryError(
+                f"overlap.{entry}", f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
+            )
 
-    def _leaves_angles(self) -> None:
-        given, tool = self.overlap, self.overlap.tool
-        free = TURN - given.transfer.angle - tool.dwell
-        least = free * min(given.passage.split, 1 - given.passage.split)
+    def _leaves_angles(self, key: str, tool: ToolEntry) -> None:
+        angle, passage = self.overlap.transfer.angle, tool.passage
+        free = TURN - angle - tool.dwell
+        least = free * min(passage.split, 1 - passage.split)
         if least < LEAST:
             raise EntryError(
-                "overlap.tool.dwell",
-                f"transfer ({given.transfer.angle:g}°) and dwell ({tool.dwell:g}°) leave the tool no angle of 360°",
+                f"{key}.dwell", f"transfer ({angle:g}°) and dwell ({tool.dwell:g}°) leave the tool no angle of 360°"
             )
-        if given.passage.allowance > least - LEAST:
+        if passage.allowance > least - LEAST:
             raise EntryError(
-                "overlap.passage.allowance",
-                f"an allowance of {given.passage.allowance:g}° leaves the tool no angle; "
-                f"expected at most {least - LEAST:g}°",
+                f"{key}.passage.allowance",
+                f"an allowance of {passage.allowance:g}° leaves the tool no angle; expected at most {least - LEAST:g}°",
             )
-        schedule = Overlapping(self, laws(self.laws, self.sizes.own_law)).as_set
-        taken = degrees(schedule.way_in + schedule.way_out) + tool.dwell
-        if taken > TURN + 1e-9:
-            name = "angle_in" if tool.angle_in is not None else "angle_out"
-            raise EntryError(
-                f"overlap.tool.{name}", f"way in, dwell and way out take {taken:g}°; expected at most 360°"
-            )
-
-
-def own_law(given: Laws, sizes: Sizes) -> Law:
-    """Return the engineer's own law."""
-    return laws(given, sizes.own_law)["OWN"]
 
 
 class Overlapping:
-    """The engine's view: three schedules, their clearance, and what a margin costs."""
+    """The engine's view: the transfer, and a station for each tool."""
 
     def __init__(self, machine: IndexingOverlap, library: dict[str, Law]) -> None:
         self.given, self.sizes, self.library = machine.overlap, machine.sizes, library
-        given, p = machine.overlap, machine.overlap.passage
-        moved, tool = given.transfer, given.tool
+        moved = machine.overlap.transfer
         self.transfer = Transfer(library[moved.law], moved.stroke * MM, radians(moved.angle))
+        self.rate = machine.overlap.rate * PER_HOUR
+        self.omega = shaft_speed(self.rate)
+        self.stations = [Station(self, i, tool) for i, tool in enumerate(machine.overlap.tools)]
+
+    @property
+    def alone(self) -> bool:
+        """Whether there is one tool: its book has no sheets for each."""
+        return len(self.stations) == 1
+
+    @cached_property
+    def angles(self) -> Array:
+        """The sampled angles of the master shaft in degrees."""
+        n = self.sizes.cycle
+        return np.arange(n + 1) * TURN / n
+
+    @cached_property
+    def peaks(self) -> tuple[float, float]:
+        """The largest peak acceleration of any tool in m/s², one after the other and as set."""
+        before, _, after = np.max([station.peaks for station in self.stations], axis=0)
+        return float(before), float(after)
+
+    @cached_property
+    def least(self) -> float:
+        """The least clearance of any tool over the cycle in mm."""
+        return min(station.clearance.minimum for station in self.stations) / MM
+
+
+class Station:
+    """One tool and the transfer: three schedules, their clearance, and what a margin costs.
+
+    ``key`` is the place of its entries in the description, ``scope`` what the names of its cells begin with.
+    """
+
+    def __init__(self, machine: Overlapping, i: int, tool: ToolEntry) -> None:
+        p, library = tool.passage, machine.library
+        self.machine, self.given = machine, tool
+        self.number, self.key, self.scope = i + 1, f"overlap.tools.{i}", SCOPE.format(i + 1)
+        self.transfer = machine.transfer
         self.tool = Tool(library[tool.law_in], tool.stroke * MM, radians(tool.dwell), library[tool.law_out])
         self.passage = Passage(p.remaining / 100, p.clearance * MM, p.margin * MM, radians(p.allowance), p.split)
-        self.rate = given.rate * PER_HOUR
-        self.omega = shaft_speed(self.rate)
 
     @cached_property
     def before(self) -> Schedule:
@@ -178,7 +214,7 @@ class Overlapping:
     @cached_property
     def as_set(self) -> Schedule:
         """The schedule that is built: the angles entered, or the longest less the allowance."""
-        found, tool = overlap(self.transfer, self.tool, self.passage), self.given.tool
+        found, tool = overlap(self.transfer, self.tool, self.passage), self.given
         way_in = found.way_in if tool.angle_in is None else radians(tool.angle_in)
         way_out = found.way_out if tool.angle_out is None else radians(tool.angle_out)
         return replace(found, way_in=way_in, way_out=way_out)
@@ -187,6 +223,24 @@ class Overlapping:
     def schedules(self) -> tuple[Schedule, Schedule, Schedule]:
         """One after the other, longest, as set."""
         return self.before, self.longest, self.as_set
+
+    def require_one_turn(self) -> None:
+        """Raise EntryError where the schedule that is built takes more than a turn."""
+        plan, tool = self.as_set, self.given
+        taken = degrees(plan.way_in + plan.way_out) + tool.dwell
+        if taken > TURN + 1e-9:
+            name = "angle_in" if tool.angle_in is not None else "angle_out"
+            raise EntryError(f"{self.key}.{name}", f"way in, dwell and way out take {taken:g}°; expected at most 360°")
+
+    @property
+    def angles_set(self) -> tuple[float, float]:
+        """The ways in and out as set, in degrees."""
+        return degrees(self.as_set.way_in), degrees(self.as_set.way_out)
+
+    @cached_property
+    def peaks(self) -> list[float]:
+        """Peak acceleration of the tool in each schedule in m/s²."""
+        return [schedule.peak_acceleration(self.machine.rate) for schedule in self.schedules]
 
     @cached_property
     def blocked(self) -> tuple[float, float]:
@@ -197,18 +251,19 @@ class Overlapping:
     @cached_property
     def clearance(self) -> Clearance:
         """What is free between the parts over the cycle as it is set."""
-        return clearance(self.as_set, self.passage, np.deg2rad(self.angles))
-
-    @cached_property
-    def angles(self) -> Array:
-        """The sampled angles of the master shaft in degrees."""
-        n = self.sizes.cycle
-        return np.arange(n + 1) * TURN / n
+        return clearance(self.as_set, self.passage, np.deg2rad(self.machine.angles))
 
     @cached_property
     def margins(self) -> MarginSweep:
         """The schedules for margins from 0 to the whole clearance."""
-        n = self.sizes.margins
-        return sweep_margin(
-            self.transfer, self.tool, self.passage, np.arange(n + 1) / n * self.passage.clearance, self.rate
-        )
+        n = self.machine.sizes.margins
+        shares = np.arange(n + 1) / n
+        return sweep_margin(self.transfer, self.tool, self.passage, shares * self.passage.clearance, self.machine.rate)
+
+
+def laid_out(machine: Machine, names: Container[str]) -> Machine:
+    """Return a machine with as many tools as a file has by its defined names: its book has the file's inputs."""
+    given = cast(IndexingOverlap, machine).overlap
+    count = max((i for i in range(1, MOST_TOOLS + 1) if f"{SCOPE.format(i)}name" in names), default=1)
+    tools = [given.tools[0]] * count
+    return machine.model_copy(update={"overlap": given.model_copy(update={"tools": tools})})

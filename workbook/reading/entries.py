@@ -100,7 +100,7 @@ class Entries:
         self.template = self._template()
         self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
         self.missing: list[str] = []
-        default = read_machine(self.template.description)
+        default = self.template.laid_out(read_machine(self.template.description), file.places)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": type(default.sizes)(**small)}))

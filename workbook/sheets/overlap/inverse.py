@@ -14,7 +14,8 @@ from engine.laws import Law
 from engine.laws.base import Array
 from engine.laws.inverse import inverse
 from workbook.declare import Book, Quantity, Sheet, calc, check, constant, result
-from workbook.machines.overlap_model import Overlapping
+from workbook.machines.overlap_model import Overlapping, Station
+from workbook.sheets.overlap.places import law_rows
 from workbook.sheets.stack import CODES, Row
 
 HALVINGS = 30
@@ -47,13 +48,13 @@ class Wanted(NamedTuple):
 
 
 def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
-    """Declare the sheet: the laws in use, then one table for each of the three motions."""
+    """Declare the sheet: the laws in use, then a table for the transfer and two for each tool."""
     sheet = book.sheet(
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
     )
     sheet.heading("What comes out", "The tables below give ξ for s; this says how well s(ξ) meets the s wanted.")
-    names = ("transfer", "in", "out")
-    largest = ",".join(f"MAX([inverse_{n}.residual]),0-MIN([inverse_{n}.residual])" for n in names)
+    names = ["inverse_transfer", *(f"{s.scope}inverse_{way}" for s in machine.stations for way in ("in", "out"))]
+    largest = ",".join(f"MAX([{name}.residual]),0-MIN([{name}.residual])" for name in names)
     sheet.rows(
         result(
             "inverse_residual",
@@ -81,51 +82,62 @@ def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
         constant("inverse_beyond", "More than any s", "", "", BEYOND, source="fills the rows that a law does not need"),
     )  # fmt: skip
     laws_in_use(sheet, machine, rows)
-    for name, wanted in zip(names, heights(machine), strict=True):
-        inversion(sheet, name, wanted, rows)
+    inversion(sheet, "inverse_transfer", "Transfer: where it is in the way", in_the_way(machine), rows)
+    for station in machine.stations:
+        into, out = heights(station)
+        whose = "Tool" if machine.alone else f"Tool {station.number}"
+        with sheet.scoped(station.scope):
+            inversion(sheet, "@inverse_in", f"{whose}, way in", into, rows)
+            inversion(sheet, "@inverse_out", f"{whose}, way out, counted in reverse", out, rows)
 
 
-def heights(machine: Overlapping) -> tuple[Wanted, Wanted, Wanted]:
-    """Return what is asked of the three laws: where the transfer blocks, and how far the tool may have gone."""
-    p, tool, n = machine.passage, machine.tool, machine.sizes.margins
-    given = machine.given
+def in_the_way(machine: Overlapping) -> Wanted:
+    """Return what is asked of the transfer's law: where it has left its place for a tool, and where it comes to it."""
+    shares, formulas, ends = [], [], []
+    for station in machine.stations:
+        remaining, whose = station.passage.remaining, "" if machine.alone else f"tool {station.number}: "
+        shares += [remaining, 1 - remaining]
+        formulas += [f"={station.scope}remaining/100", f"=1-{station.scope}remaining/100"]
+        ends += [f"{whose}has left its place", f"{whose}comes to its place"]
+    head = constant("what", "where", "", "", ends)
+    return Wanted(1, machine.given.transfer.law, machine.transfer.law, np.array(shares), formulas, (head,))
+
+
+def heights(station: Station) -> tuple[Wanted, Wanted]:
+    """Return what is asked of a tool's two laws: how far it may have gone."""
+    p, tool, given, n = station.passage, station.tool, station.given, station.machine.sizes.margins
     margins = np.concatenate([[p.margin], np.arange(n + 1) / n * p.clearance])
     gone = np.minimum((p.clearance - margins) / tool.stroke, 1.0)
-    ends = constant("what", "where", "", "", ["has left its place", "comes to its place"])
     k = constant("k", "row", "k", "", list(range(n + 2)), source="0: as entered; then the table of margins")
     margin = calc(
         "margin", "margin", "", "mm",
-        "=IF([k]=0,overlap_margin,INDEX([margins.margin],MAX([k],1)))", margins * 1e3, scale=1.0,
+        "=IF([k]=0,@margin,INDEX([@margins.margin],MAX([k],1)))", margins * 1e3, scale=1.0,
     )  # fmt: skip
-    gone_formula = "MAX(0,MIN((overlap_clearance-[margin])/overlap_stroke,1))"
-    share = np.array([p.remaining, 1 - p.remaining])
+    formula = "MAX(0,MIN((@clearance-[margin])/@stroke,1))"
+    row_in, row_out = law_rows(station)
     return (
-        Wanted(
-            1,
-            given.transfer.law,
-            machine.transfer.law,
-            share,
-            ["=overlap_remaining/100", "=1-overlap_remaining/100"],
-            (ends,),
-        ),
-        Wanted(2, given.tool.law_in, tool.law, gone, f"={gone_formula}", (k, margin)),
-        Wanted(3, given.tool.law_out, tool.out, 1 - gone, f"=1-{gone_formula}", (k, margin)),
+        Wanted(row_in, given.law_in, tool.law, gone, f"={formula}", (k, margin)),
+        Wanted(row_out, given.law_out, tool.out, 1 - gone, f"=1-{formula}", (k, margin)),
     )
 
 
 def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
-    """Declare the three laws: number, where their pieces stand, and the position at the begin of each piece."""
-    given = machine.given
-    codes = [given.transfer.law, given.tool.law_in, given.tool.law_out]
+    """Declare the laws: number, where their pieces stand, and the position at the begin of each piece."""
+    motions, cells, codes = ["transfer"], ["=overlap_law"], [machine.given.transfer.law]
+    for station in machine.stations:
+        whose = "tool" if machine.alone else f"tool {station.number}"
+        motions += [f"{whose}, way in", f"{whose}, way out"]
+        cells += [f"={station.scope}law_in", f"={station.scope}law_out"]
+        codes += [station.given.law_in, station.given.law_out]
     numbers = [CODES.index(code) + 1 for code in codes]
     pieces = [[r.s for r in rows if r.number == n] for n in numbers]
     skipped = [next(i for i, r in enumerate(rows) if r.number == n) for n in numbers]
     most = max(sum(r.law == code for r in rows) for code in CODES)
     sheet.heading("Workings: the laws in use")
     sheet.table(
-        "used", "The laws of transfer and tool", 3,
-        constant("what", "motion", "", "", ["transfer", "tool, way in", "tool, way out"], align="left"),
-        calc("code", "law", "", "", ["=overlap_law", "=overlap_law_in", "=overlap_law_out"], codes),
+        "used", "The laws of transfer and tools", len(codes),
+        constant("what", "motion", "", "", motions, align="left"),
+        calc("code", "law", "", "", cells, codes),
         calc("no", "law number", "", "", "=MATCH([code],law_code,0)", numbers, format="0"),
         calc("skip", "rows before its pieces", "", "", "=MATCH([no],piece_number,0)-1", skipped, format="0"),
         calc("count", "pieces", "", "", "=COUNTIF(piece_number,[no])", [len(p) for p in pieces], format="0"),
@@ -136,21 +148,16 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
         constant("k", "piece", "k", "", list(range(1, most + 1))),
         *(calc(f"s{i}", what, "s_k", "", f"=IF([k]<=[used.count.{i}],INDEX(piece_s,[used.skip.{i}]+MIN([k],[used.count.{i}])),inverse_beyond)",
                p + [BEYOND] * (most - len(p)), scale=1.0)
-          for i, (what, p) in enumerate(zip(("transfer", "way in", "way out"), pieces, strict=True), 1)),
+          for i, (what, p) in enumerate(zip(motions, pieces, strict=True), 1)),
     )  # fmt: skip
 
 
-def inversion(sheet: Sheet, name: str, wanted: Wanted, rows: list[Row]) -> None:
+def inversion(sheet: Sheet, name: str, title: str, wanted: Wanted, rows: list[Row]) -> None:
     """Declare one table: for each s its ξ and the residual, then piece, halvings, Newton's steps."""
     at = solved(wanted, rows)
     last = f"u{NEWTON}"
-    titles = {
-        "transfer": "Transfer: where it is in the way",
-        "in": "Tool, way in",
-        "out": "Tool, way out, counted in reverse",
-    }
     sheet.table(
-        f"inverse_{name}", titles[name], len(wanted.s),
+        name, title, len(wanted.s),
         *wanted.head,
         calc("s", "height wanted", "s", "", wanted.formula, wanted.s, scale=1.0),
         result("xi", "share of time", "ξ", "", f"=IF([s]<=0,0,IF([s]>=1,1,[xk]+[{last}]))", inverse(wanted.law, wanted.s), scale=1.0, source="s(ξ) = s", format="0.00000000"),
