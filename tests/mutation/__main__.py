@@ -9,19 +9,23 @@ from itertools import chain, islice
 from rich.console import Console
 
 from tests.mutation import names
-from tests.mutation.bench import Bench, sized
+from tests.mutation.bench import Bench, smaller
 from tests.mutation.examine import Tally, Verdict, examined, names_it_first
 from tests.mutation.machines import machines
 from tests.mutation.mutants import Mutant
+from workbook.reading.entries import read_machine
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
-Job = tuple[str, argparse.Namespace, int]  # template, options, which share of the mutants
+Job = tuple[str, argparse.Namespace, int]  # description, options, which share of the mutants
 Result = tuple[list[Verdict], list[tuple[Mutant, bool]]]
 
 
 def options(arguments: list[str] | None = None) -> argparse.Namespace:
     """Read the command line."""
     parser = argparse.ArgumentParser(prog="python -m tests.mutation", description=__doc__)
+    parser.add_argument("machines", nargs="*", default=list(TEMPLATES), metavar="MACHINE",
+                        help="names of committed descriptions (default: the first of each template)")  # fmt: skip
     parser.add_argument("--all", action="store_true", help="every mutant of every cell, instead of a sample")
     parser.add_argument("--sample", type=int, default=3000, metavar="N", help="mutants a template (default 3000)")
     parser.add_argument("--seed", type=int, default=1, help="another sample, and other random machines")
@@ -37,11 +41,16 @@ def options(arguments: list[str] | None = None) -> argparse.Namespace:
     return parser.parse_args(arguments)
 
 
+def bench_of(name: str, **sizes: int) -> Bench:
+    """Return the book of a committed description, with small tables."""
+    machine = smaller(read_machine(FOLDER / f"{name}.toml"), **sizes)
+    return Bench(TEMPLATES[machine.template], machine)
+
+
 def work(job: Job) -> Result:
     """Judge one share of a template's mutants."""
     name, given, share = job
-    template = TEMPLATES[name]
-    bench = Bench(template, sized(template))
+    bench = bench_of(name)
     mutants = bench.orchard.every() if given.all else bench.orchard.sample(given.sample, given.seed)
     mine = list(islice(mutants, share, None, given.jobs))
     elsewhere = [bench.inputs(m) for m in machines(bench.machine, given.random, given.seed)]
@@ -53,8 +62,7 @@ def work(job: Job) -> Result:
 def misnamed(job: Job) -> list[tuple[str, bool]]:
     """Judge one share of the faults in a template's names: each in words, and whether it is found."""
     name, given, share = job
-    template = TEMPLATES[name]
-    bench = Bench(template, sized(template, cycle=12, law=4, own_law=4))
+    bench = bench_of(name, cycle=12, law=4, own_law=4)
     count = len(names.blocks(bench)) if given.all else given.names
     faults = chain(
         names.shifted(bench, names.blocks(bench), count, given.seed),
@@ -67,7 +75,7 @@ def misnamed(job: Job) -> list[tuple[str, bool]]:
 def main() -> int:
     """Judge and print; exit code 1 if a mutant or a name survives, or another cell is named first."""
     given, console = options(), Console()
-    jobs = [(name, given, share) for name in TEMPLATES for share in range(given.jobs)]
+    jobs = [(name, given, share) for name in given.machines for share in range(given.jobs)]
     tally = Tally(given.values_only)
     with ProcessPoolExecutor(given.jobs) as pool:
         results = list(pool.map(work, jobs))

@@ -38,14 +38,19 @@ class Inputs:
 
 
 def sized(template: Template, **sizes: int) -> Machine:
-    """Return the committed machine of a template with smaller tables, and of its catalogues some products."""
-    data = read_machine(template.description).model_dump()
+    """Return the committed machine of a template with smaller tables."""
+    return smaller(read_machine(template.description), **sizes)
+
+
+def smaller(machine: Machine, **sizes: int) -> Machine:
+    """Return a machine with smaller tables, and of its catalogues some products."""
+    data = machine.model_dump()
     data["sizes"] |= SMALL | sizes
     if "selection" in data:
         chosen = data["selection"]
         chosen["motors"], chosen["reducers"] = chosen["motors"][::6], chosen["reducers"][:1] + chosen["reducers"][1::4]
         data["sizes"] |= {name: len(chosen[name]) + 1 for name in ("motors", "reducers")}
-    return template.model.model_validate(data)
+    return type(machine).model_validate(data)
 
 
 def remembered(declare: Callable[[Machine], Book]) -> Callable[[Machine], Book]:

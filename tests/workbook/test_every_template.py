@@ -5,7 +5,7 @@ import random
 import openpyxl
 import pytest
 
-from tests.mutation.bench import sized
+from tests.mutation.bench import smaller
 from tests.mutation.machines import machine
 from tests.workbook import office
 from tests.workbook.test_real_edits import numbers
@@ -13,15 +13,16 @@ from workbook.build import build, inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine, write_machine
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice_witness import convert, program
 
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 
 
-@pytest.fixture(scope="module", params=TEMPLATES)
+@pytest.fixture(scope="module", params=[*TEMPLATES, "indexing-overlap-stations"])
 def layout(request):
-    return sized(TEMPLATES[request.param])
+    return smaller(read_machine(FOLDER / f"{request.param}.toml"))
 
 
 @pytest.fixture(scope="module")
