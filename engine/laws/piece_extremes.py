@@ -9,17 +9,18 @@ import numpy as np
 from numpy.polynomial import Polynomial
 
 from engine.laws.base import Array
+from engine.laws.crossings import narrowed
 from engine.laws.piece import Piece, gains
 
 CELLS = 512  # at least, in which a piece is searched for changes of sign
-HALVINGS = 30  # of a cell: a stationary value is then right to the last digit
+ROUNDS = 4  # of narrowing a cell: a stationary value is then right to the last digit
 NEGLIGIBLE = 1e-12  # a leading coefficient, against the largest, that would only spoil the roots
 
 
 def stationary(piece: Piece, v0: float) -> list[float]:
     """Return abscissae within the piece, entered with velocity ``v0``, where v, a, j or v·a is stationary.
 
-    Found by changes of sign, refined by halving; of a polynomial also the roots, as two of them may
+    Found by changes of sign, refined by narrowing; of a polynomial also the roots, as two of them may
     lie too near to each other to change a sign between samples. In no order.
     """
     found = _searched(piece, v0)
@@ -51,15 +52,10 @@ def _searched(piece: Piece, v0: float) -> list[float]:
 
 
 def _roots(f: Callable[[Array], Array], grid: Array) -> list[float]:
-    """Return where f changes sign between the points of a grid, halving all cells at once."""
-    negative = f(grid) < 0.0
-    cells = np.flatnonzero(negative[1:] != negative[:-1])
-    low, high, below = grid[cells], grid[cells + 1], negative[cells]
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2.0
-        same = (f(middle) < 0.0) == below
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    return [float(u) for u in low]
+    """Return where f changes sign between the points of a grid."""
+    positive = f(grid) >= 0.0
+    cells = np.flatnonzero(positive[1:] != positive[:-1])
+    return [float(u) for u in narrowed(lambda u: f(u) >= 0.0, grid[cells], grid[cells + 1], ROUNDS)]
 
 
 def _polynomial(piece: Piece, v0: float) -> list[float]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from engine.laws.base import Array, Law
 from engine.laws.constant_acceleration import ConstantAcceleration
+from engine.laws.crossings import narrowed
 from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
 from engine.laws.pieces import PieceLaw
 from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
@@ -19,8 +20,8 @@ SAMPLES = 257
 INSIDE = 1e-9
 """of a stage, by which samples keep off its ends, where a law already has the value of the next stage"""
 
-STEPS, LEAST = 60, 1e-16
-"""of a search for a crossing: at most so many halvings, down to so short a bracket"""
+ROUNDS = 6
+"""of a search for a crossing: 256 times as narrow by each, to the last digit"""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 PANELS = 4  # a section, in an integral
@@ -57,15 +58,7 @@ def roots(function: Callable[[Array], Array], edges: Array) -> Array:
     row, column = np.nonzero(above[:, :-1] != above[:, 1:])
     if row.size == 0:
         return np.empty(0)
-    low, high = xi[row, column], xi[row, column + 1]
-    low_above = above[row, column]
-    for _ in range(STEPS):
-        middle = 0.5 * (low + high)
-        if (high - low <= LEAST).all():
-            break
-        same = (function(middle) > 0.0) == low_above
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    return np.sort(0.5 * (low + high))
+    return np.sort(narrowed(lambda x: function(x) > 0.0, xi[row, column], xi[row, column + 1], ROUNDS))
 
 
 def velocity_extremes(law: Law) -> Array:

@@ -463,6 +463,14 @@ def test_a_cell_by_itself_finds_what_is_given_or_else_what_cells_hold() -> None:
     assert model.each(cells, given.get) == {at("A2"): 5, at("A3"): 12, at("A4"): "#NAME?"}
 
 
+def test_a_range_that_grows_too_large_down_a_column_is_refused_in_its_own_row() -> None:
+    model = PycelModel(book({"A1": 5, "XFD3": "=SUM($A$1:XFC3)", "XFD13": "=SUM($A$1:XFC13)"}))
+    assert model.evaluate() == {at("XFD3"): 5, at("XFD13"): "#REF!"}
+    assert "200,000" in model.problems[at("XFD13")]
+    assert model.reads(at("B12"))
+    assert not model.reads(at("B14"))
+
+
 WORDS = ["B{r}", "$B{r}", "B${r}", "B{a}", "$C${r}:D{r}", "B{a}:C{r}", "C$7:C{r}", "{r}", "1.{r}", "x_{r}", '"B{r}"',
          "LOG10({r})", "B1{r}", "'Sheet {r}'!B{r}", "Other!$C{a}", "B0{r}", "AB{r}:AB{r}", "{r}E{a}"]  # fmt: skip
 
@@ -477,12 +485,12 @@ def test_formulas_that_differ_in_their_row_are_read_as_each_by_itself(rows: list
 
 
 def outcome(reading: Any) -> Any:
-    """Shape, arguments and anchors of a formula, or its fault."""
+    """Shape, arguments and functions of a formula, or its fault."""
     try:
         formula = reading()
     except FormulaError as error:
         return error.value
-    return formula.shape, formula.arguments, formula.anchors
+    return formula.shape, formula.arguments, formula.functions
 
 
 NUMBERS = st.one_of(st.integers(-(10**6), 10**6), st.floats(-1e9, 1e9))
@@ -527,6 +535,20 @@ def test_the_straight_way_over_ranges_leads_where_pycels_own_leads(one: Any, nam
         "=SUM(A1:C2)",
         "=MIN(A1:C1)",
         "=MAX(A1:C2,{})",
+        "=EXP({})",
+        "=LN({})",
+        "=SUM(LN(A1:C1))",
+        "=SUM(ABS(A1:C2))",
+        "=SUM(IF({}>1,A1:B2,3))",
+        "=SUM(IF({}>1,3,A1:B2))",
+        "=SUM(IF({}>1,A1:A2,B1:B2))",
+        "=SMALL(A1:C1,2)",
+        "=SMALL(A1:B2,{})",
+        "=SUMPRODUCT(A1:C1)",
+        "=SUMPRODUCT(A1:B1,{})",
+        "=SUMPRODUCT(A1:C1,A1:C1)",
+        "=SUMPRODUCT(A1:A2,A1:C1)",
+        "=SUMPRODUCT((A1:C1>5)*A1:C1)",
     ],
 )
 @pytest.mark.parametrize("value", [0, 1, 2, 3, -1, 0.5, 2.0, True, "x", "2", None, "#N/A"])

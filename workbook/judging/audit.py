@@ -95,7 +95,7 @@ def unread_inputs(match: Match, model: PycelModel, template: type[BaseModel]) ->
     """Yield inputs that no formula reads; texts that only describe are left out."""
     for pair in match.pairs:
         q = pair.cell.quantity
-        if q.role != "input" or pair.held is None or pair.address in model.read_cells:
+        if q.role != "input" or pair.held is None or model.reads(pair.address):
             continue
         if field_at(template, q.key)[0] is not str or q.choices:
             yield Remark(pair.address.sheet, pair.address.a1, "unread", str(pair.held), "an input that a formula reads")

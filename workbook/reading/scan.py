@@ -148,20 +148,22 @@ class Scan:
             raise Refusal(f"{self.name} is nested more than {MOST_DEPTH} deep")
         if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
             raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
-        name = tag.rpartition(":")[2]
-        if self.row_depth or name == "row":
+        name = tag.rpartition(":")[2] if ":" in tag else tag
+        if self.row_depth:
             self.count.in_row(1 + len(attributes))
+            if self.depth == self.row_depth + 1:
+                self.cell(attributes.get("r"))
+            elif name == "row":
+                self.new_row(attributes.get("r"))
+        elif name == "row":
+            self.count.in_row(1 + len(attributes))
+            self.new_row(attributes.get("r"))
         else:
             self.outside(name, attributes)
-        if self.row_depth and self.depth == self.row_depth + 1:
-            self.cell(attributes.get("r"))
-        elif name == "row":
-            self.new_row(attributes.get("r"))
         if name in MOST_LONG:
-            self.inside, self.length = name, 0
-            self.master = None
-        if name == "f":
-            self.formula(attributes)
+            self.inside, self.length, self.master = name, 0, None
+            if name == "f" and attributes:
+                self.formula(attributes)
         elif name in FILLED and "ref" in attributes:
             self.count.area(size_of(attributes["ref"]))
 

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
 from typing import Any
 
 from pycel.excelutil import AddressRange
 
 from workbook.address import Address
+from workbook.witnesses.columns import Moved, Moving, Pattern
 from workbook.witnesses.compiled import Compiled, compiled
 from workbook.witnesses.order import ordered
-from workbook.witnesses.shapes import Area, Formula, FormulaError
+from workbook.witnesses.shapes import Area, Formula, FormulaError, bounded
 from workbook.witnesses.steps import FormulaStep, RangeStep, entered, rows_of
 
+Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
 Found = Callable[[Address, Any], Any]  # what is found in a cell; else what a cell without a formula holds
 CYCLE = "#CYCLE!"
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
@@ -25,19 +28,25 @@ class Calculation:
     """
 
     def __init__(
-        self, constants: Mapping[Address, Any], formulas: Mapping[Address, Formula], problems: dict[Address, str]
+        self,
+        constants: Mapping[Address, Any],
+        formulas: Mapping[Address, Formula | Moved],
+        problems: dict[Address, str],
     ) -> None:
         self.problems = problems
         self._constants = {address: entered(value) for address, value in constants.items()}
-        self._numbers: dict[Any, int] = {None: 0}  # None is the empty cell, for ranges
-        self._values: list[Any] = [None]
+        self._values: list[Any] = [None]  # at 0: the empty cell, for ranges
+        self._rows: dict[tuple[str, int], dict[int, int]] = {}  # the numbers of cells, by sheet and column, then row
+        self._numbers: dict[Any, int] = {}  # of all else
         self._steps: dict[int, FormulaStep | RangeStep] = {}
         self._areas: dict[int, Area] = {}
-        self._cells: dict[int, Address] = {}  # the single cells that formulas refer to
+        self._cells: dict[int, Address] = {}
+        self._followed: dict[int, list[Followed]] = {}  # of a pattern, by its identity
         self._range_cells = 0
+        self._unjoined: list[Formula | Moved] = []
         for address, value in self._constants.items():
-            self._number(address, value)
-        self._formulas = {self._number(address): address for address in formulas}
+            self._cell(address, value)
+        self._formulas = {self._cell(address): address for address in formulas}
         self._occupied = len(self._values)
         for number, address in self._formulas.items():
             self._join(number, address, formulas[address])
@@ -48,6 +57,16 @@ class Calculation:
     def order(self) -> list[Address]:
         """The formula cells, each after what it needs."""
         return [self._formulas[number] for number in self._order if number in self._formulas]
+
+    def reads(self, address: Address) -> bool:
+        """Whether some formula refers to a cell, also one that cannot be evaluated."""
+        areas = (a for formula in self._unjoined for a in formula.arguments if isinstance(a, Area))
+        number = self._column(address.sheet, address.column).get(address.row)
+        return number in self._read or any(area.holds(address) for area in areas)
+
+    @cached_property
+    def _read(self) -> set[int]:
+        return {number for step in self._steps.values() for number in step.sources}
 
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> dict[Address, Any]:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
@@ -66,7 +85,7 @@ class Calculation:
         values: dict[int, Any] = {}
         results = {}
         for address in wanted:
-            number = self._numbers[address]
+            number = self._cell(address)
             step = self._steps.get(number)
             if step is None:  # it could not be joined
                 results[address] = self._values[number]
@@ -88,13 +107,25 @@ class Calculation:
         return entered(found(address, self._constants.get(address)))
 
     def _number(self, key: Any, value: Any = None) -> int:
-        """Return the number of what ``key`` means; a new one, with ``value``, for what has none."""
+        """Return the number of a range or text; a new one, with ``value``, for what has none."""
         number = self._numbers.setdefault(key, len(self._values))
         if number == len(self._values):
             self._values.append(value)
         return number
 
-    def _join(self, number: int, address: Address, formula: Formula) -> None:
+    def _cell(self, address: Address, value: Any = None) -> int:
+        """Return the number of a cell; a new one, with ``value``, for what has none."""
+        number = self._column(address.sheet, address.column).setdefault(address.row, len(self._values))
+        if number == len(self._values):
+            self._values.append(value)
+            self._cells[number] = address
+        return number
+
+    def _column(self, sheet: str, column: int) -> dict[int, int]:
+        """Return the numbers of a column's cells, by row."""
+        return self._rows.setdefault((sheet, column), {})
+
+    def _join(self, number: int, address: Address, formula: Formula | Moved) -> None:
         """Connect a formula with what it refers to."""
         call = compiled(formula.shape)
         try:
@@ -104,25 +135,42 @@ class Calculation:
         except FormulaError as error:
             self._values[number] = error.value
             self.problems[address] = str(error)
+            self._unjoined.append(formula)
 
-    def _sources(self, call: Compiled, formula: Formula) -> list[int]:
-        known = self._numbers
-        if not call.addresses:
-            return [known.get(a) or self._source(a) for a in formula.arguments]
+    def _sources(self, call: Compiled, formula: Formula | Moved) -> list[int]:
+        if call.addresses:
+            return [
+                self._address(a) if dummy in call.addresses else self._source(a)
+                for dummy, a in zip(call.dummies, formula.arguments, strict=True)
+            ]
+        if not isinstance(formula, Moved):
+            return [self._source(a) for a in formula.arguments]
+        pattern, row = formula
         return [
-            self._address(a) if dummy in call.addresses else self._source(a)
-            for dummy, a in zip(call.dummies, formula.arguments, strict=True)
+            by if rows is None else rows.get(row + by) or self._source(argument.at(row))
+            for rows, by, argument in self._followed.get(id(pattern)) or self._follow(pattern)
         ]
+
+    def _follow(self, pattern: Pattern) -> list[Followed]:
+        """Return where the arguments of a pattern are found: cells that move in their columns, all else by number."""
+
+        def where(argument: Area | str | Moving) -> Followed:
+            if not isinstance(argument, Moving):
+                return None, self._source(argument), argument
+            if argument.area.single and argument.top is not None:
+                return self._column(argument.area.sheet, argument.area.left), argument.top, argument
+            return {}, 0, argument
+
+        found = self._followed[id(pattern)] = [where(argument) for argument in pattern.arguments]
+        return found
 
     def _source(self, argument: Area | str) -> int:
         if isinstance(argument, str):
             return self._number(("text", argument), argument)
         if argument.single:
-            self._numbers[argument] = number = self._number(argument.first)
-            self._cells[number] = argument.first
-            return number
+            return self._cell(argument.first)
         if argument not in self._numbers:
-            self._range_cells += argument.size
+            self._range_cells += bounded(argument, argument.a1).size
             if self._range_cells > MOST_RANGE_CELLS:
                 raise FormulaError("#REF!", f"the ranges of this workbook hold over {MOST_RANGE_CELLS:,} cells")
             self._areas[self._number(argument)] = argument
@@ -131,8 +179,9 @@ class Calculation:
 
     def _fill(self, area: Area) -> None:
         """Give a range the numbers of its cells."""
-        cells = [self._numbers.get(address, 0) for address in area.cells()]
-        self._steps[self._numbers[area]] = RangeStep(cells, area.right - area.left + 1)
+        columns = [self._rows.get((area.sheet, c), {}) for c in range(area.left, area.right + 1)]
+        cells = [rows.get(row, 0) for row in range(area.top, area.bottom + 1) for rows in columns]
+        self._steps[self._numbers[area]] = RangeStep(cells, len(columns))
 
     def _address(self, argument: Area | str) -> int:
         """Return the number of an argument's address, for functions that ask for it."""
@@ -142,7 +191,7 @@ class Calculation:
 
     def _input(self, address: Address) -> int:
         """Return the number of a cell that is given a value; ranges that passed over it as empty now hold it."""
-        number = self._number(address)
+        number = self._cell(address)
         if number >= self._occupied:
             for area in self._areas.values():
                 if area.holds(address):

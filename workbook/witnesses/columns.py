@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from workbook.witnesses.shapes import MOST_CELLS, Area, Formula, Resolve, bounded, read
+from workbook.witnesses.shapes import Area, Formula, Resolve, read
 
 HERE, ABOVE = "\0", "\1"  # stand for the number of the formula's row, and of the row above; no cell's text has them
 _ROW = r"\$?[A-Za-z]{1,3}\$?([\0\1]|[0-9]+)"
@@ -29,20 +29,36 @@ class Moving(NamedTuple):
         last = area.bottom if bottom is None else row + bottom
         if first > last:
             first, last = last, first
-        found = Area(area.sheet, first, area.left, last, area.right, area.single)
-        return found if found.size <= MOST_CELLS else bounded(found, found.a1)
+        return Area(area.sheet, first, area.left, last, area.right, area.single)
 
 
 class Pattern(NamedTuple):
-    """A formula with its row left open."""
+    """A formula with its row left open; ``formula`` is the one in which it was met first."""
 
     formula: Formula
     arguments: tuple[Area | str | Moving, ...]
 
-    def at(self, row: int) -> Formula:
-        """Return the formula of a row; ``written`` is that of the row in which the pattern was met first."""
-        arguments = tuple([a.at(row) if isinstance(a, Moving) else a for a in self.arguments])
-        return Formula(self.formula.shape, arguments, self.formula.written)
+
+class Moved(NamedTuple):
+    """The formula of a pattern in a row: what it refers to is worked out when it is asked for."""
+
+    pattern: Pattern
+    row: int
+
+    @property
+    def shape(self) -> str:
+        """The shape, that of the whole column."""
+        return self.pattern.formula.shape
+
+    @property
+    def functions(self) -> frozenset[str]:
+        """The names of the functions called, in capitals."""
+        return self.pattern.formula.functions
+
+    @property
+    def arguments(self) -> tuple[Area | str, ...]:
+        """The arguments, in their order."""
+        return tuple([a.at(self.row) if isinstance(a, Moving) else a for a in self.pattern.arguments])
 
 
 class Formulas:
@@ -57,12 +73,12 @@ class Formulas:
         self._known: dict[str, Area | str] = {}
         self._patterns: dict[str, Pattern | None] = {}
 
-    def read(self, text: str, row: int) -> Formula:
+    def read(self, text: str, row: int) -> Formula | Moved:
         """Split the formula of a row into its shape and arguments; raise FormulaError as :func:`read` does."""
         open_text = opened(text, row)
         pattern = self._patterns.get(open_text) if open_text is not text else None
         if pattern is not None:
-            return pattern.at(row)
+            return Moved(pattern, row)
         formula = read(text, self._sheet, self._area, self._known)
         if open_text not in self._patterns and open_text is not text:
             self._patterns[open_text] = pattern_of(open_text, formula, row)

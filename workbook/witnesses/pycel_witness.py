@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping
-from functools import cached_property
 from importlib.metadata import version as package_version
 from typing import Any
 
@@ -20,7 +19,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from workbook.address import Address
 from workbook.reading.files import BookFile, Place
 from workbook.witnesses.calculation import Calculation, Found
-from workbook.witnesses.columns import Formulas
+from workbook.witnesses.columns import Formulas, Moved
 from workbook.witnesses.shapes import REFERENCE, Area, Formula, FormulaError, anchored, reference
 from workbook.witnesses.steps import entered
 
@@ -42,7 +41,7 @@ class PycelModel:
     def __init__(self, workbook: Workbook) -> None:
         self.problems: dict[Address, str] = {}
         self.constants: Cells = {}
-        self.formulas: dict[Address, Formula] = {}
+        self.formulas: dict[Address, Formula | Moved] = {}
         self._failed: Cells = {}
         self._titles = {title.casefold(): title for title in workbook.sheetnames}
         self._names = names_of(workbook)
@@ -59,11 +58,9 @@ class PycelModel:
         """The formula cells, each after those that it needs."""
         return self._calculation.order
 
-    @cached_property
-    def read_cells(self) -> set[Address]:
-        """Every cell that some formula refers to."""
-        areas = {a for formula in self.formulas.values() for a in formula.arguments if isinstance(a, Area)}
-        return {address for area in areas for address in area.cells()}
+    def reads(self, address: Address) -> bool:
+        """Whether some formula refers to a cell."""
+        return self._calculation.reads(address)
 
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold."""

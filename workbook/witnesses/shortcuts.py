@@ -57,15 +57,18 @@ def index(checked: Function) -> Function:
 
 
 def of_one(body: Callable[[float], float]) -> Callable[[Function], Function]:
-    """Return a function of one number, straight for a number in its domain."""
+    """Return a function of one number, straight for a number in its domain, and so for each of a range."""
 
     def shortened(checked: Function) -> Function:
         def call(*arguments: Any) -> Any:
-            if len(arguments) == 1 and type(arguments[0]) in NUMBERS:
+            kind = type(arguments[0]) if len(arguments) == 1 else None
+            if kind in NUMBERS:
                 try:
                     return body(arguments[0])
                 except (ValueError, OverflowError):
                     pass
+            elif kind is tuple:
+                return tuple(tuple(map(call, row)) for row in arguments[0])
             return checked(*arguments)
 
         return call
@@ -74,12 +77,13 @@ def of_one(body: Callable[[float], float]) -> Callable[[Function], Function]:
 
 
 def condition(checked: Function) -> Function:
-    """Return IF, straight for a comparison and values that are no ranges."""
+    """Return IF, straight for a comparison, with at most one range: then every element is of its size."""
 
     def call(test: Any, true_value: Any, false_value: Any = 0) -> Any:
-        if type(test) is bool and type(true_value) is not tuple and type(false_value) is not tuple:
-            return true_value if test else false_value
-        return checked(test, true_value, false_value)
+        if type(test) is not bool or (type(true_value) is tuple and type(false_value) is tuple):
+            return checked(test, true_value, false_value)
+        chosen, other = (true_value, false_value) if test else (false_value, true_value)
+        return tuple((chosen,) * len(row) for row in other) if type(other) is tuple else chosen
 
     return call
 
@@ -89,17 +93,46 @@ def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Fu
 
     def shortened(checked: Function) -> Function:
         def call(*arguments: Any) -> Any:
-            one = arguments[0] if arguments else None
-            values = (
-                [value for row in one for value in row] if len(arguments) == 1 and type(one) is tuple else arguments
-            )
-            if values and NUMBERS.issuperset(map(type, values)):
-                return body(values)
-            return checked(*arguments)
+            one_range = len(arguments) == 1 and type(arguments[0]) is tuple
+            values = numbers_of(arguments[0] if one_range else (arguments,))
+            return body(values) if values else checked(*arguments)
 
         return call
 
     return shortened
+
+
+def smallest(checked: Function) -> Function:
+    """Return SMALL, straight for a range of numbers."""
+
+    def call(array: Any, k: Any) -> Any:
+        if type(array) is tuple and type(k) is int:
+            values = numbers_of(array)
+            if 1 <= k <= len(values):
+                return sorted(values)[k - 1]
+        return checked(array, k)
+
+    return call
+
+
+def product_sum(checked: Function) -> Function:
+    """Return SUMPRODUCT, straight for ranges of numbers of one size."""
+
+    def call(*arrays: Any) -> Any:
+        if arrays and all(type(array) is tuple for array in arrays):
+            found = [numbers_of(array) for array in arrays]
+            sizes = {(len(array), len(array[0])) for array in arrays}
+            if len(sizes) == 1 and all(found):
+                return sum(map(math.prod, zip(*found, strict=True)))
+        return checked(*arrays)
+
+    return call
+
+
+def numbers_of(array: tuple[tuple[Any, ...], ...]) -> list[float]:
+    """Return the cells of a range if all of them are numbers, else nothing."""
+    values = [value for row in array for value in row]
+    return values if NUMBERS.issuperset(map(type, values)) else []
 
 
 SHORTENED: dict[str, Callable[[Function], Function]] = {
@@ -107,10 +140,14 @@ SHORTENED: dict[str, Callable[[Function], Function]] = {
     "sin": of_one(math.sin),
     "cos": of_one(math.cos),
     "sqrt": of_one(math.sqrt),
+    "exp": of_one(math.exp),
+    "ln": of_one(math.log),
     "abs_": of_one(abs),
     "if_": condition,
     "min_": of_many(min),
     "max_": of_many(max),
     "sum_": of_many(sum),
+    "small": smallest,
+    "sumproduct": product_sum,
 }
 """pycel's functions that have a straight way, by their names there"""
