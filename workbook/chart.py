@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal
 
+COLOURS = ("1F4E79", "C55A11", "548235", "7030A0", "BF9000", "404040", "2E9999")
+"""Of the lines of a chart in their order, where they name none."""
+
 
 def in_scope(text: str, scope: str) -> str:
     """Return a name, a reference or a formula with ``scope`` for each ``@``."""

@@ -2,6 +2,7 @@
 
 import random
 
+import openpyxl
 import pytest
 
 from tests.mutation.machines import machine as drawn_machine
@@ -97,6 +98,19 @@ def test_the_stations_stand_apart_in_the_picture(three):
     assert ends[0][1] < ends[1][0] < ends[1][1] < ends[2][0]
     assert min(three("outline", "x")) >= min(three("frame", "x"))
     assert max(three("outline", "x")) <= max(three("frame", "x"))
+
+
+def test_the_legends_follow_the_names_entered(tmp_path):
+    path = tmp_path / "book.xlsx"
+    build(described(entries()), path)
+    book = openpyxl.load_workbook(path)
+    names = {book.defined_names[f"tool{i}_name"].attr_text for i in (1, 2, 3)}
+    for chart in book["Overlap"]._charts:
+        assert {s.tx.strRef.f for s in chart.series if s.tx.strRef} >= names
+    colours = [{s.tx.strRef.f: s.graphicalProperties.line.solidFill.srgbClr for s in chart.series if s.tx.strRef}
+               for chart in book["Overlap"]._charts]  # fmt: skip
+    assert len(colours) == 4
+    assert all(found[name] == colours[0][name] for found in colours for name in names)
 
 
 def test_a_collision_of_the_second_tool_fails_its_own_checks_and_the_book():

@@ -19,14 +19,15 @@ from openpyxl.drawing.line import LineProperties
 from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
 from openpyxl.utils import quote_sheetname
 
-from workbook.chart import Chart, Series
+from workbook.chart import COLOURS, Chart, Series
 from workbook.declare import Book
-from workbook.writing.style import COLOURS, GRID
+from workbook.writing.style import GRID
 
 WIDTH = 19050  # of a line: 1.5 points
 LOG_BASE = 10
 SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
-BELOW, BELOW_WITH_LEGEND = 1.5, 2.2  # cm for the labels of the abscissa, its title, the legend
+BELOW = 1.5  # cm for the labels of the abscissa and its title
+LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for one of more lines than so many
 
 
 def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
@@ -116,6 +117,10 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.hide_y:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
-    below = BELOW_WITH_LEGEND if len(chart.series) > 1 else BELOW
-    room = 0.88 - below / drawn.height
+    room = 0.88 - below(len(chart.series)) / drawn.height
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=0.13, y=0.12, w=0.82, h=room))
+
+
+def below(lines: int) -> float:
+    """Return the room below the plot of so many lines in cm: for labels and title, and for the legend."""
+    return BELOW + (LONG_LEGEND if lines > LONG else LEGEND if lines > 1 else 0.0)

@@ -14,7 +14,6 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.declare import Quantity
 
-COLOURS = ("1F4E79", "C55A11", "548235", "7030A0", "BF9000", "404040")
 GRID = "D9D9D9"
 
 

@@ -17,6 +17,7 @@ from workbook.sheets.stack import CODES
 
 EPS = TURN * BREAK_TOLERANCE
 LANE_SHARE = 0.8
+TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
 PART = (
     "=1+IF([since{0}]+overlap_eps>=@dwell,1,0)+IF([since{0}]+overlap_eps>=@dwell+[@schedules.out.{1}],1,0)"
     "+IF([since{0}]+overlap_eps>=360-[@schedules.in.{1}],1,0)"
@@ -62,7 +63,7 @@ class ToolState:
         row_in, row_out = law_rows(self.station)
         q, u, x = found
         return [
-            calc(f"y{suffix}", "travel of the tool", "y", "mm", f"=@stroke*CHOOSE([part{suffix}],1,1-[s{suffix}],0,[s{suffix}])", self.y, scale=1.0, source="h s in, h (1 − s) out"),
+            calc(f"y{suffix}", TRAVELS[suffix], "y", "mm", f"=@stroke*CHOOSE([part{suffix}],1,1-[s{suffix}],0,[s{suffix}])", self.y, scale=1.0, source="h s in, h (1 − s) out"),
             calc(f"since{suffix}", "angle since its arrival", "", "°", f"=[theta]-[@schedules.there.{row}]-360*INT(([theta]-[@schedules.there.{row}])/360+break_tolerance)", self.x, scale=TURN),
             calc(f"part{suffix}", "phase", "", "", PART.format(suffix, row), self.part, format="0", source="1 dwell, 2 out, 3 rest, 4 in"),
             calc(f"xi{suffix}", "abscissa", "ξ", "", ABSCISSA.format(suffix, row), self.xi, scale=1.0),

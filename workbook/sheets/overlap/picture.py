@@ -9,6 +9,7 @@ from workbook.declare import Book, Sheet, calc, constant, given, result
 from workbook.machines.overlap_model import TURN, Overlapping, Station
 from workbook.sheets import sampling
 from workbook.sheets.overlap.cycle import ALLOWED, LANE_SHARE, ToolState, allowed, transfer_columns
+from workbook.sheets.overlap.places import each
 
 WIDTH, BODY, PLATE = 0.3, 1.5, 0.2  # of the picture: tool in transfer strokes, its length and the plate in tool strokes
 STEP = 2.5  # from station to station in the picture, in transfer strokes
@@ -88,20 +89,17 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
     stations, free = machine.stations, states.limit - states.after
     allowing = ALLOWED.replace("[theta]", "overlap_view")
 
-    def each(formula: str) -> list[str]:
-        return [formula.replace("@", station.scope) for station in stations]
-
     sheet.heading("What comes out")
     sheet.rows(result("view_t", "Travel of the transfer", "y_t", "mm", "=[view.yt]", states.moved, scale=1.0))
     sheet.row += 1
     sheet.table(
         "stands", "The tools at this angle" if len(stations) > 1 else "The tool at this angle", len(stations),
-        calc("name", "tool", "", "", each("=@name"), [s.given.name for s in stations], align="left"),
-        result("b", "travel, one after the other", "y", "mm", each("=[@view.yb]"), states.before, scale=1.0),
-        result("a", "travel, with overlap", "y", "mm", each("=[@view.ya]"), states.after, scale=1.0),
-        result("limit", "travel allowed", "", "mm", each(allowing), states.limit, scale=1.0, source="c if in the way, else h"),
+        calc("name", "tool", "", "", each(machine, "=@name"), [s.given.name for s in stations], align="left"),
+        result("b", "travel, one after the other", "y", "mm", each(machine, "=[@view.yb]"), states.before, scale=1.0),
+        result("a", "travel, with overlap", "y", "mm", each(machine, "=[@view.ya]"), states.after, scale=1.0),
+        result("limit", "travel allowed", "", "mm", each(machine, allowing), states.limit, scale=1.0, source="c if in the way, else h"),
         result("free", "free, with overlap", "", "mm", "=[limit]-[a]", free, scale=1.0, source="below 0 the parts collide"),
-        result("says", "the transfer is", "", "", each('=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'), states.says()),
+        result("says", "the transfer is", "", "", each(machine, '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'), states.says()),
     )  # fmt: skip
 
 
@@ -126,9 +124,6 @@ def dimensions(sheet: Sheet, machine: Overlapping, states: States) -> None:
     """Declare the sizes of the parts in the picture."""
     stations = machine.stations
 
-    def each(formula: str) -> list[str]:
-        return [formula.replace("@", station.scope) for station in stations]
-
     sheet.rows(
         constant("picture_width", "Width of a tool", "", "", WIDTH, format="0.0##", source="as a share of the transfer's stroke"),
         constant("picture_body", "Length of a tool", "", "", BODY, format="0.0##", source="as a share of its stroke"),
@@ -140,9 +135,9 @@ def dimensions(sheet: Sheet, machine: Overlapping, states: States) -> None:
         "places", "The stations in the picture", len(stations),
         constant("i", "tool", "", "", [s.number for s in stations]),
         calc("x", "middle of the station", "x", "mm", "=([i]-1)*picture_step*overlap_pitch", states.place, scale=1.0),
-        calc("open", "opening of the transfer", "", "mm", each("=overlap_pitch*(picture_width+2*@remaining/100)"), states.opening, source="the tool, and r of the stroke on both sides"),
-        calc("top", "height of the transfer above the part", "", "mm", each("=MAX(@stroke-@clearance,0)"), states.top, scale=1.0, source="h − c"),
-        calc("h", "stroke", "h", "mm", each("=@stroke"), states.stroke),
+        calc("open", "opening of the transfer", "", "mm", each(machine, "=overlap_pitch*(picture_width+2*@remaining/100)"), states.opening, source="the tool, and r of the stroke on both sides"),
+        calc("top", "height of the transfer above the part", "", "mm", each(machine, "=MAX(@stroke-@clearance,0)"), states.top, scale=1.0, source="h − c"),
+        calc("h", "stroke", "h", "mm", each(machine, "=@stroke"), states.stroke),
     )  # fmt: skip
 
 
@@ -196,7 +191,7 @@ def transfer(sheet: Sheet, pitch: float, states: States) -> None:
     x = np.clip(states.moved + pitch * (wall + side) + states.opening[i] * (0.5 - side), -pitch, pitch)
     y = np.where(up == 1, states.top[i], -PLATE * states.stroke.max())
 
-    def each(formula: str) -> list[str]:
+    def station(formula: str) -> list[str]:
         return [formula.format(k + 1) for k in i]
 
     sheet.table(
@@ -205,8 +200,8 @@ def transfer(sheet: Sheet, pitch: float, states: States) -> None:
         constant("wall", "wall", "", "", [int(w) for w in wall]),
         constant("side", "right side", "", "", [int(s) for s in side]),
         constant("up", "upper side", "", "", [int(s) for s in up]),
-        calc("x", "across", "x", "mm", each(ACROSS), states.place[i] + x, scale=1.0),
-        calc("y", "height", "z", "mm", each(UPWARDS), y, scale=1.0),
+        calc("x", "across", "x", "mm", station(ACROSS), states.place[i] + x, scale=1.0),
+        calc("y", "height", "z", "mm", station(UPWARDS), y, scale=1.0),
     )  # fmt: skip
 
 

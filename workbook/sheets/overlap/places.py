@@ -1,8 +1,14 @@
-"""Where one tool stands in the tables that all tools share; rows count from 1."""
+"""Where each tool stands in the tables that all tools share; rows count from 1."""
 
 from __future__ import annotations
 
-from workbook.machines.overlap_model import Station
+from workbook.chart import in_scope
+from workbook.machines.overlap_model import Overlapping, Station
+
+
+def each(machine: Overlapping, formula: str) -> list[str]:
+    """Return a formula for each tool, in its scope: the rows of a table over the tools."""
+    return [in_scope(formula, station.scope) for station in machine.stations]
 
 
 def law_rows(station: Station) -> tuple[int, int]:

@@ -5,16 +5,18 @@ Several tools have a sheet each, of the same parts (:mod:`workbook.sheets.overla
 
 from __future__ import annotations
 
-from workbook.chart import Chart, Series
+from workbook.chart import COLOURS, Chart, Series
 from workbook.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.machines.overlap_model import Overlapping
 from workbook.reference import MM
 from workbook.sheets.overlap import tool
 from workbook.sheets.overlap.cycle import EPS
+from workbook.sheets.overlap.places import each
 from workbook.sheets.sampling import Pieces
 
 BELOW_CHARTS = 45  # the row from which the sheet is free in its whole width
-RIGHT, SECOND = (11, 18), 24  # the columns of charts beside the entries, and the row of the second two
+RIGHT, SECOND = 11, 24  # the column of charts beside the entries, and the row of the second two
+WIDE = 7  # columns of a chart
 ONE = "The transfer brings the part and begins at 0°; the tool goes in, dwells at the part and goes out again."
 SEVERAL = "The transfer brings the parts and begins at 0°; each tool goes in, dwells and goes out again."
 APART = "The tools work at stations of their own: each meets the transfer, never another tool."
@@ -23,7 +25,7 @@ APART = "The tools work at stations of their own: each meets the transfer, never
 def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
     """Declare the sheet, and one for each of several tools."""
     sheet = book.sheet("Overlap", "How much longer a tool may take when it begins before the transfer has ended.")
-    sheet.print_columns = 24
+    sheet.print_columns = 24 if machine.alone else 25
     sheet.heading("What to enter", ONE if machine.alone else SEVERAL)
     if not machine.alone:
         sheet.note(APART)
@@ -44,7 +46,7 @@ def all_of_one(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         tool.outcome(sheet, station)
         tool.verdicts(sheet, station)
     sheet.checks(rising())
-    timing_diagrams(sheet, machine)
+    timing_diagrams(sheet, machine, RIGHT)
     tool.charts(sheet, station, SECOND)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     tool.tables(sheet, station)
@@ -64,8 +66,8 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
     sheet.checks(rising())
     sheet.row += 1
     tools(sheet, machine)
-    timing_diagrams(sheet, machine)
-    accelerations(sheet, machine)
+    timing_diagrams(sheet, machine, RIGHT + 1)
+    accelerations(sheet, machine, RIGHT + 1)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     sheet.heading("Workings")
     sheet.rows(*workings(machine))
@@ -106,51 +108,55 @@ def tools(sheet: Sheet, machine: Overlapping) -> None:
     """Declare the tools side by side."""
     stations = machine.stations
 
-    def each(formula: str) -> list[str]:
-        return [formula.replace("@", station.scope) for station in stations]
-
     peaks = [s.peaks for s in stations]
     verdicts = ["FAIL" if "FAIL" in [q.value for q in tool.checks(s)] else "OK" for s in stations]
     conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
     sheet.table(
         "tools", "The tools", len(stations),
-        calc("name", "tool", "", "", each("=@name"), [s.given.name for s in stations], align="left"),
+        calc("name", "tool", "", "", each(machine, "=@name"), [s.given.name for s in stations], align="left"),
         constant("sheet", "sheet", "", "", [f"Tool {s.number}" for s in stations]),
-        result("in", "way in", "B_m", "°", each("=@new_in"), [s.angles_set[0] for s in stations]),
-        result("out", "way out", "B_m", "°", each("=@new_out"), [s.angles_set[1] for s in stations]),
-        result("a0", "peak, one after the other", "a_max", "m/s²", each("=@a0"), [p[0] for p in peaks], scale=1e-3),
-        result("a1", "peak, with overlap", "a_max", "m/s²", each("=@a1"), [p[2] for p in peaks], scale=1e-3),
-        result("ratio", "times lower", "", "", each("=@ratio"), [p[0] / p[2] for p in peaks]),
-        result("least", "least clearance", "", "mm", each("=@least"), [s.clearance.minimum / MM for s in stations], scale=1.0),
-        Quantity("ok", "its checks", role="check", formula=each(f'=IF(AND({conditions}),"OK","FAIL")'), value=verdicts),
+        result("in", "way in", "B_m", "°", each(machine, "=@new_in"), [s.angles_set[0] for s in stations]),
+        result("out", "way out", "B_m", "°", each(machine, "=@new_out"), [s.angles_set[1] for s in stations]),
+        result("a0", "peak, one after the other", "a_max", "m/s²", each(machine, "=@a0"), [p[0] for p in peaks], scale=1e-3),
+        result("a1", "peak, with overlap", "a_max", "m/s²", each(machine, "=@a1"), [p[2] for p in peaks], scale=1e-3),
+        result("ratio", "times lower", "", "", each(machine, "=@ratio"), [p[0] / p[2] for p in peaks]),
+        result("least", "least clearance", "", "mm", each(machine, "=@least"), [s.clearance.minimum / MM for s in stations], scale=1.0),
+        Quantity("ok", "its checks", role="check", formula=each(machine, f'=IF(AND({conditions}),"OK","FAIL")'), value=verdicts),
     )  # fmt: skip
 
 
-def timing_diagrams(sheet: Sheet, machine: Overlapping) -> None:
+def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
     """Place both timing diagrams side by side: a lane for the transfer, and above it one for each tool."""
     top = len(machine.stations) + 1
-    for column, title, lane in zip(RIGHT, ("one after the other", "with overlap"), ("lane_b", "lane_a"), strict=True):
+    for i, (title, lane) in enumerate((("one after the other", "lane_b"), ("with overlap", "lane_a"))):
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
-        lanes = [Series("=@name", "[@motions.theta]", f"[@motions.{lane}]").within(s.scope) for s in machine.stations]
         line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
         sheet.chart(
             Chart(
-                f"Timing diagram: {title}", "master angle θ [°]", "from below: as in the legend", (moved, *lanes, line),
+                f"Timing diagram: {title}", "master angle θ [°]", "from below: as in the legend", (moved, *lines_of(machine, lane), line),
                 f"Timing diagram of transfer and tools over one turn of the master shaft: {title}",
                 (0, 360, 30), (0, top, 1), hide_y=True,
             ),
-            column=column, row=5, width=7, height=18,
+            column=column + i * WIDE, row=5, width=WIDE, height=18,
         )  # fmt: skip
 
 
-def accelerations(sheet: Sheet, machine: Overlapping) -> None:
+def accelerations(sheet: Sheet, machine: Overlapping, column: int) -> None:
     """Place the accelerations of all tools side by side, in both schedules."""
-    for column, title, values in zip(RIGHT, ("one after the other", "with overlap"), ("accb", "acca"), strict=True):
-        lines = [Series("=@name", "[@motions.theta]", f"[@motions.{values}]").within(s.scope) for s in machine.stations]
+    for i, (title, values) in enumerate((("one after the other", "accb"), ("with overlap", "acca"))):
+        lines = lines_of(machine, values)
         sheet.chart(
             Chart(
-                f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", tuple(lines),
+                f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", lines,
                 f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30),
             ),
-            column=column, row=SECOND, width=7, height=18,
+            column=column + i * WIDE, row=SECOND, width=WIDE, height=18,
         )  # fmt: skip
+
+
+def lines_of(machine: Overlapping, column: str) -> tuple[Series, ...]:
+    """Return a line over the cycle for each tool, in the same colour in every chart; the transfer has the first."""
+    return tuple(
+        Series("=@name", "[@motions.theta]", f"[@motions.{column}]", color=COLOURS[s.number]).within(s.scope)
+        for s in machine.stations
+    )
