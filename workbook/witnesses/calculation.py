@@ -11,6 +11,7 @@ from pycel.excelutil import AddressRange
 from workbook.address import Address
 from workbook.witnesses.columns import Moved, Moving, Pattern
 from workbook.witnesses.compiled import Compiled, compiled
+from workbook.witnesses.numbering import Numbering
 from workbook.witnesses.order import ordered
 from workbook.witnesses.shapes import Area, Formula, FormulaError, bounded
 from workbook.witnesses.steps import FormulaStep, RangeStep, entered, rows_of
@@ -24,7 +25,7 @@ MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
 class Calculation:
     """Formulas and the cells they refer to; ``problems`` is told in a line why a cell could not be evaluated.
 
-    Everything that has a value (a cell, a range, a text in a formula) has a number, its place in ``_values``.
+    Everything that has a value (a cell, a range, a text in a formula) is known by its number.
     """
 
     def __init__(
@@ -35,19 +36,16 @@ class Calculation:
     ) -> None:
         self.problems = problems
         self._constants = {address: entered(value) for address, value in constants.items()}
-        self._values: list[Any] = [None]  # at 0: the empty cell, for ranges
-        self._rows: dict[tuple[str, int], dict[int, int]] = {}  # the numbers of cells, by sheet and column, then row
-        self._numbers: dict[Any, int] = {}  # of all else
+        self._numbers = Numbering()
         self._steps: dict[int, FormulaStep | RangeStep] = {}
         self._areas: dict[int, Area] = {}
-        self._cells: dict[int, Address] = {}
         self._followed: dict[int, list[Followed]] = {}  # of a pattern, by its identity
         self._range_cells = 0
         self._unjoined: list[Formula | Moved] = []
         for address, value in self._constants.items():
-            self._cell(address, value)
-        self._formulas = {self._cell(address): address for address in formulas}
-        self._occupied = len(self._values)
+            self._numbers.cell(address, value)
+        self._formulas = {self._numbers.cell(address): address for address in formulas}
+        self._occupied = len(self._numbers.values)
         for number, address in self._formulas.items():
             self._join(number, address, formulas[address])
         self._order, cycles = ordered({number: step.sources for number, step in self._steps.items()})
@@ -61,7 +59,7 @@ class Calculation:
     def reads(self, address: Address) -> bool:
         """Whether some formula refers to a cell, also one that cannot be evaluated."""
         areas = (a for formula in self._unjoined for a in formula.arguments if isinstance(a, Area))
-        number = self._column(address.sheet, address.column).get(address.row)
+        number = self._numbers.column(address.sheet, address.column).get(address.row)
         return number in self._read or any(area.holds(address) for area in areas)
 
     @cached_property
@@ -71,7 +69,7 @@ class Calculation:
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> dict[Address, Any]:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
         given = {self._input(address): entered(value) for address, value in (inputs or {}).items()}
-        values = list(self._values)
+        values = list(self._numbers.values)
         for number, value in given.items():
             values[number] = value
         formulas, steps = self._formulas, self._steps
@@ -85,10 +83,10 @@ class Calculation:
         values: dict[int, Any] = {}
         results = {}
         for address in wanted:
-            number = self._cell(address)
+            number = self._numbers.cell(address)
             step = self._steps.get(number)
             if step is None:  # it could not be joined
-                results[address] = self._values[number]
+                results[address] = self._numbers.values[number]
                 continue
             for source in step.sources:
                 if source not in values:
@@ -101,29 +99,11 @@ class Calculation:
         if number in self._areas:
             area = self._areas[number]
             return rows_of([self._held(cell, found) for cell in area.cells()], area.right - area.left + 1)
-        return self._held(self._cells[number], found) if number in self._cells else self._values[number]
+        cell = self._numbers.cells.get(number)
+        return self._numbers.values[number] if cell is None else self._held(cell, found)
 
     def _held(self, address: Address, found: Found) -> Any:
         return entered(found(address, self._constants.get(address)))
-
-    def _number(self, key: Any, value: Any = None) -> int:
-        """Return the number of a range or text; a new one, with ``value``, for what has none."""
-        number = self._numbers.setdefault(key, len(self._values))
-        if number == len(self._values):
-            self._values.append(value)
-        return number
-
-    def _cell(self, address: Address, value: Any = None) -> int:
-        """Return the number of a cell; a new one, with ``value``, for what has none."""
-        number = self._column(address.sheet, address.column).setdefault(address.row, len(self._values))
-        if number == len(self._values):
-            self._values.append(value)
-            self._cells[number] = address
-        return number
-
-    def _column(self, sheet: str, column: int) -> dict[int, int]:
-        """Return the numbers of a column's cells, by row."""
-        return self._rows.setdefault((sheet, column), {})
 
     def _join(self, number: int, address: Address, formula: Formula | Moved) -> None:
         """Connect a formula with what it refers to."""
@@ -133,7 +113,7 @@ class Calculation:
                 raise call
             self._steps[number] = FormulaStep(call, self._sources(call, formula))
         except FormulaError as error:
-            self._values[number] = error.value
+            self._numbers.values[number] = error.value
             self.problems[address] = str(error)
             self._unjoined.append(formula)
 
@@ -158,7 +138,7 @@ class Calculation:
             if not isinstance(argument, Moving):
                 return None, self._source(argument), argument
             if argument.area.single and argument.top is not None:
-                return self._column(argument.area.sheet, argument.area.left), argument.top, argument
+                return self._numbers.column(argument.area.sheet, argument.area.left), argument.top, argument
             return {}, 0, argument
 
         found = self._followed[id(pattern)] = [where(argument) for argument in pattern.arguments]
@@ -166,41 +146,42 @@ class Calculation:
 
     def _source(self, argument: Area | str) -> int:
         if isinstance(argument, str):
-            return self._number(("text", argument), argument)
+            return self._numbers.other(("text", argument), argument)
         if argument.single:
-            return self._cell(argument.first)
-        if argument not in self._numbers:
+            return self._numbers.cell(argument.first)
+        number = self._numbers.other(argument)
+        if number not in self._areas:
             self._range_cells += bounded(argument, argument.a1).size
             if self._range_cells > MOST_RANGE_CELLS:
                 raise FormulaError("#REF!", f"the ranges of this workbook hold over {MOST_RANGE_CELLS:,} cells")
-            self._areas[self._number(argument)] = argument
-            self._fill(argument)
-        return self._numbers[argument]
+            self._areas[number] = argument
+            self._fill(number, argument)
+        return number
 
-    def _fill(self, area: Area) -> None:
+    def _fill(self, number: int, area: Area) -> None:
         """Give a range the numbers of its cells."""
-        columns = [self._rows.get((area.sheet, c), {}) for c in range(area.left, area.right + 1)]
+        columns = [self._numbers.column(area.sheet, c) for c in range(area.left, area.right + 1)]
         cells = [rows.get(row, 0) for row in range(area.top, area.bottom + 1) for rows in columns]
-        self._steps[self._numbers[area]] = RangeStep(cells, len(columns))
+        self._steps[number] = RangeStep(cells, len(columns))
 
     def _address(self, argument: Area | str) -> int:
         """Return the number of an argument's address, for functions that ask for it."""
         if isinstance(argument, str):
             raise FormulaError("#VALUE!", "a reference is expected, not a text")
-        return self._number(("address", argument.a1), AddressRange.create(argument.a1))
+        return self._numbers.other(("address", argument.a1), AddressRange.create(argument.a1))
 
     def _input(self, address: Address) -> int:
         """Return the number of a cell that is given a value; ranges that passed over it as empty now hold it."""
-        number = self._cell(address)
+        number = self._numbers.cell(address)
         if number >= self._occupied:
-            for area in self._areas.values():
+            for range_number, area in self._areas.items():
                 if area.holds(address):
-                    self._fill(area)
+                    self._fill(range_number, area)
         return number
 
     def _note_cycles(self, cycles: Mapping[int, int]) -> set[int]:
         for number, need in cycles.items():
-            self._values[number] = CYCLE
+            self._numbers.values[number] = CYCLE
             if number in self._formulas:
                 through = self._formulas.get(need) or self._areas[need].a1
                 self.problems[self._formulas[number]] = f"the cell depends on itself, through {through}"
