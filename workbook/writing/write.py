@@ -131,14 +131,18 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
 def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) -> None:
     """Save with cached values filled in: beside the target first, then renamed onto it.
 
-    Raises WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written.
+    Raises WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written, or where the book
+    is too large to be computed.
     """
     refuse_existing(path, overwrite)
 
     spell_out(workbook)
     draft = io.BytesIO()
     workbook.save(draft)
-    filled = recalculated(archive.unzipped(draft.getvalue()), book)
+    try:
+        filled = recalculated(archive.unzipped(draft.getvalue()), book)
+    except (OSError, ValueError) as error:  # formualizer takes 100,000 formulas, and files of a certain size
+        raise WriteError(f"{path}: too large to be computed; give smaller tables ([sizes]): {error}") from error
     abouts = [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts]
     replace(path, lambda beside: archive.pack(filled, beside, abouts))
 
