@@ -136,6 +136,19 @@ def test_the_sweep_is_the_schedule_of_each_margin():
     assert np.diff(sweep.ratio).max() < 0.0
 
 
+def test_tools_at_several_stations_keep_their_own_margins_over_the_same_transfer():
+    transfer, die = mill_and_die()
+    tools = (die, Tool(Cubic(), 0.08, radians(40)), Tool(ConstantAcceleration(), 0.025, radians(60), ASYMMETRIC))
+    passages = (Passage(0.01, 0.02, 0.001), Passage(0.0, 0.015, 0.004), Passage(0.05, 0.01, 0.0025, split=0.4))
+    plans = [overlap(transfer, tool, passage) for tool, passage in zip(tools, passages, strict=True)]
+    moved = [plan.positions(TURN).transfer for plan in plans]
+    assert (moved[0] == moved).all()
+    for plan, passage in zip(plans, passages, strict=True):
+        assert plan.limit == "clearance"
+        assert clearance(plan, passage, TURN).minimum == pytest.approx(passage.margin, abs=1e-12)
+        assert all(axis.closes for axis in plan.diagram.axes)
+
+
 def test_time_of_an_angle():
     assert movement_time(pi, 2.0) == 0.25
 

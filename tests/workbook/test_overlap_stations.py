@@ -9,6 +9,7 @@ from tests.mutation.machines import machine as drawn_machine
 from tests.workbook.cells import computed, disagreeing
 from workbook.build import build, inputs
 from workbook.errors import InputError
+from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.machines.overlap_model import MOST_TOOLS
 from workbook.reading.entries import checked, counted, read_machine, write_machine
@@ -172,6 +173,13 @@ def test_a_book_of_any_number_of_tools_comes_back_and_verifies(number, tmp_path)
     assert verify(path).findings == []
     text.write_text(write_machine(machine), encoding="utf-8")
     assert read_machine(text) == machine
+
+
+def test_six_tools_at_every_degree_stay_below_what_a_book_can_have():
+    data = read_machine(STATIONS).model_dump()
+    die = data["overlap"]["tools"][0]
+    data["overlap"]["tools"] = [die | {"name": f"Tool {i}"} for i in range(MOST_TOOLS)]
+    assert sum(is_formula(cell.content) for cell in TEMPLATE.declare(described(data)).cells()) == 96_420
 
 
 def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):
