@@ -139,7 +139,7 @@ def test_the_sweep_is_the_schedule_of_each_margin():
 def test_tools_at_several_stations_keep_their_own_margins_over_the_same_transfer():
     transfer, die = mill_and_die()
     tools = (die, Tool(Cubic(), 0.08, radians(40)), Tool(ConstantAcceleration(), 0.025, radians(60), ASYMMETRIC))
-    passages = (Passage(0.01, 0.02, 0.001), Passage(0.0, 0.015, 0.004), Passage(0.05, 0.01, 0.0025, split=0.4))
+    passages = (Passage(0.01, 0.02, 0.001), Passage(0.0, 0.015, 0.004), Passage(0.005, 0.004, 0.001, split=0.4))
     plans = [overlap(transfer, tool, passage) for tool, passage in zip(tools, passages, strict=True)]
     moved = [plan.positions(TURN).transfer for plan in plans]
     assert (moved[0] == moved).all()
