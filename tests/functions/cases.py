@@ -23,6 +23,7 @@ ZERO_STAGES = (
 )
 POLYNOMIAL_345 = ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),)
 HARMONIC = ((1.0, 0.0, 0.0, 0.0, 0.0, math.pi**2 / 2, math.pi, math.pi / 2),)
+PASSED_OVER = ((None,) * 8, (None, *[7.0] * 7), (0.0, *[-7.0] * 7))
 STANDS_BETWEEN = tuple((d, c, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0) for d, c in zip(
     (0.1875, 0.1875, 0.25, 0.1875, 0.1875), (14.0, -14.0, 0.0, 14.0, -14.0), strict=True))  # fmt: skip
 
@@ -113,37 +114,47 @@ def inverses(code, p, one, draw):
 
 
 def of_phases(draw):
-    for table in (exercise(), *(random_phases(draw) for _ in range(8))):
-        motion = Motion([Phase(engine_law(row[0].strip().upper(), (taken(row),)), row[2], row[1]) for row in table])
+    for phases in (exercise(), *(random_phases(draw) for _ in range(10))):
+        motion = Motion([Phase(engine_law(code, p), lift, duration) for code, duration, lift, p in phases])
+        table = wide([row(*phase, draw) for phase in phases])
         edges = [float(x) for x in motion.edges]
-        high = max(sum(abs(row[2]) for row in table), 1.0)
-        fast = max(abs(row[2]) / row[1] for row in table) + 1.0
-        for x in (*edges, *(draw.uniform(0.0, motion.total) for _ in range(6)), edges[1] - 1e-6 * motion.total):
+        inner = [x + d * xi for x, (code, d, _, p) in zip(edges, phases, strict=False) if code == "OWN"
+                 for xi in breaks(code, p)]  # fmt: skip
+        k = [phase.law.coefficients for phase in motion.phases]
+        high = max(sum(abs(lift) * max(1.0, one.cv) for (_, _, lift, _), one in zip(phases, k, strict=True)), 1.0)
+        fast = max(abs(lift) / d * one.cv for (_, d, lift, _), one in zip(phases, k, strict=True)) + 1.0
+        steep = max(abs(lift) / d**2 * one.ca for (_, d, lift, _), one in zip(phases, k, strict=True)) + 1.0
+        between = [draw.uniform(0.0, motion.total) for _ in range(6)]
+        for x in (*edges, *inner, *between, edges[1] - 1e-6 * motion.total):
             at = motion.at(x)
-            steep = max(abs(row[2]) / row[1] ** 2 for row in table) + 1.0
             for name, value, near in (("POS", at.y, high), ("VEL", at.y1, fast), ("ACC", at.y2, steep)):
-                yield Case(name, (x, wide(table)), value, 1e-10 * near)
+                yield Case(name, (x, table), value, 1e-10 * near)
 
 
 def exercise():
     """S3, exercise 1: dwell, cycloidal rise to 20°, dwell, modified trapezoidal return, dwell."""
-    return (("DWL", 60.0, 0.0), ("CIC", 60.0, 20.0), ("DWL", 60.0, 0.0), ("MTP", 60.0, -20.0, *CLASSIC),
-            ("DWL", 120.0, 0.0))  # fmt: skip
+    return [("DWL", 60.0, 0.0, 0), ("CIC", 60.0, 20.0, 0), ("DWL", 60.0, 0.0, 0), ("MTP", 60.0, -20.0, (CLASSIC,)),
+            ("DWL", 120.0, 0.0, 0)]  # fmt: skip
 
 
 def random_phases(draw):
-    rows = []
+    """Code, duration, lift and parameters of one to six phases, each law as likely as the next."""
+    found = []
     for _ in range(draw.randint(1, 6)):
-        code, p = draw.choice([c for c in parameters(draw) if c[0] != "OWN"])
-        lift = 0.0 if code == "DWL" else draw.uniform(-100.0, 100.0)
-        rows.append(
-            (draw.choice((code, code.lower(), f" {code} ")), draw.uniform(0.1, 90.0), lift, *(p[0] if p else ()))
-        )
-    return tuple(rows)
+        known = list(parameters(draw))
+        wanted = draw.choice(sorted({code for code, _ in known}))
+        code, p = draw.choice([one for one in known if one[0] == wanted])
+        found.append((code, draw.uniform(0.1, 90.0), 0.0 if code == "DWL" else draw.uniform(-100.0, 100.0), p))
+    return found
 
 
-def taken(row):
-    return tuple(row[3:])
+def row(code, duration, lift, p, draw):
+    """A phase in cells; around the pieces of an own law some that last for no time."""
+    cells = list(p[0]) if p and code != "OWN" else []
+    if code == "OWN":
+        for piece in (*p, ()):
+            cells += [*draw.choice(((), (), *PASSED_OVER)), *piece]
+    return (draw.choice((code, code.lower(), f" {code} ")), duration, lift, *cells)
 
 
 def wide(table, spare=2):

@@ -1,5 +1,8 @@
 """Cases at the edges of what the functions take: empty cells, texts, errors, impossible parameters, all written out."""
 
+import math
+from itertools import chain
+
 from tests.functions.case import ANY_ERROR, DIV0, NA, NUM, VALUE, Case
 from tests.functions.cases import CLASSIC, POLYNOMIAL_345
 
@@ -8,6 +11,18 @@ MTP, TVP = (CLASSIC,), ((0.25, 0.75),)
 BACKWARDS = ((0.5, -8.0, *[0.0] * 6), (0.5, 24.0, *[0.0] * 6))
 TABLE = (("CUB", 4.0, 8.0), ("DWL", 2.0, None), (" acs", 2.0, -8.0))
 GAP = (("CUB", 4.0, 8.0), (None, None, None), ("ACS", 2.0, -8.0))
+OWN = POLYNOMIAL_345[0]
+BLANK = (None,) * 8
+HALVES = ((0.5, 4.0, *[None] * 6), (0.5, -4.0, *[None] * 6))
+TURNS = 5000.0  # rad: more than coefficients are searched for, but nothing to search in a phase
+FAULTY_PIECES = (
+    *(((row,), NUM) for row in ((0.5, *OWN[1:]), (-1.0, *OWN[1:]), (None, *OWN[1:]), BLANK)),
+    *((rows, NUM) for rows in ((OWN, OWN), (HALVES[0], BLANK), ((1.5, *OWN[1:]), (-0.5, *OWN[1:])))),
+    *(((row,), VALUE) for row in ((*OWN[:7], "abc"), ("abc", *OWN[1:]), (0.5, "abc", *OWN[2:]))),
+    *((rows, VALUE) for rows in ((OWN, (None, "abc", *[None] * 6)), ((0.0, *[None] * 6, "abc"), OWN))),
+    *((rows, ANY_ERROR) for rows in (((*OWN[:7], MISSING),), (OWN, (None, FAILED, *[None] * 6)))),
+)
+"""Tables of pieces that are no law, one below the other or side by side, with the error of each."""
 
 
 def codes():
@@ -58,12 +73,9 @@ def refused_parameters():
     for p in (0.0, (CLASSIC[:6],), ((*CLASSIC, 0.0),), (("a", *CLASSIC[1:]),), TVP):
         yield "MTP", p, VALUE
     yield "MTP", ((FAILED, *CLASSIC[1:]),), ANY_ERROR
-    own = POLYNOMIAL_345[0]
-    for row in ((0.5, *own[1:]), (-1.0, *own[1:]), (None, *own[1:])):
-        yield "OWN", (row,), NUM
-    for p in (0.0, (own[:7],), ((*own, 0.0),), ((*own[:7], "abc"),), tuple((x,) for x in own)):
+    for p in (0.0, (OWN[:7],), ((*OWN, 0.0),), tuple((x,) for x in OWN)):
         yield "OWN", p, VALUE
-    yield "OWN", ((*own[:7], MISSING),), ANY_ERROR
+    yield from (("OWN", rows, error) for rows, error in FAULTY_PIECES)
 
 
 def parameters():
@@ -89,10 +101,38 @@ def phases():
             yield Case(name, (x, (*TABLE, (None,) * 3, (None,) * 3)), value, 1e-10)
     yield Case("POS", (1.0, (("TVP", 2.0, 4.0, 0.25, 0.75, "unused"),)), 2.0)
     yield Case("POS", (3.0, (("ACS", 2.0, 4.0, 9.0, "unused"), ("CUB", 2.0, 4.0, None, None))), 6.0)
+    yield from own_phases()
     for name in ("POS", "VEL", "ACC"):
         yield from (Case(name, (x, TABLE), NUM) for x in (-0.1, 8.1, -1e-9, 8.0 + 1e-9))
         yield from (Case(name, (x, TABLE), error) for x, error in (("abc", VALUE), (FAILED, DIV0), (MISSING, NA)))
         yield from (Case(name, (1.0, table), error) for table, error in refused_tables())
+
+
+def own_phases():
+    """Rows of the engineer's own law: the polynomial 3-4-5, and the two halves of the constant acceleration."""
+    own = ("own ", 2.0, 4.0)
+    for table in (
+        ((*own, *OWN),),
+        ((*own, 1.0, None, *OWN[2:5], None, None, None),),
+        ((*own, *OWN, *["unused"] * 7),),
+        ((*own, *BLANK, *OWN, *BLANK, 0.5),),
+        ((*own, *OWN), ("TVP", 2.0, 4.0, 0.25, 0.75, *["unused"] * 6)),
+    ):
+        for name, x, value in (("POS", 1.0, 2.0), ("VEL", 1.0, 3.75), ("ACC", 1.0, 0.0), ("ACC", 0.5, 5.625)):
+            yield Case(name, (x, table), value, 1e-12)
+    first, second = HALVES
+    for pieces in ((first, second), (first, BLANK, second), (BLANK, first, (0.0, *[9.0] * 7), second, BLANK)):
+        table = (("CUB", 4.0, 8.0, *BLANK * len(pieces)), (*own, *chain(*pieces)))
+        for x, y, v, a in (
+            (4.0, 8.0, 0.0, 4.0),
+            (5.0, 10.0, 4.0, -4.0),
+            (5.5, 11.5, 2.0, -4.0),
+            (6.0, 12.0, 0.0, -4.0),
+        ):
+            yield from (Case(n, (x, table), value, 1e-12) for n, value in (("POS", y), ("VEL", v), ("ACC", a)))
+    turning = (1.0, 0.0, 0.0, 0.0, 0.0, TURNS**2, TURNS, 0.0)
+    yield Case("POS", (2.0, ((*own, *turning),)), 4.0 * (TURNS - math.sin(TURNS)), 1e-8)
+    yield Case("S", ("OWN", 1.0, (turning,)), TURNS - math.sin(TURNS), 1e-8)
 
 
 def refused_tables():
@@ -101,14 +141,20 @@ def refused_tables():
         yield table, VALUE
     for row in (("XYZ", 4.0, 8.0), (5.0, 4.0, 8.0), (None, 4.0, 8.0), ("CUB", "abc", 8.0), ("CUB", 4.0, "abc"),
                 ("TVP", 4.0, 8.0), ("TVP", 4.0, 8.0, 0.5), ("MTP", 4.0, 8.0, *CLASSIC[:6]),
-                ("TVP", 4.0, 8.0, 0.25, "abc"), ("OWN", 4.0, 8.0, *POLYNOMIAL_345[0])):  # fmt: skip
+                ("TVP", 4.0, 8.0, 0.25, "abc"), ("OWN", 4.0, 8.0), ("OWN", 4.0, 8.0, *OWN[:7])):  # fmt: skip
         yield (row,), VALUE
     for row in (("CUB", 0.0, 8.0), ("CUB", -4.0, 8.0), ("CUB", None, 8.0), ("DWL", 4.0, 8.0),
-                ("TVP", 4.0, 8.0, 0.75, 0.25), ("TVP", 4.0, 8.0, None, None)):  # fmt: skip
+                ("TVP", 4.0, 8.0, 0.75, 0.25), ("TVP", 4.0, 8.0, None, None), ("OWN", 0.0, 8.0, *OWN),
+                ("OWN", 4.0, 8.0, *HALVES[0], *HALVES[1][:-1])):  # fmt: skip
         yield (row,), NUM
     yield ((("CUB", 4.0, 8.0)), ("ACS", 0.0, 8.0)), NUM  # also where the phase is not the one asked for
+    for rows, error in FAULTY_PIECES:
+        pieces = tuple(chain(*rows))
+        yield (("OWN", 4.0, 8.0, *pieces),), error
+        yield (("CUB", 4.0, 8.0, *[None] * len(pieces)), ("OWN", 4.0, 8.0, *pieces)), error
     yield MISSING, NA
     yield (("CUB", 4.0, FAILED),), ANY_ERROR
+    yield (("OWN", 4.0, 8.0, *OWN, FAILED),), ANY_ERROR
 
 
 def sums():
@@ -134,6 +180,7 @@ def inline():
     yield Case("S", ("TVP", 0.5, TVP), 0.5, inline=True)
     yield Case("S", ("MTP", 0.5, MTP), 0.5, inline=True)
     yield Case("CV", ("OWN", POLYNOMIAL_345), 1.875, inline=True)
+    yield Case("POS", (1, (("OWN", 2, 4, *OWN),)), 2.0, inline=True)
     yield Case("JRED", (((1, 2),), ((1, 3),)), 19.0, inline=True)
     yield Case("RMS", (((3, 4),), ((1, 1),)), 12.5**0.5, inline=True)
     yield Case("S", ("acs", "=1/0", 0), DIV0, inline=True)

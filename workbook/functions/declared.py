@@ -6,15 +6,18 @@ What both back ends promise, beside the help texts:
 - A law is named by its code, in capitals or not, blanks around it ignored. Anything else: #VALUE!.
 - Where a number is expected, an empty cell counts as 0 and a text is #VALUE!. A number outside its domain is #NUM!.
 - ``p`` holds the law's parameters, a row or a column, read left to right, top to bottom; blank cells count as 0.
-  TVP takes exactly two, MTP exactly seven, OWN rows of eight (duration, c0, c1, c2, c3, P, ω, φ); another number of
-  cells is #VALUE!, impossible values are #NUM!: what the engine's law refuses. The other laws ignore p.
+  TVP takes exactly two, MTP exactly seven, OWN rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of
+  an empty or zero duration are passed over; another number of cells is #VALUE!, impossible values are #NUM!: what the
+  engine's law refuses. The other laws ignore p.
 - ξ is right-continuous at breaks, with a tolerance of 1e-12; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
-  1,000 rad in one piece.
+  1,000 rad in one piece. What only evaluates the law, at ξ or in a phase, takes any sine.
 - A row of a table of phases: code, duration, lift, then at least as many parameters as the law takes; what stands
-  beyond is ignored. Rows at the end whose first three cells are empty are ignored. OWN has no place in a row: #VALUE!.
-  A table of fewer than three columns, or without rows: #VALUE!. A duration that is not positive, or a dwell with a
-  lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; so near to a joint counts as on it.
+  beyond is ignored. OWN takes its pieces side by side, eight cells a piece, as many as the table has room for, which
+  is (columns − 3)/8 rounded down; no room for any is #VALUE!, and what p refuses is refused here with the same error.
+  Rows at the end whose first three cells are empty are ignored. A table of fewer than three columns, or without rows:
+  #VALUE!. A duration that is not positive, or a dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the
+  total: #NUM!; so near to a joint counts as on it.
 - JRED and RMS: two ranges of unequal rows or columns: #VALUE!, as in SUMPRODUCT. A negative inertia: #NUM!. A negative
   duration, or durations that sum to 0: #NUM!.
 - MOTION.XI: the first ξ that reaches s; s = 0 gives 0 and the law's end value 1. A law that moves backwards: #NUM!.
@@ -120,9 +123,12 @@ PHASES = Argument(
     "table",
     Text("phases", "fasi", "Phasen"),
     Text(
-        "Range with a row a phase: code of the law, duration, lift, then the law's parameters",
-        "Intervallo con una riga per fase: codice della legge, durata, alzata, poi i parametri della legge",
-        "Bereich mit einer Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, dann die Parameter des Gesetzes",
+        "Range with a row a phase: code of the law, duration, lift, then the law's parameters; "
+        "OWN: its pieces side by side, eight cells each",
+        "Intervallo con una riga per fase: codice della legge, durata, alzata, poi i parametri della legge; "
+        "OWN: i suoi tratti affiancati, otto celle ciascuno",
+        "Bereich mit einer Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, dann die Parameter des Gesetzes; "
+        "OWN: seine Abschnitte nebeneinander, je acht Zellen",
     ),
 )
 INERTIAS = Argument(

@@ -139,6 +139,7 @@ def motion(sheet: Sheet, shown: Shown) -> None:
     rows = len(shown.phases) + EMPTY_PHASES
     phases = [[p.law, p.duration, p.lift, *p.p] for p in shown.phases]
     sheet.heading("A motion of phases", "Empty rows at the end are left out; what a law does not take may stay empty.")
+    sheet.note("OWN takes its pieces side by side, each as in its table above; a wider table has room for more.")
     sheet.table(
         "phases", "Phases", rows,
         given("law", "law", "", "", column(phases, 0, rows), "phases.*.law", align="center"),

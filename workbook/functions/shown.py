@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from itertools import chain
-from typing import Annotated, Literal
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,16 +18,16 @@ from workbook.machine import LawCode, Laws, Model, NotNegative, Number, Positive
 
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2
-WIDTH = 7  # parameters of a phase's law, at most
+WIDTH = 8  # parameters of a phase's law, at most: an own law of one piece
 
 
 class ShownPhase(Model):
     """A row of the table of phases."""
 
-    law: Literal["DWL", "ACS", "TVP", "CIC", "CUB", "MTP"]
+    law: LawCode
     duration: Positive
     lift: Number = 0.0
-    p: Annotated[list[Share], Field(max_length=WIDTH)] = Field(default_factory=list)
+    p: Annotated[list[Number], Field(max_length=WIDTH)] = Field(default_factory=list)
 
     @property
     def made(self) -> Phase:
@@ -135,9 +135,10 @@ EXAMPLE = Shown(
     phases=[
         ShownPhase(law="DWL", duration=30.0),
         ShownPhase(law="MTP", duration=120.0, lift=80.0, p=[0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125]),
-        ShownPhase(law="DWL", duration=60.0),
-        ShownPhase(law="TVP", duration=90.0, lift=-50.0, p=[0.25, 0.75]),
-        ShownPhase(law="CIC", duration=60.0, lift=-30.0),
+        ShownPhase(law="DWL", duration=30.0),
+        ShownPhase(law="TVP", duration=60.0, lift=-30.0, p=[0.25, 0.75]),
+        ShownPhase(law="CIC", duration=60.0, lift=-25.0),
+        ShownPhase(law="OWN", duration=60.0, lift=-25.0, p=[1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0]),
     ],
     shafts=[
         Shaft(inertia=0.02, ratio=1.0),

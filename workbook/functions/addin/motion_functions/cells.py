@@ -11,7 +11,7 @@ from typing import Tuple, Union
 
 from .composed import Motion, Phase
 from .law import Law
-from .library import PARAMETERS, law
+from .library import OWN_WIDTH, PARAMETERS, law
 from .refused import NUM, VALUE, Refused
 
 Cell = Union[float, str]
@@ -63,15 +63,21 @@ def joined(table: tuple[tuple[Cell, ...], ...]) -> Motion:
 
 
 def phase(row: tuple[Cell, ...]) -> Phase:
-    """Return the phase of a row; refuses an own law, whose pieces need rows of their own."""
+    """Return the phase of a row."""
     code = str(row[0]).strip().upper()
-    duration, lift, taken = number(row[1]), number(row[2]), PARAMETERS.get(code)
-    if taken is None:
-        raise Refused(VALUE)
-    found = named(code, (row[3 : 3 + taken],))
+    duration, lift = number(row[1]), number(row[2])
+    found = named(code, side_by_side(row[3:]) if code == "OWN" else (row[3 : 3 + PARAMETERS.get(code, 0)],))
     if duration <= 0.0 or (code == "DWL" and lift):
         raise Refused(NUM)
     return Phase(found, duration, lift)
+
+
+def side_by_side(cells: tuple[Cell, ...]) -> tuple[tuple[Cell, ...], ...]:
+    """Return the pieces of an own law that follow each other in a row; refuses a row with room for none."""
+    starts = range(0, len(cells) - OWN_WIDTH + 1, OWN_WIDTH)
+    if not starts:
+        raise Refused(VALUE)
+    return tuple(cells[start : start + OWN_WIDTH] for start in starts)
 
 
 def pairs(one: Cells, other: Cells) -> tuple[list[float], list[float]]:
