@@ -93,7 +93,7 @@ def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(
     assert alone == together
     verdicts = {path.name: verdict for path, verdict, _ in alone}
     assert verdicts == {
-        "b.xlsx": "agrees", "a.XLSX": "agrees", "c.xlsm": "agrees", "foreign.xlsx": "not ours",
+        "b.xlsx": "agrees", "a.XLSX": "agrees", "c.xlsm": "agrees", "foreign.xlsx": "no machine",
         "wrong.xlsx": "disagrees",
     }  # fmt: skip
 
@@ -101,7 +101,7 @@ def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(
 def test_a_foreign_workbook_is_an_error_only_where_it_is_named(folder):
     path = folder / "foreign.xlsx"
     found, named = (verify_many([Target(path, named=n)])[0] for n in (False, True))
-    assert (found.verdict, named.verdict) == ("not ours", "unreadable")
+    assert (found.verdict, named.verdict) == ("no machine", "unreadable")
     assert "book_template" in named.reason
 
 
@@ -168,10 +168,10 @@ def test_a_process_that_dies_is_blamed_on_its_file_alone(folder, monkeypatch):
     ("verdicts", "code"),
     [
         (["agrees"], 0),
-        (["agrees", "not ours"], 0),
-        (["agrees", "disagrees", "not ours"], 1),
+        (["agrees", "no machine"], 0),
+        (["agrees", "disagrees", "no machine"], 1),
         (["disagrees", "unreadable"], 2),
-        (["not ours"], 2),
+        (["no machine"], 2),
         ([], 2),
     ],
 )
@@ -183,7 +183,7 @@ def test_the_command_sums_a_folder_up_and_names_the_worst_cell(folder, wrong):
     done = run(folder, cwd=folder, env=os.environ | {"COLUMNS": "200"})
     assert done.returncode == 1
     assert done.stderr == ""  # no bar where no terminal is
-    assert "3 agree, 1 disagree, 1 skipped (not ours)." in done.stdout
+    assert "3 agree, 1 disagree, 1 skipped (no machine)." in done.stdout
     assert f"{folder / 'wrong.xlsx'}: Drive!{wrong[1]}" in done.stdout
 
 

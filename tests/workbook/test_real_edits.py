@@ -4,12 +4,14 @@ import shutil
 
 import openpyxl
 import pytest
+from openpyxl.cell.cell import MergedCell
 from openpyxl.styles import Font, PatternFill
 
 from tests.workbook import office
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice_witness import convert, program
 
@@ -285,3 +287,49 @@ def test_numbers_typed_with_a_decimal_comma(book, layout, declared, tmp_path):
     edited = office.edit(book, tmp_path / "edited.xlsx", [typed % "90,25"], locale="de-DE")
     assert verify(edited, ["pycel", "saved"]).findings == []
     assert inputs(edited)[0].timing.rate == 90.25
+
+
+@pytest.fixture
+def with_functions(hands):
+    """The book beside which the page of the functions was copied, with its names, as the README says."""
+    source = openpyxl.load_workbook(FOLDER / "motion-functions.xlsx")
+    page = hands.workbook.create_sheet("Functions")
+    for row in source["Functions"].iter_rows():
+        for cell in row:
+            if not isinstance(cell, MergedCell):
+                page[cell.coordinate] = cell.value
+    for name, defined in source.defined_names.items():
+        hands.workbook.defined_names[name] = defined
+    page["A1000"] = '=2*MOTION.S("CIC",0.5,0)'
+    page["A1001"] = "=A1000+1"
+    return hands
+
+
+def test_cells_that_call_the_functions_are_no_fault_and_are_said_not_to_be_evaluated(with_functions):
+    report = with_functions.verify()
+    assert report.agrees
+    (note,) = [note for note in report.notes if "MOTION" in note]
+    assert "not evaluated" in note
+    assert "Functions!A1000" in note
+
+
+def test_faults_beside_the_functions_are_still_found(with_functions):
+    page = with_functions.workbook["Functions"]
+    page["A1002"] = "=MOTION.SPEED(1)"
+    page["A1003"] = '=MOTION.S("CIC",RAND(),0)'
+    page["A1004"] = "=1/0"
+    page["A1005"] = "#NAME?"
+    found = {(f.kind, f.cell, f.computed) for f in with_functions.verify().findings}
+    assert found == {
+        ("function", "A1002", "MOTION.SPEED"), ("error", "A1002", "#NAME?"), ("function", "A1003", "RAND"),
+        ("error", "A1004", "#DIV/0!"), ("error", "A1005", "#NAME?"),
+    }  # fmt: skip
+
+
+def test_a_changed_definition_of_a_function_is_named_and_another_spelling_is_not(with_functions):
+    names = with_functions.workbook.defined_names
+    names["MOTION.V"].attr_text = names["MOTION.V"].attr_text.replace("(1,", "( 1.0 ,").replace("law", "LAW")
+    assert not [note for note in with_functions.verify().notes if "definitions" in note]
+    names["MOTION.V"].attr_text = names["MOTION.V"].attr_text.replace("1.0", "2")
+    (note,) = [note for note in with_functions.verify().notes if "definitions" in note]
+    assert "MOTION.V;" in note

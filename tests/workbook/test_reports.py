@@ -49,7 +49,7 @@ def unreadable():
 
 
 def foreign():
-    return Outcome(Path("other.xlsx"), "not ours", reason="other.xlsx: not a workbook of motionbook")
+    return Outcome(Path("other.xlsx"), "no machine", reason="other.xlsx: holds no machine of motionbook")
 
 
 class Read(HTMLParser):

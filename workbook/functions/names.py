@@ -33,6 +33,7 @@ TOKEN = re.compile(
     """,
     re.VERBOSE,
 )
+PREFIX = re.compile(r"_xl(?:fn|ws|pm)\.")
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
 
 
@@ -79,6 +80,18 @@ def tokens(formula: str) -> list[tuple[str, str]]:
         found.append((token.lastgroup, token[0]))
         at = token.end()
     return found
+
+
+def meaning(stored: str) -> list[tuple[str, object]] | str:
+    """Return a stored formula without what a program may write in its own way: prefixes, blanks, case, digits.
+
+    A formula that cannot be read stands for itself.
+    """
+    try:
+        parts = tokens(PREFIX.sub("", stored.removeprefix("=")))
+    except ValueError:
+        return stored
+    return [(kind, float(part) if kind == "number" else part.upper()) for kind, part in parts if kind != "space"]
 
 
 def declared_variables(formula: str) -> list[str]:

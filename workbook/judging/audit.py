@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import NamedTuple
 
 from openpyxl import Workbook
 from pydantic import BaseModel
 
+from workbook.address import Address
 from workbook.judging.matching import Match
 from workbook.judging.names import misled
 from workbook.reading.files import find_places
@@ -64,9 +65,9 @@ class Remark(NamedTuple):
     expected: str
 
 
-def audit(match: Match, model: PycelModel, template: type[BaseModel]) -> Iterator[Remark]:
-    """Yield what is wrong with formulas, names and inputs of a matched workbook."""
-    yield from functions(model)
+def audit(match: Match, model: PycelModel, template: type[BaseModel], calls: Container[Address]) -> Iterator[Remark]:
+    """Yield what is wrong with formulas, names and inputs of a matched workbook; ``calls`` may call MOTION.*."""
+    yield from functions(model, calls)
     yield from broken_names(match.file.workbook)
     for found in misled(match):
         yield Remark(
@@ -75,10 +76,12 @@ def audit(match: Match, model: PycelModel, template: type[BaseModel]) -> Iterato
     yield from unread_inputs(match, model, template)
 
 
-def functions(model: PycelModel) -> Iterator[Remark]:
+def functions(model: PycelModel, calls: Container[Address]) -> Iterator[Remark]:
     """Yield cells that use a function which not every spreadsheet program has, or which is volatile."""
     for address, formula in model.formulas.items():
         for name in sorted(formula.functions - ALLOWED):
+            if address in calls and name not in VOLATILE:
+                continue
             why = "a function that is not volatile" if name in VOLATILE else "a function that every program has"
             yield Remark(address.sheet, address.a1, "function", name, why)
 

@@ -27,7 +27,7 @@ AGREES, DISAGREES, UNREADABLE = 0, 1, 2
 MOST_JOBS = 61  # Windows waits for no more processes at once
 MOST_READ = 2**24  # bytes of a workbook's list of names
 
-Verdict = Literal["agrees", "disagrees", "unreadable", "not ours"]
+Verdict = Literal["agrees", "disagrees", "unreadable", "no machine"]
 
 
 class Target(NamedTuple):
@@ -52,7 +52,7 @@ class Outcome:
 def exit_code(outcomes: Iterable[Outcome]) -> int:
     """Return 2 where a file cannot be read or none was verified, else 1 where one disagrees, else 0."""
     verdicts = {outcome.verdict for outcome in outcomes}
-    if "unreadable" in verdicts or not verdicts - {"not ours"}:
+    if "unreadable" in verdicts or not verdicts - {"no machine"}:
         return UNREADABLE
     return DISAGREES if "disagrees" in verdicts else AGREES
 
@@ -103,7 +103,7 @@ def hidden(path: Path) -> bool:
 
 
 def foreign(path: Path) -> bool:
-    """Whether a file is a whole workbook that motionbook did not make, by its list of names alone.
+    """Whether a file is a whole workbook without a machine of motionbook, by its list of names alone.
 
     False also where that cannot be told: then opening the file says what is wrong with it.
     """
@@ -125,7 +125,7 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
     if not target.named and foreign(path):
-        return Outcome(path, "not ours", reason=f"{path}: not a workbook of motionbook")
+        return Outcome(path, "no machine", reason=f"{path}: holds no machine of motionbook")
     try:
         before = state(path)
         with collector_paused():

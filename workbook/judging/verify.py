@@ -14,6 +14,7 @@ from workbook.address import Address
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.audit import audit
 from workbook.judging.compare import ERRORS, TOLERANCE, difference, is_error
+from workbook.judging.functions import calling, notes
 from workbook.judging.matching import Match, Pair, Right
 from workbook.machine import Machine
 from workbook.reading.entries import Entries
@@ -130,10 +131,12 @@ def judge(
     match = Match(file, template.declare(machine))
     model = PycelModel(file.workbook)
     suspects = structure(match, report, shapes)
-    for remark in audit(match, model, template.model):
+    calls = calling(model, match.declared_at)
+    report.notes += notes(file.workbook, calls)
+    for remark in audit(match, model, template.model, calls):
         report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
     computed = values(match, model, report, witnesses)
-    error_values(match, model, computed, report)
+    error_values(match, model, computed, report, calls)
     try:
         variants = template.variants(machine)
     except ValidationError:  # numbers so large that no neighbour of theirs is one
@@ -189,10 +192,18 @@ def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[
     return answer
 
 
-def error_values(match: Match, model: PycelModel, computed: dict[Address, Any], report: Report) -> None:
-    """Enter the error values of cells that belong to nothing declared: constants, and the engineer's own formulas."""
+def error_values(
+    match: Match, model: PycelModel, computed: dict[Address, Any], report: Report, calls: set[Address]
+) -> None:
+    """Enter the error values of cells that belong to nothing declared: constants, and the engineer's own formulas.
+
+    A witness that does not know MOTION.* gives #NAME? in ``calls``, and in what follows from these.
+    """
     for address, value in {**model.constants, **computed}.items():
-        if is_error(value) and value in ERRORS and address not in match.declared_at:
+        if not is_error(value) or value not in ERRORS or address in match.declared_at:
+            continue
+        follows = calls and address in model.formulas and address not in model.problems
+        if not (value == "#NAME?" and (address in calls or follows)):
             report.findings.append(Finding(address.sheet, address.a1, "error", value, "no error value"))
 
 

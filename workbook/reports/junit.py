@@ -39,7 +39,7 @@ def suite(outcome: Outcome, when: datetime) -> Element:
 def unopened(outcome: Outcome) -> Element:
     """Return why there is no report: an error, unless the workbook was rightly skipped."""
     first = outcome.reason.partition("\n")[0]
-    if outcome.verdict == "not ours":
+    if outcome.verdict == "no machine":
         return e("skipped", message=first)
     return e("error", outcome.reason, message=first, type=outcome.verdict)
 

@@ -19,7 +19,7 @@ from workbook.judging.many import Outcome
 from workbook.judging.verify import Finding, Ran, Report
 from workbook.writing.write import refuse_existing, replace
 
-VERDICTS = {"agrees": "Agrees", "disagrees": "Disagrees", "unreadable": "Cannot be read", "not ours": "Skipped"}
+VERDICTS = {"agrees": "Agrees", "disagrees": "Disagrees", "unreadable": "Cannot be read", "no machine": "Skipped"}
 KINDS = {
     "missing": "a cell or block that should be there is not",
     "replaced": "a value stands where a formula should",

@@ -18,9 +18,19 @@ from workbook.reports.junit import line
 from workbook.reports.page import legal
 
 WORST = 3  # findings of each workbook that the terminal shows
-WORDS = {"agrees": "agrees", "disagrees": "DISAGREES", "unreadable": "CANNOT BE READ", "not ours": "skipped, not ours"}
-SUMS = {"agrees": "agree", "disagrees": "disagree", "unreadable": "cannot be read", "not ours": "skipped (not ours)"}
-COLOURS = {"agrees": "green", "disagrees": "red", "unreadable": "red", "not ours": "dim"}
+WORDS = {
+    "agrees": "agrees",
+    "disagrees": "DISAGREES",
+    "unreadable": "CANNOT BE READ",
+    "no machine": "skipped, no machine",
+}
+SUMS = {
+    "agrees": "agree",
+    "disagrees": "disagree",
+    "unreadable": "cannot be read",
+    "no machine": "skipped (no machine)",
+}
+COLOURS = {"agrees": "green", "disagrees": "red", "unreadable": "red", "no machine": "dim"}
 
 
 @contextmanager

@@ -15,6 +15,7 @@ from typing import Any
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
 from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.formula import ArrayFormula
 
 from workbook.address import Address
 from workbook.reading.files import BookFile, Place
@@ -79,10 +80,13 @@ class PycelModel:
             if cell.value is not None:
                 self.constants[address] = entered(cell.value, self._epoch)
             return
+        value = cell.value
+        if isinstance(value, ArrayFormula) and value.ref == address.a1:
+            value = value.text  # arrays are computed in every formula, and of a result the first cell is taken
         try:
-            if not isinstance(cell.value, str):
-                raise FormulaError("#VALUE!", f"a formula of the kind {type(cell.value).__name__} is not evaluated")
-            self.formulas[address] = formulas.read(cell.value, address.row)
+            if not isinstance(value, str):
+                raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
+            self.formulas[address] = formulas.read(value, address.row)
         except FormulaError as error:
             self._failed[address] = error.value
             self.problems[address] = str(error)

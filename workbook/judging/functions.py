@@ -1,0 +1,45 @@
+"""Cells that call the functions MOTION.* beside a machine, and whether the names that define these are today's."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Container, Iterator
+
+from openpyxl import Workbook
+
+from workbook.address import Address
+from workbook.functions.declared import FUNCTIONS
+from workbook.functions.names import definitions, meaning
+from workbook.witnesses.pycel_witness import PycelModel
+
+OURS = frozenset(function.name for function in FUNCTIONS)
+SHOWN = 5  # cells or names that a note lists
+
+
+def calling(model: PycelModel, declared: Container[Address]) -> set[Address]:
+    """Return the cells outside of what is declared that call the functions: no witness but the add-in can."""
+    return {a for a, formula in model.formulas.items() if a not in declared and formula.functions & OURS}
+
+
+def notes(workbook: Workbook, calls: Collection[Address]) -> Iterator[str]:
+    """Yield what an engineer should know of the functions in a workbook."""
+    if calls:
+        yield f"cells that call MOTION.* are not evaluated, nor what follows from them: {listed(map(str, calls))}"
+    other = changed(workbook)
+    if other:
+        yield f"names that are not today's definitions: {listed(other)}; take them from motion-functions.xlsx"
+
+
+def changed(workbook: Workbook) -> list[str]:
+    """Return the names of a workbook that are ours, but mean something else than today."""
+    known = {one.name: one.stored for one in definitions()}
+    return [
+        name
+        for name, held in workbook.defined_names.items()
+        if name in known and meaning(held.attr_text or "") != meaning(known[name])
+    ]
+
+
+def listed(words: Iterator[str] | list[str]) -> str:
+    """Return words in a line, the first few where there are many."""
+    found = sorted(words)
+    return ", ".join(found[:SHOWN]) + (f" and {len(found) - SHOWN} more" if len(found) > SHOWN else "")
