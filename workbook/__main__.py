@@ -6,14 +6,13 @@ import gc
 def main() -> None:
     """Import the command and run it.
 
-    What is imported lives until the end: Python need not search it for garbage while it is made, nor before it exits,
-    which takes as long as the imports themselves.
+    What is imported, and what one book takes, lives until the end: Python need not search it for garbage. Where
+    several books are read or made, it is searched between two of them (:func:`workbook.collector.swept_between`).
     """
     gc.disable()
     from workbook.cli import main as run
 
     gc.freeze()
-    gc.enable()
     run()
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pydantic import BaseModel
 
-from workbook.collector import collector_paused
+from workbook.collector import collector_paused, swept_between
 from workbook.errors import InputError
 from workbook.machine import Machine
 from workbook.machines.selection.model import MOST_PRODUCTS, Selection
@@ -102,7 +102,7 @@ def write_templates() -> list[Path]:
     from workbook.functions import publish  # slow to import, and no other command needs it
 
     books = [description.with_suffix(".xlsx") for description in committed()]
-    for description, book in zip(committed(), books, strict=True):
+    for description, book in swept_between(zip(committed(), books, strict=True)):
         build(read_machine(description), book, overwrite=True)
     return [*books, *publish.write_files()]
 
@@ -111,7 +111,7 @@ def stale_templates() -> list[Path]:
     """Return the committed files that today's code would generate differently."""
     from workbook.functions import publish
 
-    books = [description.with_suffix(".xlsx") for description in committed() if stale(description)]
+    books = [description.with_suffix(".xlsx") for description in swept_between(committed()) if stale(description)]
     return books + publish.stale_files()
 
 

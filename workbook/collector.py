@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from typing import TypeVar
+
+Item = TypeVar("Item")
 
 
 @contextmanager
@@ -17,3 +20,11 @@ def collector_paused() -> Iterator[None]:
     finally:
         if was_on:
             gc.enable()
+
+
+def swept_between(items: Iterable[Item]) -> Iterator[Item]:
+    """Yield items, and search between two of them: a command runs with the search off, and one book may be large."""
+    for n, item in enumerate(items):
+        if n:
+            gc.collect()
+        yield item

@@ -544,6 +544,8 @@ def test_the_straight_way_over_ranges_leads_where_pycels_own_leads(one: Any, nam
         "=SUM(IF({}>1,A1:A2,B1:B2))",
         "=SMALL(A1:C1,2)",
         "=SMALL(A1:B2,{})",
+        "=SMALL(A1:C3,2)",
+        "=SMALL(B3:C3,1)",
         "=SUMPRODUCT(A1:C1)",
         "=SUMPRODUCT(A1:B1,{})",
         "=SUMPRODUCT(A1:C1,A1:C1)",
@@ -555,7 +557,17 @@ def test_the_straight_way_over_ranges_leads_where_pycels_own_leads(one: Any, nam
 def test_the_straight_way_of_a_function_leads_where_pycels_own_leads(
     formula: str, value: Any, monkeypatch: Any
 ) -> None:
-    cells = {"A1": 5, "A2": 6, "B1": 7, "B2": 8, "C1": value, "Z9": formula.format("C1")}
+    cells = {
+        "A1": 5,
+        "A2": 6,
+        "B1": 7,
+        "B2": 8,
+        "C1": value,
+        "A3": "–",
+        "B3": '=""',
+        "C3": 3,
+        "Z9": formula.format("C1"),
+    }
     made = set(shortcuts.SHORTENED)
     shortened = PycelModel(book(cells)).evaluate()
     monkeypatch.setattr(shortcuts, "SHORTENED", {})

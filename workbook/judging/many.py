@@ -18,7 +18,7 @@ from fnmatch import fnmatch
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from workbook.collector import collector_paused
+from workbook.collector import collector_paused, swept_between
 from workbook.errors import MotionbookError
 from workbook.judging.verify import Report, verify
 from workbook.reading.files import SUFFIXES
@@ -177,7 +177,7 @@ def verify_many(
         done(outcome)
 
     if jobs <= 1:
-        for target in targets:
+        for target in swept_between(targets):
             keep(target, verify_one(target, witnesses))
     else:
         in_processes(targets, witnesses, jobs, keep)

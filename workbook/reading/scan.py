@@ -51,7 +51,8 @@ def corner(text: str) -> tuple[int, int]:
     found = CORNER.fullmatch(text)
     if found is None:
         raise Refusal(f"damaged: {shown(text)} stands where a cell is expected; {SAVE_AS}")
-    row, column = int(found[2]), column_number(found[1])
+    letters, digits = found.groups()
+    row, column = int(digits), column_number(letters)
     if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
         raise Refusal(f"holds a cell {shown(text)}; the last cell of a sheet is XFD1048576")
     return row, column
@@ -198,7 +199,10 @@ class Scan:
             row, self.column = self.row, self.column + 1
             if not (1 <= row <= LAST_ROW and self.column <= LAST_COLUMN):
                 raise Refusal(f"{self.name} reaches beyond the last cell of a sheet, XFD1048576")
-        self.rows, self.columns = max(self.rows, row), max(self.columns, self.column)
+        if row > self.rows:
+            self.rows = row
+        if self.column > self.columns:
+            self.columns = self.column
         self.cells += 1
 
     def formula(self, attributes: dict[str, str]) -> None:

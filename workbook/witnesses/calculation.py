@@ -72,11 +72,10 @@ class Calculation:
         values = list(self._numbers.values)
         for number, value in given.items():
             values[number] = value
-        formulas, steps = self._formulas, self._steps
         for number in self._order:
             if number not in given:
-                values[number] = self._result(formulas.get(number), steps[number], values, number in self._cyclic)
-        return {address: values[number] for number, address in formulas.items()}
+                values[number] = self._result(number, values)
+        return {address: values[number] for number, address in self._formulas.items()}
 
     def each(self, wanted: Iterable[Address], found: Found) -> dict[Address, Any]:
         """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
@@ -91,7 +90,10 @@ class Calculation:
             for source in step.sources:
                 if source not in values:
                     values[source] = self._look(source, found)
-            results[address] = self._computed(address, step, values)[0]
+            try:
+                results[address] = step.compute(values)
+            except Exception as error:  # pycel's functions raise whatever Python raises
+                results[address] = fault(error)
         return results
 
     def _look(self, number: int, found: Found) -> Any:
@@ -187,29 +189,37 @@ class Calculation:
                 self.problems[self._formulas[number]] = f"the cell depends on itself, through {through}"
         return set(cycles)
 
-    def _result(
-        self, address: Address | None, step: FormulaStep | RangeStep, values: list[Any], cyclic: bool
-    ) -> Any:  # fmt: skip
+    def _result(self, number: int, values: list[Any]) -> Any:
         """Return what a step computes in an evaluation of the whole, and note what kept it from a value."""
+        step, problem = self._steps[number], ""
+        result: Any
         if self._cyclic and CYCLE in map(values.__getitem__, step.sources):
-            if address and not cyclic:
-                self.problems[address] = "the cell depends on cells that depend on themselves"
-            return CYCLE
-        result, problem = self._computed(address, step, values)
-        if address:
-            if problem:
-                self.problems[address] = problem
-            elif address in self.problems and not cyclic:
-                del self.problems[address]  # of an evaluation before
+            result, problem = CYCLE, self._through(number)
+        else:
+            try:
+                result = step.compute(values)
+            except Exception as error:  # pycel's functions raise whatever Python raises
+                result = fault(error)
+                problem = "" if result == "#NUM!" else f"pycel: {type(error).__name__}: {str(error)[:120]}"
+        if problem or self.problems:
+            self._note(number, problem)
         return result
 
-    @staticmethod
-    def _computed(
-        address: Address | None, step: FormulaStep | RangeStep, values: list[Any] | dict[int, Any]
-    ) -> tuple[Any, str]:
-        try:
-            return step.compute(values), ""
-        except OverflowError:
-            return "#NUM!", ""
-        except Exception as error:  # pycel's functions raise whatever Python raises
-            return "#VALUE!", f"pycel: {type(error).__name__}: {str(error)[:120]}"
+    def _through(self, number: int) -> str:
+        """Return why a cell has no value that is in a cycle, or depends on one."""
+        address = self._formulas.get(number)
+        known = self.problems.get(address) if address and number in self._cyclic else None
+        return known or "the cell depends on cells that depend on themselves"
+
+    def _note(self, number: int, problem: str) -> None:
+        """Enter a cell's problem, or take back that of an evaluation before."""
+        address = self._formulas.get(number)
+        if address and problem:
+            self.problems[address] = problem
+        elif address and number not in self._cyclic:
+            self.problems.pop(address, None)
+
+
+def fault(error: Exception) -> str:
+    """Return the error value of a cell whose computation raised an error."""
+    return "#NUM!" if isinstance(error, OverflowError) else "#VALUE!"

@@ -7,7 +7,7 @@ these ways a book takes half as long again. Anything but plain numbers takes pyc
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import repeat
 from typing import Any
 
@@ -17,6 +17,7 @@ from workbook.witnesses.limits import OPERATORS, build_operators
 
 Function = Callable[..., Any]
 NUMBERS = frozenset((float, int))  # not bool, whose kind counts in comparisons
+NOTHING = frozenset(("", "–"))  # texts in the cells of our books, and surely no numbers
 SIMPLE = {name: OPERATORS[name] for name in ("Add", "Sub", "Mult", "Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}
 DIVIDE = OPERATORS["Div"]
 
@@ -103,11 +104,11 @@ def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Fu
 
 
 def smallest(checked: Function) -> Function:
-    """Return SMALL, straight for a range of numbers."""
+    """Return SMALL, straight for a range of numbers and texts that stand for nothing."""
 
     def call(array: Any, k: Any) -> Any:
         if type(array) is tuple and type(k) is int:
-            values = numbers_of(array)
+            values = numbers_of(tuple([value for value in row if value not in NOTHING] for row in array))
             if 1 <= k <= len(values):
                 return sorted(values)[k - 1]
         return checked(array, k)
@@ -129,7 +130,7 @@ def product_sum(checked: Function) -> Function:
     return call
 
 
-def numbers_of(array: tuple[tuple[Any, ...], ...]) -> list[float]:
+def numbers_of(array: Iterable[Iterable[Any]]) -> list[float]:
     """Return the cells of a range if all of them are numbers, else nothing."""
     values = [value for row in array for value in row]
     return values if NUMBERS.issuperset(map(type, values)) else []

@@ -39,6 +39,8 @@ def ranking(sheet: Sheet, view: Choosing) -> None:
     def at(column: str, row: str, table: str) -> str:
         return f"=IF([at]>0,INDEX([{table}.{column}],INDEX([pairs.{row}],[at])),0)"
 
+    ratio = "INDEX([reducers.match],INDEX([pairs.r],MAX([at],1)))/INDEX([pairs.total],MAX([at],1))"
+
     sheet.row += 1
     motor_names = [view.motors.names[i] for i in m]
     reducer_names = [view.reducers.names[j] for j in r]
@@ -50,7 +52,7 @@ def ranking(sheet: Sheet, view: Choosing) -> None:
         calc("i", "reduction", "i", "", at("i", "r", "reducers"), padded(1.0 / view.reducers.ratio[r], BEST), scale=1.0, format=BLANK),
         result("rms", "RMS torque", "T_rms", "Nm", "=IF([at]>0,INDEX([pairs.rms],[at]),0)", padded(found.rms_torque[:n], BEST), scale=1e-3, format=BLANK),
         result("margin", "margin", "", "", "=IF([at]>0,INDEX([motors.rated],INDEX([pairs.m],[at]))/[rms],0)", padded(found.margin[:n], BEST), scale=1.0, format=BLANK),
-        result("match", "off the best ratio by", "", "", "=IF([at]>0,EXP(ABS(LN(INDEX([reducers.match],INDEX([pairs.r],[at]))/INDEX([pairs.total],[at])))/2),0)", padded(found.mismatch[:n], BEST), scale=1.0, format=BLANK),
+        result("match", "off the best ratio by", "", "", f"=IF([at]>0,EXP(ABS(LN({ratio}))/2),0)", padded(found.mismatch[:n], BEST), scale=1.0, format=BLANK),
         calc("score", "score, the lowest best", "", "", "=IF([at]>0,INDEX([pairs.score],[at]),0)", padded(view.scores[m, r], BEST), scale=1e-3, format=FINE),
         result("reducer", "reducer", "", "", '=IF([at]>0,INDEX([reducers.name],INDEX([pairs.r],[at])),"–")', padded(reducer_names, BEST, "–"), align="left"),
     )  # fmt: skip
