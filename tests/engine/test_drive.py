@@ -8,6 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from engine.drive import (
+    RETURNED,
     STANDSTILL,
     Drive,
     Inertia,
@@ -94,6 +95,7 @@ def test_power_is_lost_never_won(w, dw, torque, efficiency, ratio, resists):
     assume(abs(w) >= STANDSTILL)
     d = drive(torque, resists, ratio, efficiency)
     out = float(d.total_load_torque(w, dw)) * w
+    assume(out >= 0 or out < -RETURNED)
     enters = float(d.power(w, dw)) - MOTOR.inertia * dw / ratio * w / ratio
     room = 1e-9 * (1 + abs(enters) + abs(out) + abs(float(d.power(w, dw))))
     if out >= 0:

@@ -45,3 +45,13 @@ def test_two_inputs_of_one_label_whose_names_have_changed_places_are_found(name:
     labels = {block.name: (block.sheet.title, block.quantities[0].label) for block in here.declared.blocks.values()}
     alike = (r for r in swapped(here, SEED) if len({labels[name] for name in r.targets}) == 1)
     assert [str(r) for r in islice(alike, COUNT) if outcome(here, r) == "agrees"] == []
+
+
+@every_template
+def test_an_input_of_words_or_an_empty_one_whose_name_leads_elsewhere_is_found(name: str) -> None:
+    here = bench(name)
+    first = {block.name: block.quantities[0] for block in here.declared.blocks.values() if not block.is_table}
+    wordy = [name for name, q in first.items() if q.role == "input" and not isinstance(q.value, int | float)]
+    shifts = [r for seed in (SEED, SEED + 1) for r in shifted(here, wordy, 2 * COUNT, seed)]
+    assert shifts
+    assert [str(r) for r in shifts if outcome(here, r) == "agrees"] == []

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from workbook.declare import Block
+from workbook.declare import FIRST, Block
 from workbook.judging.matching import Match
 from workbook.reading.files import Place
 
@@ -26,6 +26,7 @@ def misled(match: Match) -> Iterator[Misled]:
     yield from columns(match)
     yield from strays(match)
     yield from mislabelled(match)
+    yield from wordy(match)
     yield from disordered(match)
 
 
@@ -56,16 +57,34 @@ def strays(match: Match) -> Iterator[Misled]:
 
 
 def mislabelled(match: Match) -> Iterator[Misled]:
-    """Yield single cells that stand beside the label of another one; labels in other words are the engineer's own."""
+    """Yield single cells that stand beside another label or heading; words of the engineer's own are none of these."""
     for sheet in match.declared.sheets:
         single = [b for b in sheet.blocks if not b.is_table]
-        labels = {b.quantities[0].label for b in single}
+        labels = {text.text for text in sheet.texts if text.column == FIRST}
         for block in single:
             place = match.file.places.get(block.name)
             beside = texts_beside(match, place) & labels if place else set()
             if place and beside and block.quantities[0].label not in beside:
                 yield Misled(
                     place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {block.quantities[0].label!r}"
+                )
+
+
+def wordy(match: Match) -> Iterator[Misled]:
+    """Yield inputs that hold a text or nothing, as any cell may, in another column than the others or by no label."""
+    for sheet in match.declared.sheets:
+        single = [b for b in sheet.blocks if not b.is_table and b.name in match.file.places]
+        places = {b.name: match.file.places[b.name] for b in single}
+        usual = {c: Counter(places[b.name].column for b in single if b.column == c) for c in {b.column for b in single}}
+        for block in single:
+            quantity, place = block.quantities[0], places[block.name]
+            held = match.file.value(place.cell(0, 0))
+            if quantity.role != "input" or not (held is None or isinstance(held, str)):
+                continue
+            column = usual[block.column].most_common(1)[0][0]
+            if place.column != column or not texts_beside(match, place):
+                yield Misled(
+                    place, block.name, said(place), f"the cell of {quantity.label!r}, below or above the others"
                 )
 
 
