@@ -47,11 +47,16 @@ def operators() -> Callable[[Any, str, Any], Any]:
 
 
 def index(checked: Function) -> Function:
-    """Return INDEX, straight for ranges and whole numbers."""
+    """Return INDEX, straight for ranges and whole numbers, straightest for a row of a column."""
 
     def call(array: Any, row: Any, column: Any = None) -> Any:
-        if type(array) is tuple and type(row) is int and (column is None or type(column) is int):
-            return lookup.index(array, row, column)
+        if type(row) is float and row.is_integer():
+            row = int(row)
+        if type(array) is tuple and type(row) is int:
+            if column is None and 0 < row <= len(array) and len(array[0]) == 1:
+                return array[row - 1][0]
+            if column is None or type(column) is int:
+                return lookup.index(array, row, column)
         return checked(array, row, column)
 
     return call
