@@ -7,7 +7,7 @@ from collections.abc import Collection, Container, Iterator
 from openpyxl import Workbook
 
 from workbook.address import Address
-from workbook.functions.declared import FUNCTIONS
+from workbook.functions.declared import FUNCTIONS, NAMESPACE
 from workbook.functions.names import definitions, meaning
 from workbook.witnesses.pycel_witness import PycelModel
 
@@ -31,12 +31,10 @@ def notes(workbook: Workbook, calls: Collection[Address]) -> Iterator[str]:
 
 def changed(workbook: Workbook) -> list[str]:
     """Return the names of a workbook that are ours, but mean something else than today."""
-    known = {one.name: one.stored for one in definitions()}
-    return [
-        name
-        for name, held in workbook.defined_names.items()
-        if name in known and meaning(held.attr_text or "") != meaning(known[name])
-    ]
+    held = {name: one.attr_text or "" for name, one in workbook.defined_names.items() if NAMESPACE in name}
+    if not held:  # as in most books: the definitions need not be read
+        return []
+    return [d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.formula)]
 
 
 def listed(words: Iterator[str] | list[str]) -> str:
