@@ -19,10 +19,10 @@ from pycel.excelwrapper import ExcelOpxWrapperNoData
 from rich.console import Console
 from rich.table import Table
 
-from workbook.address import Address
+from workbook.book.address import Address
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.pycel.witness import PycelModel
 from workbook.writing.write import to_workbook
 
 

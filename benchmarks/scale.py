@@ -19,7 +19,7 @@ from workbook.judging.many import Target, cores, verify_many, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES, Template
-from workbook.witnesses.libreoffice_witness import LibreOffice, convert
+from workbook.witnesses.libreoffice import LibreOffice, convert
 
 ROUNDS = 3
 COUNTS = (1, 4, 16, 64)

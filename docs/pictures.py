@@ -14,7 +14,7 @@ from pathlib import Path
 from tests.functions.calc import Calc
 from workbook.functions import oxt
 from workbook.template import FOLDER
-from workbook.witnesses.libreoffice_witness import convert
+from workbook.witnesses.libreoffice import convert
 
 HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch

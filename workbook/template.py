@@ -7,17 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import workbook
-from workbook.declare import FIRST, Book, Text
-from workbook.machine import Laws, Machine, Sizes
-from workbook.reference import laws
-from workbook.sheets.about import contents
-from workbook.sheets.checks import checks_sheet, repeat_verdict
-from workbook.sheets.laws import PAGES, law_sheet
-from workbook.sheets.laws_sheet import laws_sheet
-from workbook.sheets.stack import CODES, locator, stacked
+from workbook.book.about import contents
+from workbook.book.checks import checks_sheet, repeat_verdict
+from workbook.book.declare import FIRST, Book, Text
+from workbook.entries.machine import Machine
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
-LAW_SIZES = {"law": ("ACS_samples", 1), "own_law": ("own_samples", 1), "pieces": ("own_pieces", 0)}
 
 
 @dataclass(frozen=True)
@@ -45,24 +40,6 @@ class Template:
     def book(self) -> Path:
         """The committed workbook."""
         return FOLDER / f"{self.name}.xlsx"
-
-
-class LawShelf:
-    """The motion laws of a book: the engine's laws, and the stacked pieces in which every sheet looks its law up."""
-
-    def __init__(self, given: Laws, sizes: Sizes) -> None:
-        self.given, self.sizes = given, sizes
-        self.laws = laws(given, sizes.own_law)
-        self.rows = stacked(self.laws, given.OWN.pieces, sizes)
-        self.stack = locator(self.rows)
-
-    def sheets(self, book: Book) -> None:
-        """Declare a page for each law, and the Laws sheet."""
-        for page in PAGES:
-            number = CODES.index(page.code) + 1
-            entered = getattr(self.given, page.code)
-            law_sheet(book, page, self.laws[page.code], entered, number, self.sizes.law, self.stack)
-        laws_sheet(book, self.laws, self.given.OWN, self.sizes, self.rows)
 
 
 def finish(book: Book, title: str, sources: tuple[str, ...]) -> Book:

@@ -20,7 +20,7 @@ class Register(Mapping[str, Template]):
 
     def __getitem__(self, name: str) -> Template:
         """Return a template; raise KeyError where there is none of that name."""
-        template: Template = import_module(f"workbook.machines.{MODULES[name]}").TEMPLATE
+        template: Template = import_module(f"workbook.machines.{MODULES[name]}.template").TEMPLATE
         return template
 
     def __iter__(self) -> Iterator[str]:

@@ -11,18 +11,18 @@ from openpyxl import Workbook
 from openpyxl.workbook.defined_name import DefinedName
 
 from tests.mutation.mutants import Mutant, Orchard
-from workbook.address import Address
-from workbook.declare import Book
+from workbook.book.address import Address
+from workbook.book.declare import Book
+from workbook.book.formula import Area, Formula
+from workbook.entries.machine import Machine
 from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, Right, is_formula
 from workbook.judging.verify import Report, judge
-from workbook.machine import Machine
 from workbook.reading.entries import read_machine
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template
-from workbook.witnesses.calculation import Calculation
-from workbook.witnesses.pycel_witness import PycelModel
-from workbook.witnesses.shapes import Area, Formula
+from workbook.witnesses.pycel.calculation import Calculation
+from workbook.witnesses.pycel.witness import PycelModel
 from workbook.writing.write import to_workbook
 
 SMALL = {"cycle": 24, "law": 8, "own_law": 8}

@@ -6,7 +6,7 @@ from typing import Any, get_args
 from tests.mutation.draw_overlap import rising
 from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import LAWS, vary_laws
-from workbook.machines.actuator_model import Kind
+from workbook.machines.actuator.entries import Kind
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from openpyxl.formula.tokenizer import Token
 
 from tests.mutation.bench import Bench
 from tests.mutation.mutants import REFERENCE, Mutant, tokens_of
-from workbook.address import Address
+from workbook.book.address import Address
+from workbook.book.formula import Area, Formula
 from workbook.judging.matching import is_formula
-from workbook.witnesses.shapes import Area, Formula
 
 SKIPS_TEXT = ("MAX", "MIN", "SUM", "COUNT")
 """Functions to which a range may grow by cells without numbers."""

@@ -10,7 +10,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from workbook.machine import Machine
+from workbook.entries.machine import Machine
 from workbook.templates import MODULES
 
 LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")

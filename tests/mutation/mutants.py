@@ -17,8 +17,8 @@ from openpyxl.formula import Tokenizer
 from openpyxl.formula.tokenizer import Token
 from openpyxl.utils import column_index_from_string, get_column_letter
 
-from workbook.address import Address
-from workbook.declare import Book, Cell
+from workbook.book.address import Address
+from workbook.book.declare import Book, Cell
 
 OPERATORS = {
     "+": "- *", "-": "+ *", "*": "/ +", "/": "* -", "^": "* /",

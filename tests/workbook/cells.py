@@ -5,7 +5,7 @@ from pathlib import Path
 from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, Right
 from workbook.reading.files import BookFile, find_places
-from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.pycel.witness import PycelModel
 from workbook.writing.write import to_workbook
 
 

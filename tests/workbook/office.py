@@ -5,7 +5,7 @@ import tempfile
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from workbook.witnesses.libreoffice_witness import program
+from workbook.witnesses.libreoffice import program
 
 TIMEOUT = 180  # seconds
 MODULE = """<?xml version="1.0" encoding="UTF-8"?>

@@ -17,10 +17,10 @@ from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.actuator_flow import Sized
+from workbook.laws.library import laws
+from workbook.machines.actuator.flow import Sized
+from workbook.machines.actuator.printed import FIGURES
 from workbook.reading.entries import checked, read_machine
-from workbook.reference import laws
-from workbook.sheets.actuator.printed import FIGURES
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["actuator-sizing"]

@@ -15,7 +15,7 @@ from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.libreoffice_witness import convert, program
+from workbook.witnesses.libreoffice import convert, program
 
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 

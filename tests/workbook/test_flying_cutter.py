@@ -11,7 +11,7 @@ from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.flying import RISING
+from workbook.machines.flying.template import RISING
 from workbook.reading.entries import checked, read_machine
 from workbook.templates import TEMPLATES
 

@@ -7,10 +7,10 @@ from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.overlap import RISING
-from workbook.machines.overlap_model import Overlapping
+from workbook.laws.library import laws
+from workbook.machines.overlap.template import RISING
+from workbook.machines.overlap.view import Overlapping
 from workbook.reading.entries import checked, read_machine
-from workbook.reference import laws
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["indexing-overlap"]

@@ -11,7 +11,7 @@ from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
-from workbook.machines.overlap_model import MOST_TOOLS
+from workbook.machines.overlap.entries import MOST_TOOLS
 from workbook.reading.entries import checked, counted, read_machine, write_machine
 from workbook.reading.files import open_book
 from workbook.template import FOLDER

@@ -17,13 +17,13 @@ from pycel import ExcelCompiler
 from pycel.excelutil import build_operator_operand_fixup
 from pycel.excelwrapper import ExcelOpxWrapperNoData
 
-from workbook.address import Address
-from workbook.witnesses import compiled, shortcuts
-from workbook.witnesses.columns import Formulas
-from workbook.witnesses.limits import build_operators
-from workbook.witnesses.order import ordered
-from workbook.witnesses.pycel_witness import PycelModel, evaluate, version
-from workbook.witnesses.shapes import FormulaError, read
+from workbook.book.address import Address
+from workbook.book.formula import FormulaError, read
+from workbook.witnesses.pycel import compiled, shortcuts
+from workbook.witnesses.pycel.columns import Formulas
+from workbook.witnesses.pycel.limits import build_operators
+from workbook.witnesses.pycel.order import ordered
+from workbook.witnesses.pycel.witness import PycelModel, evaluate, version
 
 SHEET = "Sheet 1"
 

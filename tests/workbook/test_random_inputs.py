@@ -15,7 +15,7 @@ from hypothesis.strategies import integers
 
 from tests.workbook.cells import disagreeing
 from workbook.build import build, inputs
-from workbook.machines.cutting_model import CuttingMachine
+from workbook.machines.cutting.entries import CuttingMachine
 from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
 

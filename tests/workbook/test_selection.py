@@ -18,13 +18,14 @@ from workbook.build import build, described, inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
-from workbook.machines.cutting import choosing
+from workbook.laws.shelf import LawShelf
+from workbook.machines.cutting.template import choosing
+from workbook.machines.cutting.view import Cutting
 from workbook.reading.catalogue import MOTOR_COLUMNS, REDUCER_COLUMNS, read_motors, read_reducers
 from workbook.reading.entries import read_machine
-from workbook.reference import Cutting
-from workbook.template import FOLDER, LawShelf
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.pycel.witness import PycelModel
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 MOTORS, REDUCERS = FOLDER / "motors.csv", FOLDER / "reducers.csv"

@@ -13,7 +13,7 @@ from workbook.judging.matching import Match
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES, libreoffice_witness
+from workbook.witnesses import WITNESSES, libreoffice
 
 
 @pytest.fixture(scope="module", params=TEMPLATES)
@@ -100,7 +100,7 @@ def test_saved_refuses_a_file_that_was_never_calculated(cutting, tmp_path):
 
 
 def test_an_absent_witness_is_named_and_fails(cutting, monkeypatch):
-    monkeypatch.setattr(libreoffice_witness, "program", lambda: None)
+    monkeypatch.setattr(libreoffice, "program", lambda: None)
     report = verify(cutting, ["pycel", "libreoffice"])
     assert [(f.kind, f.cell, f.computed) for f in report.findings] == [("witness", "libreoffice", "absent")]
 

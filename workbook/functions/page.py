@@ -6,8 +6,8 @@ from math import isfinite
 from typing import Any
 
 from engine.laws.inverse import inverse
-from workbook.chart import Chart, Series
-from workbook.declare import FIRST, Book, Sheet, Text, calc, constant, given, result
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import FIRST, Book, Sheet, Text, calc, constant, given, result
 from workbook.functions.declared import FUNCTIONS, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
 

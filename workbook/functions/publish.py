@@ -11,7 +11,7 @@ from openpyxl import Workbook
 from openpyxl.utils import get_column_letter
 from openpyxl.workbook.defined_name import DefinedName
 
-from workbook.declare import Book
+from workbook.book.declare import Book
 from workbook.functions.declared import NAMESPACE
 from workbook.functions.names import definitions
 from workbook.functions.page import declare

@@ -14,7 +14,8 @@ from engine.drive import Inertia, reflected_inertia
 from engine.laws import Law, Piece, PieceLaw, law
 from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase
-from workbook.machine import LawCode, Laws, Model, NotNegative, Number, Positive, Share
+from workbook.entries.types import Model, NotNegative, Number, Positive, Share
+from workbook.laws.entries import LawCode, Laws
 
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2

@@ -8,12 +8,12 @@ from typing import NamedTuple
 from openpyxl import Workbook
 from pydantic import BaseModel
 
-from workbook.address import Address
+from workbook.book.address import Address
+from workbook.entries.rules import field_at
 from workbook.judging.matching import Match
 from workbook.judging.names import misled
 from workbook.reading.files import find_places
-from workbook.rules import field_at
-from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.pycel.witness import PycelModel
 
 ALLOWED = frozenset(
     [

@@ -6,10 +6,10 @@ from collections.abc import Collection, Container, Iterator
 
 from openpyxl import Workbook
 
-from workbook.address import Address
+from workbook.book.address import Address
 from workbook.functions.declared import FUNCTIONS, NAMESPACE
 from workbook.functions.names import definitions, meaning
-from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.pycel.witness import PycelModel
 
 OURS = frozenset(function.name for function in FUNCTIONS)
 SHOWN = 5  # cells or names that a note lists

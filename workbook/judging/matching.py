@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from workbook.address import Address
-from workbook.declare import Block, Book, Cell, Quantity, as_rows
+from workbook.book.address import Address
+from workbook.book.declare import Block, Book, Cell, Quantity, as_rows
+from workbook.book.formula import Area, Formula, FormulaError, read
 from workbook.reading.files import BookFile, Place, find_places
-from workbook.witnesses.pycel_witness import area_of
-from workbook.witnesses.shapes import Area, Formula, FormulaError, read
+from workbook.witnesses.pycel.witness import area_of
 
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
 
@@ -209,7 +209,7 @@ class Right:
         cell = self._cells[address]
         key = id(cell.quantity)
         if key not in self._peaks:
-            scale = self._declared(cell)[1].scale or 0.0
+            scale = self._declared(cell)[1].floor
             self._peaks[key] = max(greatest(self._columns.get(key) or self._column(cell)), scale)
         return self._peaks[key]
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
-from workbook.declare import FIRST, Block
+from workbook.book.declare import FIRST, Block
 from workbook.judging.matching import Match
 from workbook.reading.files import Place
 

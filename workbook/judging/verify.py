@@ -10,18 +10,18 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from workbook.address import Address
+from workbook.book.address import Address
+from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.audit import audit
 from workbook.judging.compare import ERRORS, TOLERANCE, difference, is_error
 from workbook.judging.functions import calling, notes
 from workbook.judging.matching import Match, Pair, Right
-from workbook.machine import Machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import Template
 from workbook.witnesses import WITNESSES
-from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.pycel.witness import PycelModel
 
 LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
 SHARE = 3  # of shorter tables and single cells, every cell at one in so many of the other inputs

@@ -11,10 +11,10 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 import workbook
-from workbook import rules
+from workbook.entries import rules
+from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
-from workbook.machine import EntryError
-from workbook.machines.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.catalogue import MotorRow, ReducerRow
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
 FOLDER = Path(workbook.__file__).parent.parent / "templates"

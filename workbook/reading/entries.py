@@ -11,13 +11,14 @@ from typing import Any
 import tomli_w
 from pydantic import BaseModel, ValidationError
 
-from workbook import rules
-from workbook.declare import Block, Quantity
+from workbook.book.declare import Block, Quantity
+from workbook.entries import rules
+from workbook.entries.machine import Machine
+from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
-from workbook.machine import EntryError, Machine
 from workbook.reading.files import BookFile, Place
 from workbook.templates import TEMPLATES, Template
-from workbook.witnesses.pycel_witness import PycelModel
+from workbook.witnesses.pycel.witness import PycelModel
 
 Where = Callable[[str], str]
 LONGEST = 60  # characters that a message repeats of what was found

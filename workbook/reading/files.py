@@ -15,7 +15,7 @@ from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
 from openpyxl.utils.cell import range_boundaries
 
-from workbook.address import Address
+from workbook.book.address import Address
 from workbook.errors import ReadError
 from workbook.reading.guard import guard
 from workbook.reading.scan import LAST_COLUMN, LAST_ROW, SAVE_AS

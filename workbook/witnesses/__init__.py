@@ -2,10 +2,10 @@
 
 from collections.abc import Callable
 
-from workbook.witnesses.formualizer_witness import Formualizer
-from workbook.witnesses.libreoffice_witness import LibreOffice
-from workbook.witnesses.pycel_witness import Pycel
-from workbook.witnesses.saved_witness import Saved
+from workbook.witnesses.formualizer import Formualizer
+from workbook.witnesses.libreoffice import LibreOffice
+from workbook.witnesses.pycel.witness import Pycel
+from workbook.witnesses.saved import Saved
 from workbook.witnesses.witness import Witness
 
 WITNESSES: dict[str, Callable[[], Witness]] = {

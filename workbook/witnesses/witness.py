@@ -10,7 +10,7 @@ import openpyxl
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
 
-from workbook.address import Address
+from workbook.book.address import Address
 from workbook.reading.files import BookFile
 
 

@@ -19,8 +19,8 @@ from openpyxl.drawing.line import LineProperties
 from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
 from openpyxl.utils import quote_sheetname
 
-from workbook.chart import COLOURS, Chart, Series
-from workbook.declare import Book
+from workbook.book.chart import COLOURS, Chart, Series
+from workbook.book.declare import Book
 from workbook.writing.style import GRID
 
 WIDTH = 19050  # of a line: 1.5 points

@@ -12,7 +12,7 @@ from openpyxl.styles import Alignment, Font, PatternFill, Protection
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.worksheet.worksheet import Worksheet
 
-from workbook.declare import Quantity
+from workbook.book.declare import Quantity
 
 GRID = "D9D9D9"
 

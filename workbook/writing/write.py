@@ -20,8 +20,8 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
-from workbook import rules
-from workbook.declare import FIRST, Block, Book, Sheet
+from workbook.book.declare import FIRST, Block, Book, Sheet
+from workbook.entries import rules
 from workbook.errors import WriteError
 from workbook.writing import archive, charts, style
 

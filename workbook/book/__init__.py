@@ -1,0 +1,1 @@
+"""What a book is made of: sheet, quantity, chart, address, formula."""

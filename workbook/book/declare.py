@@ -1,0 +1,283 @@
+"""What a workbook is made of: quantities, declared once, placed in blocks on sheets.
+
+One declaration serves four uses: the cell, its documentation, the validation of its input and the
+comparison of ``verify``. Formulas are written with a small reference notation that is turned into
+cell references when the book is complete, so that a sheet may name blocks of a later sheet:
+
+====================  ==========================================================
+``[xi]``              the cell of column ``xi`` in the same row of the same table
+``[xi-1]``            the cell one row above it
+``[samples.xi]``      the whole column ``xi`` of table ``samples``, absolute
+``[samples.xi.first]``, ``.last``, ``.3``   its first, last, third cell
+``@stroke``           ``tool2_stroke`` in the scope ``tool2_`` (:meth:`Sheet.scoped`),
+                      by which one function declares the like of several parts
+``drive_rate``        anything else is Excel's own text; scalars go by defined name
+====================  ==========================================================
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from openpyxl.utils import get_column_letter, quote_sheetname
+
+from workbook.book.chart import Chart, in_scope
+from workbook.book.quantity import Quantity, calc, check, constant, given, result
+
+__all__ = [
+    "FIRST", "Block", "Book", "Cell", "Quantity", "Sheet", "Text",
+    "as_rows", "calc", "check", "constant", "given", "result",
+]  # fmt: skip
+
+REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
+
+
+class Cell(NamedTuple):
+    """One declared cell, where the generated book has it; ``row`` and ``column`` also tell its offset."""
+
+    block: Block
+    quantity: Quantity
+    i: int
+    row: int
+    column: int
+    content: Any
+    expected: Any
+
+
+@dataclass
+class Block:
+    """Quantities placed on a sheet: one row of a table each ``size``, or a single cell."""
+
+    name: str
+    sheet: Sheet
+    row: int
+    column: int
+    quantities: tuple[Quantity, ...]
+    size: int
+    title: str = ""
+    is_table: bool = True
+
+    @cached_property
+    def columns(self) -> dict[str, int]:
+        """The sheet column of each quantity, by name."""
+        return {q.name: self.column + i for i, q in enumerate(self.quantities)}
+
+    @property
+    def span(self) -> str:
+        """The block's cells as an absolute A1 range, without the sheet."""
+        return span(self.row, self.column, self.row + self.size - 1, self.column + len(self.quantities) - 1)
+
+    def reference(self, quantity: str, end: str = "") -> str:
+        """Return the absolute range of one column, or one cell of it: ``.first``, ``.last``, or its number."""
+        top, bottom = self.row, self.row + self.size - 1
+        if end:
+            row = {".first": 1, ".last": self.size}.get(end) or int(end[1:])
+            top = bottom = self.row + row - 1
+        column = self.columns[quantity]
+        return span(top, column, bottom, column)
+
+    def cells(self) -> Iterator[Cell]:
+        """Yield the declared cells, column by column, with contents and the engine's values."""
+        for q, column in zip(self.quantities, self.columns.values(), strict=True):
+            values = as_rows(q.value, self.size, f"{self.name}.{q.name}")
+            formulas = self._formulas(q)
+            for i in range(self.size):
+                content = values[i] if formulas is None else formulas[i]
+                yield Cell(self, q, i, self.row + i, column, content, values[i])
+
+    def _formulas(self, q: Quantity) -> list[str] | None:
+        if q.formula is None:
+            return None
+        if isinstance(q.formula, str):
+            pattern = self.sheet.book.resolve(q.formula, self)
+            return [pattern.format(r, r - 1) for r in range(self.row, self.row + self.size)]
+        if len(q.formula) != self.size:
+            raise ValueError(f"{self.name}.{q.name}: {len(q.formula)} formulas for {self.size} rows")
+        rows = [self.sheet.book.resolve(text, self) for text in q.formula]
+        return [text.format(self.row + i, self.row + i - 1) for i, text in enumerate(rows)]
+
+
+class Text(NamedTuple):
+    """A label on the sheet, with the style it takes; ``link`` names a sheet to jump to."""
+
+    row: int
+    column: int
+    text: str
+    style: str
+    link: str = ""
+
+
+FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
+
+
+@dataclass
+class Sheet:
+    """A sheet as it is laid out: each call places the next thing below the last one."""
+
+    book: Book
+    title: str
+    purpose: str
+    row: int = 5
+    texts: list[Text] = field(default_factory=list)
+    blocks: list[Block] = field(default_factory=list)
+    charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
+    print_columns: int = 0
+    one_page: bool = False
+    scope: str = ""
+
+    @contextmanager
+    def scoped(self, scope: str) -> Iterator[None]:
+        """Let ``@`` stand for ``scope`` in the names and formulas of what is placed meanwhile."""
+        before, self.scope = self.scope, scope
+        try:
+            yield
+        finally:
+            self.scope = before
+
+    def heading(self, text: str, note: str = "") -> None:
+        """Begin a section."""
+        self.row += 1
+        self.texts.append(Text(self.row, FIRST, text, "heading"))
+        self.row += 1
+        if note:
+            self.note(note)
+
+    def note(self, text: str, link: str = "") -> None:
+        """Write a line of explanation, or a link to the sheet that ``link`` names."""
+        self.texts.append(Text(self.row, FIRST, text, "link" if link else "note", link))
+        self.row += 1
+
+    def rows(self, *quantities: Quantity) -> None:
+        """Place quantities one below the other: label, symbol, value, unit, source."""
+        for q in self._own(quantities):
+            for column, text, style in (
+                (FIRST, q.label, "label"),
+                (FIRST + 1, q.symbol, "symbol"),
+                (FIRST + 3, q.unit, "unit"),
+                (FIRST + 4, q.source, "note"),
+            ):
+                if text:
+                    self.texts.append(Text(self.row, column, text, style))
+            self._place(Block(q.name, self, self.row, FIRST + 2, (q,), 1, is_table=False))
+            self.row += 1
+
+    def checks(self, *quantities: Quantity) -> None:
+        """Place checks, and enter them in the book's list, on which the overall verdict rests."""
+        self.rows(*quantities)
+        self.book.checks += [(self, q) for q in self._own(quantities)]
+
+    def table(self, name: str, title: str, size: int, *quantities: Quantity) -> Block:
+        """Place a table of ``size`` rows under a header of names, symbols with units, and equations."""
+        self.texts.append(Text(self.row, FIRST, title, "subheading"))
+        explained = any(q.source for q in quantities)
+        for i, q in enumerate(quantities):
+            unit = f"{q.symbol} [{q.unit}]" if q.unit else q.symbol
+            lines = [(q.label, "header"), (unit, "units")]
+            if explained:
+                lines.append((q.source, "equation"))
+            for k, (text, style) in enumerate(lines):
+                self.texts.append(Text(self.row + 1 + k, FIRST + i, text, style))
+        top = self.row + (4 if explained else 3)
+        name = in_scope(name, self.scope)
+        block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title))
+        self.row = top + size + 1
+        return block
+
+    def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:
+        """Place a chart with its corner at a cell, ``width`` columns by ``height`` rows large."""
+        self.charts.append((chart.within(self.scope), row, column, width, height))
+
+    def chart_row(self, *charts: Chart, width: int = 5, height: int = 17) -> None:
+        """Place charts side by side below what is there."""
+        column = FIRST
+        for i, chart in enumerate(charts):
+            self.chart(chart, column, self.row, width if i else width - 2, height)
+            column += width if i else width - 2
+        self.row += height + 1
+
+    def _own(self, quantities: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
+        return tuple(q.within(self.scope) for q in quantities) if self.scope else quantities
+
+    def _place(self, block: Block) -> Block:
+        if block.name in self.book.blocks:
+            raise ValueError(f"{block.name} is declared twice")
+        self.book.blocks[block.name] = block
+        self.blocks.append(block)
+        return block
+
+
+@dataclass
+class Book:
+    """A whole workbook as declared: sheets in the order of their tabs, every block by its name."""
+
+    template: str
+    title: str
+    sheets: list[Sheet] = field(default_factory=list)
+    blocks: dict[str, Block] = field(default_factory=dict)
+    checks: list[tuple[Sheet, Quantity]] = field(default_factory=list)
+    column_names: dict[str, tuple[str, str]] = field(default_factory=dict)
+
+    def sheet(self, title: str, purpose: str) -> Sheet:
+        """Add a sheet behind the ones that are there."""
+        self.sheets.append(Sheet(self, title, purpose))
+        return self.sheets[-1]
+
+    def name_columns(self, block: Block, prefix: str) -> None:
+        """Give every column of a table a defined name, ``prefix_quantity``: for tables that others look up."""
+        for q in block.quantities:
+            self.column_names[f"{prefix}_{q.name}"] = (block.name, q.name)
+
+    def cells(self) -> Iterator[Cell]:
+        """Yield every declared cell of the book."""
+        for block in self.blocks.values():
+            yield from block.cells()
+
+    def resolve(self, text: str, at: Block) -> str:
+        """Turn the reference notation into A1 references, with ``{0}`` and ``{1}`` for this row and the one above.
+
+        Raises KeyError where a block or column does not exist.
+        """
+
+        def reference(found: re.Match[str]) -> str:
+            first, second, end = found.groups()
+            if second is None or second == "-1":
+                return f"${get_column_letter(at.columns[first])}{'{0}' if second is None else '{1}'}"
+            block = self.blocks[first]
+            prefix = "" if block.sheet is at.sheet else quote_sheetname(block.sheet.title) + "!"
+            return prefix + block.reference(second[1:], end or "")
+
+        return REFERENCE.sub(reference, text.replace("{", "{{").replace("}", "}}"))
+
+    def range(self, text: str) -> str:
+        """Return the range that ``[table.column]`` means, with its sheet: for charts and names."""
+        table, column = text.strip("[]").split(".")
+        block = self.blocks[table]
+        return f"{quote_sheetname(block.sheet.title)}!{block.reference(column)}"
+
+    def names(self) -> Iterator[tuple[str, str]]:
+        """Yield every defined name with what it refers to: the blocks, then the named columns."""
+        for block in self.blocks.values():
+            yield block.name, f"{quote_sheetname(block.sheet.title)}!{block.span}"
+        for name, (table, column) in self.column_names.items():
+            yield name, self.range(f"[{table}.{column}]")
+
+
+def as_rows(value: Any, size: int, where: str) -> list[Any]:
+    """Return one value for each row: a sequence as it is, a single value repeated."""
+    if isinstance(value, str) or not hasattr(value, "__len__"):
+        return [value] * size
+    if len(value) != size:
+        raise ValueError(f"{where}: {len(value)} values for {size} rows")
+    return value.tolist() if hasattr(value, "tolist") else list(value)
+
+
+def span(top: int, left: int, bottom: int, right: int) -> str:
+    """Return an absolute A1 range, or one cell where both corners are the same."""
+    first = f"${get_column_letter(left)}${top}"
+    last = f"${get_column_letter(right)}${bottom}"
+    return first if first == last else f"{first}:{last}"

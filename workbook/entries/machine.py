@@ -1,0 +1,30 @@
+"""What every machine description has: title, laws, sizes of its tables."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field
+
+from workbook.entries.types import Model, Text
+from workbook.laws.entries import Laws
+
+
+class Sizes(Model):
+    """How large the tables are built: intervals of a cycle and of a law, rows to fill."""
+
+    cycle: Annotated[int, Field(ge=4, le=7200)] = 360
+    law: Annotated[int, Field(ge=4, le=1000)] = 100
+    own_law: Annotated[int, Field(ge=4, le=1000)] = 200
+    phases: Annotated[int, Field(ge=2, le=60)] = 8
+    rotors: Annotated[int, Field(ge=2, le=60)] = 6
+    pieces: Annotated[int, Field(ge=2, le=60)] = 8
+
+
+class Machine(Model):
+    """What every machine description has, whatever its template."""
+
+    template: str
+    title: Text
+    laws: Laws = Laws()
+    sizes: Sizes = Sizes()

@@ -1,0 +1,107 @@
+"""What Excel accepts in an input cell, derived from the machine model that the input belongs to."""
+
+from __future__ import annotations
+
+import types
+from dataclasses import astuple
+from typing import Any, Literal, Union, get_args, get_origin
+
+from annotated_types import Ge, Gt, Le, Lt, MaxLen, MinLen
+from openpyxl.worksheet.datavalidation import DataValidation
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from workbook.book.declare import Quantity
+from workbook.entries.types import LARGEST, SMALLEST
+
+
+def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
+    """Return the bare type and the constraints of the entry at ``key``; raise KeyError where there is none."""
+    kind: Any = model
+    constraints: list[Any] = []
+    for part in filter(None, key.split(".")):
+        if part == "*" or part.isdigit():
+            kind, constraints = unwrap(get_args(kind)[0], [])
+        else:
+            kind, constraints = unwrap(kind.model_fields[part].annotation, kind.model_fields[part].metadata)
+    return kind, constraints
+
+
+def unwrap(annotation: Any, constraints: list[Any]) -> tuple[Any, list[Any]]:
+    """Strip ``Annotated`` and ``| None`` from a type, collecting the constraints on the way."""
+    found = list(constraints)
+    if hasattr(annotation, "__metadata__"):
+        for note in annotation.__metadata__:
+            found += note.metadata if isinstance(note, FieldInfo) else [note]
+        return unwrap(get_args(annotation)[0], found)
+    if get_origin(annotation) in (Union, types.UnionType):
+        return unwrap(next(a for a in get_args(annotation) if a is not type(None)), found)
+    return annotation, found
+
+
+def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
+    """Return the rule and the two messages for the cells of input ``q``."""
+    kind, constraints = field_at(model, q.key)
+    expected = expectation(kind, constraints)
+    if q.choices:
+        rule, expected = DataValidation("list", formula1=q.choices), "one entry of the list"
+    elif get_origin(kind) is Literal:
+        rule = DataValidation("list", formula1=f'"{",".join(get_args(kind))}"')
+    elif kind is str:
+        rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
+    else:
+        rule = number_rule(constraints)
+    rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
+    rule.allow_blank = q.key.find("*") >= 0
+    rule.promptTitle, rule.errorTitle = clip(q.label, 32), clip(q.label, 32)
+    unit = f" [{q.unit}]" if q.unit else ""
+    rule.prompt = clip(f"Enter {expected}{unit}.", 255)
+    rule.error = clip(f"Expected {expected}{unit}.", 255)
+    return rule
+
+
+def number_rule(constraints: list[Any]) -> DataValidation:
+    """Return the rule for a number within bounds."""
+    above = next((c.gt for c in constraints if isinstance(c, Gt)), None)
+    low = next((c.ge for c in constraints if isinstance(c, Ge)), above if above is not None else -1e300)
+    high = next((c.lt if isinstance(c, Lt) else c.le for c in constraints if isinstance(c, Lt | Le)), 1e300)
+    if above is not None and high == 1e300:
+        return DataValidation("decimal", operator="greaterThan", formula1=repr(above))
+    return DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
+
+
+def expectation(kind: Any, constraints: list[Any]) -> str:
+    """Return in words what an entry of a type and its constraints must be."""
+    if get_origin(kind) is Literal:
+        *others, last = map(str, get_args(kind))
+        return f"{', '.join(others)} or {last}" if others else last
+    if kind is str:
+        return f"a text of 1 to {longest(constraints)} characters that does not begin with ="
+    if get_origin(kind) is list:
+        least = next((c.min_length for c in constraints if isinstance(c, MinLen)), 0)
+        most = next((c.max_length for c in constraints if isinstance(c, MaxLen)), None)
+        if most is not None:
+            return f"{least} entries" if least == most else f"a list of {least} to {most} entries"
+        return f"a list of at least {least} entries" if least else "a list"
+    if isinstance(kind, type) and issubclass(kind, BaseModel):
+        return f"the entries {', '.join(kind.model_fields)}"
+    bounds = [
+        words.format(astuple(c)[0])
+        for c in constraints
+        for rule, words in BOUNDS.items()
+        if isinstance(c, rule) and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)
+    ]
+    return " ".join(["a whole number" if kind is int else "a number", " and ".join(bounds)]).strip()
+
+
+BOUNDS: dict[Any, str] = {Gt: "greater than {:g}", Ge: "of at least {:g}", Lt: "less than {:g}", Le: "at most {:g}"}
+
+
+def longest(constraints: list[Any]) -> int:
+    """Return how many characters a text may have."""
+    return next((c.max_length for c in constraints if isinstance(c, MaxLen)), 80)
+
+
+def clip(text: str, length: int) -> str:
+    """Shorten a text to what Excel's message boxes take."""
+    return text if len(text) <= length else text[: length - 1] + "…"

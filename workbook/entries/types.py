@@ -1,0 +1,32 @@
+"""The types of entries, in the engineer's units, with the rules that each obeys."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+
+LARGEST, SMALLEST = 1e12, 1e-12  # of any entry but 0: beyond, squares leave what a cell can hold
+Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+Positive = Annotated[float, Field(gt=0, ge=SMALLEST, le=LARGEST)]
+NotNegative = Annotated[float, Field(ge=0, le=LARGEST)]
+Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
+Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False)]
+PLAIN = r"^[^=\x00-\x1f][^\x00-\x1f]*$"  # one line, no formula
+Text = Annotated[str, Field(min_length=1, max_length=80, pattern=PLAIN)]
+SUM_TOLERANCE = 1e-9
+ANGLE_TOLERANCE = 1e-9  # degrees
+
+
+class EntryError(ValueError):
+    """An entry that does not go with the others; ``field`` says which, below the model that found it."""
+
+    def __init__(self, field: str, message: str) -> None:
+        super().__init__(message)
+        self.field = field
+
+
+class Model(BaseModel):
+    """Entries are taken as they are: no text becomes a number, no unknown entry is dropped."""
+
+    model_config = ConfigDict(strict=True, extra="forbid", frozen=True)

@@ -1,0 +1,1 @@
+"""Motion laws in the workbook: entries, pages, the stack of pieces, sampling, variations."""

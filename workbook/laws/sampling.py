@@ -1,0 +1,105 @@
+"""A law evaluated in cells: find the piece by one MATCH on the stacked pieces, then a short formula each.
+
+Every sampled table of the book uses these columns. The pieces stand on the Laws sheet; a piece is found by its
+key, twice the law's number plus the ξ at which it begins. A sample within ``break_tolerance`` of a break counts
+as on it, so that rounding never decides which side of a jump is shown; ξ = 1 belongs to the last piece.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.laws import Law
+from engine.laws.base import BREAK_TOLERANCE
+from workbook.book.declare import Quantity, calc
+
+Array = NDArray[np.float64]
+
+FIND = "=MATCH(2*{law}+MIN([{xi}]+break_tolerance,1-break_tolerance),piece_key,1)"
+LOCAL = "=[{xi}]-INDEX(piece_xi,[{q}])"
+ARGUMENT = "=INDEX(piece_omega,[{q}])*[{u}]+INDEX(piece_phi,[{q}])"
+POSITION = (
+    "=INDEX(piece_s0,[{q}])+[{u}]*(INDEX(piece_s1,[{q}])+[{u}]*(INDEX(piece_c0,[{q}])/2+[{u}]*(INDEX(piece_c1,[{q}])/6"
+    "+[{u}]*(INDEX(piece_c2,[{q}])/12+[{u}]*INDEX(piece_c3,[{q}])/20))))-INDEX(piece_ps,[{q}])*SIN([{x}])"
+)
+VELOCITY = (
+    "=INDEX(piece_s1,[{q}])+[{u}]*(INDEX(piece_c0,[{q}])+[{u}]*(INDEX(piece_c1,[{q}])/2+[{u}]*(INDEX(piece_c2,[{q}])/3"
+    "+[{u}]*INDEX(piece_c3,[{q}])/4)))-INDEX(piece_pv,[{q}])*COS([{x}])"
+)
+ACCELERATION = (
+    "=INDEX(piece_c0,[{q}])+[{u}]*(INDEX(piece_c1,[{q}])+[{u}]*(INDEX(piece_c2,[{q}])+[{u}]*INDEX(piece_c3,[{q}])))"
+    "+INDEX(piece_P,[{q}])*SIN([{x}])"
+)
+JERK = (
+    "=INDEX(piece_c1,[{q}])+[{u}]*(2*INDEX(piece_c2,[{q}])+[{u}]*3*INDEX(piece_c3,[{q}]))"
+    "+INDEX(piece_P,[{q}])*INDEX(piece_omega,[{q}])*COS([{x}])"
+)
+
+
+class Pieces:
+    """The stacked pieces as the sheets expect to find them: first row, ξ_k, ω, φ of each law, by number."""
+
+    def __init__(
+        self, starts: dict[int, list[float]], omegas: dict[int, list[float]], phis: dict[int, list[float]]
+    ) -> None:
+        self.starts, self.omegas, self.phis = starts, omegas, phis
+        self.offsets: dict[int, int] = {}
+        total = 0
+        for number, rows in starts.items():
+            self.offsets[number] = total
+            total += len(rows)
+
+    def locate(self, number: int, xi: Array) -> tuple[Array, Array, Array]:
+        """Return piece row (from 1), local abscissa u and sine argument ωu + φ of samples of one law."""
+        starts = np.array(self.starts[number])
+        k = np.searchsorted(starts, np.minimum(xi + BREAK_TOLERANCE, 1 - BREAK_TOLERANCE), side="right") - 1
+        u = xi - starts[k]
+        return (
+            (self.offsets[number] + k + 1).astype(float),
+            u,
+            np.array(self.omegas[number])[k] * u + np.array(self.phis[number])[k],
+        )
+
+
+def finding(law: str, xi: str, located: tuple[Array, Array, Array], suffix: str = "") -> list[Quantity]:
+    """Return the workings that find the piece of each sample: row, local abscissa, sine argument."""
+    row, u, x = located
+    names = {"law": law, "xi": xi, "q": f"q{suffix}", "u": f"u{suffix}", "x": f"x{suffix}"}
+    return [
+        calc(
+            names["q"],
+            "piece row",
+            "q",
+            "",
+            FIND.format(**names),
+            row,
+            format="0",
+            source="last key not above the sample's",
+        ),
+        calc(names["u"], "within piece", "u", "", LOCAL.format(**names), u, source="ξ − ξ_k"),
+        calc(names["x"], "sine argument", "x", "rad", ARGUMENT.format(**names), x, source="ωu + φ"),
+    ]
+
+
+def shape(law: Law, xi: Array, derivatives: str = "svaj", suffix: str = "", role: Any = calc) -> list[Quantity]:
+    """Return the columns s, v, a, j of one law at samples found by :func:`finding`."""
+    return columns(dict(zip("svaj", law.evaluate(xi), strict=True)), derivatives, suffix, role)
+
+
+def columns(values: dict[str, Array], derivatives: str, suffix: str = "", role: Any = calc) -> list[Quantity]:
+    """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values."""
+    names = {name: name + suffix for name in "qux"}
+    spelled = {
+        "s": ("position", POSITION, "s_k + ∬a"),
+        "v": ("velocity", VELOCITY, "v_k + ∫a"),
+        "a": ("acceleration", ACCELERATION, "c0 + c1u + … + P sin x"),
+        "j": ("jerk", JERK, "da/dξ"),
+    }
+    made = []
+    for d in derivatives:
+        label, formula, source = spelled[d]
+        made.append(role(d + suffix, label, d, "", formula.format(**names), values[d], source=source))
+    return made

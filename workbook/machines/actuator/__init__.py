@@ -1,0 +1,1 @@
+"""Sizing of an actuator (S4)."""

@@ -1,0 +1,1 @@
+"""Composed motion (S3)."""

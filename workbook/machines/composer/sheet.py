@@ -1,0 +1,209 @@
+"""The Motion sheet: phases joined over any abscissa, their junctions, and the motion sampled."""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Any
+
+import numpy as np
+
+from engine.motion import EDGE_TOLERANCE, Junction
+from workbook.book.chart import Chart, Series
+from workbook.book.checks import ZERO
+from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
+from workbook.laws import phases as joined
+from workbook.laws import sampling
+from workbook.machines.composer.view import Composition
+
+PER, PER2 = "lift/x", "lift/x²"  # units, which the engineer names: in the headers they stand as words
+
+
+def motion_sheet(book: Book, machine: Composition, pieces: sampling.Pieces) -> None:
+    """Declare the sheet: units and results at the top, the motion beside them, then phases, junctions, table."""
+    sheet = book.sheet("Motion", "Phases joined over any abscissa: position, velocity and acceleration per unit of it.")
+    sheet.heading("What to enter: units and cycle here, the phases in the table below")
+    entries(sheet, machine)
+    sheet.heading("What comes out")
+    results(sheet, machine)
+    sheet.row += 1
+    checks(sheet, machine)
+    draw_position(sheet)
+    sheet.heading(
+        "Phases", "As in S3: a law, a lift and a duration each; the position is carried on from phase to phase."
+    )
+    phases(sheet, machine)
+    draw_derivatives(sheet)
+    sheet.heading("Junctions", "What jumps where one phase hands over to the next: after less before.")
+    junctions(sheet, machine)
+    sheet.heading("Table of the motion")
+    samples(sheet, machine, pieces)
+    sheet.print_columns = 17
+
+
+def entries(sheet: Sheet, machine: Composition) -> None:
+    """Declare what holds for the motion as a whole, and how its units are written."""
+    m = machine.given
+    x, y = m.abscissa_unit, m.lift_unit
+    sheet.rows(
+        given("move_x", "Unit of the abscissa", "x", "", x, "motion.abscissa_unit", align="center", source="°, s, mm …: durations are in it"),
+        given("move_y", "Unit of the lift", "y", "", y, "motion.lift_unit", align="center", source="mm, ° …: lifts are in it"),
+        given("move_start", "Position at the begin", "y_0", "lift", m.position, "motion.position", format="0.0####"),
+        given("move_cycle", "The cycle", "", "", m.cycle, "motion.cycle", align="center", source="closes: it repeats; open: it does not"),
+        calc("move_title_x", "Abscissa, with its unit", "", "", '="x ["&move_x&"]"', f"x [{x}]", align="center", source="written x in the headers below"),
+        calc("move_title_y", "Position, with its unit", "", "", '="y ["&move_y&"]"', f"y [{y}]", align="center", source="written lift"),
+        calc("move_title_v", "Velocity, with its unit", "", "", """="y' ["&move_y&"/"&move_x&"]\"""", f"y' [{y}/{x}]", align="center", source="written lift/x"),
+        calc("move_title_a", "Acceleration, with its unit", "", "", """="y'' ["&move_y&"/"&move_x&"²]\"""", f"y'' [{y}/{x}²]", align="center", source="written lift/x²"),
+    )  # fmt: skip
+
+
+def results(sheet: Sheet, machine: Composition) -> None:
+    """Declare what the motion as a whole comes to; velocity and acceleration exactly, from the laws' coefficients."""
+    motion, (h, v, a) = machine.motion, machine.peaks
+    y = machine.samples.y
+    square = sum(m.a_rms**2 * m.duration for m in machine.movements.values()) / motion.total
+    jump = max((abs(j.jump_a) for j in machine.junctions), default=0.0)
+    sheet.rows(
+        result("move_total", "Length of the abscissa", "Σδ", "x", "=SUM([phases.span])", motion.total, source="sum of the durations"),
+        calc("move_count", "Phases", "", "", "=COUNT([phases.duration])", len(motion.phases), format="0"),
+        calc("move_points", "Samples", "N", "", "=COUNT([motion.k])", len(y), format="0", source="sizes.cycle + 1 in the description"),
+        result("move_travel", "Travel", "Σh", "lift", "=SUM([phases.h])", motion.lifts_sum, scale=h, source="sum of the lifts"),
+        result("move_gap", "What the cycle does not close by", "", "lift", "=INDEX([phases.y1],move_count)-move_start", motion.junctions()[-1].jump_y, format="0.0000##", scale=h, source="y(end) − y(begin)"),
+        result("move_low", "Lowest position of the samples", "y_min", "lift", "=MIN([motion.y])", float(y.min()), scale=h),
+        result("move_high", "Highest position of the samples", "y_max", "lift", "=MAX([motion.y])", float(y.max()), scale=h),
+        result("move_v", "Greatest velocity", "|y'|_max", PER, "=MAX([phases.v])", machine.greatest[0], scale=v, source="C_v |h|/δ"),
+        result("move_a", "Greatest acceleration", "|y''|_max", PER2, "=MAX([phases.a])", machine.greatest[1], scale=a, source="C_a |h|/δ²"),
+        result("move_rms", "RMS acceleration over the whole", "y''_rms", PER2, "=SQRT(SUMPRODUCT([phases.rms],[phases.rms],[phases.span])/move_total)", sqrt(square), scale=a, source="√(Σ y''²_rms δ / Σδ)"),
+        result("move_jump", "Greatest jump of acceleration", "Δy''", PER2, "=MAX(MAX([junctions.jump_a]),-MIN([junctions.jump_a]))", jump, format="0.0000##", scale=a, source="reported, no fault"),
+    )  # fmt: skip
+
+
+def checks(sheet: Sheet, machine: Composition) -> None:
+    """Declare the checks of the motion."""
+    h, v, _ = machine.peaks
+    motion = machine.motion
+    reaches = all(abs(p.lift * (1 - p.law.end.s)) <= ZERO * h for p in motion.phases)
+    smooth = all(abs(j.jump_v) <= ZERO * v for j in machine.junctions)
+    comes_back = not machine.closes or abs(motion.junctions()[-1].jump_y) <= ZERO * h
+    sheet.checks(
+        check("move_ok_rows", "Every phase lasts", 'COUNTIF([phases.span],">0")=move_count', True, "no phase without a duration"),
+        check("move_ok_position", "No jump of position between phases", f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", reaches, "each law reaches its lift"),
+        check("move_ok_velocity", "No jump of velocity", f"{greatest('junctions.jump_v')}<=check_zero*move_v", smooth, "of a cycle that closes, also from its end to its begin"),
+        check("move_ok_closes", "The cycle closes in position", f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', comes_back, "or is open"),
+    )  # fmt: skip
+
+
+def greatest(column: str) -> str:
+    """Return the formula of the largest size in a column."""
+    return f"MAX(MAX([{column}]),-MIN([{column}]))"
+
+
+def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
+    """Return the values of the phases in use, then ``spare`` for each spare row."""
+    return [*values, *[spare] * (rows - len(values))]
+
+
+def phases(sheet: Sheet, machine: Composition) -> None:
+    """Declare the phases: what is entered, what each comes to, and to the right the workings."""
+    motion, n = machine.motion, machine.sizes.phases
+    entered, edges = machine.given.phases, machine.motion.edges
+    laws, lifts = [p.law for p in entered], [p.lift for p in entered]
+    h, v, a = machine.peaks
+    begins = np.concatenate([[motion.position], motion.position + np.cumsum(lifts)])
+    reached = [y + p.lift * p.law.end.s for y, p in zip(begins[:-1], motion.phases, strict=True)]
+    ends = [(p.lift / p.duration, p.lift / p.duration**2, p.law.start, p.law.end) for p in motion.phases]
+
+    def of(name: str) -> list[float]:
+        return [getattr(machine.movements[k], name) if k in machine.movements else 0.0 for k in range(n)]
+
+    sheet.table(
+        "phases", "Fill one row each, in order; leave spare rows empty", n,
+        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(laws, lifts, n)),
+        given("law", "law", "", "", filled(laws, n, None), "motion.phases.*.law", choices="=law_code"),
+        given("lift", "lift", "h", "", filled(lifts, n, None), "motion.phases.*.lift", format="0.0####"),
+        given("duration", "duration", "δ", "x", filled([p.duration for p in entered], n, None), "motion.phases.*.duration", format="0.0####"),
+        result("end", "ends at", "", "x", "=[begin]+[span]", filled(edges[1:], n, motion.total), format="0.0####", scale=motion.total, source="begin + δ"),
+        result("y1", "position at its end", "y", "lift", "=[y0]+[h]*INDEX(law_s1,[no])", filled(reached, n, begins[-1]), format="0.0####", scale=h, source="y_0 + h s(1)"),
+        result("v", "greatest velocity", "y'max", PER, joined.VELOCITY, of("y1_max"), scale=v, source="C_v h/δ"),
+        result("a", "greatest acceleration", "y''max", PER2, joined.ACCELERATION, of("y2_max"), scale=a, source="C_a h/δ²"),
+        result("rms", "RMS acceleration", "y''rms", PER2, f"={joined.RMS}", of("a_rms"), scale=a, source="C_a,rms h/δ²"),
+        constant("k", "row", "k", "", list(range(1, n + 1))),
+        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
+        calc("h", "lift used", "h", "lift", '=IF([kind]="spare",0,[lift]+0)', filled(lifts, n), scale=h, source="0 if empty"),
+        calc("span", "duration used", "δ", "x", '=IF([kind]="spare",0,[duration])', filled([p.duration for p in motion.phases], n), scale=motion.total, source="0 if spare"),
+        calc("begin", "begins at", "", "x", "=IF([k]=1,0,[end-1])", filled(edges[:-1], n, motion.total), scale=motion.total, source="end before"),
+        calc("y0", "position at its begin", "y_0", "lift", "=IF([k]=1,move_start,[y0-1]+[h-1])", filled(begins[:-1], n, begins[-1]), scale=h, source="lifts before"),
+        calc("lack", "lack of lift", "Δy", "lift", "=[h]*(1-INDEX(law_s1,[no]))", filled([p.lift * (1 - p.law.end.s) for p in motion.phases], n), scale=h, source="h (1 − s(1))"),
+        calc("v0", "y' at begin", "", PER, joined.AT_END.format("v0", ""), filled([r * begin.v for r, _, begin, _ in ends], n), scale=v),
+        calc("v1", "y' at end", "", PER, joined.AT_END.format("v1", ""), filled([r * end.v for r, _, _, end in ends], n), scale=v),
+        calc("a0", "y'' at begin", "", PER2, joined.AT_END.format("a0", "^2"), filled([r * begin.a for _, r, begin, _ in ends], n), scale=a),
+        calc("a1", "y'' at end", "", PER2, joined.AT_END.format("a1", "^2"), filled([r * end.a for _, r, _, end in ends], n), scale=a),
+    )  # fmt: skip
+
+
+def junctions(sheet: Sheet, machine: Composition) -> None:
+    """Declare the junction behind each phase: what jumps there; behind the last one, the cycle's wrap."""
+    motion, n, used = machine.motion, machine.sizes.phases, len(machine.motion.phases)
+    h, v, a = machine.peaks
+    found = {j.before: j for j in machine.junctions}
+    kinds = [*["joint"] * (used - 1), "wrap" if machine.closes else "end", *["spare"] * (n - used)]
+    nexts = [*range(2, used + 1), *[1] * (n - used + 1)]
+
+    def jump(name: str) -> list[float]:
+        return [getattr(found.get(k, NOTHING), name) for k in range(n)]
+
+    sheet.table(
+        "junctions", "Behind each phase one; the wrap joins the end of a cycle that closes to its begin", n,
+        calc("kind", "junction", "", "", KIND, kinds),
+        result("x", "at", "", "x", "=INDEX([phases.end],[k])", filled(motion.edges[1:], n, motion.total), format="0.0####", scale=motion.total),
+        result("jump_y", "jump of position", "Δy", "lift", JUMP_Y, jump("jump_y"), format="0.0000##", scale=h, source="at the wrap: y(end) − y(begin)"),
+        result("jump_v", "jump of velocity", "Δy'", PER, JUMP.format("v"), jump("jump_v"), format="0.0000##", scale=v),
+        result("jump_a", "jump of acceleration", "Δy''", PER2, JUMP.format("a"), jump("jump_a"), format="0.0000##", scale=a, source="reported, no fault"),
+        constant("k", "behind phase", "k", "", list(range(1, n + 1))),
+        calc("next", "before phase", "", "", "=IF([k]<move_count,[k]+1,1)", nexts, format="0"),
+    )  # fmt: skip
+
+
+NOTHING = Junction(0.0, 0, 0, 0.0, 0.0, 0.0)
+KIND = '=IF([k]<move_count,"joint",IF([k]>move_count,"spare",IF(move_cycle="closes","wrap","end")))'
+JUMP_Y = '=IF([kind]="joint",INDEX([phases.y0],[next])-INDEX([phases.y1],[k]),IF([kind]="wrap",move_gap,0))'
+JUMP = '=IF(OR([kind]="joint",[kind]="wrap"),INDEX([phases.{0}0],[next])-INDEX([phases.{0}1],[k]),0)'
+
+
+def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None:
+    """Declare the sampled motion: results, then how each sample finds its phase and its law's piece."""
+    x, at, (h, v, a) = machine.abscissa, machine.samples, machine.peaks
+    finding = (
+        "=MATCH(MIN([at]+move_eps,move_total-move_eps),[phases.begin],1)",
+        "=([at]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p])",
+        "=INDEX([phases.no],[p])",
+    )
+    sheet.rows(
+        calc("move_eps", "Tolerance of a place", "ε", "x", "=move_total*break_tolerance", machine.motion.total * EDGE_TOLERANCE, format="0E+00", source="a sample this near to a phase's begin counts as on it"),
+    )  # fmt: skip
+    sheet.table(
+        "motion", f"Position, velocity and acceleration at N = {len(x)} equal steps", len(x),
+        calc("at", "abscissa", "x", "x", "=[k]*move_total/[motion.k.last]", x, format="0.0##", scale=machine.motion.total),
+        result("y", "position", "y", "lift", "=INDEX([phases.y0],[p])+INDEX([phases.h],[p])*[s]", at.y, scale=h, source="y_0 + h s"),
+        result("y1", "velocity", "y'", PER, "=INDEX([phases.h],[p])/INDEX([phases.span],[p])*[v]", at.y1, scale=v, source="h v/δ"),
+        result("y2", "acceleration", "y''", PER2, "=INDEX([phases.h],[p])/INDEX([phases.span],[p])^2*[a]", at.y2, scale=a, source="h a/δ²"),
+        constant("k", "sample", "k", "", list(range(len(x)))),
+        *joined.located(machine.motion, x, pieces, finding, ("last begin not above x", "(x − begin)/δ")),
+    )  # fmt: skip
+
+
+def curve(title: str, column: str, what: str) -> Chart:
+    """Return the chart of one column of the table over the abscissa; its axes are titled by the units entered."""
+    line = Series(title, "[motion.at]", f"[motion.{column}]")
+    return Chart(
+        title, "=move_title_x", f"=move_title_{what}", (line,), f"{title} of the composed motion over its abscissa"
+    )
+
+
+def draw_position(sheet: Sheet) -> None:
+    """Place the position beside what is entered and what comes out."""
+    sheet.chart(curve("Position", "y", "y"), column=10, row=5, width=8, height=24)
+
+
+def draw_derivatives(sheet: Sheet) -> None:
+    """Place velocity and acceleration side by side."""
+    sheet.chart_row(curve("Velocity", "y1", "v"), curve("Acceleration", "y2", "a"), width=8, height=18)

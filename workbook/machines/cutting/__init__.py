@@ -1,0 +1,1 @@
+"""The cutting machine of S1."""

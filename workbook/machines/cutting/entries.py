@@ -1,0 +1,92 @@
+"""The cutting machine of S1: what an engineer enters."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from workbook.drive.entries import Drive
+from workbook.entries.machine import Machine
+from workbook.entries.types import ANGLE_TOLERANCE, PLAIN, Angle, EntryError, Model, Number, Positive, Text
+from workbook.laws.entries import LawCode
+from workbook.selection.entries import Selection, SelectionSizes, require_room
+
+
+class Phase(Model):
+    """One phase of an axis: angles of the master shaft in degrees, lift in mm."""
+
+    start: Angle
+    stop: Angle
+    lift: Number = 0.0
+    law: LawCode = "DWL"
+
+    @model_validator(mode="after")
+    def _forward(self) -> Self:
+        if self.stop <= self.start:
+            raise EntryError("stop", f"the angles run backwards: {self.stop:g}° does not lie after {self.start:g}°")
+        if self.law == "DWL" and self.lift != 0:
+            raise EntryError("lift", f"a dwell has no lift; expected 0, or another law, not {self.lift:g} mm")
+        return self
+
+
+class Axis(Model):
+    """An axis of the timing diagram: what it does in each phase of one turn of the master shaft."""
+
+    name: Annotated[str, Field(min_length=1, max_length=24, pattern=PLAIN)]
+    group: Text
+    closes: Literal["position", "feed"] = "position"
+    phases: Annotated[list[Phase], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _joined(self) -> Self:
+        reached = 0.0
+        for i, phase in enumerate(self.phases):
+            if abs(phase.start - reached) > ANGLE_TOLERANCE:
+                raise EntryError(f"phases.{i}.start", f"the phase begins at {phase.start:g}°; expected {reached:g}°")
+            reached = phase.stop
+        if abs(reached - 360) > ANGLE_TOLERANCE:
+            raise EntryError(
+                f"phases.{len(self.phases) - 1}.stop", f"the last phase ends at {reached:g}°; expected 360°"
+            )
+        return self
+
+
+class Timing(Model):
+    """The timing diagram of three axes over one turn of the master shaft."""
+
+    rate: Positive  # pieces/min, one piece a turn
+    axes: Annotated[list[Axis], Field(min_length=3, max_length=3)]
+
+    @model_validator(mode="after")
+    def _distinct(self) -> Self:
+        names = [axis.name for axis in self.axes]
+        for i, name in enumerate(names):
+            if name in names[:i]:
+                raise EntryError(f"axes.{i}.name", f"a second axis is named {name!r}; expected a name of its own")
+        return self
+
+
+class CuttingMachine(Machine):
+    """The cutting machine of S1: three axes over one master shaft, and the drive of one of them."""
+
+    template: Literal["cutting-machine"] = "cutting-machine"
+    timing: Timing
+    drive: Drive
+    selection: Selection = Selection()
+    sizes: SelectionSizes = SelectionSizes()
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        names = [axis.name for axis in self.timing.axes]
+        if self.drive.axis not in names:
+            raise EntryError("drive.axis", f"no axis is named {self.drive.axis!r}; expected one of {', '.join(names)}")
+        for path, filled, room in (
+            *((f"timing.axes.{i}.phases", len(a.phases), self.sizes.phases) for i, a in enumerate(self.timing.axes)),
+            ("drive.rotors", len(self.drive.rotors), self.sizes.rotors),
+            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces),
+        ):
+            if filled > room:
+                raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
+        require_room(self.selection, self.sizes)
+        return self

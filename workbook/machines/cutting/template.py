@@ -1,0 +1,82 @@
+"""The cutting machine of S1: laws, timing diagram of three axes, drive of one of them."""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import cast
+
+import numpy as np
+
+from workbook.book.about import about_sheet
+from workbook.book.declare import Book, result
+from workbook.entries.machine import Machine
+from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.cutting.drive import drive_sheet, operating, rms_lossless
+from workbook.machines.cutting.entries import CuttingMachine
+from workbook.machines.cutting.timing import timing_sheet
+from workbook.machines.cutting.variations import variants
+from workbook.machines.cutting.view import Cutting
+from workbook.selection.load import LoadCells
+from workbook.selection.sheet import selection_sheet
+from workbook.selection.view import Asked, Choosing, Samples
+from workbook.template import Template, finish
+
+LOAD = LoadCells(
+    time="[drive.time]",
+    speed="[drive.w]",
+    acceleration="[drive.dw]",
+    torque="[drive.total]",
+    acceleration_rms="drive_wrms",
+    torque_rms="SQRT((drive_jtot*drive_wrms)^2+drive_cr^2*drive_share)",
+    power_rate_mean="drive_jtot*drive_wrms^2",
+    max_speed="MAX(MAX([drive.w]),0-MIN([drive.w]))",
+)
+"""Where the Drive sheet has the load at the roller shaft."""
+
+
+def declare(machine: Machine) -> Book:
+    """Declare the book."""
+    given = cast(CuttingMachine, machine)
+    shelf = LawShelf(given.laws, given.sizes)
+    reference = Cutting(given, shelf.laws)
+    book = Book(given.template, given.title)
+    movements = reference.diagram.movements(reference.rate)
+    names = [axis.name for axis in given.timing.axes]
+    greatest = [max((m.a_max for m in movements if m.axis == name), default=0.0) for name in names]
+    about_sheet(
+        book,
+        "A three-axis cutting machine: motion laws, timing diagram, and the drive of the feeding group.",
+        [
+            result(f"about_a{i}", f"Greatest acceleration of {name}", "ÿ_max", "m/s²", f"=[axes.a.{i}]", a)
+            for i, (name, a) in enumerate(zip(names, greatest, strict=True), 1)
+        ],
+    )  # fmt: skip
+    timing_sheet(book, reference, shelf.stack)
+    book.name_columns(book.blocks["axes"], "axis")
+    drive_sheet(book, reference)
+    selection_sheet(book, LOAD, choosing(reference))
+    shelf.sheets(book)
+    return finish(book, "Cutting machine", ("S1", "S2", "S3", "S5"))
+
+
+def choosing(reference: Cutting) -> Choosing:
+    """Return the choice of motor and reducer for the load at the roller shaft, exact by the laws where they are."""
+    given, load, points = reference.machine, reference.drive.load, operating(reference)
+    lossless = rms_lossless(reference)
+    dw = lossless["acceleration"]
+    torque = sqrt((load.inertia * dw) ** 2 + load.torque**2 * lossless["share"])
+    asked = Asked(dw, torque, load.inertia * dw**2, float(np.abs(points["w"]).max()))
+    time = reference.angles / 360 * 60 / given.drive.rate
+    samples = Samples(time, points["w"], points["dw"], points["total"])
+    return Choosing(given.selection, given.sizes, asked, samples)
+
+
+TEMPLATE = Template(
+    "cutting-machine",
+    CuttingMachine,
+    declare,
+    variants,
+    LAW_SIZES
+    | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "rotors": ("rotors", 0)}
+    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
+)

@@ -1,0 +1,1 @@
+"""Flying machining (S5)."""

@@ -1,0 +1,101 @@
+"""The Lengths sheet: what every product length asks of the tool and its shaft."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Book, Quantity, calc, constant, given, result
+from workbook.entries.units import MM
+from workbook.machines.flying.entries import DRUM
+from workbook.machines.flying.view import BookCut, Flying
+
+IS_DRUM = f'fly_kind="{DRUM}"'
+
+
+def lengths_columns(machine: Flying, cuts: Sequence[BookCut], length: str, way: str) -> list[Quantity]:
+    """Return what each cut asks for; ``length`` and ``way`` are the references to its length and its strategy."""
+    s = machine.scales
+    asked = [machine.asked(cut) for cut in cuts]
+    longest = max(c.product_length for c in cuts)
+    longest_time, longest_h = longest / machine.line, max(s["mm"], longest / MM)
+
+    def of(name: str, per: float = 1.0) -> list[float]:
+        return [getattr(cut, name) / per for cut in cuts]
+
+    waits = f'=IF(AND({IS_DRUM},{way}="standstill",{length}>fly_limit),1,0)'
+    does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps on"))'
+    return [
+        result("does", "the tool", "", "", does, [cut.does for cut in cuts]),
+        result("low", "lowest speed", "v_min", "m/s", "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts], scale=s["v"]),
+        result("high", "highest speed", "v_max", "m/s", "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts], scale=s["v"]),
+        result("a", "peak acceleration", "a_max", "m/s²", "=fly_ca*ABS([h1])/1000/[tm]^2", of("max_acceleration"), scale=s["a"], source="C_a h/t_m²"),
+        result("a_rms", "RMS acceleration", "a_rms", "m/s²", f"=fly_ca_rms*ABS([h1])/1000/[tm]^2*SQRT([tm]*fly_v/({length}/1000))", of("rms_acceleration"), scale=s["a"], source="C_a,rms h/t_m² √(t_m/t_C)"),
+        result("beta", "load factor", "β", "W/s", "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)", [a.factor for a in asked], scale=s["beta"], source="S5, eqs. (15), (19)"),
+        calc("h", "dynamic displacement", "h", "mm", f"=fly_l0-{length}", of("displacement", MM), scale=longest_h, source="L_0 − L_p"),
+        calc("tr", "re-positioning time", "t_R", "s", f"=({length}-fly_lt)/1000/fly_v", of("repositioning_time"), scale=longest_time, source="(L_p − L_T)/v_L"),
+        calc("waits", "waits", "", "", waits, [float(c.waits) for c in cuts], format="0", source="1: beyond L_p,lim"),
+        calc("tm", "motion time", "t_m", "s", "=IF([waits]=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,[tr])", of("moving_time"), scale=longest_time),
+        calc("h1", "displacement by the law", "h", "mm", "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM), scale=longest_h),
+        calc("dv", "change of speed", "Δv_max", "m/s", "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=s["v"], source="S5, eq. (10)"),
+        calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²", "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"), scale=s["dw"], source="S5, eq. (13)"),
+    ]  # fmt: skip
+
+
+def lengths_sheet(book: Book, machine: Flying) -> None:
+    """Declare the sheet: charts, then the table of product lengths."""
+    sheet = book.sheet("Lengths", "Speeds, accelerations and load factor over the product length, at this line speed.")
+    e, n = machine.given.lengths, machine.sizes.lengths
+    sheet.heading("What to enter", "Everything else is taken from the sheet Cutter.")
+    sheet.rows(
+        given("fly_short", "Shortest product", "", "mm", e.shortest, "cutter.lengths.shortest", format="0.0##", source="longer than the tool length L_T: there everything becomes infinite"),
+        given("fly_long", "Longest product", "", "mm", e.longest, "cutter.lengths.longest", format="0.0##"),
+    )  # fmt: skip
+    sheet.heading("What comes out")
+    charts = [
+        ("Speed of the tool", "speed [m/s]", (("lowest", "low"), ("highest", "high")), "speed"),
+        ("Acceleration of the tool", "acceleration [m/s²]", (("peak", "a"), ("RMS over the cycle", "a_rms")), "a"),
+        ("Load factor", "β [W/s]", (("load factor", "beta"),), "beta"),
+    ]
+    sheet.chart_row(
+        *(Chart(f"{title} against product length", "product length L_p [mm]", unit, (
+            *(Series(name, "[lengths.length]", f"[lengths.{column}]") for name, column in lines),
+            Series("product entered", "[length_line.x]", f"[length_line.{at}]", dashed=True),
+            Series("design length L_0", "[length_line.x0]", f"[length_line.{at}]", dashed=True, color="7F7F7F"),
+            Series("L_p,lim", "[length_line.x1]", f"[length_line.{at}]", dashed=True, color="C00000")),
+            f"{title} over the product length; marked are the product entered, L_0 and L_p,lim")
+          for title, unit, lines, at in charts),
+        width=7, height=18,
+    )  # fmt: skip
+    cuts = [machine.of(length) for length in machine.lengths]
+    sheet.table(
+        "lengths", f"{n + 1} product lengths", n + 1,
+        calc("length", "product length", "L_p", "mm", "=fly_short+[k]*(fly_long-fly_short)/[lengths.k.last]", machine.lengths),
+        *lengths_columns(machine, cuts, "[length]", "fly_beyond"),
+        constant("k", "row", "k", "", list(range(n + 1))),
+    )  # fmt: skip
+    line(book, machine, cuts)
+    sheet.print_columns = 20
+
+
+def line(book: Book, machine: Flying, cuts: Sequence[BookCut]) -> None:
+    """Declare the lines at the product entered, at L_0 and at L_p,lim, as drawn in the charts."""
+    s = machine.scales
+    low, high = min(c.speed_range[0] for c in cuts), max(c.speed_range[1] for c in cuts)
+    peak, beta = max(c.max_acceleration for c in cuts), max(machine.asked(c).factor for c in cuts)
+    cut, tool, e = machine.cut, machine.tool, machine.given.lengths
+    shown = "=IF(AND({0}>fly_short,{0}<fly_long),{0},fly_length)"
+
+    def within(length: float) -> float:
+        return length if e.shortest < length < e.longest else cut.product_length / MM
+
+    book.sheets[-1].table(
+        "length_line", "The product entered, L_0 and L_p,lim, as drawn in the charts", 2,
+        constant("end", "end of the line", "", "", [0, 1]),
+        calc("x", "product", "L_p", "mm", "=fly_length", [cut.product_length / MM] * 2),
+        calc("x0", "design length", "L_0", "mm", shown.format("fly_l0"), [within(tool.design_length / MM)] * 2, source="L_p where it is not among these lengths"),
+        calc("x1", "limit", "L_p,lim", "mm", shown.format("fly_limit"), [within(machine.limit)] * 2, source="L_p where it is not among these lengths"),
+        calc("speed", "speed", "", "m/s", "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high], scale=s["v"]),
+        calc("a", "acceleration", "", "m/s²", "=[end]*MAX([lengths.a])", [0.0, peak], scale=s["a"]),
+        calc("beta", "load factor", "", "W/s", "=[end]*MAX([lengths.beta])", [0.0, beta], scale=s["beta"]),
+    )  # fmt: skip

@@ -1,0 +1,200 @@
+"""The Cutter sheet: what to enter, lengths and times, what the tool's shaft must do, charts and workings."""
+
+from __future__ import annotations
+
+from math import degrees
+
+from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
+from workbook.entries.units import MM, PER_MINUTE, RPM
+from workbook.laws.stack import CODES
+from workbook.machines.flying.charts import beside
+from workbook.machines.flying.entries import LEAST_CV, LONGER
+from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
+from workbook.machines.flying.view import CASES, NEAR, Flying, fastest
+
+BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
+DOES = (
+    f'=IF(AND({IS_DRUM},fly_beyond="standstill",fly_length>fly_limit),"waits",'
+    'IF(fly_low<0-fly_near*fly_v,"reverses","keeps on"))'
+)
+
+
+def cutter_sheet(book: Book, machine: Flying) -> None:
+    """Declare the sheet."""
+    sheet = book.sheet("Cutter", "The tool works at line speed, and makes up for the product's length in between.")
+    entries(sheet, machine)
+    sheet.heading("What comes out")
+    cycle(sheet, machine)
+    kinematics(sheet, machine)
+    load(sheet, machine)
+    sheet.row += 1
+    verdicts(sheet, machine)
+    beside(sheet)
+    sheet.row = max(sheet.row, BELOW_CHARTS)
+    cases(sheet, machine)
+    strategies(sheet, machine)
+    workings(sheet, machine)
+    sheet.print_columns = 24
+
+
+def entries(sheet: Sheet, machine: Flying) -> None:
+    """Declare what the engineer enters."""
+    e = machine.given
+    drum, saw, moved, limits = e.drum, e.saw, e.load, e.limits
+    plain = {"format": "0.0##"}
+    sheet.heading(
+        "What to enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft."
+    )
+    sheet.rows(
+        given("fly_length", "Product length", "L_p", "mm", e.product_length, "cutter.product_length", **plain, source="one product a cycle"),
+        given("fly_line", "Line speed", "v_L", "m/min", e.line_speed, "cutter.line_speed", **plain),
+        given("fly_law", "Law of the superimposed motion", "", "", e.law, "cutter.law", align="center", source="ACS, TVP, CIC, CUB, MTP or OWN: see Laws"),
+        given("fly_kind", "Kind of machine", "", "", e.kind, "cutter.kind", align="center", source="its tools go round, or its slide comes back"),
+        given("fly_tools", "Drum: number of tools", "n", "", drum.tools, "cutter.drum.tools", format="0"),
+        given("fly_radius", "Drum: radius to the tool's edge", "R_t", "mm", drum.radius, "cutter.drum.radius", **plain),
+        given("fly_angle", "Drum: angle in step with the line", "θ_T", "°", drum.tool_angle, "cutter.drum.tool_angle", **plain, source="synchronous angle"),
+        given("fly_beyond", "Drum: products longer than L_p,lim", "", "", e.beyond, "cutter.beyond", align="center", source="it waits at standstill, or turns back"),
+        given("fly_saw", "Saw: length in step with the line", "L_T", "mm", saw.tool_length, "cutter.saw.tool_length", **plain),
+        given("fly_lead", "Saw: travel of the slide a turn", "p", "mm", saw.lead, "cutter.saw.lead", **plain, source="lead of the screw, or 2π times the pinion's radius"),
+        given("fly_room", "Saw: stroke that the slide has", "", "mm", saw.stroke, "cutter.saw.stroke", **plain),
+        given("fly_inertia", "Inertia at the shaft", "J", "kg m²", moved.inertia, "cutter.load.inertia", format="0.0#####"),
+        given("fly_mass", "Mass that moves with the tool", "m", "kg", moved.mass, "cutter.load.mass", **plain, source="slide of a saw; jaws at the radius R_t"),
+        given("fly_torque", "Load torque against the line", "T_L", "Nm", moved.torque, "cutter.load.torque", **plain, source="all the time; S5 neglects it beside the inertia"),
+        given("fly_rpm_max", "Largest speed of the shaft", "", "rpm", limits.speed, "cutter.limits.speed", **plain),
+        given("fly_dw_max", "Largest acceleration of the shaft", "", "rad/s²", limits.acceleration, "cutter.limits.acceleration", **plain),
+    )  # fmt: skip
+
+
+def cycle(sheet: Sheet, machine: Flying) -> None:
+    """Declare the case and the cycle's times and lengths."""
+    cut, tool, scale = machine.cut, machine.tool, machine.scales["mm"]
+    case = '=IF(ABS(fly_h)<=fly_near*fly_l0,"in step",IF(fly_h>0,"faster","slower"))'
+    sheet.rows(
+        result("fly_rate", "Products", "", "1/min", "=60/fly_tc", 60 / cut.cycle_time),
+        result("fly_case", "The tool re-positions", "", "", case, CASES[cut.case], align="center", source="faster or slower than the line, by the sign of h"),
+        result("fly_does", "While it does, it", "", "", DOES, cut.does, align="center", source="keeps on, waits at standstill, or reverses"),
+        result("fly_h", "Dynamic displacement", "h", "mm", "=fly_l0-fly_length", cut.displacement / MM, scale=scale, source="S5: h = L_0 − L_p; 0 of a product as long as L_0"),
+        result("fly_l0", "Design length", "L_0", "mm", "=RADIANS(fly_pitch)*fly_r", tool.design_length / MM, scale=scale, source="S5: θ_0 R_t; a saw has none"),
+        result("fly_limit", "Longest product without standstill", "L_p,lim", "mm", f"=IF({IS_DRUM},(fly_cv*fly_l0-fly_lt)/(fly_cv-1),0)", machine.limit, scale=scale, source="S5: (C_v L_0 − L_T)/(C_v − 1); 0: a saw always reverses"),
+        result("fly_tc", "Cycle time", "t_C", "s", "=fly_length/1000/fly_v", cut.cycle_time, source="S5, eq. (4): L_p/v_L"),
+        result("fly_tt", "of it at work", "t_T", "s", "=fly_lt/1000/fly_v", cut.tool_time, scale=cut.cycle_time, source="S5: L_T/v_L"),
+        result("fly_tr", "for re-positioning", "t_R", "s", "=(fly_length-fly_lt)/1000/fly_v", cut.repositioning_time, source="S5: t_C − t_T"),
+        result("fly_wait", "of that at standstill", "t_W", "s", "=fly_tr-fly_tm", cut.waiting_time, scale=cut.cycle_time),
+    )  # fmt: skip
+
+
+def kinematics(sheet: Sheet, machine: Flying) -> None:
+    """Declare speeds, accelerations and travel."""
+    cut, s = machine.cut, machine.scales
+    low, high = cut.speed_range
+    turns = [v / machine.tool.radius / RPM for v in (low, high)]
+    per = "*1000/fly_r"
+    sheet.rows(
+        result("fly_dv", "Change of the tool's speed", "Δv_max", "m/s", "=fly_cv*fly_h1/1000/fly_tm", cut.speed_change, scale=s["v"], source="S5, eq. (10): C_v h/t_R"),
+        result("fly_domega", "of its shaft", "Δω_max", "rad/s", f"=fly_dv{per}", cut.angular_speed_change, scale=s["w"], source="S5, eq. (11): Δv_max/R_t"),
+        result("fly_low", "Lowest speed of the tool", "v_min", "m/s", "=MIN(fly_v,fly_v+fly_dv)", low, scale=s["v"], source="below 0: against the line"),
+        result("fly_high", "Highest speed of the tool", "v_max", "m/s", "=MAX(fly_v,fly_v+fly_dv)", high, scale=s["v"]),
+        result("fly_rpm_low", "Lowest speed of the shaft", "n_min", "rpm", f"=fly_low{per}*60/(2*PI())", turns[0], scale=s["w"] / RPM),
+        result("fly_rpm_high", "Highest speed of the shaft", "n_max", "rpm", f"=fly_high{per}*60/(2*PI())", turns[1], scale=s["w"] / RPM),
+        result("fly_a", "Peak acceleration of the tool", "a_max", "m/s²", "=fly_ca*ABS(fly_h1)/1000/fly_tm^2", cut.max_acceleration, scale=s["a"], source="S5: C_a h/t_R²"),
+        result("fly_dw", "of its shaft", "ω̇_max", "rad/s²", f"=fly_a{per}", cut.max_angular_acceleration, scale=s["dw"], source="S5, eq. (12): a_max/R_t"),
+        result("fly_a_rms", "RMS acceleration of the tool", "a_rms", "m/s²", "=fly_ca_rms*ABS(fly_h1)/1000/fly_tm^2*SQRT(fly_tm/fly_tc)", cut.rms_acceleration, scale=s["a"], source="S5: C_a,rms h/t_R² √(t_R/t_C), over the cycle"),
+        result("fly_dw_rms", "of its shaft", "ω̇_rms", "rad/s²", f"=fly_a_rms{per}", cut.rms_angular_acceleration, scale=s["dw"], source="S5, eq. (13): a_rms/R_t"),
+        result("fly_stroke", "Stroke of the tool in a cycle", "", "mm", "=MAX(0,fly_l0,fly_turn_1,fly_turn_2)-MIN(0,fly_l0,fly_turn_1,fly_turn_2)", cut.stroke / MM, scale=s["mm"], source="furthest less nearest: travel of a saw's slide"),
+        result("fly_line_max", "Highest line speed within the limits", "v_L", "m/min", "=fly_line*IF(fly_dw>0,MIN(fly_rpm_max/fly_n,SQRT(fly_dw_max/fly_dw)),fly_rpm_max/fly_n)", machine.allowed_line / PER_MINUTE, source="speed grows with v_L, acceleration with v_L²"),
+    )  # fmt: skip
+
+
+def load(sheet: Sheet, machine: Flying) -> None:
+    """Declare what the motor and its reducer are chosen by, at the tool's shaft."""
+    cut, s, asked = machine.cut, machine.scales, machine.asked(machine.cut)
+    sheet.rows(
+        result("fly_w_max", "Highest speed of the shaft, either way", "ω_L,max", "rad/s", "=MAX(ABS(fly_low),ABS(fly_high))*1000/fly_r", cut.max_angular_speed),
+        result("fly_n", "in revolutions", "n_L,max", "rpm", "=fly_w_max*60/(2*PI())", cut.max_angular_speed / RPM),
+        result("fly_torque_rms", "RMS of the generalized load torque", "T*_L,rms", "Nm", "=SQRT(fly_torque^2+(fly_j*fly_dw_rms)^2)", asked.torque, scale=s["torque"], source="S5: T*_L = T_L + J_L ω̇_L; the mean of ω̇_L is 0"),
+        result("fly_mean", "Mean of acceleration times torque", "(ω̇ T*)_mean", "W/s", "=fly_j*fly_dw_rms^2", asked.mean, scale=s["beta"], source="T_L drops out over a cycle"),
+        result("fly_beta", "Load factor", "β", "W/s", "=2*(fly_dw_rms*fly_torque_rms+fly_mean)", asked.factor, scale=s["beta"], source="S5, eq. (15); 4 J_L ω̇²_rms without T_L (17), (19)"),
+    )  # fmt: skip
+
+
+def verdicts(sheet: Sheet, machine: Flying) -> None:
+    """Declare the checks."""
+    holds = machine.holds
+    near = "*(1+check_zero)"
+    own = (
+        'OR(fly_law<>"OWN",AND(MAX([own_fast.back])<check_zero,MIN([own_samples.v])>=0-check_zero,'
+        "ABS([own_samples.v.first])<check_zero,ABS([own_samples.v.last])<check_zero,"
+        "ABS([own_samples.s.last]-1)<check_zero))"
+    )
+    sheet.checks(
+        check("fly_ok_speed", "The shaft's speed is allowed", f"fly_n<=fly_rpm_max{near}", holds["speed"]),
+        check("fly_ok_acceleration", "The shaft's acceleration is allowed", f"fly_dw<=fly_dw_max{near}", holds["acceleration"]),
+        check("fly_ok_stroke", "The slide has the stroke that the saw needs", f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none"),
+        check("fly_ok_length", "The products leave time to re-position", "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T"),
+        check("fly_ok_angle", "The angle in step is less than between the tools", f"OR(NOT({IS_DRUM}),AND(fly_tools>=1,fly_angle*fly_tools<360))", True, "θ_T < θ_0"),
+        check("fly_ok_law", "The law speeds up once and slows down once", f"AND({own},fly_cv>=fly_least_cv)", True, "from rest to rest; S5, 'Motion law parameters'"),
+    )  # fmt: skip
+
+
+def cases(sheet: Sheet, machine: Flying) -> None:
+    """Declare the cases that the product length decides between."""
+    e, tool, limit = machine.given, machine.tool.tool_length / MM, machine.limit
+    whole = machine.tool.design_length / MM
+    sheet.heading(
+        "The cases by product length", "S5, 'Variable length cut'; a saw has no design length, and always reverses."
+    )
+    sheet.table(
+        "cases", "From one length to the next", 4,
+        constant("case", "re-positioning", "", "", ["faster than the line", "in step with the line", "slower than the line", "waits, or reverses"], align="left"),
+        calc("low", "longer than", "", "mm", ["=MIN(fly_lt,fly_l0)", "=fly_l0", "=fly_l0", "=MAX(fly_lt,fly_limit)"], [min(tool, whole), whole, whole, max(tool, limit)], scale=machine.scales["mm"]),
+        calc("high", "up to", "", "mm", ["=fly_l0", "=fly_l0", "=fly_limit", "=MAX(fly_long,fly_length)"], [whole, whole, limit, max(e.lengths.longest, e.product_length)], scale=machine.scales["mm"]),
+        result("here", "the product", "", "", '=IF([k]=fly_row,"is here","-")', ["is here" if k == machine.case else "-" for k in range(1, 5)], align="center"),
+        constant("k", "row", "k", "", [1, 2, 3, 4]),
+    )  # fmt: skip
+
+
+def strategies(sheet: Sheet, machine: Flying) -> None:
+    """Declare both ways with a product that is too long to keep moving."""
+    ways = ("standstill", "reversal")
+    cuts = [machine.of(machine.given.product_length, way) for way in ways]  # type: ignore[arg-type]
+    sheet.heading(
+        "Standstill or reversal", "What this product asks for either way; the same unless it is longer than L_p,lim."
+    )
+    sheet.table(
+        "strategies", "Both ways with products longer than L_p,lim", 2,
+        constant("way", "way", "", "", list(ways)),
+        *lengths_columns(machine, cuts, "fly_length", "[way]"),
+    )  # fmt: skip
+
+
+def workings(sheet: Sheet, machine: Flying) -> None:
+    """Declare the way from the entries to the motion, as S5 goes it."""
+    cut, tool, law, s = machine.cut, machine.tool, machine.law.coefficients, machine.scales
+    number = CODES.index(machine.given.law) + 1
+    turn = 360.0
+    angles = [degrees(x / tool.radius) for x in (tool.design_length, tool.tool_length, tool.repositioning_length)]
+    sheet.heading("Workings")
+    sheet.rows(
+        calc("fly_v", "Line speed", "v_L", "m/s", "=fly_line/60", machine.line),
+        calc("fly_r", "Travel of the tool a radian of its shaft", "R_t", "mm", f"=IF({IS_DRUM},fly_radius,fly_lead/(2*PI()))", tool.radius / MM, source="the drum's radius; p/2π of a slide"),
+        calc("fly_pitch", "Angle between the tools", "θ_0", "°", f"=IF({IS_DRUM},360/fly_tools,0)", angles[0], scale=turn, source="S5: 2π/n; 0 of a saw"),
+        calc("fly_sync", "Angle in step with the line", "θ_T", "°", f"=IF({IS_DRUM},fly_angle,DEGREES(fly_saw/fly_r))", angles[1], scale=turn),
+        calc("fly_back", "Angle of the re-positioning", "θ_R", "°", "=fly_pitch-fly_sync", angles[2], scale=turn, source="S5: θ_0 − θ_T"),
+        calc("fly_lt", "Tool length", "L_T", "mm", "=RADIANS(fly_sync)*fly_r", tool.tool_length / MM, scale=s["mm"], source="S5: θ_T R_t"),
+        calc("fly_lr", "Length of the re-positioning", "L_R", "mm", "=fly_l0-fly_lt", tool.repositioning_length / MM, scale=s["mm"], source="S5: L_0 − L_T; a saw goes back by L_T"),
+        calc("fly_j", "Inertia of the load at the shaft", "J_L", "kg m²", "=fly_inertia+fly_mass*(fly_r/1000)^2", machine.load.inertia, source="J + m R_t²"),
+        calc("fly_no", "Number of the law", "", "", "=MATCH(fly_law,law_code,0)", number, format="0"),
+        calc("fly_cv", "Coefficient of velocity", "C_v", "", "=INDEX(law_cv,fly_no)", law.cv),
+        calc("fly_ca", "Coefficient of acceleration", "C_a", "", "=MAX(INDEX(law_ca_max,fly_no),0-INDEX(law_ca_min,fly_no))", law.ca),
+        calc("fly_ca_rms", "Coefficient of RMS acceleration", "C_a,rms", "", "=INDEX(law_ca_rms,fly_no)", law.ca_rms),
+        calc("fly_row", "Case by product length", "", "", "=IF(ABS(fly_h)<=fly_near*fly_l0,2,IF(fly_h>0,1,IF(fly_low<=fly_near*fly_v,4,3)))", machine.case, format="0", source="row of the cases above"),
+        calc("fly_waits", "Whether the drum waits", "", "", f'=IF(AND({IS_DRUM},fly_beyond="standstill",fly_length>fly_limit),1,0)', float(cut.waits), format="0", source="at standstill for part of the cycle"),
+        calc("fly_tm", "Time of the superimposed motion", "t_m", "s", "=IF(fly_waits=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,fly_tr)", cut.moving_time, source="t_R; with a wait, so that v_min = 0"),
+        calc("fly_h1", "Displacement by the law", "h", "mm", "=IF(fly_waits=1,0-fly_v*1000*fly_tm/fly_cv,fly_h)", cut.superimposed / MM, scale=s["mm"], source="L_0 − L_p; with a wait, −v_L t_m/C_v"),
+        calc("fly_peak", "Where the law is fastest", "ξ_v", "", "=INDEX([fastest.at],fly_no)", fastest(machine.law)),
+        calc("fly_stop", "When the drum comes to a standstill", "", "s", "=IF(fly_waits=1,fly_peak*fly_tm,fly_tr)", cut.wait[0], scale=cut.cycle_time, source="t_R: not at all"),
+        calc("fly_eps", "Tolerance of a time", "ε", "s", "=fly_tc*fly_near", cut.cycle_time * NEAR, format="0E+00", source="a sample this near to an event counts as on it"),
+        constant("fly_near", "What counts as the same", "ε", "", NEAR, format="0E+00", source="of a length, a time, a speed, a share of the law"),
+        constant("fly_longer", "Shortest product, in tool lengths", "", "", LONGER, format="0.000"),
+        constant("fly_least_cv", "Least coefficient of velocity", "", "", LEAST_CV, format="0.000", source="with less, no drum comes to a standstill"),
+    )  # fmt: skip

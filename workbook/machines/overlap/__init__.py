@@ -1,0 +1,1 @@
+"""Overlap of a transfer and its tools (S2)."""

@@ -1,0 +1,134 @@
+"""Overlap of a transfer and tools (S2): what an engineer enters."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from engine.laws.base import BREAK_TOLERANCE
+from engine.laws.inverse import is_monotone
+from workbook.entries.machine import Machine, Sizes
+from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive, Text
+from workbook.laws.library import laws
+
+MOST_TOOLS = 6
+TURN = 360.0
+RiseCode = Literal["ACS", "TVP", "CIC", "CUB", "MTP", "OWN"]
+LEAST = 0.01  # degrees: no cam moves in less
+PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
+
+
+class TransferEntry(Model):
+    """The motion that brings the part."""
+
+    name: Text
+    law: RiseCode
+    stroke: Positive  # mm
+    angle: PartAngle  # degrees of the master shaft
+
+
+class PassageEntry(Model):
+    """What one part leaves to the other."""
+
+    remaining: Annotated[float, Field(ge=0, lt=50, allow_inf_nan=False)]  # % of the transfer's stroke
+    clearance: NotNegative  # mm
+    margin: NotNegative  # mm
+    allowance: NotNegative  # degrees
+    split: Annotated[float, Field(gt=0, lt=1, allow_inf_nan=False)] = 0.5
+
+    @model_validator(mode="after")
+    def _within(self) -> Self:
+        if self.margin > self.clearance:
+            raise EntryError(
+                "margin", f"the margin is {self.margin:g} mm; expected at most the clearance, {self.clearance:g} mm"
+            )
+        return self
+
+
+class ToolEntry(Model):
+    """A motion that enters when the part is there, and is out before the next transfer."""
+
+    name: Text
+    law_in: RiseCode
+    law_out: RiseCode
+    stroke: Positive  # mm
+    dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
+    angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
+    angle_out: PartAngle | None = None
+    passage: PassageEntry
+
+
+class OverlapEntry(Model):
+    """The transfer, the tools that work at its stations, and the angle at which the picture shows them."""
+
+    rate: Positive  # pieces/h
+    transfer: TransferEntry
+    tools: Annotated[list[ToolEntry], Field(min_length=1, max_length=MOST_TOOLS)]
+    view: Angle = 0.0  # degrees
+
+    @model_validator(mode="after")
+    def _distinct(self) -> Self:
+        names = [tool.name for tool in self.tools]
+        for i, name in enumerate(names):
+            if name in names[:i]:
+                raise EntryError(f"tools.{i}.name", f"a second tool is named {name!r}; expected a name of its own")
+        return self
+
+
+class OverlapSizes(Sizes):
+    """How large the tables are built: also the intervals of the table of margins."""
+
+    margins: Annotated[int, Field(ge=2, le=200)] = 20
+
+
+class IndexingOverlap(Machine):
+    """A transfer and tools over one master shaft, one after the other and with overlap (S2)."""
+
+    template: Literal["indexing-overlap"] = "indexing-overlap"
+    overlap: OverlapEntry
+    sizes: OverlapSizes = OverlapSizes()
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        filled, room = len(self.laws.OWN.pieces), self.sizes.pieces
+        if filled > room:
+            raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
+        self._rises()
+        for i, tool in enumerate(self.overlap.tools):
+            self._leaves_angles(f"overlap.tools.{i}", tool)
+        from workbook.machines.overlap.view import Overlapping
+
+        for station in Overlapping(self, laws(self.laws, self.sizes.own_law)).stations:
+            station.require_one_turn()
+        return self
+
+    def _rises(self) -> None:
+        given = self.overlap
+        used = {"transfer.law": given.transfer.law}
+        for i, tool in enumerate(given.tools):
+            used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
+        entry = next((entry for entry, code in used.items() if code == "OWN"), None)
+        if entry is None:
+            return
+        own = laws(self.laws, self.sizes.own_law)["OWN"]
+        if not is_monotone(own):
+            raise EntryError(f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout")
+        if abs(own.end.s - 1) > BREAK_TOLERANCE:
+            raise EntryError(
+                f"overlap.{entry}", f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
+            )
+
+    def _leaves_angles(self, key: str, tool: ToolEntry) -> None:
+        angle, passage = self.overlap.transfer.angle, tool.passage
+        free = TURN - angle - tool.dwell
+        least = free * min(passage.split, 1 - passage.split)
+        if least < LEAST:
+            raise EntryError(
+                f"{key}.dwell", f"transfer ({angle:g}°) and dwell ({tool.dwell:g}°) leave the tool no angle of 360°"
+            )
+        if passage.allowance > least - LEAST:
+            raise EntryError(
+                f"{key}.passage.allowance",
+                f"an allowance of {passage.allowance:g}° leaves the tool no angle; expected at most {least - LEAST:g}°",
+            )

@@ -1,0 +1,162 @@
+"""The Overlap sheet: the transfer and its timing diagrams; with one tool all of that tool, with several the sum of them.
+
+Several tools have a sheet each, of the same parts (:mod:`workbook.machines.overlap.tool`).
+"""
+
+from __future__ import annotations
+
+from workbook.book.chart import COLOURS, Chart, Series
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.entries.units import MM
+from workbook.laws.sampling import Pieces
+from workbook.machines.overlap import tool
+from workbook.machines.overlap.cycle import EPS
+from workbook.machines.overlap.places import each
+from workbook.machines.overlap.view import Overlapping
+
+BELOW_CHARTS = 45  # the row from which the sheet is free in its whole width
+RIGHT, SECOND = 11, 24  # the column of charts beside the entries, and the row of the second two
+WIDE = 7  # columns of a chart
+ONE = "The transfer brings the part and begins at 0°; the tool goes in, dwells at the part and goes out again."
+SEVERAL = "The transfer brings the parts and begins at 0°; each tool goes in, dwells and goes out again."
+APART = "The tools work at stations of their own: each meets the transfer, never another tool."
+
+
+def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
+    """Declare the sheet, and one for each of several tools."""
+    sheet = book.sheet("Overlap", "How much longer a tool may take when it begins before the transfer has ended.")
+    sheet.print_columns = 24 if machine.alone else 25
+    sheet.heading("What to enter", ONE if machine.alone else SEVERAL)
+    if not machine.alone:
+        sheet.note(APART)
+    entries(sheet, machine)
+    if machine.alone:
+        all_of_one(sheet, machine, pieces)
+        return
+    sums(sheet, machine)
+    for station in machine.stations:
+        tool.tool_sheet(book, station, pieces)
+
+
+def all_of_one(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
+    """Declare the rest of the sheet for one tool."""
+    (station,) = machine.stations
+    with sheet.scoped(station.scope):
+        tool.entries(sheet, station)
+        tool.outcome(sheet, station)
+        tool.verdicts(sheet, station)
+    sheet.checks(rising())
+    timing_diagrams(sheet, machine, RIGHT)
+    tool.charts(sheet, station, SECOND)
+    sheet.row = max(sheet.row, BELOW_CHARTS)
+    tool.tables(sheet, station)
+    sheet.heading("Workings")
+    sheet.rows(*workings(machine))
+    tool.workings(sheet, station, pieces)
+
+
+def sums(sheet: Sheet, machine: Overlapping) -> None:
+    """Declare what several tools come to together."""
+    sheet.heading("What comes out")
+    sheet.rows(
+        result("overlap_a0", "Largest peak acceleration one after the other", "a_max", "m/s²", "=MAX([tools.a0])", machine.peaks[0]),
+        result("overlap_a1", "Largest peak acceleration with overlap", "a_max", "m/s²", "=MAX([tools.a1])", machine.peaks[1]),
+        result("overlap_least", "Least clearance over the cycle", "", "mm", "=MIN([tools.least])", machine.least, source="of any tool"),
+    )  # fmt: skip
+    sheet.checks(rising())
+    sheet.row += 1
+    tools(sheet, machine)
+    timing_diagrams(sheet, machine, RIGHT + 1)
+    accelerations(sheet, machine, RIGHT + 1)
+    sheet.row = max(sheet.row, BELOW_CHARTS)
+    sheet.heading("Workings")
+    sheet.rows(*workings(machine))
+
+
+def entries(sheet: Sheet, machine: Overlapping) -> None:
+    """Declare what the engineer enters of the machine and its transfer."""
+    e, t = machine.given, machine.given.transfer
+    sheet.rows(
+        given("overlap_rate", "Production rate", "N", "pieces/h", e.rate, "overlap.rate", format="0.0##", source="one piece a turn of the master shaft; S2: 2000"),
+        given("overlap_transfer", "Transfer", "", "", t.name, "overlap.transfer.name"),
+        given("overlap_law", "its law", "", "", t.law, "overlap.transfer.law", source="S2: cycloidal, CIC"),
+        given("overlap_pitch", "its stroke", "h_t", "mm", t.stroke, "overlap.transfer.stroke", format="0.0##", source="S2: 100 mm"),
+        given("overlap_angle", "its angle", "B_t", "°", t.angle, "overlap.transfer.angle", format="0.0##", source="S2: 150°"),
+    )  # fmt: skip
+
+
+def rising() -> Quantity:
+    """Return the check of the one law that may move backwards: the engineer's own."""
+    return check(
+        "overlap_ok_rises",
+        "The laws never move backwards",
+        "OR(COUNTIF([used.no],OWN_no)=0,MIN([own_samples.v])>=0-check_zero)",
+        True,
+        "only a law that rises throughout can be inverted",
+    )
+
+
+def workings(machine: Overlapping) -> tuple[Quantity, ...]:
+    """Return the workings that all tools share."""
+    return (
+        calc("overlap_tc", "Time of one turn", "t_c", "s", "=3600/overlap_rate", 1 / machine.rate, source="3600 / N"),
+        calc("overlap_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", EPS, format="0E+00", source="an angle this near to an event counts as on it"),
+    )  # fmt: skip
+
+
+def tools(sheet: Sheet, machine: Overlapping) -> None:
+    """Declare the tools side by side."""
+    stations = machine.stations
+
+    peaks = [s.peaks for s in stations]
+    verdicts = ["FAIL" if "FAIL" in [q.value for q in tool.checks(s)] else "OK" for s in stations]
+    conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
+    sheet.table(
+        "tools", "The tools", len(stations),
+        calc("name", "tool", "", "", each(machine, "=@name"), [s.given.name for s in stations], align="left"),
+        constant("sheet", "sheet", "", "", [f"Tool {s.number}" for s in stations]),
+        result("in", "way in", "B_m", "°", each(machine, "=@new_in"), [s.angles_set[0] for s in stations]),
+        result("out", "way out", "B_m", "°", each(machine, "=@new_out"), [s.angles_set[1] for s in stations]),
+        result("a0", "peak, one after the other", "a_max", "m/s²", each(machine, "=@a0"), [p[0] for p in peaks]),
+        result("a1", "peak, with overlap", "a_max", "m/s²", each(machine, "=@a1"), [p[2] for p in peaks]),
+        result("ratio", "times lower", "", "", each(machine, "=@ratio"), [p[0] / p[2] for p in peaks]),
+        result("least", "least clearance", "", "mm", each(machine, "=@least"), [s.clearance.minimum / MM for s in stations]),
+        Quantity("ok", "its checks", role="check", formula=each(machine, f'=IF(AND({conditions}),"OK","FAIL")'), value=verdicts),
+    )  # fmt: skip
+
+
+def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
+    """Place both timing diagrams side by side: a lane for the transfer, and above it one for each tool."""
+    top = len(machine.stations) + 1
+    for i, (title, lane) in enumerate((("one after the other", "lane_b"), ("with overlap", "lane_a"))):
+        moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
+        line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
+        sheet.chart(
+            Chart(
+                f"Timing diagram: {title}", "master angle θ [°]", "from below: as in the legend", (moved, *lines_of(machine, lane), line),
+                f"Timing diagram of transfer and tools over one turn of the master shaft: {title}",
+                (0, 360, 30), (0, top, 1), hide_y=True,
+            ),
+            column=column + i * WIDE, row=5, width=WIDE, height=18,
+        )  # fmt: skip
+
+
+def accelerations(sheet: Sheet, machine: Overlapping, column: int) -> None:
+    """Place the accelerations of all tools side by side, in both schedules."""
+    for i, (title, values) in enumerate((("one after the other", "accb"), ("with overlap", "acca"))):
+        lines = lines_of(machine, values)
+        sheet.chart(
+            Chart(
+                f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", lines,
+                f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30),
+            ),
+            column=column + i * WIDE, row=SECOND, width=WIDE, height=18,
+        )  # fmt: skip
+
+
+def lines_of(machine: Overlapping, column: str) -> tuple[Series, ...]:
+    """Return a line over the cycle for each tool, in the same colour in every chart; the transfer has the first."""
+    return tuple(
+        Series("=@name", "[@motions.theta]", f"[@motions.{column}]", color=COLOURS[s.number]).within(s.scope)
+        for s in machine.stations
+    )

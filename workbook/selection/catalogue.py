@@ -1,0 +1,60 @@
+"""One product of a catalogue: what is known of it, and the rules that its figures obey."""
+
+from __future__ import annotations
+
+from typing import Annotated, Self
+
+from pydantic import Field, model_validator
+
+from workbook.entries.types import EntryError, Model, NotNegative, Positive
+
+PLAIN_NAME = r"^[^=*?~\x00-\x1f][^*?~\x00-\x1f]*$"  # one line, no formula, nothing that a look-up takes for a pattern
+Name = Annotated[str, Field(min_length=1, max_length=60, pattern=PLAIN_NAME)]
+Source = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^=\x00-\x1f][^\x00-\x1f]*$")]
+Efficiency = Annotated[float, Field(gt=0, le=1, allow_inf_nan=False)]
+
+
+class MotorRow(Model):
+    """One motor of the catalogue.
+
+    The peak torque holds up to ``max_speed``, or falls in a straight line from ``full_torque_to`` to ``end_torque``
+    at the largest speed.
+    """
+
+    name: Name
+    inertia: Positive  # kg m²
+    rated_torque: Positive  # Nm
+    peak_torque: Positive  # Nm
+    max_speed: Positive  # rpm
+    full_torque_to: NotNegative | None = None  # rpm
+    end_torque: NotNegative | None = None  # Nm
+    mass: NotNegative | None = None  # kg
+    cost: NotNegative | None = None
+    source: Source | None = None
+
+    @model_validator(mode="after")
+    def _curve(self) -> Self:
+        if (self.full_torque_to is None) != (self.end_torque is None):
+            missing = "full_torque_to" if self.full_torque_to is None else "end_torque"
+            raise EntryError(missing, "half of the torque–speed curve is empty; expected both figures, or neither")
+        if self.full_torque_to is not None and self.full_torque_to >= self.max_speed:
+            raise EntryError(
+                "full_torque_to",
+                f"the torque falls from {self.full_torque_to:g} rpm; expected less than the largest speed, "
+                f"{self.max_speed:g} rpm",
+            )
+        return self
+
+
+class ReducerRow(Model):
+    """One reducer of the catalogue; an inertia that is not given counts as 0, a limit that is not given as none."""
+
+    name: Name
+    reduction: Positive  # ω_M/ω_L
+    efficiency: Efficiency
+    inertia: NotNegative | None = None  # kg m², at the motor's shaft
+    max_speed: Positive | None = None  # rpm, of the input
+    max_torque: Positive | None = None  # Nm, of the output
+    mass: NotNegative | None = None  # kg
+    cost: NotNegative | None = None
+    source: Source | None = None

@@ -1,0 +1,81 @@
+"""Motor and reducer from catalogues (S5, steps 1 to 7): what an engineer enters, and the rules it obeys."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Field, model_validator
+
+from workbook.entries.machine import Sizes
+from workbook.entries.types import EntryError, Model, Positive
+from workbook.reading.catalogue import committed_motors, committed_reducers
+from workbook.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
+
+MOST_PRODUCTS = 100  # rows of a catalogue
+Criterion = Literal["margin", "inertia match", "size", "cost"]
+
+
+class Selection(Model):
+    """The catalogues, the criterion, and the pair that is looked at.
+
+    Without catalogues, those that come with the templates. A motor or reducer that is not named is the first one,
+    unless it is to be looked at.
+    """
+
+    criterion: Criterion = "margin"
+    pair: Literal["best", "chosen"] = "best"
+    motor: Name = ""
+    reducer: Name = ""
+    efficiency: Efficiency = 1.0  # in the range of ratios, before a reducer is known
+    torque_factor: Positive = 1.0  # on the reducer's output torque
+    motors: Annotated[list[MotorRow], Field(min_length=1)] = Field(default_factory=committed_motors)
+    reducers: Annotated[list[ReducerRow], Field(min_length=1)] = Field(default_factory=committed_reducers)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _complete(cls, data: Any) -> Any:
+        if not isinstance(data, dict):
+            return data
+        for entry, committed in (("motor", committed_motors), ("reducer", committed_reducers)):
+            rows = data.get(f"{entry}s", committed())
+            named = data.get(entry) is not None or data.get("pair") == "chosen"
+            if not named and isinstance(rows, list) and rows:
+                first = rows[0]
+                data = data | {entry: first.get("name") if isinstance(first, dict) else getattr(first, "name", None)}
+        return data
+
+    @model_validator(mode="after")
+    def _named(self) -> Self:
+        for entry, rows in (("motor", self.motors), ("reducer", self.reducers)):
+            names = unique(entry, rows)
+            if getattr(self, entry).casefold() not in names:
+                raise EntryError(entry, f"no {entry} is named {getattr(self, entry)!r}; expected a name of its table")
+        return self
+
+
+class SelectionSizes(Sizes):
+    """How large the tables are built: also the rows of the two catalogues."""
+
+    motors: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 22
+    reducers: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 18
+
+
+def unique(entry: str, rows: Sequence[MotorRow | ReducerRow]) -> set[str]:
+    """Return the names in a catalogue as a look-up compares them; raise EntryError for a name given twice."""
+    seen: set[str] = set()
+    for i, row in enumerate(rows):
+        if row.name.casefold() in seen:
+            raise EntryError(f"{entry}s.{i}.name", f"a second {entry} is named {row.name!r}; expected another name")
+        seen.add(row.name.casefold())
+    return seen
+
+
+def require_room(selection: Selection, sizes: SelectionSizes) -> None:
+    """Raise EntryError where a catalogue has more rows than its table."""
+    for entry, filled, room in (
+        ("motors", len(selection.motors), sizes.motors),
+        ("reducers", len(selection.reducers), sizes.reducers),
+    ):
+        if filled > room:
+            raise EntryError(f"selection.{entry}", f"{filled} rows do not fit into {room}; raise sizes.{entry}")

@@ -1,1 +1,0 @@
-"""The sheets of two motions that overlap."""

@@ -1,1 +1,0 @@
-"""The sheet Selection: motor and reducer from catalogues."""

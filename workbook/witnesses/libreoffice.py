@@ -1,0 +1,85 @@
+"""LibreOffice, run headless: a real spreadsheet program agrees, or it does not."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from workbook.book.address import Address
+from workbook.errors import WitnessError
+from workbook.reading.files import BookFile
+from workbook.witnesses.witness import cached_values
+
+TIMEOUT = 300  # seconds
+PLACES = (
+    "/usr/bin/soffice",
+    "/Applications/LibreOffice.app/Contents/MacOS/soffice",
+    r"C:\Program Files\LibreOffice\program\soffice.com",
+)
+# LibreOffice keeps the values that it finds in a file unless it is told to recalculate always
+PROFILE = """<?xml version="1.0" encoding="UTF-8"?>
+<oor:items xmlns:oor="http://openoffice.org/2001/registry" xmlns:xs="http://www.w3.org/2001/XMLSchema"
+ xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
+<item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="OOXMLRecalcMode" oor:op="fuse">
+<value>0</value></prop></item>
+<item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="ODFRecalcMode" oor:op="fuse">
+<value>0</value></prop></item>
+</oor:items>
+"""
+
+
+def program() -> str | None:
+    """Return the path of LibreOffice, or None where it is not on this machine."""
+    return shutil.which("soffice") or next((place for place in PLACES if Path(place).exists()), None)
+
+
+def convert(source: Path, kind: str, folder: Path) -> Path:
+    """Convert a file with a private profile that recalculates everything; return the new file in ``folder``."""
+    soffice = program()
+    if soffice is None:
+        raise WitnessError("LibreOffice is not on this machine")
+    with tempfile.TemporaryDirectory() as profile:
+        user = Path(profile) / "user"
+        user.mkdir()
+        (user / "registrymodifications.xcu").write_text(PROFILE, encoding="utf-8")
+        command = [soffice, "--headless", "--norestore", f"-env:UserInstallation={Path(profile).as_uri()}",
+                   "--convert-to", kind, "--outdir", str(folder), str(source)]  # fmt: skip
+        try:
+            run = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise WitnessError(f"LibreOffice did not finish: {error}") from error
+    made = folder / f"{source.stem}.{kind.split(':')[0]}"
+    if not made.exists():
+        raise WitnessError(f"LibreOffice could not open the file: {(run.stderr or run.stdout).strip()[:200]}")
+    return made
+
+
+class LibreOffice:
+    """Recalculates a copy of the file, and reads the results back."""
+
+    name = "libreoffice"
+
+    def version(self) -> str | None:
+        """Return LibreOffice's own version, or None where it is absent."""
+        soffice = program()
+        if soffice is None:
+            return None
+        environment = os.environ | {"HOME": tempfile.gettempdir()} if sys.platform != "win32" else None
+        said = subprocess.run([soffice, "--version"], capture_output=True, text=True, check=False, env=environment)
+        found = re.search(r"\d+(\.\d+)+", said.stdout)
+        return found.group() if found else "unknown version"
+
+    def values(self, file: BookFile) -> dict[Address, Any]:
+        """Return the value of every formula cell."""
+        with tempfile.TemporaryDirectory() as folder:
+            source = Path(folder) / f"book{file.path.suffix}"
+            shutil.copyfile(file.path, source)
+            made = Path(folder) / "made"
+            made.mkdir()
+            return cached_values(convert(source, "xlsx", made), file)

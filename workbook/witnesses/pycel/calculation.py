@@ -1,0 +1,225 @@
+"""A workbook's formulas joined and evaluated: all of them in order, or some of them each by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
+from typing import Any
+
+from pycel.excelutil import AddressRange
+
+from workbook.book.address import Address
+from workbook.book.formula import Area, Formula, FormulaError, bounded
+from workbook.witnesses.pycel.columns import Moved, Moving, Pattern
+from workbook.witnesses.pycel.compiled import Compiled, compiled
+from workbook.witnesses.pycel.numbering import Numbering
+from workbook.witnesses.pycel.order import ordered
+from workbook.witnesses.pycel.steps import FormulaStep, RangeStep, entered, rows_of
+
+Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
+Found = Callable[[Address, Any], Any]  # what is found in a cell; else what a cell without a formula holds
+CYCLE = "#CYCLE!"
+MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
+
+
+class Calculation:
+    """Formulas and the cells they refer to; ``problems`` is told in a line why a cell could not be evaluated.
+
+    Everything that has a value (a cell, a range, a text in a formula) is known by its number.
+    """
+
+    def __init__(
+        self,
+        constants: Mapping[Address, Any],
+        formulas: Mapping[Address, Formula | Moved],
+        problems: dict[Address, str],
+    ) -> None:
+        self.problems = problems
+        self._constants = {address: entered(value) for address, value in constants.items()}
+        self._numbers = Numbering()
+        self._steps: dict[int, FormulaStep | RangeStep] = {}
+        self._areas: dict[int, Area] = {}
+        self._followed: dict[int, list[Followed]] = {}  # of a pattern, by its identity
+        self._range_cells = 0
+        self._unjoined: list[Formula | Moved] = []
+        for address, value in self._constants.items():
+            self._numbers.cell(address, value)
+        self._formulas = {self._numbers.cell(address): address for address in formulas}
+        self._occupied = len(self._numbers.values)
+        for number, address in self._formulas.items():
+            self._join(number, address, formulas[address])
+        self._order, cycles = ordered({number: step.sources for number, step in self._steps.items()})
+        self._cyclic = self._note_cycles(cycles)
+
+    @property
+    def order(self) -> list[Address]:
+        """The formula cells, each after what it needs."""
+        return [self._formulas[number] for number in self._order if number in self._formulas]
+
+    def reads(self, address: Address) -> bool:
+        """Whether some formula refers to a cell, also one that cannot be evaluated."""
+        areas = (a for formula in self._unjoined for a in formula.arguments if isinstance(a, Area))
+        number = self._numbers.column(address.sheet, address.column).get(address.row)
+        return number in self._read or any(area.holds(address) for area in areas)
+
+    @cached_property
+    def _read(self) -> set[int]:
+        return {number for step in self._steps.values() for number in step.sources}
+
+    def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> dict[Address, Any]:
+        """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
+        given = {self._input(address): entered(value) for address, value in (inputs or {}).items()}
+        values = list(self._numbers.values)
+        for number, value in given.items():
+            values[number] = value
+        for number in self._order:
+            if number not in given:
+                values[number] = self._result(number, values)
+        return {address: values[number] for number, address in self._formulas.items()}
+
+    def each(self, wanted: Iterable[Address], found: Found) -> dict[Address, Any]:
+        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
+        values: dict[int, Any] = {}
+        results = {}
+        for address in wanted:
+            number = self._numbers.cell(address)
+            step = self._steps.get(number)
+            if step is None:  # it could not be joined
+                results[address] = self._numbers.values[number]
+                continue
+            for source in step.sources:
+                if source not in values:
+                    values[source] = self._look(source, found)
+            try:
+                results[address] = step.compute(values)
+            except Exception as error:  # pycel's functions raise whatever Python raises
+                results[address] = fault(error)
+        return results
+
+    def _look(self, number: int, found: Found) -> Any:
+        """Return the value of a cell, a range or a text when formula cells are not computed but looked up."""
+        if number in self._areas:
+            area = self._areas[number]
+            return rows_of([self._held(cell, found) for cell in area.cells()], area.right - area.left + 1)
+        cell = self._numbers.cells.get(number)
+        return self._numbers.values[number] if cell is None else self._held(cell, found)
+
+    def _held(self, address: Address, found: Found) -> Any:
+        return entered(found(address, self._constants.get(address)))
+
+    def _join(self, number: int, address: Address, formula: Formula | Moved) -> None:
+        """Connect a formula with what it refers to."""
+        call = compiled(formula.shape)
+        try:
+            if isinstance(call, FormulaError):
+                raise call
+            self._steps[number] = FormulaStep(call, self._sources(call, formula))
+        except FormulaError as error:
+            self._numbers.values[number] = error.value
+            self.problems[address] = str(error)
+            self._unjoined.append(formula)
+
+    def _sources(self, call: Compiled, formula: Formula | Moved) -> list[int]:
+        if call.addresses:
+            return [
+                self._address(a) if dummy in call.addresses else self._source(a)
+                for dummy, a in zip(call.dummies, formula.arguments, strict=True)
+            ]
+        if not isinstance(formula, Moved):
+            return [self._source(a) for a in formula.arguments]
+        pattern, row = formula
+        return [
+            by if rows is None else rows.get(row + by) or self._source(argument.at(row))
+            for rows, by, argument in self._followed.get(id(pattern)) or self._follow(pattern)
+        ]
+
+    def _follow(self, pattern: Pattern) -> list[Followed]:
+        """Return where the arguments of a pattern are found: cells that move in their columns, all else by number."""
+
+        def where(argument: Area | str | Moving) -> Followed:
+            if not isinstance(argument, Moving):
+                return None, self._source(argument), argument
+            if argument.area.single and argument.top is not None:
+                return self._numbers.column(argument.area.sheet, argument.area.left), argument.top, argument
+            return {}, 0, argument
+
+        found = self._followed[id(pattern)] = [where(argument) for argument in pattern.arguments]
+        return found
+
+    def _source(self, argument: Area | str) -> int:
+        if isinstance(argument, str):
+            return self._numbers.other(("text", argument), argument)
+        if argument.single:
+            return self._numbers.cell(argument.first)
+        number = self._numbers.other(argument)
+        if number not in self._areas:
+            self._range_cells += bounded(argument, argument.a1).size
+            if self._range_cells > MOST_RANGE_CELLS:
+                raise FormulaError("#REF!", f"the ranges of this workbook hold over {MOST_RANGE_CELLS:,} cells")
+            self._areas[number] = argument
+            self._fill(number, argument)
+        return number
+
+    def _fill(self, number: int, area: Area) -> None:
+        """Give a range the numbers of its cells."""
+        columns = [self._numbers.column(area.sheet, c) for c in range(area.left, area.right + 1)]
+        cells = [rows.get(row, 0) for row in range(area.top, area.bottom + 1) for rows in columns]
+        self._steps[number] = RangeStep(cells, len(columns))
+
+    def _address(self, argument: Area | str) -> int:
+        """Return the number of an argument's address, for functions that ask for it."""
+        if isinstance(argument, str):
+            raise FormulaError("#VALUE!", "a reference is expected, not a text")
+        return self._numbers.other(("address", argument.a1), AddressRange.create(argument.a1))
+
+    def _input(self, address: Address) -> int:
+        """Return the number of a cell that is given a value; ranges that passed over it as empty now hold it."""
+        number = self._numbers.cell(address)
+        if number >= self._occupied:
+            for range_number, area in self._areas.items():
+                if area.holds(address):
+                    self._fill(range_number, area)
+        return number
+
+    def _note_cycles(self, cycles: Mapping[int, int]) -> set[int]:
+        for number, need in cycles.items():
+            self._numbers.values[number] = CYCLE
+            if number in self._formulas:
+                through = self._formulas.get(need) or self._areas[need].a1
+                self.problems[self._formulas[number]] = f"the cell depends on itself, through {through}"
+        return set(cycles)
+
+    def _result(self, number: int, values: list[Any]) -> Any:
+        """Return what a step computes in an evaluation of the whole, and note what kept it from a value."""
+        step, problem = self._steps[number], ""
+        result: Any
+        if self._cyclic and CYCLE in map(values.__getitem__, step.sources):
+            result, problem = CYCLE, self._through(number)
+        else:
+            try:
+                result = step.compute(values)
+            except Exception as error:  # pycel's functions raise whatever Python raises
+                result = fault(error)
+                problem = "" if result == "#NUM!" else f"pycel: {type(error).__name__}: {str(error)[:120]}"
+        if problem or self.problems:
+            self._note(number, problem)
+        return result
+
+    def _through(self, number: int) -> str:
+        """Return why a cell has no value that is in a cycle, or depends on one."""
+        address = self._formulas.get(number)
+        known = self.problems.get(address) if address and number in self._cyclic else None
+        return known or "the cell depends on cells that depend on themselves"
+
+    def _note(self, number: int, problem: str) -> None:
+        """Enter a cell's problem, or take back that of an evaluation before."""
+        address = self._formulas.get(number)
+        if address and problem:
+            self.problems[address] = problem
+        elif address and number not in self._cyclic:
+            self.problems.pop(address, None)
+
+
+def fault(error: Exception) -> str:
+    """Return the error value of a cell whose computation raised an error."""
+    return "#NUM!" if isinstance(error, OverflowError) else "#VALUE!"

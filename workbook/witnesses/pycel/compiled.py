@@ -1,0 +1,102 @@
+"""Shapes as pycel compiles them, each once."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import keyword
+import math
+import re
+import sys
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
+from pycel.lib.function_helpers import load_functions
+from pycel.lib.function_info import all_excel_functions
+
+from workbook.book.formula import FormulaError
+from workbook.witnesses.pycel import limits, shortcuts
+
+if sys.version_info >= (3, 14):  # where ast.Str is gone, for which pycel's compiler still asks
+    setattr(ast, "Str", lambda s: ast.Constant(s))  # noqa: B010 - the type checker knows no such attribute
+
+MODULES = (limits, *(importlib.import_module(name) for name in ExcelFormula.default_modules))
+UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's graph, or a number in the text
+DUMMY = re.compile(r"A[0-9]+(:B[0-9]+)?")
+ADDRESS_ASKED = re.compile(r'_REF_\("(.*?)"\)')
+
+arguments: dict[str, Any] = {}  # what the dummies of the shape under evaluation stand for
+_space: dict[str, Any] = {
+    "__builtins__": {},
+    "_C_": arguments.__getitem__,
+    "_R_": arguments.__getitem__,
+    "_REF_": arguments.__getitem__,
+    "pi": math.pi,
+    "excel_operator_operand_fixup": shortcuts.operators(),
+}
+
+
+class Compiled(NamedTuple):
+    """A shape to be called once ``arguments`` holds the values of its dummies."""
+
+    call: Callable[[], Any]
+    dummies: tuple[str, ...]
+    addresses: frozenset[str]  # dummies whose address is asked for, not their value
+
+
+@lru_cache(maxsize=20_000)
+def compiled(shape: str) -> Compiled | FormulaError:
+    """Return a shape as pycel compiles it, or why it cannot; either is found out once."""
+    try:
+        check(shape)
+        return _compiled(shape)
+    except FormulaError as error:
+        return error
+    except RecursionError:
+        return FormulaError("#VALUE!", "the formula is nested too deeply")
+    except Exception as error:  # pycel's parser and compiler raise whatever Python raises
+        return FormulaError("#NAME?", f"pycel cannot compile it: {str(error)[:120]}")
+
+
+def check(shape: str) -> None:
+    """Let nothing pass but dummies, numbers, operators and functions of Excel that pycel has.
+
+    pycel would hand other words on to Python. Raises FormulaError.
+    """
+    for token in Tokenizer(shape).items:
+        if token.type == Token.OPERAND and token.subtype in (Token.RANGE, Token.TEXT):
+            if not DUMMY.fullmatch(token.value):
+                raise FormulaError("#NAME?", f"{token.value[:40]!r} cannot be read")
+        elif token.type == Token.OP_IN and (token.value == ":" or token.subtype == Token.INTERSECT):
+            raise FormulaError("#REF!", "references that are computed or intersected are not evaluated")
+        elif token.type == Token.FUNC and token.subtype == Token.OPEN:
+            check_function(token.value[:-1].upper().removeprefix("_XLFN."))
+
+
+def check_function(name: str) -> None:
+    """Raise FormulaError unless the function is Excel's and pycel has it."""
+    if name not in all_excel_functions:
+        raise FormulaError("#NAME?", f"{name[:40]} is no function of Excel")
+    python = name.lower().replace(".", "_")
+    python = FunctionNode.func_map.get(python, python)
+    known = hasattr(FunctionNode, f"func_{python}") or any(callable(getattr(m, python, None)) for m in MODULES)
+    if not known or name in UNSUITED or keyword.iskeyword(python):
+        raise FormulaError("#NAME?", f"pycel has no function {name}")
+
+
+def _compiled(shape: str) -> Compiled:
+    formula = ExcelFormula(shape)
+    code, names = formula.compiled_python
+    made: list[Callable[[], Any]] = []
+    _space["lambdas"] = made
+    new = set(names) - _space.keys()
+    missing = load_functions(names, _space, MODULES)
+    if missing:
+        raise FormulaError("#NAME?", f"pycel has no function {', '.join(sorted(missing)).upper()}")
+    for name in new & shortcuts.SHORTENED.keys():
+        _space[name] = shortcuts.SHORTENED[name](_space[name])
+    exec(code, _space)  # noqa: S102 - what pycel made of a shape: check() let no word of the file's own pass
+    dummies = tuple(match[0] for match in DUMMY.finditer(shape))
+    return Compiled(made[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))
