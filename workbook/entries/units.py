@@ -1,9 +1,25 @@
-"""Units at the edge, in SI: everything within is SI."""
+"""Units at the edge: what is entered and shown in them, in SI within; the one place where a sheet's figures are scaled."""
 
 from __future__ import annotations
 
-import math
+from math import pi, tau
+from typing import TypeVar
+
+from engine.laws.base import Array
 
 MM = 1e-3  # m
-RPM = 2 * math.pi / 60  # rad/s
+DEGREE = pi / 180  # rad
+RPM = tau / 60  # rad/s
 PER_MINUTE = 1 / 60  # 1/s
+
+Real = TypeVar("Real", float, Array)
+
+
+def si(value: Real, unit: float) -> Real:
+    """Return in SI what is given in a unit."""
+    return value * unit
+
+
+def shown(value: Real, unit: float) -> Real:
+    """Return in a unit what is in SI."""
+    return value / unit

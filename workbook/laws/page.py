@@ -98,7 +98,8 @@ def entries(sheet: Sheet, page: LawPage, law: Law, entered: Any) -> None:
     """Declare the rise that is shown, and the law's parameters."""
     code = page.code
     sheet.rows(
-        given(f"{code}_h", "Rise shown", "h", "mm", entered.lift, f"laws.{code}.lift", source="any; a return is negative"),
+        given(f"{code}_h", "Rise shown", "h", "mm",
+              entered.lift, f"laws.{code}.lift", source="any; a return is negative"),
         given(f"{code}_t", "Time of the rise", "t_a", "s", entered.time, f"laws.{code}.time"),
         *page.parameters(law),
     )  # fmt: skip
@@ -120,7 +121,8 @@ def risen(sheet: Sheet, code: str, law: Law, number: int, lift: float, time: flo
     m, k = lift / time, law.coefficients
     sheet.rows(
         calc(f"{code}_h_m", "Rise in metres", "h", "m", f"={code}_h/1000", lift, source="h / 1000"),
-        result(f"{code}_yv", "Largest velocity", "ẏ_max", "m/s", f"={code}_cv*ABS({code}_h_m)/{code}_t", k.cv * abs(m), source="C_v h / t_a"),
+        result(f"{code}_yv", "Largest velocity", "ẏ_max", "m/s",
+               f"={code}_cv*ABS({code}_h_m)/{code}_t", k.cv * abs(m), source="C_v h / t_a"),
         result(
             f"{code}_ya", "Largest acceleration", "ÿ_max", "m/s²",
             f"=MAX({code}_ca_max,-{code}_ca_min)*ABS({code}_h_m)/{code}_t^2", k.ca * abs(m) / time, source="C_a h / t_a²",
@@ -176,7 +178,8 @@ def samples(
         *sampling.shape(law, xi, role=result),
         result("y", "position", "y", "mm", f"={code}_h*[s]", lift / MM * value.s, scale=abs(lift / MM), source="h s"),
         result("yv", "velocity", "ẏ", "m/s", f"={code}_h_m/{code}_t*[v]", lift / time * value.v, source="h v / t_a"),
-        result("ya", "acceleration", "ÿ", "m/s²", f"={code}_h_m/{code}_t^2*[a]", lift / time**2 * value.a, source="h a / t_a²"),
+        result("ya", "acceleration", "ÿ", "m/s²",
+               f"={code}_h_m/{code}_t^2*[a]", lift / time**2 * value.a, source="h a / t_a²"),
         *sampling.finding(f"{code}_no", "xi", stack.locate(number, xi)),
     )  # fmt: skip
 

@@ -25,10 +25,12 @@ def charts(sheet: Sheet, view: Choosing) -> None:
     """Place the three charts beside the figures."""
     down = view.rooms[0]
     ranges = (
-        Series("motors: from max(τ_min, τ_lim)", "[figure11.x]", "[figure11.low]", points=True, marker="dash", up="[figure11.up]", color="1F4E79"),
+        Series("motors: from max(τ_min, τ_lim)", "[figure11.x]", "[figure11.low]", points=True, marker="dash",
+               up="[figure11.up]", color="1F4E79"),
         Series("to τ_max", "[figure11.x]", "[figure11.high]", points=True, marker="dash", color="1F4E79"),
         Series("τ_opt", "[figure11.x]", "[figure11.best]", points=True, marker="circle", color="1F4E79"),
-        Series("across: reducers that hold the load", "[figure11r.x]", "[figure11r.tau]", points=True, right="[figure11r.right]", color="A6A6A6"),
+        Series("across: reducers that hold the load", "[figure11r.x]", "[figure11r.tau]", points=True,
+               right="[figure11r.right]", color="A6A6A6"),
         Series("the pair", "[figure11p.x]", "[figure11p.tau]", points=True, marker="diamond", color="C55A11"),
     )  # fmt: skip
     sheet.chart(
@@ -113,7 +115,8 @@ def figure11(sheet: Sheet, view: Choosing) -> None:
     sheet.table(
         "figure11p", "Figure 11: the pair", 1,
         calc("x", "place", "", "", "=IF(sel_found=1,sel_m,sel_off)", [chosen[0] + 1 if chosen else OFF]),
-        calc("tau", "ratio", "τ", "", "=IF(sel_found=1,sel_tau,[reducers.tau.1])", [float(view.reducers.ratio[chosen[1]]) if chosen else first]),
+        calc("tau", "ratio", "τ", "",
+             "=IF(sel_found=1,sel_tau,[reducers.tau.1])", [float(view.reducers.ratio[chosen[1]]) if chosen else first]),
     )  # fmt: skip
 
 
@@ -126,25 +129,36 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
     sheet.rows(
         constant("sel_least", "Figure 12 begins at this share of α at least", "", "", LEAST, format="0.0##"),
         constant("sel_most", "… and at this at most", "", "", MOST, format="0.0##"),
-        calc("sel_first", "It begins at", "", "", f"=MAX(sel_least,MIN(sel_most,sel_beta/(sel_eta*INDEX([motors.alpha],{row}))))", float(x["share"][0]), source="so that the present load is in it"),
+        calc("sel_first", "It begins at", "", "",
+             f"=MAX(sel_least,MIN(sel_most,sel_beta/(sel_eta*INDEX([motors.alpha],{row}))))", float(x["share"][0]),
+             source="so that the present load is in it"),
     )  # fmt: skip
     sheet.row += 1
     sheet.table(
         "figure12", "Figure 12: the motor of the pair, or else the first, and this load driven faster and slower", POINTS,
         constant("k", "point", "", "", list(range(1, POINTS + 1))),
-        calc("share", "share of α", "β/(η α)", "", "=1-(1-sel_first)*(1-([k]-1)/([figure12.k.last]-1))^2", x["share"], source="closer together near the tip"),
+        calc("share", "share of α", "β/(η α)", "",
+             "=1-(1-sel_first)*(1-([k]-1)/([figure12.k.last]-1))^2", x["share"], source="closer together near the tip"),
         calc("beta", "load factor", "β", "Nm rad/s²", f"=[share]*sel_eta*INDEX([motors.alpha],{row})", x["beta"]),
-        calc("pace", "pace", "√(β/β_now)", "", "=IF(sel_moves=1,SQRT([beta]/sel_beta),0)", x["pace"], source="on ω̇ and T* alike"),
+        calc("pace", "pace", "√(β/β_now)", "",
+             "=IF(sel_moves=1,SQRT([beta]/sel_beta),0)", x["pace"], source="on ω̇ and T* alike"),
         calc("root", "", "√(α − β/η)", "", f"=SQRT((1-[share])*INDEX([motors.alpha],{row}))", x["root"]),
-        calc("wide", "", "", "", "=SQRT([root]^2+4*sel_wrms*sel_trms*[pace]^2/sel_eta)", x["wide"], source="√(α − β/η + 4 ω̇ T*/η)"),
-        result("tau_min", "least ratio", "τ_min", "", f"=IF(sel_moves=1,2*SQRT(INDEX([motors.inertia],{row}))*sel_wrms*[pace]/([wide]+[root]),[reducers.tau.1])", x["tau_min"]),
-        result("tau_opt", "best ratio", "τ_opt", "", f"=IF(sel_moves=1,INDEX([motors.tau_opt],{row}),[reducers.tau.1])", x["tau_opt"]),
-        result("tau_max", "largest ratio", "τ_max", "", f"=IF(sel_moves=1,SQRT(INDEX([motors.inertia],{row}))*([wide]+[root])*sel_eta/(2*sel_trms*[pace]),[reducers.tau.1])", x["tau_max"]),
+        calc("wide", "", "", "",
+             "=SQRT([root]^2+4*sel_wrms*sel_trms*[pace]^2/sel_eta)", x["wide"], source="√(α − β/η + 4 ω̇ T*/η)"),
+        result("tau_min", "least ratio", "τ_min", "",
+               (f"=IF(sel_moves=1,2*SQRT(INDEX([motors.inertia],{row}))*sel_wrms*[pace]/([wide]+[root]),"
+                f"[reducers.tau.1])"), x["tau_min"]),
+        result("tau_opt", "best ratio", "τ_opt", "",
+               f"=IF(sel_moves=1,INDEX([motors.tau_opt],{row}),[reducers.tau.1])", x["tau_opt"]),
+        result("tau_max", "largest ratio", "τ_max", "",
+               (f"=IF(sel_moves=1,SQRT(INDEX([motors.inertia],{row}))*([wide]+[root])*sel_eta/(2*sel_trms*[pace]),"
+                f"[reducers.tau.1])"), x["tau_max"]),
     )  # fmt: skip
     sheet.table(
         "figure12p", "Figure 12: the pair", 1,
         calc("beta", "load factor", "β", "", "=IF(sel_found=1,sel_beta,sel_off)", [a.load_factor if chosen else OFF]),
-        calc("tau", "ratio", "τ", "", "=IF(sel_found=1,sel_tau,[reducers.tau.1])", [float(view.reducers.ratio[chosen[1]]) if chosen else first]),
+        calc("tau", "ratio", "τ", "",
+             "=IF(sel_found=1,sel_tau,[reducers.tau.1])", [float(view.reducers.ratio[chosen[1]]) if chosen else first]),
     )  # fmt: skip
 
 
@@ -216,8 +230,12 @@ def cycle(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
         calc("time", "time", "t", "s", f"=INDEX({load.time},[k])", s.time),
         calc("w", "speed of the load", "ω_L", "rad/s", f"=INDEX({load.speed},[k])", s.speed),
         calc("load", "load torque", "T*_L", "Nm", f"=INDEX({load.torque},[k])", s.torque),
-        result("rpm", "motor speed", "n_M", "rpm", "=IF(sel_found=1,[w]/sel_tau*60/(2*PI()),0)", p.speed / RPM, source="ω_L/τ"),
+        result("rpm", "motor speed", "n_M", "rpm",
+               "=IF(sel_found=1,[w]/sel_tau*60/(2*PI()),0)", p.speed / RPM, source="ω_L/τ"),
         result("torque", "motor torque", "T_M", "Nm", torque, p.torque, source="J ω̇/τ + τ T*/η, braking τ T* η"),
-        calc("part", "adds to the mean square", "", "Nm² s", "=IF([k]=1,0,([torque]^2+[torque-1]^2)/2*([time]-[time-1]))", part, source="trapezoidal rule"),
-        result("spare", "below the motor's curve", "", "Nm", "=IF(ABS([rpm])>sel_nmax,0,sel_peak+sel_slope*MAX(ABS([rpm])-sel_knee,0))-ABS([torque])", spare, source="peak at n_M less |T_M|", scale=max(size, 1e-3)),
+        calc("part", "adds to the mean square", "", "Nm² s",
+             "=IF([k]=1,0,([torque]^2+[torque-1]^2)/2*([time]-[time-1]))", part, source="trapezoidal rule"),
+        result("spare", "below the motor's curve", "", "Nm",
+               "=IF(ABS([rpm])>sel_nmax,0,sel_peak+sel_slope*MAX(ABS([rpm])-sel_knee,0))-ABS([torque])", spare,
+               source="peak at n_M less |T_M|", scale=max(size, 1e-3)),
     )  # fmt: skip

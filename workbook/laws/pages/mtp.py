@@ -29,10 +29,16 @@ def _workings(law: Law) -> list[Quantity]:
     speed = [float(law.v(min(x, 1.0))) for x in ends]
     return [
         calc("MTP_k", "Mean of a quarter sine", "k", "", "=2/PI()", 2 / pi, source="2/π"),
-        calc("MTP_m", "Velocity gained for A = 1", "m", "", "=MTP_k*MTP_d1+MTP_d2+MTP_k*MTP_d3", k.cv / a, source="k d1 + d2 + k d3"),
-        calc("MTP_n", "Velocity lost for B = 1", "n", "", "=MTP_k*MTP_d5+MTP_d6+MTP_k*MTP_d7", k.cv / b, source="k d5 + d6 + k d7"),
-        calc("MTP_sa", "Stroke of stages 1 to 3 for A = 1", "S_a", "", LOBE.format("MTP_d1", "MTP_d2", "MTP_d3", k="MTP_k"), law.s(min(ends[2], 1.0)) / a, source="k(1−k)d1² + k d1 d2 + d2²/2 + (k d1 + d2)d3 + k²d3²"),
-        calc("MTP_sd", "Stroke of stages 5 to 7 for B = 1", "S_d", "", LOBE.format("MTP_d7", "MTP_d6", "MTP_d5", k="MTP_k"), (1 - law.s(min(ends[3], 1.0))) / b, source="the same from the end: d7, d6, d5"),
+        calc("MTP_m", "Velocity gained for A = 1", "m", "",
+             "=MTP_k*MTP_d1+MTP_d2+MTP_k*MTP_d3", k.cv / a, source="k d1 + d2 + k d3"),
+        calc("MTP_n", "Velocity lost for B = 1", "n", "",
+             "=MTP_k*MTP_d5+MTP_d6+MTP_k*MTP_d7", k.cv / b, source="k d5 + d6 + k d7"),
+        calc("MTP_sa", "Stroke of stages 1 to 3 for A = 1", "S_a", "",
+             LOBE.format("MTP_d1", "MTP_d2", "MTP_d3", k="MTP_k"), law.s(min(ends[2], 1.0)) / a,
+             source="k(1−k)d1² + k d1 d2 + d2²/2 + (k d1 + d2)d3 + k²d3²"),
+        calc("MTP_sd", "Stroke of stages 5 to 7 for B = 1", "S_d", "",
+             LOBE.format("MTP_d7", "MTP_d6", "MTP_d5", k="MTP_k"), (1 - law.s(min(ends[3], 1.0))) / b,
+             source="the same from the end: d7, d6, d5"),
         *_power("MTP_drive", "driving", "MTP_ca_max", ("MTP_d1", "MTP_d2", "MTP_d3"), speed[1], k.cv - speed[1]),
         *_power("MTP_brake", "braking", "-MTP_ca_min", ("MTP_d7", "MTP_d6", "MTP_d5"), speed[4], k.cv - speed[4]),
     ]  # fmt: skip
@@ -42,9 +48,12 @@ def _power(name: str, side: str, amplitude: str, stages: tuple[str, str, str], v
     """Return the rows that find the greatest v·a, which falls on the quarter sine next to the uniform velocity."""
     first, plain, quarter = stages
     return [
-        calc(f"{name}_v", f"Velocity at the quarter sine, {side}", "v₂", "", f"={amplitude}*(MTP_k*{first}+{plain})", v, source="A(k d1 + d2), or the same from the end"),
-        calc(f"{name}_g", f"Velocity gained on it, {side}", "G", "", f"={amplitude}*MTP_k*{quarter}", g, source="A k d3; velocity v₂ + G sin x, acceleration A cos x"),
-        calc(f"{name}_sin", f"Where v·a is greatest, {side}", "sin x", "", SINE.format(name), 2 * g / (v + sqrt(v * v + 8 * g * g)), source="2G sin²x + v₂ sin x = G"),
+        calc(f"{name}_v", f"Velocity at the quarter sine, {side}", "v₂", "",
+             f"={amplitude}*(MTP_k*{first}+{plain})", v, source="A(k d1 + d2), or the same from the end"),
+        calc(f"{name}_g", f"Velocity gained on it, {side}", "G", "",
+             f"={amplitude}*MTP_k*{quarter}", g, source="A k d3; velocity v₂ + G sin x, acceleration A cos x"),
+        calc(f"{name}_sin", f"Where v·a is greatest, {side}", "sin x", "",
+             SINE.format(name), 2 * g / (v + sqrt(v * v + 8 * g * g)), source="2G sin²x + v₂ sin x = G"),
     ]  # fmt: skip
 
 

@@ -10,8 +10,11 @@ from workbook.laws.page import LawPage, PieceRow
 def _parameters(law: Law) -> list[Quantity]:
     tvp = cast(TrapezoidalVelocity, law)
     return [
-        given("TVP_av", "End of the acceleration", "α_v", "", tvp.rise_end, "laws.TVP.rise_end", format="0.0000", source="S1, asymmetric trapezoidal profile, as a share of α_s"),
-        given("TVP_aw", "Begin of the deceleration", "α_w", "", tvp.fall_start, "laws.TVP.fall_start", format="0.0000", source="as a share of α_s; not before α_v"),
+        given("TVP_av", "End of the acceleration", "α_v", "",
+              tvp.rise_end, "laws.TVP.rise_end", format="0.0000",
+              source="S1, asymmetric trapezoidal profile, as a share of α_s"),
+        given("TVP_aw", "Begin of the deceleration", "α_w", "",
+              tvp.fall_start, "laws.TVP.fall_start", format="0.0000", source="as a share of α_s; not before α_v"),
     ]  # fmt: skip
 
 

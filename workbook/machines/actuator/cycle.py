@@ -31,7 +31,9 @@ def cycle_sheet(book: Book, machine: Sized, pieces: Pieces) -> None:
     )
     total = machine.sizing.motion.total
     sheet.rows(
-        calc("act_eps", "Tolerance of a time", "ε", "s", "=act_time*break_tolerance", total * EDGE_TOLERANCE, format="0E+00", source="a sample this near to a phase's begin counts as on it"),
+        calc("act_eps", "Tolerance of a time", "ε", "s",
+             "=act_time*break_tolerance", total * EDGE_TOLERANCE, format="0E+00",
+             source="a sample this near to a phase's begin counts as on it"),
     )  # fmt: skip
     extremes(sheet, machine)
     limits(sheet, machine)
@@ -49,14 +51,17 @@ def cascade(machine: Sized, acceleration: Array, direction: Array, used: Array) 
     found = machine.shaft_torques(acceleration, direction, used)
     scales = [machine.force_scale / i * machine.mechanism.ratio_to(k) for k in range(last + 1)]
     made = [
-        calc(f"t{last}", "at the load", "F, T", "N or Nm", "=[base]+[stages.own.last]*[acc]", found[last], scale=scales[last], source="resists + m a, J ω̇"),
+        calc(f"t{last}", "at the load", "F, T", "N or Nm",
+             "=[base]+[stages.own.last]*[acc]", found[last], scale=scales[last], source="resists + m a, J ω̇"),
     ]  # fmt: skip
     for k in reversed(range(last)):
         name = "into the mechanism" if k == 0 else f"behind gear {k}"
         own = f"+[stages.own.{k}]*act_i/[stages.to.{k}]*[acc]" if k else "+act_j0*act_i*[acc]"
         column = "total" if k == 0 else f"t{k}"
         behind = f"t{k + 1}"
-        made.append(calc(column, name, "T*_L" if k == 0 else f"T_{k}", "Nm", LOSSY.format(behind, k + 1) + own, found[k], scale=scales[k], source="f T/i + J ω̇"))  # fmt: skip
+        made.append(calc(column, name, "T*_L" if k == 0 else f"T_{k}", "Nm",
+                         LOSSY.format(behind, k + 1) + own, found[k], scale=scales[k],
+                         source="f T/i + J ω̇"))  # fmt: skip
     return made
 
 
@@ -75,10 +80,14 @@ def extremes(sheet: Sheet, machine: Sized) -> None:
         "extremes", "Torque in the parts of the phases: at the law's extremes of acceleration, and without any", len(rows),
         constant("what", "part", "", "", [PARTS[part] for _, part in rows], align="left"),
         constant("p", "phase", "", "", [k + 1 for k, _ in rows]),
-        result("torque", "motor torque", "T_m", "Nm", "=[total]+act_jm*act_i*[acc]", torque, scale=machine.torque_scale, source="T*_L + J_m ω̇"),
-        calc("acc", "load acceleration", "a", "", f"=INDEX([phases.per],[p])*{pick}", a, scale=machine.acceleration_scale, source="C_a h/t²; m/s², or rad/s²"),
+        result("torque", "motor torque", "T_m", "Nm",
+               "=[total]+act_jm*act_i*[acc]", torque, scale=machine.torque_scale, source="T*_L + J_m ω̇"),
+        calc("acc", "load acceleration", "a", "",
+             f"=INDEX([phases.per],[p])*{pick}", a, scale=machine.acceleration_scale,
+             source="C_a h/t²; m/s², or rad/s²"),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[p])", direction, format="0"),
-        calc("base", "resists", "", "N or Nm", "=INDEX([phases.base],[p])", machine.resisting(direction, used), scale=machine.force_scale),
+        calc("base", "resists", "", "N or Nm",
+             "=INDEX([phases.base],[p])", machine.resisting(direction, used), scale=machine.force_scale),
         *columns,
         constant("part", "part", "", "", [part + 1 for _, part in rows]),
     )  # fmt: skip
@@ -116,18 +125,26 @@ def cycle(sheet: Sheet, machine: Sized, pieces: Pieces) -> None:
     sheet.table(
         "cycle", "Load and motor over the cycle", len(t),
         calc("time", "time", "t", "s", "=[k]*act_time/[cycle.k.last]", t, format="0.0000", scale=motion.total),
-        result("y", "position of the load", "x", "mm or °", "=(INDEX([phases.y0],[p])+INDEX([phases.h],[p])*[s])/act_unit", at.y / machine.unit, scale=machine.lift_scale / machine.unit, source="x_0 + h s"),
+        result("y", "position of the load", "x", "mm or °",
+               "=(INDEX([phases.y0],[p])+INDEX([phases.h],[p])*[s])/act_unit", at.y / machine.unit,
+               scale=machine.lift_scale / machine.unit, source="x_0 + h s"),
         result("rpm", "motor speed", "n_m", "rpm", "=[w]*60/(2*PI())", at.y1 * i / RPM, scale=v * i / RPM),
-        result("torque", "motor torque", "T_m", "Nm", "=[total]+act_jm*[dw]", torque, scale=machine.torque_scale, source="T*_L + J_m ω̇_L"),
-        result("power", "motor power", "P", "W", "=[torque]*[w]", torque * at.y1 * i, scale=machine.torque_scale * v * i, source="T_m ω_L"),
+        result("torque", "motor torque", "T_m", "Nm",
+               "=[total]+act_jm*[dw]", torque, scale=machine.torque_scale, source="T*_L + J_m ω̇_L"),
+        result("power", "motor power", "P", "W",
+               "=[torque]*[w]", torque * at.y1 * i, scale=machine.torque_scale * v * i, source="T_m ω_L"),
         result("w", "load speed", "ω_L", "rad/s", "=act_i*[vel]", i * at.y1, scale=i * v, source="i v"),
         result("dw", "load acceleration", "ω̇_L", "rad/s²", "=act_i*[acc]", i * at.y2, scale=i * a, source="i a"),
-        Quantity("total", "load torque", "T*_L", "Nm", "result", load.formula, load.value, source="T_L + J_L ω̇_L", scale=load.scale),
+        Quantity("total", "load torque", "T*_L", "Nm",
+                 "result", load.formula, load.value, source="T_L + J_L ω̇_L", scale=load.scale),
         constant("k", "sample", "k", "", list(range(len(t)))),
-        calc("vel", "speed of the load", "v", "", "=INDEX([phases.h],[p])/INDEX([phases.span],[p])*[v]", at.y1, scale=v, source="h v/t; m/s, or rad/s"),
-        calc("acc", "acceleration of the load", "a", "", "=INDEX([phases.per],[p])*[a]", at.y2, scale=a, source="h a/t²; m/s², or rad/s²"),
+        calc("vel", "speed of the load", "v", "",
+             "=INDEX([phases.h],[p])/INDEX([phases.span],[p])*[v]", at.y1, scale=v, source="h v/t; m/s, or rad/s"),
+        calc("acc", "acceleration of the load", "a", "",
+             "=INDEX([phases.per],[p])*[a]", at.y2, scale=a, source="h a/t²; m/s², or rad/s²"),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[p])", direction, format="0"),
-        calc("base", "resists", "", "N or Nm", "=INDEX([phases.base],[p])", machine.resisting(direction, np.ones(len(t))), scale=machine.force_scale),
+        calc("base", "resists", "", "N or Nm",
+             "=INDEX([phases.base],[p])", machine.resisting(direction, np.ones(len(t))), scale=machine.force_scale),
         *columns,
         *joined.located(motion, t, pieces, FIND, ("last begin not above t", "(t − begin)/duration")),
     )  # fmt: skip

@@ -43,7 +43,8 @@ def rms_sheet(book: Book, machine: Sized, library: dict[str, Law]) -> None:
         "Where the load is slowed past y_s, power flows back through stage s and the slope A changes; Δ∫ follows from N1 = ∫(y − y_s)+ and N2 = ∫(y − y_s)+²."
     )
     sheet.rows(
-        constant("act_near", "A load that drives with less counts as resisting", "R_0", "N or Nm", NEAR, format="0E+00", source="rounding never decides the losses"),
+        constant("act_near", "A load that drives with less counts as resisting", "R_0", "N or Nm",
+                 NEAR, format="0E+00", source="rounding never decides the losses"),
     )  # fmt: skip
     turns(sheet, machine)
     for name, one in machine.flows.items():
@@ -57,9 +58,14 @@ def outcome(sheet: Sheet, machine: Sized) -> None:
     time = machine.sizing.motion.total
     torque, product, grown = (machine.total(name) for name in Squares._fields)
     sheet.rows(
-        result("act_wrms", "RMS acceleration of the load", "ω̇_L,rms", "rad/s²", "=act_i*SQRT(SUM([turns.grown])/act_time)", math.sqrt(grown / time), scale=machine.mechanism.ratio * machine.acceleration_scale),
-        result("act_lrms", "RMS torque of the load", "T*_L,rms", "Nm", "=SQRT(MAX(0,SUM([turns.square]))/act_time)", math.sqrt(torque / time), scale=machine.torque_scale),
-        result("act_lmean", "Mean of acceleration times torque", "⟨ω̇_L T*_L⟩", "Nm rad/s²", "=act_i*SUM([turns.product])/act_time", product / time, scale=machine.torque_scale * machine.mechanism.ratio * machine.acceleration_scale),
+        result("act_wrms", "RMS acceleration of the load", "ω̇_L,rms", "rad/s²",
+               "=act_i*SQRT(SUM([turns.grown])/act_time)", math.sqrt(grown / time),
+               scale=machine.mechanism.ratio * machine.acceleration_scale),
+        result("act_lrms", "RMS torque of the load", "T*_L,rms", "Nm",
+               "=SQRT(MAX(0,SUM([turns.square]))/act_time)", math.sqrt(torque / time), scale=machine.torque_scale),
+        result("act_lmean", "Mean of acceleration times torque", "⟨ω̇_L T*_L⟩", "Nm rad/s²",
+               "=act_i*SUM([turns.product])/act_time", product / time,
+               scale=machine.torque_scale * machine.mechanism.ratio * machine.acceleration_scale),
     )  # fmt: skip
 
 
@@ -85,21 +91,32 @@ def turns(sheet: Sheet, machine: Sized) -> None:
     sheet.table(
         "turns", "Phases", n,
         constant("k", "phase", "", "", list(range(1, n + 1))),
-        result("square", "∫T*² dt", "", "N²m²s", square_formula(machine), [s.torque for s in sums], scale=torque**2 * time, source="t(A²⟨b²⟩ + 2AB⟨b⟩ + B² + Σ Δ)"),
-        result("product", "∫b T* dt", "", "", product_formula(machine), [s.product / i for s in sums], scale=torque * a * time, source="t(A⟨b²⟩ + B⟨b⟩ + Σ Δ)"),
+        result("square", "∫T*² dt", "", "N²m²s",
+               square_formula(machine), [s.torque for s in sums], scale=torque**2 * time,
+               source="t(A²⟨b²⟩ + 2AB⟨b⟩ + B² + Σ Δ)"),
+        result("product", "∫b T* dt", "", "",
+               product_formula(machine), [s.product / i for s in sums], scale=torque * a * time,
+               source="t(A⟨b²⟩ + B⟨b⟩ + Σ Δ)"),
         result("grown", "∫b² dt", "", "", "=[time]*[mean2]", [s.acceleration / i**2 for s in sums], scale=a**2 * time),
         calc("time", "duration", "t", "s", "=INDEX([phases.span],[k])", t, scale=time),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[k])", of("direction"), format="0"),
         calc("no", "law", "", "", "=INDEX([phases.no],[k])", of("number"), format="0"),
         calc("per", "b for a = 1", "|h|/t²", "", "=ABS(INDEX([phases.per],[k]))", of("per"), scale=a),
-        calc("mean", "mean of b", "⟨b⟩", "", "=[per]*(INDEX(law_v1,[no])-INDEX(law_v0,[no]))", of("mean"), scale=a, source="(v(1) − v(0))|h|/t²"),
-        calc("mean2", "mean of b²", "⟨b²⟩", "", "=([per]*INDEX(law_ca_rms,[no]))^2", of("mean2"), scale=a**2, source="(C_a,rms |h|/t²)²"),
-        calc("level", "torque at b = 0", "B", "Nm", pick("forward_b", "backward_b", "INDEX([phases.base],[k])/act_i/act_eta"), of("level"), scale=torque),
+        calc("mean", "mean of b", "⟨b⟩", "",
+             "=[per]*(INDEX(law_v1,[no])-INDEX(law_v0,[no]))", of("mean"), scale=a, source="(v(1) − v(0))|h|/t²"),
+        calc("mean2", "mean of b²", "⟨b²⟩", "",
+             "=([per]*INDEX(law_ca_rms,[no]))^2", of("mean2"), scale=a**2, source="(C_a,rms |h|/t²)²"),
+        calc("level", "torque at b = 0", "B", "Nm",
+             pick("forward_b", "backward_b", "INDEX([phases.base],[k])/act_i/act_eta"), of("level"), scale=torque),
         calc("slope", "slope", "A", "Nm/b", pick("forward_a", "backward_a"), of("slope"), scale=slope),
-        calc("sign", "load resists, or drives", "", "", pick("forward_sign", "backward_sign", "1"), of("sign"), format="0"),
+        calc("sign", "load resists, or drives", "", "",
+             pick("forward_sign", "backward_sign", "1"), of("sign"), format="0"),
         calc("m", "y for a = 1", "", "", "=0-[sign]*[per]", of("factor"), scale=a, source="y = −sign · b"),
-        calc("peak", "largest y", "", "", "=[per]*IF([sign]>0,0-INDEX(law_ca_min,[no]),INDEX(law_ca_max,[no]))", of("peak"), scale=a),
-        *(calc(s, f"{words} stages", "", "", f"=IF([sign]>0,INDEX([shapes.{s}_down],[no]),INDEX([shapes.{s}_up],[no]))", of(s), source="share of the time")
+        calc("peak", "largest y", "", "",
+             "=[per]*IF([sign]>0,0-INDEX(law_ca_min,[no]),INDEX(law_ca_max,[no]))", of("peak"), scale=a),
+        *(calc(s, f"{words} stages", "", "",
+               f"=IF([sign]>0,INDEX([shapes.{s}_down],[no]),INDEX([shapes.{s}_up],[no]))", of(s),
+               source="share of the time")
           for s, words in (("flat", "constant"), ("sine", "quarter sine"), ("ramp", "straight"))),
         *stages,
     )  # fmt: skip
@@ -175,13 +192,18 @@ def stage_columns(machine: Sized, rows: list[Row], r: int) -> list[Quantity]:
 
     shares = [row.share(r) for row in rows]
     return [
-        calc(f"y{k}", f"{name}: turns at", "y_s", "", f"={chosen('y', k)}", [float(row.flow.turn[r]) for row in rows], scale=a),
+        calc(f"y{k}", f"{name}: turns at", "y_s", "",
+             f"={chosen('y', k)}", [float(row.flow.turn[r]) for row in rows], scale=a),
         calc(f"x{k}", f"{name}: share of the largest", "x", "", f"=IF([peak]>0,MIN(1,[y{k}]/[peak]),1)", shares),
         calc(f"gap{k}", f"{name}: angle", "acos x", "rad", f"=ATAN2([x{k}],SQRT(1-[x{k}]^2))", np.arccos(shares)),
-        calc(f"o{k}", f"{name}: N1 of the own law", "", "", OWN.format(k, ""), own(1), scale=a, source="by trapezoids on its samples"),
-        calc(f"oo{k}", f"{name}: N2 of the own law", "", "", OWN.format(k, "^2"), own(2), scale=a**2, source="by trapezoids on its samples"),
-        calc(f"n{k}", f"{name}: N1", "N1", "", N1.format(k), [row.hinge(r, 1) for row in rows], scale=a, source="∫(y − y_s)+ dξ"),
-        calc(f"nn{k}", f"{name}: N2", "N2", "", N2.format(k), [row.hinge(r, 2) for row in rows], scale=a**2, source="∫(y − y_s)+² dξ"),
+        calc(f"o{k}", f"{name}: N1 of the own law", "", "",
+             OWN.format(k, ""), own(1), scale=a, source="by trapezoids on its samples"),
+        calc(f"oo{k}", f"{name}: N2 of the own law", "", "",
+             OWN.format(k, "^2"), own(2), scale=a**2, source="by trapezoids on its samples"),
+        calc(f"n{k}", f"{name}: N1", "N1", "",
+             N1.format(k), [row.hinge(r, 1) for row in rows], scale=a, source="∫(y − y_s)+ dξ"),
+        calc(f"nn{k}", f"{name}: N2", "N2", "",
+             N2.format(k), [row.hinge(r, 2) for row in rows], scale=a**2, source="∫(y − y_s)+² dξ"),
     ]  # fmt: skip
 
 
@@ -192,28 +214,43 @@ def direction(sheet: Sheet, machine: Sized, name: str, one: Flow) -> None:
     sign = "1" if name == "forward" else "(0-1)"
     sheet.heading(f"Workings: moving {name}")
     sheet.rows(
-        calc(f"{name}_r", "The load resists with", "R", "N or Nm", f"={sign}*act_steady+act_rubbing", one.resists, scale=force),
-        calc(f"{name}_sign", "It resists (1) or drives (−1)", "", "", f"=IF({name}_r+act_near<0,0-1,1)", one.sign, format="0"),
-        calc(f"{name}_b", "Torque at b = 0", "B", "Nm", f"={name}_sign*[{name}.hold.last]*[{name}.keep.last]", one.level, scale=torque, source="in the direction of motion"),
-        calc(f"{name}_a", "Slope", "A", "Nm/b", f"=act_i*act_j0+[{name}.weight.last]*[{name}.keep.last]", one.slope, scale=torque / a),
+        calc(f"{name}_r", "The load resists with", "R", "N or Nm",
+             f"={sign}*act_steady+act_rubbing", one.resists, scale=force),
+        calc(f"{name}_sign", "It resists (1) or drives (−1)", "", "",
+             f"=IF({name}_r+act_near<0,0-1,1)", one.sign, format="0"),
+        calc(f"{name}_b", "Torque at b = 0", "B", "Nm",
+             f"={name}_sign*[{name}.hold.last]*[{name}.keep.last]", one.level, scale=torque,
+             source="in the direction of motion"),
+        calc(f"{name}_a", "Slope", "A", "Nm/b",
+             f"=act_i*act_j0+[{name}.weight.last]*[{name}.keep.last]", one.slope, scale=torque / a),
     )  # fmt: skip
     sheet.row += 1
     sheet.table(
         name, "Stages, from the load to the motor", n,
         constant("row", "row", "", "", list(range(1, n + 1))),
         constant("s", "stage", "s", "", list(range(n, 0, -1))),
-        calc("keep", "factor before the turn", "e", "", f'=IF(OR(act_method="document",{name}_sign=1),1/INDEX([stages.eta],[s]),INDEX([stages.eta],[s]))', one.keep, source="1/η driving, η driven"),
+        calc("keep", "factor before the turn", "e", "",
+             f'=IF(OR(act_method="document",{name}_sign=1),1/INDEX([stages.eta],[s]),INDEX([stages.eta],[s]))',
+             one.keep, source="1/η driving, η driven"),
         calc("back", "factor after it", "r", "", '=IF(act_method="document",[keep],1/[keep])', one.back),
-        calc("hold", "torque at b = 0", "W", "Nm", f"=IF([row]=1,ABS({name}_r)/act_i,[hold-1]*[keep-1])", one.hold, scale=torque, source="at the motor's speed"),
-        calc("weight", "torque per b", "U", "Nm/b", "=act_i*INDEX([stages.at_motor],[s])+IF([row]=1,0,[weight-1]*[keep-1])", one.weight, scale=torque / a),
+        calc("hold", "torque at b = 0", "W", "Nm",
+             f"=IF([row]=1,ABS({name}_r)/act_i,[hold-1]*[keep-1])", one.hold, scale=torque,
+             source="at the motor's speed"),
+        calc("weight", "torque per b", "U", "Nm/b",
+             "=act_i*INDEX([stages.at_motor],[s])+IF([row]=1,0,[weight-1]*[keep-1])", one.weight, scale=torque / a),
         calc("y", "turns at", "y_s", "", "=IF([weight]>0,[hold]/[weight],0)", one.turn, scale=a, source="W/U"),
         calc("all", "factors after, from the load", "", "", "=IF([row]=1,[back],[back]*[all-1])", np.cumprod(one.back)),
         calc("first", "factors after, in front", "Π r", "", f"=[{name}.all.last]/[all]", one.first),
-        calc("inertia", "slope of the shaft in front", "", "Nm/b", "=act_i*[first]*IF([s]=1,act_j0,INDEX([stages.at_motor],MAX([s]-1,1)))", fronts(machine, one), scale=torque / a),
-        calc("sum", "sum so far", "", "Nm/b", "=IF([row]=1,[inertia],[inertia]+[sum-1])", np.cumsum(fronts(machine, one)), scale=torque / a),
-        calc("front", "slope of all in front", "", "Nm/b", f"=[{name}.sum.last]-[sum]+[inertia]", one.front, scale=torque / a),
+        calc("inertia", "slope of the shaft in front", "", "Nm/b",
+             "=act_i*[first]*IF([s]=1,act_j0,INDEX([stages.at_motor],MAX([s]-1,1)))", fronts(machine, one),
+             scale=torque / a),
+        calc("sum", "sum so far", "", "Nm/b",
+             "=IF([row]=1,[inertia],[inertia]+[sum-1])", np.cumsum(fronts(machine, one)), scale=torque / a),
+        calc("front", "slope of all in front", "", "Nm/b",
+             f"=[{name}.sum.last]-[sum]+[inertia]", one.front, scale=torque / a),
         calc("step", "change of slope", "ΔA", "Nm/b", "=[first]*([back]-[keep])*[weight]", one.step, scale=torque / a),
-        calc("both", "slopes before and after", "ΣA", "Nm/b", "=2*[front]+[first]*([back]+[keep])*[weight]", one.both, scale=torque / a),
+        calc("both", "slopes before and after", "ΣA", "Nm/b",
+             "=2*[front]+[first]*([back]+[keep])*[weight]", one.both, scale=torque / a),
     )  # fmt: skip
 
 
@@ -266,7 +303,8 @@ def shapes(sheet: Sheet, library: dict[str, Law]) -> None:
     sheet.table(
         "shapes", "Laws, in the order of the sheet Laws", len(CODES),
         constant("law", "law", "", "", list(CODES)),
-        *(calc(f"{kind}_{side}", f"{words[kind]}, {words[side]}", "", "", ["=" + formulas.get(code, ("0",) * 6)[j] for code in CODES],
+        *(calc(f"{kind}_{side}", f"{words[kind]}, {words[side]}", "", "", ["=" + formulas.get(code,
+            ("0",) * 6)[j] for code in CODES],
                [row[j] for row in values])
           for j, (kind, side) in enumerate(names)),
     )  # fmt: skip

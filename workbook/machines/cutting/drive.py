@@ -26,17 +26,27 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
     sheet = book.sheet("Drive", f"Feeding group: inertia, load and motor of one axis, torque over the cycle ({S1}).")
     sheet.heading("What to enter")
     sheet.rows(
-        given("drive_axis", "Axis that the drive moves", "", "", d.axis, "drive.axis", choices="=axis_name", source="its phases and laws come from Timing"),
-        given("drive_rate", "Production rate", "n", "pieces/min", d.rate, "drive.rate", format="0.0##", source="of this sheet alone; S1: 100"),
+        given("drive_axis", "Axis that the drive moves", "", "",
+              d.axis, "drive.axis", choices="=axis_name", source="its phases and laws come from Timing"),
+        given("drive_rate", "Production rate", "n", "pieces/min",
+              d.rate, "drive.rate", format="0.0##", source="of this sheet alone; S1: 100"),
         given("drive_force", "Resisting force", "F_r", "N", d.force, "drive.force", format="0.0##", source=S1),
         given("drive_radius", "Radius of the rollers", "R", "m", d.radius, "drive.radius", source=S1),
-        given("drive_resists", "The load resists", "", "", d.resists, "drive.resists", source="always, or only while moving and against the motion"),
-        given("drive_jm", "Inertia of motor and reducer", "J_m", "kg m²", d.motor.inertia, "drive.motor.inertia", source="ours: S1 leaves motor and ratio open"),
-        given("drive_rated", "Rated torque of the motor", "T_N", "Nm", d.motor.rated_torque, "drive.motor.rated_torque", format="0.0##", source="ours"),
-        given("drive_peak", "Peak torque of the motor", "T_max", "Nm", d.motor.peak_torque, "drive.motor.peak_torque", format="0.0##", source="ours"),
-        given("drive_nmax", "Largest speed of the motor", "n_max", "rpm", d.motor.max_speed, "drive.motor.max_speed", format="0.0##", source="ours"),
-        given("drive_ratio", "Reduction of the reducer", "i", "", d.motor.reduction, "drive.motor.reduction", format="0.0##", source="ours; ω_m / ω_r"),
-        given("drive_eta", "Efficiency of the reducer", "η", "", d.motor.efficiency, "drive.motor.efficiency", format="0.0##", source="ours; 1 for S1's equation as printed"),
+        given("drive_resists", "The load resists", "", "",
+              d.resists, "drive.resists", source="always, or only while moving and against the motion"),
+        given("drive_jm", "Inertia of motor and reducer", "J_m", "kg m²",
+              d.motor.inertia, "drive.motor.inertia", source="ours: S1 leaves motor and ratio open"),
+        given("drive_rated", "Rated torque of the motor", "T_N", "Nm",
+              d.motor.rated_torque, "drive.motor.rated_torque", format="0.0##", source="ours"),
+        given("drive_peak", "Peak torque of the motor", "T_max", "Nm",
+              d.motor.peak_torque, "drive.motor.peak_torque", format="0.0##", source="ours"),
+        given("drive_nmax", "Largest speed of the motor", "n_max", "rpm",
+              d.motor.max_speed, "drive.motor.max_speed", format="0.0##", source="ours"),
+        given("drive_ratio", "Reduction of the reducer", "i", "",
+              d.motor.reduction, "drive.motor.reduction", format="0.0##", source="ours; ω_m / ω_r"),
+        given("drive_eta", "Efficiency of the reducer", "η", "",
+              d.motor.efficiency, "drive.motor.efficiency", format="0.0##",
+              source="ours; 1 for S1's equation as printed"),
     )  # fmt: skip
     draw(sheet)
     inertia_table(sheet, machine)
@@ -44,15 +54,21 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
     load, inertia = d.force * d.radius, drive.load.inertia
     effective = d.motor.inertia * d.motor.reduction + inertia / d.motor.reduction
     sheet.rows(
-        calc("drive_no", "Number of the axis on Timing", "", "", "=MATCH(drive_axis,axis_name,0)", names.index(d.axis) + 1, format="0"),
+        calc("drive_no", "Number of the axis on Timing", "", "",
+             "=MATCH(drive_axis,axis_name,0)", names.index(d.axis) + 1, format="0"),
         calc("drive_tc", "Time of one turn", "t_c", "s", "=60/drive_rate", 1 / rate, source="60 / n"),
-        calc("drive_omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*drive_rate/60", omega, source="2π n / 60"),
-        result("drive_jtot", "Inertia at the roller shaft", "J_tot", "kg m²", "=SUM([rotors.reflected])", inertia, source="Σ count · J · (ω_i/ω_1)²; S1: 4 J1 + 4 J2"),
+        calc("drive_omega", "Speed of the master shaft", "ω", "rad/s",
+             "=2*PI()*drive_rate/60", omega, source="2π n / 60"),
+        result("drive_jtot", "Inertia at the roller shaft", "J_tot", "kg m²",
+               "=SUM([rotors.reflected])", inertia, source="Σ count · J · (ω_i/ω_1)²; S1: 4 J1 + 4 J2"),
         result("drive_cr", "Resisting torque", "C_r", "Nm", "=drive_force*drive_radius", load, source="F_r R"),
         calc("drive_tau", "Transmission ratio", "τ", "", "=1/drive_ratio", 1 / d.motor.reduction, source="ω_r / ω_m"),
-        calc("drive_jeff", "Inertia felt by the motor, per ω̇_r", "", "kg m²", "=drive_jm/drive_tau+drive_tau*drive_jtot", effective, source="J_m/τ + τ J_tot"),
-        constant("drive_still", "Slower than this counts as standing", "ω_0", "rad/s", STANDSTILL, format="0E+00", source="at the roller shaft"),
-        constant("drive_returned", "A load that gives back less counts as driven", "P_0", "W", RETURNED, format="0E+00", source="at the roller shaft; rounding never decides the losses"),
+        calc("drive_jeff", "Inertia felt by the motor, per ω̇_r", "", "kg m²",
+             "=drive_jm/drive_tau+drive_tau*drive_jtot", effective, source="J_m/τ + τ J_tot"),
+        constant("drive_still", "Slower than this counts as standing", "ω_0", "rad/s",
+                 STANDSTILL, format="0E+00", source="at the roller shaft"),
+        constant("drive_returned", "A load that gives back less counts as driven", "P_0", "W",
+                 RETURNED, format="0E+00", source="at the roller shaft; rounding never decides the losses"),
     )  # fmt: skip
     outcome(sheet, machine)
     sheet.heading("Table over the cycle")
@@ -76,11 +92,16 @@ def inertia_table(sheet: Sheet, machine: Cutting) -> None:
         "rotors", f"Rotating parts ({S1}): leave the teeth empty for what turns with the rollers", n,
         given("name", "part", "", "", entered("name"), "drive.rotors.*.name"),
         given("count", "count", "", "", entered("count"), "drive.rotors.*.count", format="0"),
-        given("inertia", "inertia of one", "J", "kg m²", entered("inertia"), "drive.rotors.*.inertia", format="0.0000##"),
-        given("driver", "teeth of the driver", "n1", "", entered("teeth_driver"), "drive.rotors.*.teeth_driver", format="0"),
-        given("driven", "teeth of the driven", "n2", "", entered("teeth_driven"), "drive.rotors.*.teeth_driven", format="0"),
-        calc("speed", "speed ratio", "ω_i/ω_1", "", "=IF(COUNT([driver],[driven])=2,[driver]/[driven],1)", ratios, source="n1 / n2"),
-        calc("reflected", "at the roller shaft", "J*", "kg m²", "=[count]*[inertia]*[speed]^2", reflected, source="count · J · (ω_i/ω_1)²"),
+        given("inertia", "inertia of one", "J", "kg m²",
+              entered("inertia"), "drive.rotors.*.inertia", format="0.0000##"),
+        given("driver", "teeth of the driver", "n1", "",
+              entered("teeth_driver"), "drive.rotors.*.teeth_driver", format="0"),
+        given("driven", "teeth of the driven", "n2", "",
+              entered("teeth_driven"), "drive.rotors.*.teeth_driven", format="0"),
+        calc("speed", "speed ratio", "ω_i/ω_1", "",
+             "=IF(COUNT([driver],[driven])=2,[driver]/[driven],1)", ratios, source="n1 / n2"),
+        calc("reflected", "at the roller shaft", "J*", "kg m²",
+             "=[count]*[inertia]*[speed]^2", reflected, source="count · J · (ω_i/ω_1)²"),
     )  # fmt: skip
 
 
@@ -95,16 +116,32 @@ def outcome(sheet: Sheet, machine: Cutting) -> None:
     fastest = float(np.abs(rpm).max())
     sheet.heading("What comes out")
     sheet.rows(
-        result("drive_tmax", "Largest torque of the motor", "C_m,max", "Nm", "=MAX([drive.torque])", float(torque.max()), source="driving"),
-        result("drive_tmin", "Lowest torque of the motor", "C_m,min", "Nm", "=MIN([drive.torque])", float(torque.min()), source="braking", scale=peak),
-        result("drive_rms", "RMS torque of the motor", "C_m,rms", "Nm", "=SQRT((2*SUMPRODUCT([drive.torque],[drive.torque])-[drive.torque.first]^2-[drive.torque.last]^2)/(2*[drive.k.last]))", rms, source="over the cycle, trapezoidal rule on the table"),
-        calc("drive_rms1", "RMS torque without losses", "", "Nm", "=SQRT((drive_jeff*drive_wrms)^2+(drive_tau*drive_cr)^2*drive_share)", lossless["torque"], source="exact, from C_a,rms; to compare"),
-        calc("drive_wrms", "RMS acceleration of the rollers", "ω̇_r,rms", "rad/s²", "=drive_omega^2/drive_radius*SQRT(SUMPRODUCT([drive_phases.square],[drive_phases.share]))", lossless["acceleration"], source="exact, from C_a,rms"),
-        calc("drive_share", "Share of the cycle in which the load resists", "", "", '=IF(drive_resists="always",1,SUM([drive_phases.moving]))', lossless["share"]),
-        result("drive_speed", "Largest speed of the motor", "n_m", "rpm", "=MAX(MAX([drive.rpm]),-MIN([drive.rpm]))", fastest, source=""),
-        result("drive_pmax", "Largest power of the motor", "P_max", "W", "=MAX([drive.power])", float(points["power"].max()), source="C_m ω_m"),
-        result("drive_pmin", "Lowest power of the motor", "P_min", "W", "=MIN([drive.power])", float(points["power"].min()), source="negative: the load drives the motor"),
-        result("drive_inertias", "Inertia ratio", "", "", "=IF(drive_jm>0,drive_jtot*drive_tau^2/drive_jm,0)", drive.load.inertia * drive.transmission.ratio**2 / motor.inertia if motor.inertia else 0.0, source="load at the motor shaft / motor"),
+        result("drive_tmax", "Largest torque of the motor", "C_m,max", "Nm",
+               "=MAX([drive.torque])", float(torque.max()), source="driving"),
+        result("drive_tmin", "Lowest torque of the motor", "C_m,min", "Nm",
+               "=MIN([drive.torque])", float(torque.min()), source="braking", scale=peak),
+        result("drive_rms", "RMS torque of the motor", "C_m,rms", "Nm",
+               ("=SQRT((2*SUMPRODUCT([drive.torque],[drive.torque])-[drive.torque.first]^2"
+                "-[drive.torque.last]^2)/(2*[drive.k.last]))"), rms,
+               source="over the cycle, trapezoidal rule on the table"),
+        calc("drive_rms1", "RMS torque without losses", "", "Nm",
+             "=SQRT((drive_jeff*drive_wrms)^2+(drive_tau*drive_cr)^2*drive_share)", lossless["torque"],
+             source="exact, from C_a,rms; to compare"),
+        calc("drive_wrms", "RMS acceleration of the rollers", "ω̇_r,rms", "rad/s²",
+             "=drive_omega^2/drive_radius*SQRT(SUMPRODUCT([drive_phases.square],[drive_phases.share]))",
+             lossless["acceleration"], source="exact, from C_a,rms"),
+        calc("drive_share", "Share of the cycle in which the load resists", "", "",
+             '=IF(drive_resists="always",1,SUM([drive_phases.moving]))', lossless["share"]),
+        result("drive_speed", "Largest speed of the motor", "n_m", "rpm",
+               "=MAX(MAX([drive.rpm]),-MIN([drive.rpm]))", fastest, source=""),
+        result("drive_pmax", "Largest power of the motor", "P_max", "W",
+               "=MAX([drive.power])", float(points["power"].max()), source="C_m ω_m"),
+        result("drive_pmin", "Lowest power of the motor", "P_min", "W",
+               "=MIN([drive.power])", float(points["power"].min()), source="negative: the load drives the motor"),
+        result("drive_inertias", "Inertia ratio", "", "",
+               "=IF(drive_jm>0,drive_jtot*drive_tau^2/drive_jm,0)",
+               drive.load.inertia * drive.transmission.ratio**2 / motor.inertia if motor.inertia else 0.0,
+               source="load at the motor shaft / motor"),
     )  # fmt: skip
     sheet.checks(
         check(
@@ -141,7 +178,8 @@ def phases(sheet: Sheet, machine: Cutting) -> None:
     sheet.table(
         "drive_phases", "Phases of the driven axis", n,
         constant("k", "phase", "k", "", list(range(1, n + 1))),
-        calc("square", "square of RMS y''", "", "m²/rad⁴", f"=({chosen('rms')}/timing_omega^2)^2", squares, source="(C_a,rms h/δ²)²"),
+        calc("square", "square of RMS y''", "", "m²/rad⁴",
+             f"=({chosen('rms')}/timing_omega^2)^2", squares, source="(C_a,rms h/δ²)²"),
         calc("share", "share of the cycle", "δ/2π", "", f"={chosen('span')}/(2*PI())", shares),
         calc("moving", "share in motion", "", "", f"=IF({chosen('h')}=0,0,[share])", moving),
     )  # fmt: skip
@@ -197,17 +235,22 @@ def table(sheet: Sheet, machine: Cutting, omega: float) -> None:
     sheet.table(
         "drive", "Speed, torque and power over the cycle", n,
         calc("theta", "master angle", "θ", "°", "=[k]*360/[drive.k.last]", machine.angles, format="0.0##"),
-        calc("time", "time", "t", "s", "=[theta]/360*drive_tc", machine.angles / 360 * 2 * pi / omega, source="θ t_c / 360"),
+        calc("time", "time", "t", "s",
+             "=[theta]/360*drive_tc", machine.angles / 360 * 2 * pi / omega, source="θ t_c / 360"),
         result("rpm", "motor speed", "n_m", "rpm", "=[w]/drive_tau*60/(2*PI())", p["rpm"], source="ω_r/τ"),
-        result("torque", "motor torque", "C_m", "Nm", "=drive_jm/drive_tau*[dw]+drive_tau*[total]*[loss]", p["torque"], source="(J_m/τ)ω̇_r + τ C*_r f"),
+        result("torque", "motor torque", "C_m", "Nm",
+               "=drive_jm/drive_tau*[dw]+drive_tau*[total]*[loss]", p["torque"], source="(J_m/τ)ω̇_r + τ C*_r f"),
         result("power", "motor power", "P", "W", "=[torque]*[w]/drive_tau", p["power"], source="C_m ω_m"),
         calc("y1", "geometric velocity", "y'", "m/rad", chosen("g"), p["y1"], source="from Timing"),
         calc("y2", "geometric acceleration", "y''", "m/rad²", chosen("gg"), p["y2"], source="from Timing"),
         calc("w", "roller speed", "ω_r", "rad/s", "=[y1]*drive_omega/drive_radius", p["w"], source="v/R"),
         calc("dw", "roller acceleration", "ω̇_r", "rad/s²", "=[y2]*drive_omega^2/drive_radius", p["dw"], source="a/R"),
-        calc("load", "resisting torque", "C_r", "Nm", '=IF(drive_resists="always",drive_cr,IF(ABS([w])<drive_still,0,SIGN([w])*drive_cr))', p["load"]),
+        calc("load", "resisting torque", "C_r", "Nm",
+             '=IF(drive_resists="always",drive_cr,IF(ABS([w])<drive_still,0,SIGN([w])*drive_cr))', p["load"]),
         calc("total", "load torque", "C*_r", "Nm", "=[load]+drive_jtot*[dw]", p["total"], source="C_r + J_tot ω̇_r"),
-        calc("loss", "loss factor", "f", "", "=IF(OR(ABS([w])<drive_still,[total]*[w]+drive_returned>=0),1/drive_eta,drive_eta)", loss, source="1/η driving, η braking"),
+        calc("loss", "loss factor", "f", "",
+             "=IF(OR(ABS([w])<drive_still,[total]*[w]+drive_returned>=0),1/drive_eta,drive_eta)", loss,
+             source="1/η driving, η braking"),
         constant("k", "sample", "k", "", list(range(n))),
     )  # fmt: skip
 

@@ -30,11 +30,16 @@ def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
     sheet = book.sheet("Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram.")
     sheet.heading("What to enter")
     sheet.rows(
-        given("timing_rate", "Production rate", "n", "pieces/min", timing.rate, "timing.rate", format="0.0##", source="one piece a turn of the master shaft"),
+        given("timing_rate", "Production rate", "n", "pieces/min",
+              timing.rate, "timing.rate", format="0.0##", source="one piece a turn of the master shaft"),
         calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", 1 / machine.rate, source="60 / n"),
-        calc("timing_omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*timing_rate/60", shaft_speed(machine.rate), source="2π n / 60"),
-        calc("timing_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", 360 * 1e-12, format="0E+00", source="an angle this near to a phase's begin counts as on it"),
-        constant("timing_lane", "Height of an axis in the diagram", "", "", LANE_SHARE, format="0.0", source="as a share of its lane"),
+        calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
+             "=2*PI()*timing_rate/60", shaft_speed(machine.rate), source="2π n / 60"),
+        calc("timing_eps", "Tolerance of an angle", "ε", "°",
+             "=360*break_tolerance", 360 * 1e-12, format="0E+00",
+             source="an angle this near to a phase's begin counts as on it"),
+        constant("timing_lane", "Height of an axis in the diagram", "", "",
+                 LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip
     axes_table(sheet, machine)
     draw_diagram(sheet, timing.axes)
@@ -64,13 +69,16 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
         "axes", "Axes", 3,
         given("group", "group", "", "", [a.group for a in axes], "timing.axes.*.group"),
         given("name", "axis", "", "", [a.name for a in axes], "timing.axes.*.name"),
-        given("closes", "closes in", "", "", [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
+        given("closes", "closes in", "", "",
+              [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
         calc("travel", "travel a cycle", "Σh", "mm", [f"=SUM([axis{i}.lift])" for i in (1, 2, 3)],
              [sum(p.lift for p in a.phases) for a in axes]),
         calc("low", "lowest position", "", "mm", [f"=MIN([cycle.y{i}])" for i in (1, 2, 3)], lows),
         calc("high", "highest position", "", "mm", [f"=MAX([cycle.y{i}])" for i in (1, 2, 3)], highs),
-        result("v", "greatest velocity", "ẏ_max", "m/s", [f"=MAX([axis{i}.v])" for i in (1, 2, 3)], [max((m.v_max for m in b), default=0.0) for b in best]),
-        result("a", "greatest acceleration", "ÿ_max", "m/s²", [f"=MAX([axis{i}.a])" for i in (1, 2, 3)], [max((m.a_max for m in b), default=0.0) for b in best]),
+        result("v", "greatest velocity", "ẏ_max", "m/s",
+               [f"=MAX([axis{i}.v])" for i in (1, 2, 3)], [max((m.v_max for m in b), default=0.0) for b in best]),
+        result("a", "greatest acceleration", "ÿ_max", "m/s²",
+               [f"=MAX([axis{i}.a])" for i in (1, 2, 3)], [max((m.a_max for m in b), default=0.0) for b in best]),
     )  # fmt: skip
 
 
@@ -105,21 +113,28 @@ def phases(sheet: Sheet, machine: Cutting, i: int, axis: Axis, sizes: Sizes) -> 
         result("y2", "geometric acceleration", "y''max", "m/rad²", ACCELERATION, of("y2_max"), source="C_a h/δ²"),
         result("v", "velocity", "ẏmax", "m/s", "=[y1]*timing_omega", of("v_max"), source="y' ω"),
         result("a", "acceleration", "ÿmax", "m/s²", "=[y2]*timing_omega^2", of("a_max"), source="y'' ω²"),
-        result("rms", "RMS acceleration", "ÿrms", "m/s²", f"={RMS}*timing_omega^2", of("a_rms"), source="C_a,rms h/δ² ω²"),
+        result("rms", "RMS acceleration", "ÿrms", "m/s²",
+               f"={RMS}*timing_omega^2", of("a_rms"), source="C_a,rms h/δ² ω²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", LAW_NUMBER, joined_phases.law_numbers(laws, n), format="0"),
         calc("h", "lift", "h", "m", "=[lift]/1000", lifts, source="conversion"),
         calc("span", "duration", "δ", "rad", '=IF([stop]="",0,RADIANS([stop]-[start]))', spans, source="conversion"),
-        calc("begin", "begins at", "", "°", '=IF([stop]="",360,[start])', [p.start for p in axis.phases] + [360.0] * len(pad), format="0.0##"),
-        calc("y0", "position at begin", "y_0", "m", "=IF([k]=1,0,[y0-1]+[h-1])", np.concatenate([[0.0], np.cumsum(lifts)[:-1]]), source="lifts before"),
+        calc("begin", "begins at", "", "°",
+             '=IF([stop]="",360,[start])', [p.start for p in axis.phases] + [360.0] * len(pad), format="0.0##"),
+        calc("y0", "position at begin", "y_0", "m",
+             "=IF([k]=1,0,[y0-1]+[h-1])", np.concatenate([[0.0], np.cumsum(lifts)[:-1]]), source="lifts before"),
         calc("gap", "gap before", "", "°", '=IF([stop]="",0,[start]-IF([k]=1,0,[stop-1]))', [0.0] * n, scale=360.0),
         calc("v0", "y' at begin", "", "m/rad", AT_END.format("v0", ""), ends["v0"]),
         calc("v1", "y' at end", "", "m/rad", CARRIED.format("v1", ""), ends["v1"], source="carried over spare rows"),
         calc("a0", "y'' at begin", "", "m/rad²", AT_END.format("a0", "^2"), ends["a0"]),
-        calc("a1", "y'' at end", "", "m/rad²", CARRIED.format("a1", "^2"), ends["a1"], source="carried over spare rows"),
-        calc("jump_y", "jump of y", "Δy", "m", "=[h]*(1-INDEX(law_s1,[no]))", ends["jump_y"], source="at its end: the law's lack"),
-        calc("jump_v", "jump of y'", "Δy'", "m/rad", f"=IF([span]>0,[v0]-IF([k]=1,[axis{i}.v1.last],[v1-1]),0)", ends["jump_v"], source="at its begin"),
-        calc("jump_a", "jump of y''", "Δy''", "m/rad²", f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)", ends["jump_a"], source="reported, no fault"),
+        calc("a1", "y'' at end", "", "m/rad²",
+             CARRIED.format("a1", "^2"), ends["a1"], source="carried over spare rows"),
+        calc("jump_y", "jump of y", "Δy", "m",
+             "=[h]*(1-INDEX(law_s1,[no]))", ends["jump_y"], source="at its end: the law's lack"),
+        calc("jump_v", "jump of y'", "Δy'", "m/rad",
+             f"=IF([span]>0,[v0]-IF([k]=1,[axis{i}.v1.last],[v1-1]),0)", ends["jump_v"], source="at its begin"),
+        calc("jump_a", "jump of y''", "Δy''", "m/rad²",
+             f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)", ends["jump_a"], source="reported, no fault"),
     )  # fmt: skip
     joined(sheet, i, axis, ends)
 
@@ -151,12 +166,15 @@ def joined(sheet: Sheet, i: int, axis: Axis, ends: dict[str, list[float]]) -> No
     rests = largest <= CLOSE * max(abs(x) for x in (*ends["v0"], *ends["v1"], 1.0))
     lift = max(abs(p.lift) for p in axis.phases) * MM
     sheet.checks(
-        check(f"{t}_forward", f"{axis.name}: every phase runs forward", f'COUNTIF([{t}.span],">0")=COUNT([{t}.stop])', True),
-        check(f"{t}_follows", f"{axis.name}: the phases follow on", f"MAX(MAX([{t}.gap]),-MIN([{t}.gap]))<check_zero", True),
+        check(f"{t}_forward", f"{axis.name}: every phase runs forward", f'COUNTIF([{t}.span],">0")=COUNT([{t}.stop])',
+              True),
+        check(f"{t}_follows", f"{axis.name}: the phases follow on", f"MAX(MAX([{t}.gap]),-MIN([{t}.gap]))<check_zero",
+              True),
         check(f"{t}_fills", f"{axis.name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True),
         check(f"{t}_position", f"{axis.name}: no jump of position", f"MAX(MAX([{t}.jump_y]),-MIN([{t}.jump_y]))<=check_zero*MAX(MAX([{t}.h]),-MIN([{t}.h]))",
               max(abs(x) for x in ends["jump_y"]) <= CLOSE * lift),
-        check(f"{t}_velocity", f"{axis.name}: no jump of velocity", f"MAX(MAX([{t}.jump_v]),-MIN([{t}.jump_v]))<=check_zero*(1+{y1})", rests),
+        check(f"{t}_velocity", f"{axis.name}: no jump of velocity",
+              f"MAX(MAX([{t}.jump_v]),-MIN([{t}.jump_v]))<=check_zero*(1+{y1})", rests),
         check(f"{t}_closes", f"{axis.name}: the cycle closes", f'OR(INDEX([axes.closes],{i})="feed",ABS(INDEX([axes.travel],{i}))<check_zero)',
               axis.closes == "feed" or abs(sum(p.lift for p in axis.phases)) < CLOSE, "in position, or, as a feed, in velocity"),
     )  # fmt: skip
@@ -172,11 +190,15 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
         at, name = axis.motion.at(np.deg2rad(theta)), axis.name
         y = at.y / MM
         results += [
-            result(f"y{i}", f"{name} position", "y", "mm", f"=(INDEX([axis{i}.y0],[p{i}])+INDEX([axis{i}.h],[p{i}])*[s{i}])*1000", y, source="y_0 + h s"),
-            result(f"g{i}", f"{name} geometric velocity", "y'", "m/rad", f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])*[v{i}]", at.y1, source="h v/δ"),
-            result(f"gg{i}", f"{name} geometric acceleration", "y''", "m/rad²", f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])^2*[a{i}]", at.y2, source="h a/δ²"),
+            result(f"y{i}", f"{name} position", "y", "mm",
+                   f"=(INDEX([axis{i}.y0],[p{i}])+INDEX([axis{i}.h],[p{i}])*[s{i}])*1000", y, source="y_0 + h s"),
+            result(f"g{i}", f"{name} geometric velocity", "y'", "m/rad",
+                   f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])*[v{i}]", at.y1, source="h v/δ"),
+            result(f"gg{i}", f"{name} geometric acceleration", "y''", "m/rad²",
+                   f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])^2*[a{i}]", at.y2, source="h a/δ²"),
             result(f"t{i}", f"{name} velocity", "ẏ", "m/s", f"=[g{i}]*timing_omega", at.y1 * speed, source="y' ω"),
-            result(f"tt{i}", f"{name} acceleration", "ÿ", "m/s²", f"=[gg{i}]*timing_omega^2", at.y2 * speed**2, source="y'' ω²"),
+            result(f"tt{i}", f"{name} acceleration", "ÿ", "m/s²",
+                   f"=[gg{i}]*timing_omega^2", at.y2 * speed**2, source="y'' ω²"),
         ]  # fmt: skip
         lanes.append(calc(f"lane{i}", f"{name} in the diagram", "", "", LANE.format(i, 3 - i), lane(y, 3 - i)))
         workings += located(i, axis, theta, pieces)

@@ -27,18 +27,31 @@ def lengths_columns(machine: Flying, cuts: Sequence[BookCut], length: str, way: 
     does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps on"))'
     return [
         result("does", "the tool", "", "", does, [cut.does for cut in cuts]),
-        result("low", "lowest speed", "v_min", "m/s", "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts], scale=s["v"]),
-        result("high", "highest speed", "v_max", "m/s", "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts], scale=s["v"]),
-        result("a", "peak acceleration", "a_max", "m/s²", "=fly_ca*ABS([h1])/1000/[tm]^2", of("max_acceleration"), scale=s["a"], source="C_a h/t_m²"),
-        result("a_rms", "RMS acceleration", "a_rms", "m/s²", f"=fly_ca_rms*ABS([h1])/1000/[tm]^2*SQRT([tm]*fly_v/({length}/1000))", of("rms_acceleration"), scale=s["a"], source="C_a,rms h/t_m² √(t_m/t_C)"),
-        result("beta", "load factor", "β", "W/s", "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)", [a.factor for a in asked], scale=s["beta"], source="S5, eqs. (15), (19)"),
-        calc("h", "dynamic displacement", "h", "mm", f"=fly_l0-{length}", of("displacement", MM), scale=longest_h, source="L_0 − L_p"),
-        calc("tr", "re-positioning time", "t_R", "s", f"=({length}-fly_lt)/1000/fly_v", of("repositioning_time"), scale=longest_time, source="(L_p − L_T)/v_L"),
+        result("low", "lowest speed", "v_min", "m/s",
+               "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts], scale=s["v"]),
+        result("high", "highest speed", "v_max", "m/s",
+               "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts], scale=s["v"]),
+        result("a", "peak acceleration", "a_max", "m/s²",
+               "=fly_ca*ABS([h1])/1000/[tm]^2", of("max_acceleration"), scale=s["a"], source="C_a h/t_m²"),
+        result("a_rms", "RMS acceleration", "a_rms", "m/s²",
+               f"=fly_ca_rms*ABS([h1])/1000/[tm]^2*SQRT([tm]*fly_v/({length}/1000))", of("rms_acceleration"),
+               scale=s["a"], source="C_a,rms h/t_m² √(t_m/t_C)"),
+        result("beta", "load factor", "β", "W/s",
+               "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)", [a.factor for a in asked], scale=s["beta"],
+               source="S5, eqs. (15), (19)"),
+        calc("h", "dynamic displacement", "h", "mm",
+             f"=fly_l0-{length}", of("displacement", MM), scale=longest_h, source="L_0 − L_p"),
+        calc("tr", "re-positioning time", "t_R", "s",
+             f"=({length}-fly_lt)/1000/fly_v", of("repositioning_time"), scale=longest_time, source="(L_p − L_T)/v_L"),
         calc("waits", "waits", "", "", waits, [float(c.waits) for c in cuts], format="0", source="1: beyond L_p,lim"),
-        calc("tm", "motion time", "t_m", "s", "=IF([waits]=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,[tr])", of("moving_time"), scale=longest_time),
-        calc("h1", "displacement by the law", "h", "mm", "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM), scale=longest_h),
-        calc("dv", "change of speed", "Δv_max", "m/s", "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=s["v"], source="S5, eq. (10)"),
-        calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²", "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"), scale=s["dw"], source="S5, eq. (13)"),
+        calc("tm", "motion time", "t_m", "s",
+             "=IF([waits]=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,[tr])", of("moving_time"), scale=longest_time),
+        calc("h1", "displacement by the law", "h", "mm",
+             "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM), scale=longest_h),
+        calc("dv", "change of speed", "Δv_max", "m/s",
+             "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=s["v"], source="S5, eq. (10)"),
+        calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²",
+             "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"), scale=s["dw"], source="S5, eq. (13)"),
     ]  # fmt: skip
 
 
@@ -48,7 +61,9 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
     e, n = machine.given.lengths, machine.sizes.lengths
     sheet.heading("What to enter", "Everything else is taken from the sheet Cutter.")
     sheet.rows(
-        given("fly_short", "Shortest product", "", "mm", e.shortest, "cutter.lengths.shortest", format="0.0##", source="longer than the tool length L_T: there everything becomes infinite"),
+        given("fly_short", "Shortest product", "", "mm",
+              e.shortest, "cutter.lengths.shortest", format="0.0##",
+              source="longer than the tool length L_T: there everything becomes infinite"),
         given("fly_long", "Longest product", "", "mm", e.longest, "cutter.lengths.longest", format="0.0##"),
     )  # fmt: skip
     sheet.heading("What comes out")
@@ -70,7 +85,8 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
     cuts = [machine.of(length) for length in machine.lengths]
     sheet.table(
         "lengths", f"{n + 1} product lengths", n + 1,
-        calc("length", "product length", "L_p", "mm", "=fly_short+[k]*(fly_long-fly_short)/[lengths.k.last]", machine.lengths),
+        calc("length", "product length", "L_p", "mm",
+             "=fly_short+[k]*(fly_long-fly_short)/[lengths.k.last]", machine.lengths),
         *lengths_columns(machine, cuts, "[length]", "fly_beyond"),
         constant("k", "row", "k", "", list(range(n + 1))),
     )  # fmt: skip
@@ -93,9 +109,13 @@ def line(book: Book, machine: Flying, cuts: Sequence[BookCut]) -> None:
         "length_line", "The product entered, L_0 and L_p,lim, as drawn in the charts", 2,
         constant("end", "end of the line", "", "", [0, 1]),
         calc("x", "product", "L_p", "mm", "=fly_length", [cut.product_length / MM] * 2),
-        calc("x0", "design length", "L_0", "mm", shown.format("fly_l0"), [within(tool.design_length / MM)] * 2, source="L_p where it is not among these lengths"),
-        calc("x1", "limit", "L_p,lim", "mm", shown.format("fly_limit"), [within(machine.limit)] * 2, source="L_p where it is not among these lengths"),
-        calc("speed", "speed", "", "m/s", "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high], scale=s["v"]),
+        calc("x0", "design length", "L_0", "mm",
+             shown.format("fly_l0"), [within(tool.design_length / MM)] * 2,
+             source="L_p where it is not among these lengths"),
+        calc("x1", "limit", "L_p,lim", "mm",
+             shown.format("fly_limit"), [within(machine.limit)] * 2, source="L_p where it is not among these lengths"),
+        calc("speed", "speed", "", "m/s",
+             "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high], scale=s["v"]),
         calc("a", "acceleration", "", "m/s²", "=[end]*MAX([lengths.a])", [0.0, peak], scale=s["a"]),
         calc("beta", "load factor", "", "W/s", "=[end]*MAX([lengths.beta])", [0.0, beta], scale=s["beta"]),
     )  # fmt: skip

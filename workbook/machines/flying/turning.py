@@ -42,7 +42,8 @@ def peaks(sheet: Sheet, machine: Flying) -> None:
     sheet.table(
         "fastest", "The laws by number", len(CODES),
         constant("code", "law", "", "", list(CODES)),
-        calc("at", "abscissa", "ξ_v", "", [PEAKS[code] for code in CODES], [fastest(machine.library[c]) if c != "DWL" else 0.0 for c in CODES]),
+        calc("at", "abscissa", "ξ_v", "",
+             [PEAKS[code] for code in CODES], [fastest(machine.library[c]) if c != "DWL" else 0.0 for c in CODES]),
     )  # fmt: skip
 
 
@@ -56,8 +57,11 @@ def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> No
     )
     reverse = '=IF(fly_does="reverses",0-fly_v*1000*fly_tm/fly_h1,1)'
     sheet.rows(
-        calc("fly_turn_v", "Velocity of the law at which the tool stands", "v*", "", reverse, wanted, source="−v_L t_m/h; of a tool that never turns, that of the mean"),
-        *(calc(f"fly_turn_{k}", f"Position at the {word} turning point", "", "mm", f"=fly_v*1000*[turn_{k}.xi.last]*fly_tm+fly_h1*[turn_{k}.s.last]", at, scale=machine.scales["mm"], source="v_L t + h s")
+        calc("fly_turn_v", "Velocity of the law at which the tool stands", "v*", "",
+             reverse, wanted, source="−v_L t_m/h; of a tool that never turns, that of the mean"),
+        *(calc(f"fly_turn_{k}", f"Position at the {word} turning point", "", "mm",
+               f"=fly_v*1000*[turn_{k}.xi.last]*fly_tm+fly_h1*[turn_{k}.s.last]", at, scale=machine.scales["mm"],
+               source="v_L t + h s")
           for k, word, at in zip((1, 2), ("first", "second"), positions(machine, wanted, peak), strict=True)),
     )  # fmt: skip
     for k, rising in ((1, True), (2, False)):
@@ -114,6 +118,11 @@ def own_peak(sheet: Sheet, machine: Flying) -> None:
     sheet.table(
         "own_fast", "Samples of the own law", n + 1,
         constant("k", "sample", "k", "", list(range(1, n + 2))),
-        calc("at", "fastest here", "ξ", "", "=IF(INDEX([own_samples.v],[k])>=fly_own_top-check_zero,INDEX([own_samples.xi],[k]),1)", np.where(v >= v.max() - REST, xi, 1.0), source="1: not here"),
-        calc("back", "the wrong way", "Δv", "", "=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.last],INDEX([own_samples.v],[k]-1)-INDEX([own_samples.v],[k]),INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))", back, source="slower before the peak, faster after it"),
+        calc("at", "fastest here", "ξ", "",
+             "=IF(INDEX([own_samples.v],[k])>=fly_own_top-check_zero,INDEX([own_samples.xi],[k]),1)",
+             np.where(v >= v.max() - REST, xi, 1.0), source="1: not here"),
+        calc("back", "the wrong way", "Δv", "",
+             ("=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.last],INDEX([own_samples.v],"
+              "[k]-1)-INDEX([own_samples.v],[k]),INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
+             source="slower before the peak, faster after it"),
     )  # fmt: skip

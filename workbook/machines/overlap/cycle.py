@@ -64,11 +64,17 @@ class ToolState:
         row_in, row_out = law_rows(self.station)
         q, u, x = found
         return [
-            calc(f"y{suffix}", TRAVELS[suffix], "y", "mm", f"=@stroke*CHOOSE([part{suffix}],1,1-[s{suffix}],0,[s{suffix}])", self.y, source="h s in, h (1 − s) out"),
-            calc(f"since{suffix}", "angle since its arrival", "", "°", f"=[theta]-[@schedules.there.{row}]-360*INT(([theta]-[@schedules.there.{row}])/360+break_tolerance)", self.x, scale=TURN),
-            calc(f"part{suffix}", "phase", "", "", PART.format(suffix, row), self.part, format="0", source="1 dwell, 2 out, 3 rest, 4 in"),
+            calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
+                 f"=@stroke*CHOOSE([part{suffix}],1,1-[s{suffix}],0,[s{suffix}])", self.y,
+                 source="h s in, h (1 − s) out"),
+            calc(f"since{suffix}", "angle since its arrival", "", "°",
+                 f"=[theta]-[@schedules.there.{row}]-360*INT(([theta]-[@schedules.there.{row}])/360+break_tolerance)",
+                 self.x, scale=TURN),
+            calc(f"part{suffix}", "phase", "", "",
+                 PART.format(suffix, row), self.part, format="0", source="1 dwell, 2 out, 3 rest, 4 in"),
             calc(f"xi{suffix}", "abscissa", "ξ", "", ABSCISSA.format(suffix, row), self.xi),
-            calc(f"n{suffix}", "law number", "", "", f"=CHOOSE([part{suffix}],1,[used.no.{row_out}],1,[used.no.{row_in}])", numbers, format="0"),
+            calc(f"n{suffix}", "law number", "", "",
+                 f"=CHOOSE([part{suffix}],1,[used.no.{row_out}],1,[used.no.{row_in}])", numbers, format="0"),
             *sampling.finding(f"[n{suffix}]", f"xi{suffix}", (q, u, x), suffix),
             *sampling.columns(values, "sa", suffix),
         ]  # fmt: skip
@@ -91,7 +97,8 @@ def transfer_columns(machine: Overlapping, theta: Array, pieces: sampling.Pieces
     xi = np.minimum(theta / machine.given.transfer.angle, 1.0)
     s = law.s(xi)
     return [
-        result("yt", "travel of the transfer", "y_t", "mm", "=overlap_pitch*[st]", machine.transfer.stroke * s / MM, source="h_t s"),
+        result("yt", "travel of the transfer", "y_t", "mm",
+               "=overlap_pitch*[st]", machine.transfer.stroke * s / MM, source="h_t s"),
         calc("xit", "its abscissa", "ξ", "", "=MIN([theta]/overlap_angle,1)", xi),
         *sampling.finding("[used.no.1]", "xit", pieces.locate(number, xi), "t"),
         *sampling.columns({"s": s}, "s", "t"),
@@ -146,12 +153,14 @@ def motions(sheet: Sheet, station: Station, pieces: sampling.Pieces) -> None:
         "@motions", "Travel, acceleration and clearance over the master angle", len(theta),
         calc("theta", "master angle", "θ", "°", "=[k]*360/[@motions.k.last]", theta, format="0.0##"),
         moved, first, second,
-        result("limit", "travel allowed to the tool", "", "mm", ALLOWED, limit, source="c while the transfer is in the way, else h"),
+        result("limit", "travel allowed to the tool", "", "mm",
+               ALLOWED, limit, source="c while the transfer is in the way, else h"),
         result("free", "free with overlap", "", "mm", "=[limit]-[ya]", limit - after.y, source="below 0: collision"),
         before.acceleration("b", 1, "acceleration, one after the other"),
         after.acceleration("a", 3, "acceleration, with overlap"),
         *lane_t,
-        calc("lane_b", "tool, one after the other", "", "", f"={i}+[yb]/@stroke*overlap_lane", i + LANE_SHARE * before.y / h),
+        calc("lane_b", "tool, one after the other", "", "",
+             f"={i}+[yb]/@stroke*overlap_lane", i + LANE_SHARE * before.y / h),
         calc("lane_a", "tool, with overlap", "", "", f"={i}+[ya]/@stroke*overlap_lane", i + LANE_SHARE * after.y / h),
         constant("k", "sample", "k", "", list(range(len(theta)))),
         *work_t, *work_b, *work_a,

@@ -76,8 +76,10 @@ def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
         )
     )
     sheet.rows(
-        constant("inverse_near", "Heights this near count as reached", "ε", "", NEAR, format="0E+00", source="rounding never decides a halving; Newton's steps take it out again"),
-        constant("inverse_slow", "Slower than this: halving alone", "v_0", "", SLOW, format="0E+00", source="halving 30 times finds ξ to 1e-9 of the piece"),
+        constant("inverse_near", "Heights this near count as reached", "ε", "",
+                 NEAR, format="0E+00", source="rounding never decides a halving; Newton's steps take it out again"),
+        constant("inverse_slow", "Slower than this: halving alone", "v_0", "",
+                 SLOW, format="0E+00", source="halving 30 times finds ξ to 1e-9 of the piece"),
         constant("inverse_beyond", "More than any s", "", "", BEYOND, source="fills the rows that a law does not need"),
     )  # fmt: skip
     laws_in_use(sheet, machine, rows)
@@ -140,7 +142,9 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
         calc("no", "law number", "", "", "=MATCH([code],law_code,0)", numbers, format="0"),
         calc("skip", "rows before its pieces", "", "", "=MATCH([no],piece_number,0)-1", skipped, format="0"),
         calc("count", "pieces", "", "", "=COUNTIF(piece_number,[no])", [len(p) for p in pieces], format="0"),
-        calc("ca", "acceleration coefficient", "C_a", "", "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [machine.library[c].coefficients.ca for c in codes], source="max |a|"),
+        calc("ca", "acceleration coefficient", "C_a", "",
+             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))",
+             [machine.library[c].coefficients.ca for c in codes], source="max |a|"),
     )  # fmt: skip
     sheet.table(
         "carried", "Position s_k at which each piece of these laws begins", most,
@@ -159,11 +163,15 @@ def inversion(sheet: Sheet, name: str, title: str, wanted: Wanted, rows: list[Ro
         name, title, len(wanted.s),
         *wanted.head,
         calc("s", "height wanted", "s", "", wanted.formula, wanted.s),
-        result("xi", "share of time", "ξ", "", f"=IF([s]<=0,0,IF([s]>=1,1,[xk]+[{last}]))", inverse(wanted.law, wanted.s), source="s(ξ) = s", format="0.00000000"),
+        result("xi", "share of time", "ξ", "",
+               f"=IF([s]<=0,0,IF([s]>=1,1,[xk]+[{last}]))", inverse(wanted.law, wanted.s), source="s(ξ) = s",
+               format="0.00000000"),
         calc("residual", "residual", "s(ξ) − s", "", f"=[f{last}]-[s]", np.zeros(len(wanted.s)), format="0.0E+00"),
-        calc("p", "piece", "", "", f"=MATCH([s]+inverse_near,[carried.s{wanted.use}],1)", at["p"], format="0", source="last s_k not above s"),
+        calc("p", "piece", "", "",
+             f"=MATCH([s]+inverse_near,[carried.s{wanted.use}],1)", at["p"], format="0", source="last s_k not above s"),
         calc("q", "piece row", "q", "", f"=[used.skip.{wanted.use}]+[p]", at["q"], format="0"),
-        *(calc(n, label, symbol, "", f"=INDEX(piece_{column},[q])", at[n]) for n, label, symbol, column in COEFFICIENTS),
+        *(calc(n, label, symbol, "",
+               f"=INDEX(piece_{column},[q])", at[n]) for n, label, symbol, column in COEFFICIENTS),
         *halvings(at),
         *newton(at),
     )  # fmt: skip
@@ -189,7 +197,8 @@ def newton(at: dict[str, Array]) -> list[Quantity]:
     for k in range(1, NEWTON + 1):
         made += [
             calc(f"v{k}", f"velocity, step {k}", "v", "", SLOPE.format(t=t), at[f"v{k}"]),
-            calc(f"u{k}", f"Newton's step {k}", "u", "", STEP.format(t=t, v=f"v{k}", s=s), at[f"u{k}"], source="t − (s(t) − s)/v"),
+            calc(f"u{k}", f"Newton's step {k}", "u", "",
+                 STEP.format(t=t, v=f"v{k}", s=s), at[f"u{k}"], source="t − (s(t) − s)/v"),
             calc(f"fu{k}", "position there", "s(u)", "", HEIGHT.format(t=f"u{k}"), at[f"fu{k}"]),
         ]  # fmt: skip
         t, s = f"u{k}", f"fu{k}"

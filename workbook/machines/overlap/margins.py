@@ -35,7 +35,8 @@ def margins(sheet: Sheet, station: Station) -> None:
         constant("end", "end of the line", "", "", [0, 1]),
         calc("x", "margin", "m", "mm", "=@margin", [station.passage.margin / MM] * 2),
         calc("ratio", "times lower", "", "", "=[end]*MAX([@margins.ratio])", [0.0, float(sweep.ratio.max())]),
-        calc("a", "peak acceleration", "a_max", "m/s²", "=[end]*MAX([@margins.a])", [0.0, float(sweep.acceleration.max())]),
+        calc("a", "peak acceleration", "a_max", "m/s²",
+             "=[end]*MAX([@margins.a])", [0.0, float(sweep.acceleration.max())]),
     )  # fmt: skip
 
 

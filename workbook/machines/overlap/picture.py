@@ -98,9 +98,11 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
         calc("name", "tool", "", "", each(machine, "=@name"), [s.given.name for s in stations], align="left"),
         result("b", "travel, one after the other", "y", "mm", each(machine, "=[@view.yb]"), states.before),
         result("a", "travel, with overlap", "y", "mm", each(machine, "=[@view.ya]"), states.after),
-        result("limit", "travel allowed", "", "mm", each(machine, allowing), states.limit, source="c if in the way, else h"),
+        result("limit", "travel allowed", "", "mm",
+               each(machine, allowing), states.limit, source="c if in the way, else h"),
         result("free", "free, with overlap", "", "mm", "=[limit]-[a]", free, source="below 0 the parts collide"),
-        result("says", "the transfer is", "", "", each(machine, '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'), states.says()),
+        result("says", "the transfer is", "", "", each(machine,
+            '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'), states.says()),
     )  # fmt: skip
 
 
@@ -126,18 +128,24 @@ def dimensions(sheet: Sheet, machine: Overlapping, states: States) -> None:
     stations = machine.stations
 
     sheet.rows(
-        constant("picture_width", "Width of a tool", "", "", WIDTH, format="0.0##", source="as a share of the transfer's stroke"),
+        constant("picture_width", "Width of a tool", "", "",
+                 WIDTH, format="0.0##", source="as a share of the transfer's stroke"),
         constant("picture_body", "Length of a tool", "", "", BODY, format="0.0##", source="as a share of its stroke"),
-        constant("picture_plate", "Thickness of the plate below the part", "", "", PLATE, format="0.0##", source="as a share of the longest stroke of a tool"),
-        constant("picture_step", "From station to station", "", "", STEP, format="0.0##", source="as a multiple of the transfer's stroke"),
+        constant("picture_plate", "Thickness of the plate below the part", "", "",
+                 PLATE, format="0.0##", source="as a share of the longest stroke of a tool"),
+        constant("picture_step", "From station to station", "", "",
+                 STEP, format="0.0##", source="as a multiple of the transfer's stroke"),
     )  # fmt: skip
     sheet.row += 1
     sheet.table(
         "places", "The stations in the picture", len(stations),
         constant("i", "tool", "", "", [s.number for s in stations]),
         calc("x", "middle of the station", "x", "mm", "=([i]-1)*picture_step*overlap_pitch", states.place),
-        calc("open", "opening of the transfer", "", "mm", each(machine, "=overlap_pitch*(picture_width+2*@remaining/100)"), states.opening, source="the tool, and r of the stroke on both sides"),
-        calc("top", "height of the transfer above the part", "", "mm", each(machine, "=MAX(@stroke-@clearance,0)"), states.top, source="h − c"),
+        calc("open", "opening of the transfer", "", "mm",
+             each(machine, "=overlap_pitch*(picture_width+2*@remaining/100)"), states.opening,
+             source="the tool, and r of the stroke on both sides"),
+        calc("top", "height of the transfer above the part", "", "mm",
+             each(machine, "=MAX(@stroke-@clearance,0)"), states.top, source="h − c"),
         calc("h", "stroke", "h", "mm", each(machine, "=@stroke"), states.stroke),
     )  # fmt: skip
 
@@ -180,7 +188,9 @@ def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
         constant("fx", "right side", "", "", [int(v) for v in fx]),
         constant("fy", "upper side", "", "", [int(v) for v in fy]),
         calc("x", "across", "x", "mm", "=IF([fx]=1,MAX([places.x])+overlap_pitch,0-overlap_pitch)", across),
-        calc("y", "height", "z", "mm", "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))", np.where(fy == 1, h * (1 + BODY), -PLATE * h)),
+        calc("y", "height", "z", "mm",
+             "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))",
+             np.where(fy == 1, h * (1 + BODY), -PLATE * h)),
     )  # fmt: skip
 
 
@@ -216,7 +226,8 @@ def punch(sheet: Sheet, station: Station, place: float, travels: tuple[float, fl
         "@punch", f"Outline of {whose}", len(PUNCH),
         constant("px", "across", "", "", list(map(float, px))),
         constant("py", "along", "", "", list(map(float, py))),
-        calc("x", "across", "x", "mm", f"=[places.x.{station.number}]+[px]*picture_width*overlap_pitch", place + px * WIDTH * pitch),
+        calc("x", "across", "x", "mm",
+             f"=[places.x.{station.number}]+[px]*picture_width*overlap_pitch", place + px * WIDTH * pitch),
         calc("yb", "one after the other", "z", "mm", "=@stroke-[@view.yb]+[py]*picture_body*@stroke", before),
         calc("ya", "with overlap", "z", "mm", "=@stroke-[@view.ya]+[py]*picture_body*@stroke", after),
     )  # fmt: skip

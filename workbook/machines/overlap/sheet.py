@@ -59,9 +59,12 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
     """Declare what several tools come to together."""
     sheet.heading("What comes out")
     sheet.rows(
-        result("overlap_a0", "Largest peak acceleration one after the other", "a_max", "m/s²", "=MAX([tools.a0])", machine.peaks[0]),
-        result("overlap_a1", "Largest peak acceleration with overlap", "a_max", "m/s²", "=MAX([tools.a1])", machine.peaks[1]),
-        result("overlap_least", "Least clearance over the cycle", "", "mm", "=MIN([tools.least])", machine.least, source="of any tool"),
+        result("overlap_a0", "Largest peak acceleration one after the other", "a_max", "m/s²",
+               "=MAX([tools.a0])", machine.peaks[0]),
+        result("overlap_a1", "Largest peak acceleration with overlap", "a_max", "m/s²",
+               "=MAX([tools.a1])", machine.peaks[1]),
+        result("overlap_least", "Least clearance over the cycle", "", "mm",
+               "=MIN([tools.least])", machine.least, source="of any tool"),
     )  # fmt: skip
     sheet.checks(rising())
     sheet.row += 1
@@ -77,11 +80,14 @@ def entries(sheet: Sheet, machine: Overlapping) -> None:
     """Declare what the engineer enters of the machine and its transfer."""
     e, t = machine.given, machine.given.transfer
     sheet.rows(
-        given("overlap_rate", "Production rate", "N", "pieces/h", e.rate, "overlap.rate", format="0.0##", source="one piece a turn of the master shaft; S2: 2000"),
+        given("overlap_rate", "Production rate", "N", "pieces/h",
+              e.rate, "overlap.rate", format="0.0##", source="one piece a turn of the master shaft; S2: 2000"),
         given("overlap_transfer", "Transfer", "", "", t.name, "overlap.transfer.name"),
         given("overlap_law", "its law", "", "", t.law, "overlap.transfer.law", source="S2: cycloidal, CIC"),
-        given("overlap_pitch", "its stroke", "h_t", "mm", t.stroke, "overlap.transfer.stroke", format="0.0##", source="S2: 100 mm"),
-        given("overlap_angle", "its angle", "B_t", "°", t.angle, "overlap.transfer.angle", format="0.0##", source="S2: 150°"),
+        given("overlap_pitch", "its stroke", "h_t", "mm",
+              t.stroke, "overlap.transfer.stroke", format="0.0##", source="S2: 100 mm"),
+        given("overlap_angle", "its angle", "B_t", "°",
+              t.angle, "overlap.transfer.angle", format="0.0##", source="S2: 150°"),
     )  # fmt: skip
 
 
@@ -100,7 +106,8 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
     """Return the workings that all tools share."""
     return (
         calc("overlap_tc", "Time of one turn", "t_c", "s", "=3600/overlap_rate", 1 / machine.rate, source="3600 / N"),
-        calc("overlap_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", EPS, format="0E+00", source="an angle this near to an event counts as on it"),
+        calc("overlap_eps", "Tolerance of an angle", "ε", "°",
+             "=360*break_tolerance", EPS, format="0E+00", source="an angle this near to an event counts as on it"),
     )  # fmt: skip
 
 
@@ -120,8 +127,10 @@ def tools(sheet: Sheet, machine: Overlapping) -> None:
         result("a0", "peak, one after the other", "a_max", "m/s²", each(machine, "=@a0"), [p[0] for p in peaks]),
         result("a1", "peak, with overlap", "a_max", "m/s²", each(machine, "=@a1"), [p[2] for p in peaks]),
         result("ratio", "times lower", "", "", each(machine, "=@ratio"), [p[0] / p[2] for p in peaks]),
-        result("least", "least clearance", "", "mm", each(machine, "=@least"), [s.clearance.minimum / MM for s in stations]),
-        Quantity("ok", "its checks", role="check", formula=each(machine, f'=IF(AND({conditions}),"OK","FAIL")'), value=verdicts),
+        result("least", "least clearance", "", "mm",
+               each(machine, "=@least"), [s.clearance.minimum / MM for s in stations]),
+        Quantity("ok", "its checks", role="check", formula=each(machine, f'=IF(AND({conditions}),"OK","FAIL")'),
+                 value=verdicts),
     )  # fmt: skip
 
 

@@ -83,14 +83,26 @@ def entries(sheet: Sheet, station: Station) -> None:
         given("@law_in", "its law, way in", "", "", tool.law_in, f"{key}.law_in", source="S2: cycloidal, CIC"),
         given("@law_out", "its law, way out", "", "", tool.law_out, f"{key}.law_out", source="S2: cycloidal, CIC"),
         given("@stroke", "its stroke", "h_m", "mm", tool.stroke, f"{key}.stroke", format="0.0##", source="S2: 50 mm"),
-        given("@dwell", "its dwell at the part", "", "°", tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
-        given("@remaining", "Share of the transfer's stroke that may remain", "r", "%", p.remaining, f"{key}.passage.remaining", format="0.0000", source="while the tool is in; S2: 0.65 %, at a tenth of the time"),
-        given("@clearance", "Clearance between tool and transfer", "c", "mm", p.clearance, f"{key}.passage.clearance", format="0.0##", source="travel of the tool before it touches; S2: 20 mm"),
-        given("@margin", "Margin that stays free", "m", "mm", p.margin, f"{key}.passage.margin", format="0.0##", source="S2: 1 mm"),
-        given("@allowance", "Allowance for the setting of the cam", "", "°", p.allowance, f"{key}.passage.allowance", format="0.0##", source="taken off the tool's angles; S2 advises 5°"),
-        given("@split", "Share of the free angle for the way in", "", "", p.split, f"{key}.passage.split", format="0.0##", source="S2: divided equally"),
-        given("@set_in", "Angle of the way in, if you choose it", "", "°", tool.angle_in, f"{key}.angle_in", format="0.0##", source="empty: the longest less the allowance; S2 takes 125°"),
-        given("@set_out", "Angle of the way out, if you choose it", "", "°", tool.angle_out, f"{key}.angle_out", format="0.0##", source="empty: the longest less the allowance"),
+        given("@dwell", "its dwell at the part", "", "°",
+              tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
+        given("@remaining", "Share of the transfer's stroke that may remain", "r", "%",
+              p.remaining, f"{key}.passage.remaining", format="0.0000",
+              source="while the tool is in; S2: 0.65 %, at a tenth of the time"),
+        given("@clearance", "Clearance between tool and transfer", "c", "mm",
+              p.clearance, f"{key}.passage.clearance", format="0.0##",
+              source="travel of the tool before it touches; S2: 20 mm"),
+        given("@margin", "Margin that stays free", "m", "mm",
+              p.margin, f"{key}.passage.margin", format="0.0##", source="S2: 1 mm"),
+        given("@allowance", "Allowance for the setting of the cam", "", "°",
+              p.allowance, f"{key}.passage.allowance", format="0.0##",
+              source="taken off the tool's angles; S2 advises 5°"),
+        given("@split", "Share of the free angle for the way in", "", "",
+              p.split, f"{key}.passage.split", format="0.0##", source="S2: divided equally"),
+        given("@set_in", "Angle of the way in, if you choose it", "", "°",
+              tool.angle_in, f"{key}.angle_in", format="0.0##",
+              source="empty: the longest less the allowance; S2 takes 125°"),
+        given("@set_out", "Angle of the way out, if you choose it", "", "°",
+              tool.angle_out, f"{key}.angle_out", format="0.0##", source="empty: the longest less the allowance"),
     ))  # fmt: skip
 
 
@@ -101,13 +113,19 @@ def outcome(sheet: Sheet, station: Station) -> None:
     sheet.heading("What comes out")
     sheet.rows(*quoting(
         station,
-        result("@new_in", "New angle of the tool's way in", "B_m", "°", "=[@schedules.in.3]", way_in, source="as set; S2: 125°, 120° with the allowance"),
+        result("@new_in", "New angle of the tool's way in", "B_m", "°",
+               "=[@schedules.in.3]", way_in, source="as set; S2: 125°, 120° with the allowance"),
         result("@new_out", "New angle of its way out", "B_m", "°", "=[@schedules.out.3]", way_out),
-        result("@a0", "Peak acceleration one after the other", "a_max", "m/s²", "=[@schedules.a.1]", before, source="S2: 4.154 m/s²"),
-        result("@a1", "Peak acceleration with overlap", "a_max", "m/s²", "=[@schedules.a.3]", after, source="S2: 0.804 m/s² at 125°"),
-        result("@ratio", "The acceleration falls by a factor of", "", "", "=[@schedules.ratio.3]", before / after, source="S2: 5.17 at 125°"),
-        result("@least", "Least clearance over the cycle", "", "mm", "=MIN([@corners.free])", station.clearance.minimum / MM, source="exact, at the corners of the diagram"),
-        result("@limit", "What limits the tool's angles", "", "", f'=IF({CAPPED},"cycle","clearance")', station.longest.limit),
+        result("@a0", "Peak acceleration one after the other", "a_max", "m/s²",
+               "=[@schedules.a.1]", before, source="S2: 4.154 m/s²"),
+        result("@a1", "Peak acceleration with overlap", "a_max", "m/s²",
+               "=[@schedules.a.3]", after, source="S2: 0.804 m/s² at 125°"),
+        result("@ratio", "The acceleration falls by a factor of", "", "",
+               "=[@schedules.ratio.3]", before / after, source="S2: 5.17 at 125°"),
+        result("@least", "Least clearance over the cycle", "", "mm",
+               "=MIN([@corners.free])", station.clearance.minimum / MM, source="exact, at the corners of the diagram"),
+        result("@limit", "What limits the tool's angles", "", "",
+               f'=IF({CAPPED},"cycle","clearance")', station.longest.limit),
     ))  # fmt: skip
 
 
@@ -121,10 +139,13 @@ def checks(station: Station) -> tuple[Quantity, ...]:
     found = station.clearance
     nearly = "check_zero*MAX(@clearance,@stroke)"
     return (
-        check("@ok_collide", "The parts do not collide", f"@least>=0-{nearly}", not found.collides, "least clearance at least 0"),
+        check("@ok_collide", "The parts do not collide", f"@least>=0-{nearly}", not found.collides,
+              "least clearance at least 0"),
         check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin, "S2: 1 mm"),
-        check("@ok_angle", "The cycle leaves the tool an angle", "AND(@free0>0,MIN([@schedules.in])>0,MIN([@schedules.out])>0)", True),
-        check("@ok_turn", "Way in, dwell and way out fit into the turn", "[@schedules.in.3]+@dwell+[@schedules.out.3]<=360+check_zero", True),
+        check("@ok_angle", "The cycle leaves the tool an angle",
+              "AND(@free0>0,MIN([@schedules.in])>0,MIN([@schedules.out])>0)", True),
+        check("@ok_turn", "Way in, dwell and way out fit into the turn",
+              "[@schedules.in.3]+@dwell+[@schedules.out.3]<=360+check_zero", True),
         check("@ok_entry", "The margin is not more than the clearance", "@margin<=@clearance", True),
     )  # fmt: skip
 
@@ -133,13 +154,15 @@ def charts(sheet: Sheet, station: Station, row: int) -> None:
     """Place the travel under its limit, and the accelerations."""
     travel = Chart(
         "Travel of the tool, and what the transfer allows", "master angle θ [°]", "travel y [mm]",
-        (Series("one after the other", "[@motions.theta]", "[@motions.yb]"), Series("with overlap", "[@motions.theta]", "[@motions.ya]"),
+        (Series("one after the other", "[@motions.theta]",
+                "[@motions.yb]"), Series("with overlap", "[@motions.theta]", "[@motions.ya]"),
          Series("allowed", "[@motions.theta]", "[@motions.limit]", dashed=True)),
         "Travel of the tool in both schedules, below the travel that the transfer allows it", (0, 360, 30),
     )  # fmt: skip
     acceleration = Chart(
         "Acceleration of the tool", "master angle θ [°]", "acceleration [m/s²]",
-        (Series("one after the other", "[@motions.theta]", "[@motions.accb]"), Series("with overlap", "[@motions.theta]", "[@motions.acca]")),
+        (Series("one after the other", "[@motions.theta]",
+                "[@motions.accb]"), Series("with overlap", "[@motions.theta]", "[@motions.acca]")),
         "Acceleration of the tool over the cycle, one after the other and with overlap", (0, 360, 30),
     )  # fmt: skip
     with sheet.scoped(station.scope):
@@ -163,17 +186,21 @@ def schedules(sheet: Sheet, station: Station) -> None:
     sheet.row += 1
     sheet.table(
         "@schedules", "The tool's angles", 3,
-        constant("what", "schedule", "", "", ["one after the other", "overlap, the longest", "overlap, as set"], align="left"),
+        constant("what", "schedule", "", "",
+                 ["one after the other", "overlap, the longest", "overlap, as set"], align="left"),
         result("in", "way in", "B_m", "°", way_formulas("in", "@split"), np.degrees(ways[0]), source="F_in/(1 − ξ)"),
-        result("out", "way out", "B_m", "°", way_formulas("out", "(1-@split)"), np.degrees(ways[1]), source="F_out/(1 − ξ)"),
+        result("out", "way out", "B_m", "°",
+               way_formulas("out", "(1-@split)"), np.degrees(ways[1]), source="F_out/(1 − ξ)"),
         calc("away", "sets off at", "", "°", "=[there]-[in]", edges[:, 0], scale=TURN),
         calc("there", "arrives at", "", "°", arrives, edges[:, 1]),
         calc("leaves", "leaves at", "", "°", "=[there]+@dwell", edges[:, 2]),
         calc("back", "is back at", "", "°", "=[leaves]+[out]", edges[:, 3], source="above 360°: in the next turn"),
         calc("t_in", "time in", "t_m", "s", "=[in]/360*overlap_tc", times[0], source="10 B_m/N"),
         calc("t_out", "time out", "t_m", "s", "=[out]/360*overlap_tc", times[1], source="10 B_m/N"),
-        calc("a_in", "peak, way in", "a", "m/s²", f"=IF([t_in]>0,[used.ca.{row_in}]*@stroke/1000/[t_in]^2,0)", accelerations[0], source="C_a h/t_m²"),
-        calc("a_out", "peak, way out", "a", "m/s²", f"=IF([t_out]>0,[used.ca.{row_out}]*@stroke/1000/[t_out]^2,0)", accelerations[1], source="C_a h/t_m²"),
+        calc("a_in", "peak, way in", "a", "m/s²",
+             f"=IF([t_in]>0,[used.ca.{row_in}]*@stroke/1000/[t_in]^2,0)", accelerations[0], source="C_a h/t_m²"),
+        calc("a_out", "peak, way out", "a", "m/s²",
+             f"=IF([t_out]>0,[used.ca.{row_out}]*@stroke/1000/[t_out]^2,0)", accelerations[1], source="C_a h/t_m²"),
         result("a", "peak acceleration", "a_max", "m/s²", "=MAX([a_in],[a_out])", peaks),
         result("ratio", "times lower", "", "", "=IF([a]>0,[@schedules.a.1]/[a],0)", peaks[0] / peaks),
         constant("k", "row", "k", "", [1, 2, 3]),
@@ -200,14 +227,22 @@ def steps(sheet: Sheet, station: Station) -> None:
     first, last = blocked_rows(station)
     sheet.rows(*quoting(
         station,
-        calc("@free0", "Free angle one after the other", "", "°", "=360-overlap_angle-@dwell", free0, source="S2: 360° − 150° − 100° = 110°, 55° each way"),
-        calc("@begin", "The transfer is in the way from", "", "°", f"=[inverse_transfer.xi.{first}]*overlap_angle", begin, scale=TURN, source="r of its stroke done; S2: 15°"),
-        calc("@end", "to", "", "°", f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN, source="r of its stroke to go; S2: 135°"),
-        calc("@effective", "Its effective angle", "", "°", "=@end-@begin", end - begin, source="S2: 150° − 2 · 15° = 120°"),
-        calc("@free_in", "Free angle of the way in", "F_in", "°", "=(360-@effective-@dwell)*@split", free * split, source="S2: 140°/2 = 70°"),
-        calc("@free_out", "Free angle of the way out", "F_out", "°", "=(360-@effective-@dwell)*(1-@split)", free * (1 - split), source="S2: 70°"),
-        calc("@rest_in", "Way in left when the transfer comes", "1 − ξ", "", "=1-[@inverse_in.xi.1]", rest_in, source="S2: 1 − 44 % = 56 %; exactly 56.07 %"),
-        calc("@rest_out", "Way out done when the transfer leaves", "1 − ξ", "", "=[@inverse_out.xi.1]", rest_out, source="the same in reverse"),
+        calc("@free0", "Free angle one after the other", "", "°",
+             "=360-overlap_angle-@dwell", free0, source="S2: 360° − 150° − 100° = 110°, 55° each way"),
+        calc("@begin", "The transfer is in the way from", "", "°",
+             f"=[inverse_transfer.xi.{first}]*overlap_angle", begin, scale=TURN, source="r of its stroke done; S2: 15°"),
+        calc("@end", "to", "", "°",
+             f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN, source="r of its stroke to go; S2: 135°"),
+        calc("@effective", "Its effective angle", "", "°",
+             "=@end-@begin", end - begin, source="S2: 150° − 2 · 15° = 120°"),
+        calc("@free_in", "Free angle of the way in", "F_in", "°",
+             "=(360-@effective-@dwell)*@split", free * split, source="S2: 140°/2 = 70°"),
+        calc("@free_out", "Free angle of the way out", "F_out", "°",
+             "=(360-@effective-@dwell)*(1-@split)", free * (1 - split), source="S2: 70°"),
+        calc("@rest_in", "Way in left when the transfer comes", "1 − ξ", "",
+             "=1-[@inverse_in.xi.1]", rest_in, source="S2: 1 − 44 % = 56 %; exactly 56.07 %"),
+        calc("@rest_out", "Way out done when the transfer leaves", "1 − ξ", "",
+             "=[@inverse_out.xi.1]", rest_out, source="the same in reverse"),
         calc("@room", "Angle for both ways at most", "", "°", "=360-@dwell", TURN - dwell, source="the cycle"),
     ))  # fmt: skip
 
@@ -231,9 +266,14 @@ def corners(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     sheet.table(
         "@corners", "Clearance at the corners: between them the tool moves one way only", 6,
         constant("what", "corner", "", "", list(CORNERS), align="left"),
-        calc("raw", "angle", "", "°", ["=@begin", "=@end", *(f"=[@schedules.{c}.3]" for c in ("away", "there", "leaves", "back"))], raw, scale=TURN),
-        calc("theta", "master angle", "θ", "°", "=[raw]-360*INT([raw]/360+break_tolerance)", theta, scale=TURN, source="within one turn"),
-        calc("inside", "transfer in the way", "", "", "=IF(AND([theta]>=@begin-overlap_eps,[theta]<=@end+overlap_eps),1,0)", inside.astype(float), format="0"),
-        result("free", "clearance", "", "mm", "=IF([inside]=1,@clearance-[y],@clearance)", free, source="c − y; c where it is out of the way"),
+        calc("raw", "angle", "", "°",
+             ["=@begin", "=@end", *(f"=[@schedules.{c}.3]" for c in ("away", "there", "leaves", "back"))], raw,
+             scale=TURN),
+        calc("theta", "master angle", "θ", "°",
+             "=[raw]-360*INT([raw]/360+break_tolerance)", theta, scale=TURN, source="within one turn"),
+        calc("inside", "transfer in the way", "", "",
+             "=IF(AND([theta]>=@begin-overlap_eps,[theta]<=@end+overlap_eps),1,0)", inside.astype(float), format="0"),
+        result("free", "clearance", "", "mm",
+               "=IF([inside]=1,@clearance-[y],@clearance)", free, source="c − y; c where it is out of the way"),
         *ToolState(station, plan, theta, pieces).columns("", 3),
     )  # fmt: skip
