@@ -1,4 +1,4 @@
-"""Units at the edge: what is entered and shown in them, in SI within; the one place where a sheet's figures are scaled."""
+"""Units at the edge: what is entered and shown in them, in SI within; a sheet's figures are scaled here alone."""
 
 from __future__ import annotations
 
