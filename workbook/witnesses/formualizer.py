@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from importlib.metadata import version
 from typing import Any
 
@@ -29,4 +28,4 @@ class Formualizer:
             filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]
         except Exception as error:
             raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
-        return cached_values(io.BytesIO(filled), file)
+        return cached_values(filled, file)

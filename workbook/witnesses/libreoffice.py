@@ -82,4 +82,4 @@ class LibreOffice:
             shutil.copyfile(file.path, source)
             made = Path(folder) / "made"
             made.mkdir()
-            return cached_values(convert(source, "xlsx", made), file)
+            return cached_values(convert(source, "xlsx", made).read_bytes(), file)
