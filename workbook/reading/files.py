@@ -6,6 +6,7 @@ import io
 import warnings
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
+from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,9 @@ from workbook.reading.saved import saved_values, undated
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
+
+
+BUILT = datetime(2020, 1, 1)
 
 
 class Words(str):
@@ -57,6 +61,11 @@ class BookFile:
         if isinstance(cell.value, str) and cell.data_type != "f" and cell.value.startswith("="):
             return Words(cell.value)
         return self.contents.arrays.get(address, entered(cell.value, self.workbook.epoch))
+
+    @property
+    def as_built(self) -> bool:
+        """Whether no program has saved the file since it was built: then its saved values are no evidence."""
+        return bool(self.workbook.properties.modified == BUILT)
 
     def cell(self, address: Address) -> Cell | MergedCell | None:
         """Return a cell, with its looks; None for one that the file does not have."""

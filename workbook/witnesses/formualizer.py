@@ -17,6 +17,7 @@ class Formualizer:
     """Evaluates a copy of the file, and reads the results back."""
 
     name = "formualizer"
+    kept = False
 
     def version(self) -> str | None:
         """Return the version of the package."""

@@ -11,6 +11,7 @@ class Saved:
     """Reads the results that stand in the file."""
 
     name = "saved"
+    kept = True
 
     def version(self) -> str | None:
         """Return what the witness reads; it has no program of its own."""

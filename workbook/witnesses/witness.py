@@ -17,9 +17,10 @@ Found = Callable[[Address, Any], Any]  # what is found in a cell; else what a ce
 
 
 class Witness(Protocol):
-    """One way to evaluate a workbook, independent of the others."""
+    """One way to evaluate a workbook, independent of the others; one that only kept values is always asked."""
 
     name: str
+    kept: bool
 
     def version(self) -> str | None:
         """Return the version of the program that evaluates, or None where it is not on this machine."""
