@@ -21,6 +21,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
 from workbook.book.declare import FIRST, Block, Book, Sheet
+from workbook.book.formats import number_format, sample
 from workbook.entries import rules
 from workbook.errors import WriteError
 from workbook.writing import archive, charts, style
@@ -81,23 +82,14 @@ def write_block(block: Block, page: Worksheet, styles: style.Styles) -> None:
     """Write the cells of one block, each column in one style."""
     formats: dict[str, Any] = {}
     for q in block.quantities:
-        values = q.value if q.format or not hasattr(q.value, "__len__") or isinstance(q.value, str) else list(q.value)
-        sample = peak(values) if isinstance(values, list) else values
-        formats[q.name] = styles.quantity(
-            q.role, style.number_format(q, sample), style.alignment(q, sample, block.is_table)
-        )
+        shown = sample(q)
+        formats[q.name] = styles.quantity(q.role, number_format(q, shown), style.alignment(q, shown, block.is_table))
     for q, _, row, column, content in (c[1:6] for c in block.cells()):
         cell = page.cell(row, column, content)
         style.apply(cell, formats[q.name])
     for q in block.quantities:
         if q.role == "check":
             style.mark_checks(page, block.reference(q.name).replace("$", ""))
-
-
-def peak(values: list[Any]) -> Any:
-    """Return the number of largest size among ``values``, or the first of them."""
-    numbers = [v for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
-    return max(numbers, key=abs) if numbers else (values[0] if values else None)
 
 
 def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
