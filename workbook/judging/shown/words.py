@@ -123,6 +123,8 @@ def headings(match: Match, sheet: Sheet, report: Report) -> None:
             continue
         low, high = bounds(match, blocks, text.row)
         held = rows.get(" ".join(text.text.split()), [])
+        if len(held) <= sum(same(text.text, t.text) for t in sheet.texts if t.style not in HEADINGS):
+            held = []  # what is there stands for something else
         if not any(low < row < high for row in held):
             at = Address(title, held[0] if held else max(low + 1, 1), text.column)
             found = "over another part" if held else None
