@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
 
-from engine.laws.base import Array, Claims, Coefficients, Entry, Law, stage_of
+from engine.laws.base import Array, Coefficients, Law, Shapes, stage_of
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
 
 SUM_TOLERANCE = 1e-9
 K = 2.0 / math.pi  # mean of a quarter sine
@@ -165,6 +169,28 @@ class ModifiedTrapezoidal(Law):
             va_min=-(down**2) * fall.power,
         )
 
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The ends of the first six stages."""
+        return tuple(accumulate(self.durations[:6]))
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return the seven stages, with ω = π/2d of the sines and the cosines as sines of φ = π/2."""
+        d1, d2, d3, d4, d5, d6, d7 = self.durations
+        return (*_lobe(d1, d2, d3, self.acceleration), Piece(d4), *_lobe(d5, d6, d7, -self.deceleration))
+
+    def shapes(self) -> Shapes:
+        """Return the constants of d2 and d6, and the quarter sines of d1 and d3, d5 and d7."""
+        d1, d2, d3, _, d5, d6, d7 = self.durations
+        return Shapes(flat_up=d2, flat_down=d6, sine_up=d1 + d3, sine_down=d5 + d7)
+
+
+def _lobe(first: float, constant: float, last: float, height: float) -> Iterator[Piece]:
+    """Yield a quarter sine from 0 to a height, the height, and a quarter sine back to 0."""
+    yield Piece(first, amplitude=height, omega=QUARTER / first if first else 0.0)
+    yield Piece(constant, (height, 0.0, 0.0, 0.0))
+    yield Piece(last, amplitude=height, omega=QUARTER / last if last else 0.0, phase=QUARTER)
+
 
 def _column(stage: Stage, sign: float, origin: float, amplitude: float, base: float) -> tuple[float, ...]:
     begin, r, x0, c, v0, s0 = stage
@@ -190,4 +216,13 @@ ENTRY = Entry(
         },
     ),
     example=ModifiedTrapezoidal,
+    others=tuple(
+        ModifiedTrapezoidal(durations)
+        for durations in (
+            (0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1),
+            (0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2),
+            (0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0),
+            (0.0, 0.0, 0.4, 0.1, 0.0, 0.5, 0.0),
+        )
+    ),
 )
