@@ -35,6 +35,31 @@ class Stage(NamedTuple):
     s0: float
 
 
+class Quarter(NamedTuple):
+    """A quarter sine that ends without acceleration: velocity v2 at its begin, velocity g gained on it.
+
+    With x from 0 to π/2 its velocity is v2 + g sin x and its acceleration, of unit height, cos x.
+    """
+
+    velocity: float
+    gain: float
+
+    @property
+    def sin(self) -> float:
+        """Sin x where v·a is largest: 2g sin²x + v2 sin x = g; the same for any height of the acceleration."""
+        v2, g = self
+        return 2.0 * g / (v2 + math.hypot(v2, math.sqrt(8.0) * g))
+
+    @property
+    def power(self) -> float:
+        """Largest v·a, for unit height: cos x (v2 + g sin x)."""
+        return math.sqrt(1.0 - self.sin**2) * (self.velocity + self.gain * self.sin)
+
+    def scaled(self, height: float) -> Quarter:
+        """Return the same for another height of the acceleration."""
+        return Quarter(height * self.velocity, height * self.gain)
+
+
 class Lobe(NamedTuple):
     """Three stages of unit acceleration from rest: a quarter sine up, a constant, a quarter sine down.
 
@@ -65,11 +90,14 @@ class Lobe(NamedTuple):
         return self.d1 / 2.0 + self.d2 + self.d3 / 2.0
 
     @property
+    def quarter(self) -> Quarter:
+        """The last quarter sine, on which v·a is largest."""
+        return Quarter(self.velocities[1], K * self.d3)
+
+    @property
     def power(self) -> float:
-        """Largest v·a: on the last quarter, cos x (v2 + g sin x) with 2g sin²x + v2 sin x = g."""
-        v2, g = self.velocities[1], K * self.d3
-        sin = 2.0 * g / (v2 + math.hypot(v2, math.sqrt(8.0) * g))
-        return math.sqrt(1.0 - sin * sin) * (v2 + g * sin)
+        """Largest v·a."""
+        return self.quarter.power
 
     @property
     def jerk(self) -> float:
@@ -137,6 +165,12 @@ class ModifiedTrapezoidal(Law):
         """B = A m/n: the height of the deceleration, positive."""
         rise, fall = self.lobes
         return self.acceleration * rise.velocities[2] / fall.velocities[2]
+
+    @property
+    def quarters(self) -> tuple[Quarter, Quarter]:
+        """The quarter sines on either side of the uniform velocity, with their velocities in this law."""
+        rise, fall = self.lobes
+        return rise.quarter.scaled(self.acceleration), fall.quarter.scaled(self.deceleration)
 
     @cached_property
     def _stages(self) -> tuple[Array, Array]:
