@@ -29,7 +29,7 @@ class Claims:
     end: tuple[float, float] = (1.0, 0.0)
 
     def __post_init__(self) -> None:
-        _require("its claims", "the coefficient", (f.name for f in fields(Coefficients)), self.coefficients)
+        _require("claims", "the coefficient", (f.name for f in fields(Coefficients)), self.coefficients)
 
 
 @dataclass(frozen=True)
@@ -86,4 +86,4 @@ class Entry:
 def _require(whose: str, what: str, wanted: Iterable[str], stated: Container[str]) -> None:
     """Raise IncompleteError, with the names that are wanted and not stated."""
     if missing := [name for name in wanted if name not in stated]:
-        raise IncompleteError(f"{whose} lacks {what} {', '.join(missing)}")
+        raise IncompleteError(f"{whose}: lacks {what} {', '.join(missing)}")
