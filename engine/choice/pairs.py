@@ -133,7 +133,8 @@ def rank(
     motor, reducer, square = _with_figures(found, motors, reducers, criterion)
     score = _score(motors, reducers, load, criterion, motor, reducer, square)
     order = _lowest(score, best)
-    motor, reducer, rms = motor[order], reducer[order], np.sqrt(np.maximum(square[order], 0.0))
+    motor, reducer, rms = motor[order], reducer[order], square[order]
+    np.sqrt(np.maximum(rms, 0.0, out=rms), out=rms)
     margin = motors.rated_torque[motor] / rms
     score = 1.0 / margin if criterion == "margin" else score[order]
     return Pairs(motor, reducer, rms, margin, _mismatch(motors, reducers, load, motor, reducer), score)
