@@ -20,7 +20,7 @@ from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses import by_cell
 from workbook.writing.same import same_book
-from workbook.writing.write import refuse_existing, replace, save, to_workbook
+from workbook.writing.write import refuse_existing, replace, save
 
 READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
 
@@ -30,8 +30,7 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
     with collector_paused():
-        book = template.declare(machine)
-        save(to_workbook(book, template.model), book, path, overwrite)
+        save(template.declare(machine), template.model, path, overwrite)
 
 
 def described(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:
