@@ -1,6 +1,8 @@
 """The laws in the workbook: pages found from the registry, what a page leaves out, a page that is wrong, variations."""
 
+import re
 from dataclasses import replace
+from pathlib import Path
 from typing import get_args
 
 import pytest
@@ -48,6 +50,12 @@ def test_parameters_in_a_row_are_those_entered(code):
         entered = page.entries.model_validate(one)
         assert page.entered(page.numbers(entered)) == entered
         assert page.law_of(page.numbers(entered)) == page.law(entered, 4) != FAMILY[code].entry.example()
+
+
+@pytest.mark.parametrize("code", [family.code for family in FAMILIES if family.page.has_sheet])
+def test_the_readme_names_the_sheet_of_every_law(code):
+    text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    assert re.search(rf"^\|.*\b{code}\b", text, re.MULTILINE), f"README.md has no row that names the sheet {code}"
 
 
 # --- What a page leaves out is named at import ----------------------------------------------------
