@@ -23,6 +23,7 @@ from workbook.laws.variations import SIX, law_for, laws_in, variations
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 
+ROOT = Path(__file__).parents[2]
 SMALL = {"cycle": 12, "law": 4, "own_law": 8, "phases": 8}
 COMPOSER, ACTUATOR = TEMPLATES["motion-composer"], TEMPLATES["actuator-sizing"]
 
@@ -43,6 +44,14 @@ def test_every_list_of_laws_is_the_registry():
     assert tuple(Laws.model_fields) == MOVING
 
 
+@pytest.mark.parametrize("folder", ["engine/laws", "workbook/laws/pages"])
+def test_no_law_lies_beside_the_registry(folder):
+    files = (ROOT / folder).glob("*.py")
+    stating = {file.stem for file in files if re.search(r"^(ENTRY|PAGE) = ", file.read_text("utf-8"), re.MULTILINE)}
+    assert stating - set(MODULES) == set(), "files with an ENTRY or a PAGE that engine/laws/registry.py does not list"
+    assert set(MODULES) <= stating
+
+
 @pytest.mark.parametrize("code", [family.code for family in FAMILIES if family.page.parameters])
 def test_parameters_in_a_row_are_those_entered(code):
     page = FAMILY[code].page
@@ -54,7 +63,7 @@ def test_parameters_in_a_row_are_those_entered(code):
 
 @pytest.mark.parametrize("code", [family.code for family in FAMILIES if family.page.has_sheet])
 def test_the_readme_names_the_sheet_of_every_law(code):
-    text = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert re.search(rf"^\|.*\b{code}\b", text, re.MULTILINE), f"README.md has no row that names the sheet {code}"
 
 
