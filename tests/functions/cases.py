@@ -135,7 +135,8 @@ def inverses(code, p, one, draw):
 
 
 def of_phases(draw):
-    for phases in (exercise(), *(random_phases(draw) for _ in range(10))):
+    alone = ([(code, 3.0, 0.0 if code == "DWL" else -7.0, known(code)[-1])] for code in CODES)
+    for phases in (exercise(), *alone, *(random_phases(draw) for _ in range(10))):
         motion = Motion([Phase(engine_law(code, p), lift, duration) for code, duration, lift, p in phases])
         table = wide([row(*phase, draw) for phase in phases])
         edges = [float(x) for x in motion.edges]

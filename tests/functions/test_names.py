@@ -35,7 +35,7 @@ def test_a_function_gives_what_the_engine_gives_and_the_errors_of_built_in_funct
 def test_the_names_know_the_law_alone_and_in_a_phase(answers, code):
     alone = [(case, found) for case, found in answers if case.function in "SVAJ" and case.law == code]
     table = [(case, found) for case, found in answers if case.function in ("POS", "VEL", "ACC")
-             and code in laws_of(case)]  # fmt: skip
+             and laws_of(case) == {code}]  # fmt: skip
     for asked in (alone, table):
         values = [(case, found) for case, found in asked if not isinstance(case.expected, str)]
         assert len(values) >= 20, f"{code} is hardly asked for"
