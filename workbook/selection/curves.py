@@ -132,8 +132,8 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
                "=IF(sel_moves=1,INDEX([motors.tau_opt],MAX(1,sel_m)),[reducers.tau.1])",
                drawn(x.tau_opt)),
         result("tau_max", "largest ratio", "τ_max", "",
-               ("=IF(sel_moves=1,SQRT(INDEX([motors.inertia],MAX(1,sel_m)))*([wide]+[root])*sel_eta/(2*sel_trms*[pace]),"
-                "[reducers.tau.1])"),
+               ("=IF(sel_moves=1,SQRT(INDEX([motors.inertia],MAX(1,sel_m)))*([wide]+[root])*sel_eta"
+                "/(2*sel_trms*[pace]),[reducers.tau.1])"),
                drawn(x.tau_max)),
     )  # fmt: skip
     sheet.table(
