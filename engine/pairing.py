@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive import RETURNED, STANDSTILL, LimitCheck, OperatingPoints
+from engine.drivetrain import LimitCheck, OperatingPoints, direction, loss_factor
 from engine.laws.base import Array
 from engine.selection import Task
 
@@ -195,14 +195,13 @@ def operating_points(
     """Return speed, torque and power of a pair's motor for samples of ω_L, ω̇_L and T*_L (rad/s, rad/s², Nm).
 
     T_M = (J_M + J_T) ω̇_L/τ + τ T*_L f, f = 1/η where the load is driven or stands, η where it drives.
-    Source: S5, step 7; f as in :class:`engine.drive.Drive`.
+    Source: S5, step 7; f as in :func:`engine.drivetrain.losses.loss_factor`.
     """
     m, r = pair
     w, dw, load = (np.asarray(values, dtype=np.float64) for values in (speed, acceleration, torque))
     tau, eta = float(reducers.ratio[r]), float(reducers.efficiency[r])
-    driven = (load * w >= -RETURNED) | (np.abs(w) < STANDSTILL)
     own = (motors.inertia[m] + reducers.inertia[r]) / tau * dw
-    at_motor = own + tau * load * np.where(driven, 1.0 / eta, eta)
+    at_motor = own + tau * load * loss_factor(load, direction(w), eta)
     return OperatingPoints(w / tau, at_motor, at_motor * w / tau, np.asarray(time, dtype=np.float64))
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.drive import Drive, Load, Motor, Transmission
+from engine.drivetrain import KINDS, Drive, Load, Stage, direction
 from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
 from engine.pairing import Motors, Pairs, Reducers, TorqueCurve, checks, operating_points, rank, usable
@@ -176,12 +176,12 @@ def test_task_of_samples_is_that_of_the_closed_forms():
 
 @pytest.mark.parametrize("resists", ["always", "moving"])
 def test_task_of_a_load_is_that_of_its_samples(resists):
-    load = Load(0.05, 4.0, resists)
+    load = Load(0.05, 4.0) if resists == "always" else Load(0.05, friction=4.0)
     phases = [Phase(Cycloidal(), 0.2, 0.3), Phase(Dwell(), 0.0, 0.2), Phase(Cycloidal(), -0.2, 0.4)]
     time = np.linspace(0.0, 0.9, 90001)
     _, y1, y2 = Motion(phases).at(time)
     w, dw = y1 / 0.1, y2 / 0.1
-    sampled = Task.of_samples(time, w, dw, Drive(load, Transmission(1.0), Motor(0.0)).total_load_torque(w, dw))
+    sampled = Task.of_samples(time, w, dw, load.resisting(direction(w)) + 0.05 * dw)
     exact = Task.of_load(load, phases, radius=0.1)
     assert astuple(exact) == pytest.approx(astuple(sampled), rel=1e-4)
 
@@ -197,8 +197,8 @@ def test_operating_points_are_those_of_the_drive_with_losses_both_ways():
     time, w, dw, torque = load_samples()
     m, r = Motors(("M",), 1e-3, 9.0, 30.0, 600.0), Reducers(("R",), 0.1, 0.7, 2e-4, 600.0, 80.0)
     found = operating_points(m, r, (0, 0), time, w, dw, torque)
-    drive = Drive(Load(0.05, 4.0), Transmission(0.1, 0.7), Motor(1.2e-3))
-    assert found.torque == pytest.approx(drive.motor_torque(w, dw), rel=1e-12)
+    drive = Drive(KINDS["gear train"].of(Load(0.05, 4.0), gears=[Stage("reducer", 10.0, 0.7)]), 1.2e-3)
+    assert found.torque == pytest.approx(drive.torque(dw, direction(w)), rel=1e-12)
     assert found.power == pytest.approx(found.torque * found.speed)
 
 

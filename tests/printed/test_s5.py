@@ -8,7 +8,7 @@ from math import pi, radians, sqrt
 import numpy as np
 import pytest
 
-from engine.drive import Motor
+from engine.drivetrain import Motor
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal, ModifiedTrapezoidal
 from engine.selection import (

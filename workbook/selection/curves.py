@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.drive import STANDSTILL
+from engine.drivetrain import STANDSTILL
 from engine.laws.base import Array
 from engine.selection import Task, ratio_ranges
 from workbook.book.chart import Chart, Series

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive import RETURNED, STANDSTILL
+from engine.drivetrain import STANDSTILL
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.entries.units import RPM
 from workbook.selection.curves import charts, curves
@@ -241,7 +241,7 @@ def workings(sheet: Sheet, view: Choosing) -> None:
         constant("sel_still", "Slower than this counts as standing", "ω_0", "rad/s",
                  STANDSTILL, format="0E+00", source="at the load's shaft"),
         constant("sel_returned", "A load that gives back less counts as driven", "P_0", "W",
-                 RETURNED, format="0E+00", source="at the load's shaft; rounding never decides the losses"),
+                 1e-6, format="0E+00", source="at the load's shaft; rounding never decides the losses"),
         constant("sel_off", "Where charts hide what is not drawn", "", "",
                  OFF, format="0", source="left of their edge"),
     )  # fmt: skip

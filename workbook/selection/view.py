@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.drive import LimitCheck, OperatingPoints
+from engine.drivetrain import LimitCheck, OperatingPoints
 from engine.laws.base import Array
 from engine.pairing import Motors, Pairs, Reducers, TorqueCurve, checks, operating_points, rank
 from engine.selection import Ranges, Task, ratio_ranges, rms_torque
