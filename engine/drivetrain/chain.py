@@ -30,6 +30,14 @@ class Stage:
         if not 0.0 < self.efficiency <= 1.0:
             raise ValueError(f"{self.name}: efficiency is {self.efficiency:g}; expected more than 0 and at most 1")
 
+    def before(self, behind: ArrayLike, direction: ArrayLike, method: Method = "physical") -> Array:
+        """Return the torque (Nm) before the stage that drives one behind it (Nm, N of travel), f T/i.
+
+        f is that of the rule of losses, in a direction of motion: 1, −1, or 0 at rest.
+        """
+        torque = np.asarray(behind, dtype=np.float64)
+        return loss_factor(torque, direction, self.efficiency, method) * torque / self.ratio
+
     @property
     def transmission(self) -> float:
         """τ, speed behind the stage over speed before it."""
@@ -205,8 +213,7 @@ class Mechanism:
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
         found = [self.load.resisting(sign) + self.on_shaft(self.last) * a]
         for k in reversed(range(self.last)):
-            stage, behind = self.stages[k], found[0]
-            driven = loss_factor(behind, sign, stage.efficiency, method) * behind / stage.ratio
+            driven = self.stages[k].before(found[0], sign, method)
             found.insert(0, driven + self.on_shaft(k) * self.ratio_from(k) * a)
         return found
 

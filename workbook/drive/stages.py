@@ -7,13 +7,13 @@ moved at the end, ``@method`` how losses are counted; tables ``@gears``, ``@part
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from engine.drivetrain import Mechanism, Part
 from engine.drivetrain.losses import Method
 from engine.drivetrain.magnitudes import Magnitudes
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant, given, result
+from workbook.book.rows import filled
 from workbook.drive.entries import Gear, PlacedParts
 from workbook.drive.losses import loss_factor
 
@@ -22,11 +22,6 @@ AT_MOTOR = (
     "=[total]/IF([on]=0,1,INDEX([@stages.to],MAX([on],1))^2"
     '*IF(@method="document",INDEX([@stages.eta_to],MAX([on],1)),1))'
 )
-
-
-def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
-    """Return the values of the rows in use, then ``spare`` for each spare row."""
-    return [*values, *(spare for _ in range(len(values), rows))]
 
 
 def gears_table(sheet: Sheet, gears: Sequence[Gear], rows: int, key: str) -> None:

@@ -7,13 +7,14 @@ from dataclasses import replace
 import numpy as np
 
 from workbook.book.declare import Book, Sheet, calc, constant, result
+from workbook.book.rows import filled
 from workbook.drive.motor import limits_table
 from workbook.drive.stages import through
 from workbook.entries.units import RPM, shown
 from workbook.laws import phases as joined
 from workbook.laws.sampling import Pieces
 from workbook.machines.actuator.tables import resists
-from workbook.machines.actuator.view import Sized, filled
+from workbook.machines.actuator.view import Sized
 
 FIND = (
     "=MATCH(MIN([time]+@eps,@time-@eps),[phases.begin],1)",

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from engine.laws.base import Array
 from workbook.book.declare import Sheet, calc, constant, given, result
+from workbook.book.rows import filled
 from workbook.laws import phases as joined
-from workbook.machines.actuator.view import Sized, filled
+from workbook.machines.actuator.view import Sized
 
 FILL = (
     "Phases of the motion: fill one row each, in order; S4's profile of thirds is TVP, "

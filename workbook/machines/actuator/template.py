@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import cast
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
@@ -17,7 +18,7 @@ from workbook.machines.actuator.variations import variants
 from workbook.machines.actuator.view import Sized
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 LOAD = LoadCells(
@@ -63,8 +64,8 @@ def choosing(view: Sized, given: ActuatorSizing) -> Choosing:
     """Return the choice of motor and reducer for the load at the first shaft."""
     at, asked = view.sizing.motion.at(view.time), view.squares
     shaft = view.drive.shafts(at.y1, at.y2, view.sizing.going(view.time))[0]
-    wanted = Asked(asked.acceleration, asked.torque, asked.product, view.sizing.max_speed)
-    return Choosing(given.selection, given.sizes, wanted, Samples(view.time, *shaft))
+    wanted = Task.of_figures(asked.acceleration, asked.torque, asked.product, view.sizing.max_speed)
+    return Choosing(given.selection, given.sizes, wanted, LoadSamples(view.time, *shaft))
 
 
 TEMPLATE = Template(

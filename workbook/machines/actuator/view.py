@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cached_property
 from math import radians
-from typing import Any
 
 import numpy as np
 
@@ -29,17 +28,13 @@ from engine.drivetrain.squares import BentPhase, CycleSquares
 from engine.laws import Law
 from engine.laws.base import Array
 from engine.motion import Phase
+from workbook.book.rows import filled
 from workbook.entries.units import DEGREE, MM, RPM, shown, si
 from workbook.laws.library import OwnLaw
 from workbook.machines.actuator.entries import ActuatorSizing
 
 SPARE = Stage("none", 1.0)
 """a row of gears that is not used"""
-
-
-def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
-    """Return the values of the rows in use, then ``spare`` for each spare row."""
-    return [*values, *(spare for _ in range(len(values), rows))]
 
 
 class Sized:

@@ -6,6 +6,7 @@ from typing import cast
 
 import numpy as np
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
@@ -17,7 +18,7 @@ from workbook.machines.cutting.variations import variants
 from workbook.machines.cutting.view import Cutting
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 LOAD = LoadCells(
@@ -51,7 +52,10 @@ def declare(machine: Machine) -> Book:
         ],
     )  # fmt: skip
     timing_sheet(book, reference, shelf.stack)
-    book.name_columns(book.blocks["axes"], "axis")
+    book.name(
+        "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_travel="travel",
+        axis_low="low", axis_high="high", axis_v="v", axis_a="a",
+    )  # fmt: skip
     drive_sheet(book, reference)
     selection_sheet(book, LOAD, choosing(reference))
     shelf.sheets(book)
@@ -61,8 +65,8 @@ def declare(machine: Machine) -> Book:
 def choosing(reference: Cutting) -> Choosing:
     """Return the choice of motor and reducer for the load at the roller shaft, exact by the laws where they are."""
     given, exact, points = reference.machine, reference.asked, reference.samples
-    asked = Asked(exact.acceleration, exact.torque, exact.product, float(np.abs(points.speed).max()))
-    samples = Samples(reference.times, points.speed, points.acceleration, points.load)
+    asked = Task.of_figures(exact.acceleration, exact.torque, exact.product, float(np.abs(points.speed).max()))
+    samples = LoadSamples(reference.times, points.speed, points.acceleration, points.load)
     return Choosing(given.selection, given.sizes, asked, samples)
 
 
