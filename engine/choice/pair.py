@@ -60,7 +60,7 @@ class Pair:
     @property
     def stage(self) -> Stage:
         """The reducer in the chain from motor to load."""
-        return Stage("reducer", 1.0 / self.ratio, self.efficiency)
+        return Stage("reducer", float(self.reducers.reduction[self.reducer]), self.efficiency)
 
     @property
     def curve(self) -> TorqueCurve:

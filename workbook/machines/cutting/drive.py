@@ -112,6 +112,7 @@ def outcome(sheet: Sheet, machine: Cutting) -> None:
     """Declare peaks and RMS, and the checks against the motor's limits."""
     points, asked, drive = machine.samples.motor, machine.asked, machine.drive
     tau = machine.mechanism.stages[0].transmission
+    power = max(points.highest_power, -points.lowest_power, 1e-3)
     sheet.heading("What comes out")
     sheet.rows(
         result("@tmax", "Largest torque of the motor", "C_m,max", "Nm",
@@ -134,9 +135,10 @@ def outcome(sheet: Sheet, machine: Cutting) -> None:
         result("@speed", "Largest speed of the motor", "n_m", "rpm",
                "=MAX(MAX([drive.rpm]),-MIN([drive.rpm]))", shown(points.max_speed, RPM), source=""),
         result("@pmax", "Largest power of the motor", "P_max", "W",
-               "=MAX([drive.power])", points.highest_power, source="C_m ω_m"),
+               "=MAX([drive.power])", points.highest_power, source="C_m ω_m", scale=power),
         result("@pmin", "Lowest power of the motor", "P_min", "W",
-               "=MIN([drive.power])", points.lowest_power, source="negative: the load drives the motor"),
+               "=MIN([drive.power])", points.lowest_power, source="negative: the load drives the motor",
+               scale=power),
         result("@inertias", "Inertia ratio", "", "",
                "=IF(@jm>0,@jtot*@tau^2/@jm,0)", drive.inertia_ratio, source="load at the motor shaft / motor"),
     )  # fmt: skip
