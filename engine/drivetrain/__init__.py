@@ -13,7 +13,7 @@ magnitudes      what rounding errors are measured by
 """
 
 from engine.drivetrain.chain import Load, Mechanism, Part, Stage, reflected_inertia
-from engine.drivetrain.cycle import Sizing, thirds
+from engine.drivetrain.cycle import Sizing
 from engine.drivetrain.drive import Drive, motor_inertia
 from engine.drivetrain.kinds import KINDS, Kind
 from engine.drivetrain.loads import Slide, cylinder, resisting
@@ -42,5 +42,4 @@ __all__ = [
     "motor_inertia",
     "reflected_inertia",
     "resisting",
-    "thirds",
 ]

@@ -15,21 +15,10 @@ from engine.drivetrain.chain import Mechanism
 from engine.drivetrain.drive import Drive, Holding
 from engine.drivetrain.losses import Method
 from engine.drivetrain.motor import Motor, OperatingPoints, Reserve, reserve
-from engine.laws import TrapezoidalVelocity
 from engine.laws.base import Array
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import breaks, integral, roots
 from engine.motion import Motion, Phase
-
-
-def thirds(first: float = 1 / 3, uniform: float = 1 / 3, last: float = 1 / 3) -> TrapezoidalVelocity:
-    """Return the trapezoid of S4's move profiles, e.g. 1/6–2/3–1/6, as a law; the shares sum to 1 (1e-9).
-
-    Raises ValueError where they do not. Source: S4, 'Move profile'.
-    """
-    if abs(first + uniform + last - 1.0) > 1e-9 or uniform < 0.0:
-        raise ValueError(f"the shares are {first:g}, {uniform:g}, {last:g}; expected a sum of 1, the second 0 or more")
-    return TrapezoidalVelocity(first, first if uniform == 0.0 else 1.0 - last)
 
 
 @dataclass(frozen=True)

@@ -134,7 +134,7 @@ class Flow:
         Found as the chain's torques at rest and at an acceleration with R.
         """
         m = self.drive.mechanism
-        b = [max(abs(self.resists), LEAST) / j if (j := self._seen(shaft)) else 0.0 for shaft in range(m.last + 1)]
+        b = [max(abs(self.resists), LEAST) / j if (j := m.at_load(shaft)) else 0.0 for shaft in range(m.last + 1)]
         at_rest = m.torques(0.0, self.direction, self.drive.method)
         found = []
         for shaft, one in enumerate(b):
@@ -142,10 +142,3 @@ class Flow:
             slope = abs(float(raised - at_rest[shaft])) / one if one else 0.0
             found.append((abs(float(at_rest[shaft])), slope))
         return found
-
-    def _seen(self, shaft: int) -> float:
-        """Return the mass (kg, or kg m²) that the load seems to have with all behind a shaft."""
-        behind = [
-            m.on_shaft(k) * m.ratio_from(k) ** 2 for m in [self.drive.mechanism] for k in range(shaft, m.last + 1)
-        ]
-        return math.fsum(behind)

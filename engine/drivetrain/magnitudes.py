@@ -57,9 +57,8 @@ class Magnitudes:
     @property
     def torque(self) -> float:
         """Torque of the motor (Nm)."""
-        found = self._resisting / self.sizing.mechanism.ratio + self.sizing.drive.effective_inertia() * (
-            self.motor_acceleration
-        )
+        inertial = self.sizing.drive.effective_inertia() * self.motor_acceleration
+        found = self._resisting / self.sizing.mechanism.ratio + inertial
         return found if math.isfinite(found) and found > 0.0 else NOTHING
 
     @property

@@ -20,11 +20,11 @@ from engine.drivetrain import (
     derating,
     motor_inertia,
     resisting,
-    thirds,
 )
 from engine.drivetrain.motor import rated_torque_needed
 from engine.laws import CATALOGUE, ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Phase
+from tests.engine.profiles import thirds
 
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
 laws = st.sampled_from([e.example() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, thirds(0.1, 0.5, 0.4)])
@@ -231,7 +231,6 @@ def test_thirds_are_thirds():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: thirds(0.2, 0.2, 0.2), "expected a sum of 1"),
         (lambda: motor_inertia(TRAIN, 0.0), "inertia ratio is 0"),
         (lambda: derating(180), "180 °C, rated at 25 °C; expected less than the limit, 175 °C"),
         (lambda: Sizing(TRAIN, [], 1e-4), "no phases"),

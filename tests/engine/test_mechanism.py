@@ -93,6 +93,11 @@ def test_power_through_every_mechanism_is_kept_where_nothing_is_lost(kind):
     assert work == pytest.approx(34.0 * v + energy, rel=1e-13)
 
 
+def test_what_the_load_seems_to_weigh_from_a_shaft_on():
+    machine = KINDS["rack and pinion"].of(Load(2.0), 0.1, gears=[Stage("gear", 7.0)], parts=[Part("b", 0.02, 1)])
+    assert [machine.at_load(k) for k in (0, 1, 2)] == pytest.approx([2 + 0.02 * 400, 2 + 0.02 * 400, 2.0])
+
+
 def test_equal_masses():
     assert masses(15.0, 10.0) == 150.0
 

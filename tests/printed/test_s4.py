@@ -8,9 +8,10 @@ from math import pi, radians
 
 import pytest
 
-from engine.drivetrain import KINDS, Part, Sizing, Slide, Stage, cylinder, derating, motor_inertia, thirds
+from engine.drivetrain import KINDS, Part, Sizing, Slide, Stage, cylinder, derating, motor_inertia
 from engine.laws import Dwell
 from engine.motion import Phase
+from tests.engine.profiles import thirds
 
 STEEL = 7800.0
 PRINTED_G = 9.8 / 9.81  # the printed torques were worked out with g = 9.8

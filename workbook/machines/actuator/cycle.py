@@ -31,7 +31,8 @@ def cycle_sheet(book: Book, machine: Sized, pieces: Pieces) -> None:
     with sheet.scoped("act_"):
         sheet.heading(
             "Workings",
-            "From stage to stage T(k) = f T(k + 1)/i + J ω̇: f = 1/η where power flows to the load, η where it flows back.",
+            "From stage to stage T(k) = f T(k + 1)/i + J ω̇: "
+            "f = 1/η where power flows to the load, η where it flows back.",
         )
         sheet.rows(
             calc("@eps", "Tolerance of a time", "ε", "s",
@@ -72,7 +73,8 @@ def extremes(sheet: Sheet, machine: Sized) -> None:
         calc("acc", "load acceleration", "a", "",
              f"=INDEX([phases.per],[p])*{pick}", accelerations, scale=sides.acceleration,
              source="C_a h/t²; m/s², or rad/s²"),
-        calc("dir", "direction", "", "", "=INDEX([phases.dir],[p])", spread(machine.of_moves("direction")), format="0"),
+        calc("dir", "direction", "", "",
+             "=INDEX([phases.dir],[p])", spread(machine.of_moves(lambda move: move.direction)), format="0"),
         calc("base", "resists", "", "N or Nm",
              "=INDEX([phases.base],[p])", spread(resists(machine)), scale=sides.force),
         *through([of_shaft(k) for k in range(machine.mechanism.last + 1)], sides),
@@ -82,7 +84,7 @@ def extremes(sheet: Sheet, machine: Sized) -> None:
 
 def limits(sheet: Sheet, machine: Sized) -> None:
     """Declare the corners of the motor's limits and the level of the RMS torque, as the charts draw them."""
-    total, lowest = machine.sizing.motion.total, min(machine.of_moves("direction"))
+    total, lowest = machine.sizing.motion.total, min(machine.of_moves(lambda move: move.direction))
     corners = machine.motor.corners(lowest)
     limits_table(
         sheet, corners, "MIN([phases.dir])<0", "@rated_left",

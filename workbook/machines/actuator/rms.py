@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from engine.drivetrain.flow import Flow
+from engine.drivetrain.squares import BentPhase
 from engine.laws import Law
 from engine.laws.base import Shapes
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
@@ -42,7 +45,8 @@ def rms_sheet(book: Book, machine: Sized, library: dict[str, Law]) -> None:
     with sheet.scoped("act_"):
         sheet.heading(
             "What comes out",
-            "At the shaft that the motor is coupled to, without the motor: what a selection of motor and reducer asks for.",
+            "At the shaft that the motor is coupled to, without the motor: "
+            "what a selection of motor and reducer asks for.",
         )
         outcome(sheet, machine)
         sheet.heading("Workings: the phases")
@@ -73,8 +77,8 @@ def turns(sheet: Sheet, machine: Sized) -> None:
     n, sides = machine.sizes.phases, machine.sides
     a = sides.acceleration
 
-    def of(name: str, spare: float = 0.0) -> list[float]:
-        return filled([getattr(phase, name) for phase in machine.bent], n, spare)
+    def of(figure: Callable[[BentPhase], float], spare: float = 0.0) -> list[float]:
+        return filled([figure(phase) for phase in machine.bent], n, spare)
 
     def pick(one: str, other: str, none: str = "0") -> str:
         return f"=IF([dir]=0,{none},IF([dir]>0,{one},{other}))"
@@ -84,30 +88,35 @@ def turns(sheet: Sheet, machine: Sized) -> None:
         "turns", "Phases", n,
         constant("k", "phase", "", "", list(range(1, n + 1))),
         result("square", "∫T*² dt", "", "N²m²s",
-               square_formula(machine), of("torque_square"), scale=sides.torque_square,
+               square_formula(machine), of(lambda p: p.torque_square), scale=sides.torque_square,
                source="t(A²⟨b²⟩ + 2AB⟨b⟩ + B² + Σ Δ)"),
         result("product", "∫b T* dt", "", "",
-               product_formula(machine), of("load_product"), scale=sides.load_product,
+               product_formula(machine), of(lambda p: p.load_product), scale=sides.load_product,
                source="t(A⟨b²⟩ + B⟨b⟩ + Σ Δ)"),
-        result("grown", "∫b² dt", "", "", "=[time]*[mean2]", of("load_square"), scale=sides.acceleration_square),
+        result("grown", "∫b² dt", "", "", "=[time]*[mean2]", of(lambda p: p.load_square),
+               scale=sides.acceleration_square),
         calc("time", "duration", "t", "s",
              "=INDEX([phases.span],[k])", filled([p.duration for p in machine.phases], n), scale=sides.time),
-        calc("dir", "direction", "", "", "=INDEX([phases.dir],[k])", machine.of_moves("direction"), format="0"),
+        calc("dir", "direction", "", "",
+             "=INDEX([phases.dir],[k])", machine.of_moves(lambda move: move.direction), format="0"),
         calc("no", "law", "", "", "=INDEX([phases.no],[k])", numbers, format="0"),
-        calc("per", "b for a = 1", "|h|/t²", "", "=ABS(INDEX([phases.per],[k]))", of("per"), scale=a),
+        calc("per", "b for a = 1", "|h|/t²", "", "=ABS(INDEX([phases.per],[k]))", of(lambda p: p.per), scale=a),
         calc("mean", "mean of b", "⟨b⟩", "",
-             "=[per]*(INDEX(law_v1,[no])-INDEX(law_v0,[no]))", of("mean"), scale=a, source="(v(1) − v(0))|h|/t²"),
+             "=[per]*(INDEX(law_v1,[no])-INDEX(law_v0,[no]))", of(lambda p: p.mean),
+             scale=a, source="(v(1) − v(0))|h|/t²"),
         calc("mean2", "mean of b²", "⟨b²⟩", "",
-             "=([per]*INDEX(law_ca_rms,[no]))^2", machine.of_moves("mean_square"), scale=sides.mean_square,
-             source="(C_a,rms |h|/t²)²"),
+             "=([per]*INDEX(law_ca_rms,[no]))^2", machine.of_moves(lambda move: move.mean_square),
+             scale=sides.mean_square, source="(C_a,rms |h|/t²)²"),
         calc("level", "torque at b = 0", "B", "Nm",
-             pick("@forward_b", "@backward_b", "INDEX([phases.base],[k])/@i/@eta"), of("level"), scale=sides.torque),
-        calc("slope", "slope", "A", "Nm/b", pick("@forward_a", "@backward_a"), of("slope"), scale=sides.slope),
+             pick("@forward_b", "@backward_b", "INDEX([phases.base],[k])/@i/@eta"), of(lambda p: p.level),
+             scale=sides.torque),
+        calc("slope", "slope", "A", "Nm/b",
+             pick("@forward_a", "@backward_a"), of(lambda p: p.slope), scale=sides.slope),
         calc("sign", "load resists, or drives", "", "",
-             pick("@forward_sign", "@backward_sign", "1"), of("sign", 1.0), format="0"),
-        calc("m", "y for a = 1", "", "", "=0-[sign]*[per]", of("factor"), scale=a, source="y = −sign · b"),
+             pick("@forward_sign", "@backward_sign", "1"), of(lambda p: p.sign, 1.0), format="0"),
+        calc("m", "y for a = 1", "", "", "=0-[sign]*[per]", of(lambda p: p.factor), scale=a, source="y = −sign · b"),
         calc("peak", "largest y", "", "",
-             "=[per]*IF([sign]>0,0-INDEX(law_ca_min,[no]),INDEX(law_ca_max,[no]))", of("peak"), scale=a),
+             "=[per]*IF([sign]>0,0-INDEX(law_ca_min,[no]),INDEX(law_ca_max,[no]))", of(lambda p: p.peak), scale=a),
         *shares(machine),
         *(column for stage in range(machine.mechanism.last) for column in stage_columns(machine, stage)),
     )  # fmt: skip

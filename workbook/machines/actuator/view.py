@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from math import radians
 
@@ -20,6 +21,7 @@ from engine.drivetrain import (
     derating,
     motor_inertia,
 )
+from engine.drivetrain.cycle import Move
 from engine.drivetrain.flow import Flow
 from engine.drivetrain.loads import masses
 from engine.drivetrain.magnitudes import Magnitudes
@@ -110,9 +112,9 @@ class Sized:
         """The sampled times of the cycle in s."""
         return np.linspace(0.0, self.sizing.motion.total, self.sizes.cycle + 1)
 
-    def of_moves(self, name: str) -> list[float]:
-        """Return a figure of each phase, 0 in the spare rows: see :class:`engine.drivetrain.cycle.Move`."""
-        return filled([getattr(move, name) for move in self.sizing.moves], self.sizes.phases)
+    def of_moves(self, figure: Callable[[Move], float]) -> list[float]:
+        """Return a figure of each phase, 0 in the spare rows."""
+        return filled([figure(move) for move in self.sizing.moves], self.sizes.phases)
 
     @cached_property
     def part_torques(self) -> list[list[float]]:
