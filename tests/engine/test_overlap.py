@@ -77,7 +77,7 @@ def test_positions_over_the_turn_begin_and_end_where_the_edges_say():
 def test_the_diagram_closes_and_holds_the_same_motion():
     schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
     diagram = schedule.diagram
-    assert all(axis.closes for axis in diagram.axes)
+    assert all(axis.closes and axis.motion.smooth() for axis in diagram.axes)
     tool = diagram.axis("tool").motion.at(TURN).y
     assert tool == pytest.approx(schedule.positions(TURN + schedule.arrival).tool, abs=1e-12)
     feed = diagram.axis("transfer").motion
@@ -101,7 +101,7 @@ def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
     schedule = overlap(transfer, tool, Passage(0.01, clearance=0.06))
     assert schedule.limit == "cycle"
     assert schedule.way_in + schedule.way_out + tool.dwell == pytest.approx(2 * pi, rel=1e-12)
-    assert all(axis.closes for axis in schedule.diagram.axes)
+    assert all(axis.closes and axis.motion.smooth() for axis in schedule.diagram.axes)
 
 
 def test_a_tool_that_sets_off_too_early_collides():
@@ -146,7 +146,7 @@ def test_tools_at_several_stations_keep_their_own_margins_over_the_same_transfer
     for plan, passage in zip(plans, passages, strict=True):
         assert plan.limit == "clearance"
         assert clearance(plan, passage, TURN).minimum == pytest.approx(passage.margin, abs=1e-12)
-        assert all(axis.closes for axis in plan.diagram.axes)
+        assert all(axis.closes and axis.motion.smooth() for axis in plan.diagram.axes)
 
 
 def test_time_of_an_angle():

@@ -19,7 +19,7 @@ from workbook.judging.functions import calling, notes
 from workbook.judging.matching import Match, Pair, Right
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
-from workbook.templates import Template
+from workbook.templates import AnyTemplate
 from workbook.witnesses import WITNESSES
 from workbook.witnesses.pycel.witness import PycelModel
 
@@ -121,7 +121,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
 
 
 def judge(
-    file: BookFile, template: Template, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
+    file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
     shapes: bool = True,
 ) -> None:  # fmt: skip
     """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
@@ -241,7 +241,7 @@ def faults(model: PycelModel, right: Right, wrong: set[Address]) -> set[Address]
 
 
 def elsewhere(
-    match: Match, model: PycelModel, machines: list[Machine], template: Template, report: Report, suspects: set[Address]
+    match: Match, model: PycelModel, machines: list[Machine], template: AnyTemplate, report: Report, suspects: set[Address]
 ) -> None:  # fmt: skip
     """Compare at other inputs, each cell with the right values around it.
 

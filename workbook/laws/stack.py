@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import cos, sin
 
 from engine.laws import Law
 from workbook.entries.machine import Sizes
@@ -44,6 +45,16 @@ class Row:
     def pv(self) -> float:
         """P/ω, the amplitude of the velocity's cosine."""
         return self.P / self.omega if self.omega > 0 else 0.0
+
+    @property
+    def s0(self) -> float:
+        """Constant of the position, s_k + P/ω² sin φ."""
+        return self.s + self.ps * sin(self.phi)
+
+    @property
+    def s1(self) -> float:
+        """Slope of the position, v_k + P/ω cos φ."""
+        return self.v + self.pv * cos(self.phi)
 
 
 def stacked(library: dict[str, Law], own: list[Piece], sizes: Sizes) -> list[Row]:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from math import sqrt
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
-from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.laws.variations import LAWS, factors, vary_laws
 from workbook.laws.variations import own_pieces as own
+from workbook.machines.actuator.check import check
 from workbook.machines.actuator.cycle import cascade, cycle_sheet
 from workbook.machines.actuator.entries import ActuatorSizing
 from workbook.machines.actuator.flow import Sized, Squares
@@ -51,9 +51,8 @@ LOAD = LoadCells(
 """where the book has the load at the shaft that the motor, or its reducer, is coupled to"""
 
 
-def declare(machine: Machine) -> Book:
+def declare(given: ActuatorSizing) -> Book:
     """Declare the book."""
-    given = cast(ActuatorSizing, machine)
     shelf = LawShelf(given.laws, given.sizes)
     view = Sized(given, shelf.laws)
     book = Book(given.template, given.title)
@@ -77,7 +76,7 @@ def declare(machine: Machine) -> Book:
     return finish(book, "Sizing of an actuator", ("S4", "S1", "S3", "S5"))
 
 
-def variants(machine: Machine) -> list[Machine]:
+def variants(machine: ActuatorSizing) -> list[ActuatorSizing]:
     """Return six machines of the same layout: every mechanism, both methods, each check, power turning round."""
     return [ActuatorSizing.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
 
@@ -179,4 +178,5 @@ TEMPLATE = Template(
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("phases", 0), "rotors": ("parts", 0), "gears": ("gears", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
+    check,
 )
