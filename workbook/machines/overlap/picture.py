@@ -15,6 +15,7 @@ from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.places import each
 from workbook.machines.overlap.view import Overlapping, Station
 
+SAYS = '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
 ACROSS = (
     "=[places.x.{0}]+MAX(0-overlap_pitch,MIN(overlap_pitch,[view.yt]+overlap_pitch*([wall]+[side])"
     "+[places.open.{0}]*(1/2-[side])))"
@@ -88,8 +89,7 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
         result("free", "free, with overlap", "", "mm", "=[limit]-[a]", shown(states.free, MM),
                source="below 0 the parts collide"),
         result("says", "the transfer is", "", "",
-               each(machine, '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'),
-               states.says()),
+               each(machine, SAYS), states.says()),
     )  # fmt: skip
 
 
