@@ -72,21 +72,19 @@ def test_the_saw_s_motor_has_no_mean_speed():
     assert cut.reverses
 
 
+def inertial_task(line=LINE):
+    cut = Cut(DRUM, SHORT, line, Cycloidal())
+    return Task.inertial(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
+
+
 def test_equation_19_is_13_in_17():
-    cut = Cut(DRUM, SHORT, LINE, Cycloidal())
     beta = flying_load_factor(INERTIA, RADIUS, LINE, pi * sqrt(2), L0, SHORT, LT)
-    assert cut.load_factor(INERTIA) == pytest.approx(float(beta), rel=1e-12)
-    assert cut.load_factor(INERTIA) == pytest.approx(4 * INERTIA * cut.rms_angular_acceleration**2, rel=1e-14)
+    assert inertial_task().load_factor == pytest.approx(float(beta), rel=1e-12)
 
 
 def test_beta_grows_with_the_fourth_power_of_the_line_speed():
-    one, two = (Cut(DRUM, SHORT, v, Cycloidal()).load_factor(INERTIA) for v in (LINE, 2 * LINE))
+    one, two = (inertial_task(line).load_factor for line in (LINE, 2 * LINE))
     assert two / one == pytest.approx(16.0, rel=1e-12)
-
-
-def inertial_task():
-    cut = Cut(DRUM, SHORT, LINE, Cycloidal())
-    return Task.inertial(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
 
 
 def test_equations_15_and_17_agree_for_an_inertial_load():

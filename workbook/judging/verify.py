@@ -241,7 +241,8 @@ def faults(model: PycelModel, right: Right, wrong: set[Address]) -> set[Address]
 
 
 def elsewhere(
-    match: Match, model: PycelModel, machines: list[Machine], template: AnyTemplate, report: Report, suspects: set[Address]
+    match: Match, model: PycelModel, machines: list[Machine], template: AnyTemplate, report: Report,
+    suspects: set[Address],
 ) -> None:  # fmt: skip
     """Compare at other inputs, each cell with the right values around it.
 
