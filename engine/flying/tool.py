@@ -42,9 +42,9 @@ class Tool:
         """Return the angle of the shaft (rad) over a length (m): θ = L/R_t. Source: S5, 'Kinematic analysis'."""
         return length / self.radius
 
-    def inertia(self, mass: float) -> float:
-        """Return what a mass (kg) in step with the tool adds at the shaft: m R_t² (kg m²)."""
-        return mass * self.radius**2
+    def load_inertia(self, inertia: float, mass: float) -> float:
+        """Return J_L = J + m R_t² (kg m²) of an inertia at the shaft and a mass (kg) in step with the tool."""
+        return inertia + mass * self.radius**2
 
 
 def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:

@@ -39,7 +39,7 @@ def corners(schedule: Schedule, passage: Passage) -> Corners:
     raw = np.array([begin, end, *schedule.edges])
     angle = turned(raw)
     inside = (angle >= begin - ANGLE_TOLERANCE) & (angle <= end + ANGLE_TOLERANCE)
-    gone = np.where(inside, schedule.positions(angle).tool, 0.0)
+    gone = np.where(inside, schedule.travel(angle), 0.0)
     return Corners(raw, angle, inside, passage.clearance - gone)
 
 
@@ -63,7 +63,7 @@ def clearance(schedule: Schedule, passage: Passage, angle: ArrayLike) -> Clearan
     allowed = allowed_travel(schedule, passage, at)
     minimum = float(corners(schedule, passage).free.min())
     tolerance = ROUNDING * max(passage.clearance, schedule.tool.stroke)
-    free = allowed - schedule.positions(at).tool
+    free = allowed - schedule.travel(at)
     return Clearance(allowed, free, minimum, minimum < -tolerance, minimum >= passage.margin - tolerance)
 
 

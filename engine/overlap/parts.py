@@ -91,6 +91,11 @@ class Passage:
         if not 0.0 < self.split < 1.0:
             raise ValueError(f"split is {self.split:g}; expected more than 0 and less than 1")
 
+    @property
+    def shares(self) -> tuple[float, float]:
+        """The shares of its stroke between which the transfer is too far from its ends."""
+        return self.remaining, 1.0 - self.remaining
+
     def gone(self, stroke: float, margin: ArrayLike) -> Array:
         """Return the share of its stroke (m) that a tool may have gone when the transfer is in its way.
 

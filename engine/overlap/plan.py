@@ -29,8 +29,7 @@ def blocked(transfer: Transfer, passage: Passage) -> tuple[float, float]:
 
     Their difference is S2's effective angle: 150° − 2 · 15° = 120°.
     """
-    share = np.array([passage.remaining, 1.0 - passage.remaining])
-    begin, end = inverse(transfer.law, share) * transfer.angle
+    begin, end = inverse(transfer.law, np.array(passage.shares)) * transfer.angle
     return float(begin), float(end)
 
 

@@ -25,13 +25,6 @@ DWELL, OUT, REST, IN = 1, 2, 3, 4
 """the parts of a tool's cycle, from its arrival"""
 
 
-class Positions(NamedTuple):
-    """Travel of the transfer and of the tool, in m, from where each begins."""
-
-    transfer: Array
-    tool: Array
-
-
 class ToolState(NamedTuple):
     """What a tool does at each angle of the master shaft."""
 
@@ -90,10 +83,9 @@ class Schedule:
         out, into = (since - leaves) / self.way_out, (since - arrives) / self.way_in
         return ToolState(since, part, np.clip(np.select([part == OUT, part == IN], [out, into], 0.0), 0.0, 1.0))
 
-    def positions(self, angle: ArrayLike) -> Positions:
-        """Return the travel of both parts at any angle of the master shaft (rad); the transfer's of one cycle."""
-        at = np.asarray(angle, dtype=np.float64)
-        return Positions(self.transfer.travel(at % FULL_TURN), self.motion.at((at - self.arrival) % FULL_TURN).y)
+    def travel(self, angle: ArrayLike) -> Array:
+        """Return how far the tool has gone (m) at any angle of the master shaft (rad)."""
+        return self.motion.at((np.asarray(angle, dtype=np.float64) - self.arrival) % FULL_TURN).y
 
     def acceleration(self, angle: ArrayLike, rate: float) -> Array:
         """Return the tool's acceleration (m/s²) at angles of the master shaft (rad), at ``rate`` cycles per second."""

@@ -172,7 +172,8 @@ def test_the_shaft_turns_by_the_radius():
 
 
 def test_a_mass_in_step_with_the_tool_has_the_energy_of_its_inertia():
-    assert SAW.inertia(7.0) * (0.8 / SAW.radius) ** 2 == pytest.approx(7.0 * 0.8**2)
+    assert SAW.load_inertia(0.0, 7.0) * (0.8 / SAW.radius) ** 2 == pytest.approx(7.0 * 0.8**2)
+    assert SAW.load_inertia(0.3, 7.0) == pytest.approx(0.3 + SAW.load_inertia(0.0, 7.0))
 
 
 def test_the_torque_s_work_over_a_cycle_is_that_of_the_load_alone():

@@ -73,13 +73,11 @@ def mill_and_die():
     return Transfer(Cycloidal(), 0.1, radians(150)), Tool(Cycloidal(), 0.05, radians(100), Cubic())
 
 
-def test_positions_over_the_turn_begin_and_end_where_the_edges_say():
+def test_the_travel_begins_and_ends_where_the_edges_say():
     schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
     away, there, leaves, back = schedule.edges
-    tool = schedule.positions(np.array([away, there, leaves, back])).tool
+    tool = schedule.travel(np.array([away, there, leaves, back]))
     assert tool == pytest.approx([0.0, 0.05, 0.05, 0.0], abs=1e-12)
-    transfer = schedule.positions(np.array([0.0, schedule.transfer.angle])).transfer
-    assert transfer == pytest.approx([0.0, 0.1], abs=1e-12)
     assert leaves - there == pytest.approx(radians(100), rel=1e-12)
 
 
@@ -87,7 +85,7 @@ def test_the_tool_s_motion_closes_and_is_counted_from_its_arrival():
     schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
     assert schedule.motion.closes
     assert schedule.motion.smooth()
-    assert schedule.motion.at(TURN).y == pytest.approx(schedule.positions(TURN + schedule.arrival).tool, abs=1e-12)
+    assert schedule.motion.at(TURN).y == pytest.approx(schedule.travel(TURN + schedule.arrival), abs=1e-12)
 
 
 def test_the_transfer_stays_where_it_has_come_to_until_the_next_cycle():
@@ -113,7 +111,7 @@ def test_acceleration_is_the_second_derivative_of_the_travel(law_in, law_out, sp
     angle = schedule.arrival + step * (np.arange(20_000) + 0.5)
     speed = np.cumsum(schedule.acceleration(angle, 1.0)) * step / (2 * pi)
     travel = 0.05 + np.cumsum(speed) * step / (2 * pi)
-    assert travel == pytest.approx(schedule.positions(angle + step / 2).tool, abs=5e-4)
+    assert travel == pytest.approx(schedule.travel(angle + step / 2), abs=5e-4)
 
 
 @given(laws, laws, st.floats(0.2, 0.8))
@@ -124,7 +122,7 @@ def test_the_state_is_that_of_the_motion(law_in, law_out, split):
     schedule = overlap(transfer, tool, Passage(0.01, 0.02, 0.001, split=split))
     _, part, xi = schedule.state(TURN)
     travel = np.select([part == 1, part == 2, part == 4], [1.0, 1.0 - law_out.s(xi), law_in.s(xi)], 0.0) * 0.05
-    assert travel == pytest.approx(schedule.positions(TURN).tool, abs=1e-12)
+    assert travel == pytest.approx(schedule.travel(TURN), abs=1e-12)
     assert set(part) == {1, 2, 3, 4}
 
 
@@ -204,7 +202,7 @@ def test_where_the_transfer_is_in_place_the_tool_may_go_to_the_part():
     plan = overlap(transfer, tool, passage)
     found = clearance(plan, passage, TURN)
     assert (found.allowed == np.where(in_the_way(transfer, passage), 0.02, 0.05)).all()
-    assert found.allowed - found.free == pytest.approx(plan.positions(TURN).tool, abs=1e-15)
+    assert found.allowed - found.free == pytest.approx(plan.travel(TURN), abs=1e-15)
     assert not colliding(found.free, np.array(0.05)).any()
 
 
@@ -226,8 +224,6 @@ def test_tools_at_several_stations_keep_their_own_margins_over_the_same_transfer
     tools = (die, Tool(Cubic(), 0.08, radians(40)), Tool(ConstantAcceleration(), 0.025, radians(60), ASYMMETRIC))
     passages = (Passage(0.01, 0.02, 0.001), Passage(0.0, 0.015, 0.004), Passage(0.005, 0.004, 0.001, split=0.4))
     plans = [overlap(transfer, tool, passage) for tool, passage in zip(tools, passages, strict=True)]
-    moved = [plan.positions(TURN).transfer for plan in plans]
-    assert (moved[0] == moved).all()
     for plan, passage in zip(plans, passages, strict=True):
         assert plan.limit == "clearance"
         assert clearance(plan, passage, TURN).minimum == pytest.approx(passage.margin, abs=1e-12)

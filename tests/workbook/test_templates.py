@@ -50,6 +50,6 @@ def test_what_only_the_engine_can_refuse_is_refused_where_entries_are_read(name)
 def test_what_only_the_engine_can_refuse_gets_no_book(name, tmp_path):
     """The model alone takes it: a machine made in Python is checked when it is built."""
     machine = TEMPLATES[name].model.model_validate(backwards(name))
-    with pytest.raises(InputError, match="the .* moves backwards"):
+    with pytest.raises(InputError, match=r"the .* moves backwards"):
         build(machine, tmp_path / "book.xlsx")
     assert list(tmp_path.iterdir()) == []

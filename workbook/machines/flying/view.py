@@ -58,7 +58,7 @@ class Flying:
         self.tool, self.law = tool_of(self.given), library[self.given.law]
         self.line = si(self.given.line_speed, PER_MINUTE)
         load = self.given.load
-        self.load = Load(load.inertia + self.tool.inertia(load.mass), load.torque, "always")
+        self.load = Load(self.tool.load_inertia(load.inertia, load.mass), load.torque, "always")
         self.peak = fastest(self.law)
         self.cut = self.of(self.given.product_length)
 

@@ -35,7 +35,7 @@ class AtAngles:
         self.station, self.plan, self.pieces = station, plan, pieces
         self.angle = si(theta, DEGREE)
         self.state = plan.state(self.angle)
-        self.travel = plan.positions(self.angle).tool
+        self.travel = plan.travel(self.angle)
         self.y = shown(self.travel, MM)
 
     def columns(self, suffix: str, row: int) -> list[Quantity]:

@@ -96,10 +96,11 @@ def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
 
 def in_the_way(machine: Overlapping) -> Wanted:
     """Return what is asked of the transfer's law: where it has left its place for a tool, and where it comes to it."""
-    shares, formulas, ends = [], [], []
+    shares: list[float] = []
+    formulas, ends = [], []
     for station in machine.stations:
-        remaining, whose = station.passage.remaining, "" if machine.alone else f"tool {station.number}: "
-        shares += [remaining, 1 - remaining]
+        whose = "" if machine.alone else f"tool {station.number}: "
+        shares += station.passage.shares
         formulas += [f"={station.scope}remaining/100", f"=1-{station.scope}remaining/100"]
         ends += [f"{whose}has left its place", f"{whose}comes to its place"]
     head = constant("what", "where", "", "", ends)
