@@ -15,6 +15,7 @@ DEGREE = pi / 180  # rad
 RPM = tau / 60  # rad/s
 PER_MINUTE = 1 / 60  # 1/s
 PER_HOUR = 1 / 3600  # 1/s
+PER_RPM = 1 / RPM  # s/rad: of a slope over speed
 
 Real = TypeVar("Real", float, NDArray[np.float64])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.units import PER_MINUTE, RPM, shown
@@ -16,7 +17,7 @@ from workbook.machines.flying.variations import variants
 from workbook.machines.flying.view import Flying
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 LOAD = LoadCells(
@@ -63,8 +64,8 @@ def declare(given: FlyingCutter) -> Book:
 def choosing(view: Flying, given: FlyingCutter) -> Choosing:
     """Return the choice of motor and reducer for the load at the tool's shaft."""
     cut, shaft, asked = view.cut, view.shaft, view.asked(view.cut)
-    samples = Samples(view.times, shaft.speed, shaft.acceleration, view.torque)
-    need = Asked(asked.acceleration, asked.torque, asked.mean, cut.max_angular_speed)
+    samples = LoadSamples(view.times, shaft.speed, shaft.acceleration, view.torque)
+    need = Task.of_figures(asked.acceleration, asked.torque, asked.mean, cut.max_angular_speed)
     return Choosing(given.selection, given.sizes, need, samples)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import pi, radians
 from typing import Any
 
-from workbook.laws.variations import LAWS, factors, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.selection.variations import vary_selection
 
@@ -19,14 +19,15 @@ RISING = [
 
 def variants(machine: FlyingCutter) -> list[FlyingCutter]:
     """Return six machines of the same layout: every law, drum and saw, each case, each limit exceeded."""
-    return [FlyingCutter.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
+    return [FlyingCutter.model_validate(data) for data in variations(machine, varied)]
 
 
-def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return the ``k``-th variation of a description."""
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn."""
+    k = turn % SIX
     entries, scale = data["cutter"], factors(k)
     vary_laws(data["laws"], k, scale, data["sizes"]["pieces"])
-    law = LAWS[(k + 4) % 6]
+    law = law_for(turn + 4)
     if law == "OWN":
         data["laws"]["OWN"]["pieces"] = RISING
     drum, saw, load = entries["drum"], entries["saw"], entries["load"]

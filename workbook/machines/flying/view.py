@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from engine.choice import Task
 from engine.drive import Load
 from engine.flying import Beyond, Cut, ShaftMotion, Sizes, Tool, ToolMotion, flying_saw, generalized_torque, rotary_drum
 from engine.flying import sizes as sizes_of
@@ -14,7 +15,6 @@ from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.sections import velocity_peak
 from engine.motion import Phase
-from engine.selection import Task
 from workbook.entries.units import DEGREE, MM, MM_PER_TURN, PER_MINUTE, RPM, shown, si
 from workbook.laws.library import OwnLaw
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
