@@ -15,8 +15,6 @@ from workbook.machines.flying.view import REST, Flying, fastest
 
 HALVINGS = 30  # the position at a turning point is known to the square of what this leaves
 
-TITLES = {1: "First turning point: the rise of v halved", 2: "Second turning point: the fall of v halved"}
-
 
 def turning_sheet(book: Book, machine: Flying, pieces: sampling.Pieces) -> None:
     """Declare the sheet."""
@@ -53,17 +51,22 @@ def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> No
     sheet.rows(
         calc("fly_turn_v", "Velocity of the law at which the tool stands", "v*", "",
              reverse, wanted, source="−v_L t_m/h; of a tool that never turns, that of the mean"),
-        *(calc(f"fly_turn_{k}", f"Position at the {word} turning point", "", "mm",
-               f"=fly_v*1000*[turn_{k}.xi.last]*fly_tm+fly_h1*[turn_{k}.s.last]", at, scale=mm, source="v_L t + h s")
-          for k, word, at in zip((1, 2), ("first", "second"), positions, strict=True)),
+        calc("fly_turn_1", "Position at the first turning point", "", "mm",
+             "=fly_v*1000*[turn_1.xi.last]*fly_tm+fly_h1*[turn_1.s.last]", positions[0], scale=mm,
+             source="v_L t + h s"),
+        calc("fly_turn_2", "Position at the second turning point", "", "mm",
+             "=fly_v*1000*[turn_2.xi.last]*fly_tm+fly_h1*[turn_2.s.last]", positions[1], scale=mm,
+             source="v_L t + h s"),
     )  # fmt: skip
-    for k, rising, (low, high, xi) in zip((1, 2), (True, False), found, strict=True):
-        begin, end = ("0", "fly_peak") if rising else ("fly_peak", "1")
-        before = "[v-1]+fly_near<fly_turn_v" if rising else "[v-1]-fly_near>fly_turn_v"
+    tables = (
+        ("turn_1", "First turning point: the rise of v halved", "0", "fly_peak", "[v-1]+fly_near<fly_turn_v"),
+        ("turn_2", "Second turning point: the fall of v halved", "fly_peak", "1", "[v-1]-fly_near>fly_turn_v"),
+    )
+    for (name, title, begin, end, before), (low, high, xi) in zip(tables, found, strict=True):
         values = dict(zip("sva", law.evaluate(xi), strict=False))
         sheet.row += 1
         sheet.table(
-            f"turn_{k}", TITLES[k], HALVINGS,
+            name, title, HALVINGS,
             constant("k", "halving", "k", "", list(range(1, HALVINGS + 1))),
             calc("low", "not before", "ξ", "", f"=IF([k]=1,{begin},IF({before},[xi-1],[low-1]))", low),
             calc("high", "not after", "ξ", "", f"=IF([k]=1,{end},IF({before},[high-1],[xi-1]))", high),
