@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis.strategies import integers
 
-from tests.workbook.cells import disagreeing
+from tests.workbook.cells import disagreeing, disagreeing_in
 from workbook.build import build, inputs
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.reading.entries import read_machine, write_machine
@@ -129,7 +129,7 @@ def by_formualizer(written):
 
 @pytest.mark.parametrize("seed", range(100, 106))
 def test_formualizer_agrees_with_the_engine_in_every_cell(seed):
-    assert disagreeing(TEMPLATE, machine(seed), by_formualizer)[0] == []
+    assert disagreeing_in(TEMPLATE, machine(seed), by_formualizer)[0] == []
 
 
 @settings(max_examples=12, derandomize=True)
