@@ -3,8 +3,10 @@
 from pathlib import Path
 
 from workbook.book.address import Address
+from workbook.judging.carried import not_carried
 from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, Right, is_formula
+from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
 from workbook.witnesses.pycel.witness import PycelModel
 from workbook.writing.write import to_workbook
@@ -68,6 +70,14 @@ def disagreeing_in(template, machine, evaluate):
     book = template.declare(machine)
     written = to_workbook(book, template.model)
     return compared(Match(BookFile(Path("book.xlsx"), written, find_places(written)), book), book, evaluate(written))
+
+
+def entered(template, machine):
+    """The machine that is read back from the cells of a machine's book, and in lines what of it is not carried over."""
+    written = to_workbook(template.declare(machine), template.model)
+    file = BookFile(Path("book.xlsx"), written, find_places(written))
+    back = Entries(file).machine()
+    return back, not_carried(file, template.declare(back), template.name)
 
 
 def compared(match, book, values):

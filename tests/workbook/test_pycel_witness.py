@@ -516,14 +516,15 @@ def test_the_straight_way_over_ranges_leads_where_pycels_own_leads(one: Any, nam
     assert shortcuts.operators()(left, name, right) == own(left, name, right)
 
 
-STRAIGHT = """
-=SIN({}) =COS({}) =SQRT({}) =ABS({}) =EXP({}) =LN({}) =MIN({},A1) =MAX({},A1,B1) =MAX(A1:C2,{}) =MAX(C1:C1) =MIN(A1:C1)
-=INDEX(A1:B2,{}) =INDEX(A1:A2,{}) =INDEX(C1:C1,{}) =INDEX(C1:C3,1) =INDEX(C1:C3,2.0) =INDEX(A1:B2,{},2)
-=IF({}>1,A1,B2) =IF({},A1,B2) =IF(A1>B1,A1:B1,{}) =SUM(IF({}>1,A1:B2,3)) =SUM(IF({}>1,3,A1:B2))
-=SUM(IF({}>1,A1:A2,B1:B2)) =SUM({}) =SUM(A1:C2) =SUM(LN(A1:C1)) =SUM(ABS(A1:C2)) =SMALL(A1:C1,2) =SMALL(A1:B2,{})
-=SMALL(A1:C3,2) =SMALL(B3:C3,1) =SUMPRODUCT(A1:C1) =SUMPRODUCT(A1:B1,{}) =SUMPRODUCT(A1:C1,A1:C1)
-=SUMPRODUCT(A1:A2,A1:C1) =SUMPRODUCT((A1:C1>5)*A1:C1)
-""".split()
+STRAIGHT = [
+    "=SIN({})", "=COS({})", "=SQRT({})", "=ABS({})", "=EXP({})", "=LN({})", "=MIN({},A1)", "=MAX({},A1,B1)",
+    "=MAX(A1:C2,{})", "=MAX(C1:C1)", "=MIN(A1:C1)", "=INDEX(A1:B2,{})", "=INDEX(A1:A2,{})", "=INDEX(C1:C1,{})",
+    "=INDEX(C1:C3,1)", "=INDEX(C1:C3,2.0)", "=INDEX(A1:B2,{},2)", "=IF({}>1,A1,B2)", "=IF({},A1,B2)",
+    "=IF(A1>B1,A1:B1,{})", "=SUM(IF({}>1,A1:B2,3))", "=SUM(IF({}>1,3,A1:B2))", "=SUM(IF({}>1,A1:A2,B1:B2))",
+    "=SUM({})", "=SUM(A1:C2)", "=SUM(LN(A1:C1))", "=SUM(ABS(A1:C2))", "=SMALL(A1:C1,2)", "=SMALL(A1:B2,{})",
+    "=SMALL(A1:C3,2)", "=SMALL(B3:C3,1)", "=SUMPRODUCT(A1:C1)", "=SUMPRODUCT(A1:B1,{})", "=SUMPRODUCT(A1:C1,A1:C1)",
+    "=SUMPRODUCT(A1:A2,A1:C1)", "=SUMPRODUCT((A1:C1>5)*A1:C1)",
+]  # fmt: skip
 
 
 @pytest.mark.parametrize("value", [0, 1, 2, 3, -1, 0.5, 2.0, True, "x", "2", None, "#N/A"])
