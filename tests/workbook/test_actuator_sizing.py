@@ -1,6 +1,7 @@
 """The actuator's book: S4's lead screw and conveyor in its cells, six mechanisms, exact RMS, entries."""
 
 import math
+import random
 from itertools import pairwise
 
 import numpy as np
@@ -11,7 +12,8 @@ from engine.actuator import Sizing
 from engine.laws import TrapezoidalVelocity
 from engine.mechanism import Part, Slide, Stage, conveyor, cylinder, gear_train, lead_screw
 from engine.motion import Phase
-from tests.workbook.cells import computed
+from tests.mutation.draw_actuator import varied
+from tests.workbook.cells import computed, disagreeing
 from workbook.build import inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
@@ -213,6 +215,12 @@ def test_the_variations_take_every_mechanism_and_fail_every_limit():
     books = [TEMPLATE.declare(machine) for machine in machines]
     failed = {q.name for book in books for _, q in book.checks if q.value == "FAIL"}
     assert {"act_ok_rms", "act_ok_peak", "act_ok_speed"} <= failed
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_pycel_agrees_at_machines_drawn_at_random(seed):
+    machine = TEMPLATE.model.model_validate(varied(entries(), random.Random(seed)))
+    assert disagreeing(TEMPLATE, machine)[0] == []
 
 
 @pytest.mark.parametrize("mechanism", ["conveyor", "gear train"])

@@ -196,6 +196,13 @@ def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):
         inputs(path)
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_pycel_agrees_with_the_engine_at_random_machines_of_three_tools(seed):
+    wrong, formulas = disagreeing(TEMPLATE, with_tools(3, 100 + seed))
+    assert wrong == []
+    assert formulas > 8_000
+
+
 def test_the_variations_fail_the_clearance_of_every_tool():
     books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described(entries()))]
     failed = {q.name for book in books for _, q in book.checks if q.value == "FAIL"}

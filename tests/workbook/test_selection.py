@@ -1,6 +1,7 @@
 """The Selection sheet: the engine's values in its cells, its verdicts, catalogues from CSV files, the round trip."""
 
 import math
+import random
 
 import numpy as np
 import openpyxl
@@ -10,6 +11,8 @@ from typer.testing import CliRunner
 
 from engine.pairing import rank
 from engine.selection import Task, accelerating_factor
+from tests.mutation import draw_cutting
+from tests.mutation.draw_selection import vary_selection
 from tests.workbook.cells import computed, disagreeing
 from workbook.build import build, described, inputs
 from workbook.cli import app
@@ -69,6 +72,14 @@ def view(given):
 def test_every_cell_agrees_with_the_engine(criterion, pair):
     given = machine(criterion=criterion, pair=pair, motor="large", reducer="i 8", torque_factor=1.5)
     assert disagreeing(TEMPLATE, given)[0] == []
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_machines_and_catalogues_agree_too(seed):
+    drawn = random.Random(seed)
+    data = draw_cutting.varied(machine().model_dump(), drawn)
+    vary_selection(data["selection"], data["sizes"], drawn)
+    assert disagreeing(TEMPLATE, TEMPLATE.model.model_validate(data))[0] == []
 
 
 def test_the_committed_catalogues_say_where_each_figure_is_from():
