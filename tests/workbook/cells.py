@@ -1,6 +1,9 @@
 """What the cells of a declared book compute, without a file in between."""
 
+import io
 from pathlib import Path
+
+import openpyxl
 
 from workbook.book.address import Address
 from workbook.judging.carried import not_carried
@@ -8,8 +11,16 @@ from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, Right, is_formula
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
+from workbook.witnesses import by_cell
 from workbook.witnesses.pycel.witness import PycelModel
-from workbook.writing.write import to_workbook
+from workbook.writing import archive
+from workbook.writing.write import parts
+
+
+def opened(book, model):
+    """What is read of the file that is written of a declared book."""
+    return openpyxl.load_workbook(io.BytesIO(archive.zipped(parts(book, model))))
+
 
 KEPT = 6  # layouts: a test file has a few, and those of other files may go
 
@@ -20,7 +31,7 @@ class Layout:
     known: dict[tuple, "Layout"] = {}  # noqa: RUF012 - one memory for all
 
     def __init__(self, template, book):
-        written = to_workbook(book, template.model)
+        written = opened(book, template.model)
         self.match = Match(BookFile(Path("book.xlsx"), written, find_places(written)), book)
         self.model = PycelModel(written)
 
@@ -66,17 +77,17 @@ def disagreeing(template, machine):
 
 
 def disagreeing_in(template, machine, evaluate):
-    """The same by another program, which is given the workbook as openpyxl has it."""
+    """The same by another program, which is given the workbook as openpyxl reads it."""
     book = template.declare(machine)
-    written = to_workbook(book, template.model)
+    written = opened(book, template.model)
     return compared(Match(BookFile(Path("book.xlsx"), written, find_places(written)), book), book, evaluate(written))
 
 
 def entered(template, machine):
     """The machine that is read back from the cells of a machine's book, and in lines what of it is not carried over."""
-    written = to_workbook(template.declare(machine), template.model)
+    written = opened(template.declare(machine), template.model)
     file = BookFile(Path("book.xlsx"), written, find_places(written))
-    back = Entries(file).machine()
+    back = Entries(file, by_cell().values).machine()
     return back, not_carried(file, template.declare(back), template.name)
 
 
