@@ -8,7 +8,8 @@ from hypothesis import settings
 import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer it makes
 from tests import tiers
 
-QUICK = ("engine", "printed")  # folders; other quick tests carry the mark themselves
+HERE = Path(__file__).parent
+QUICK = (HERE, HERE / "engine", HERE / "printed")  # folders; other quick tests carry the mark themselves
 
 # A test's verdict must not hang on the speed of the machine, nor, by day, on luck: the same examples each time.
 settings.register_profile("day", settings.default, deadline=None, derandomize=True)
@@ -27,9 +28,8 @@ def pytest_report_header(config):
 
 
 def pytest_collection_modifyitems(items):
-    folders = [Path(__file__).parent / name for name in QUICK]
     for item in items:
-        if any(item.path.is_relative_to(folder) for folder in folders):
+        if item.path.parent in QUICK:
             item.add_marker("quick")
 
 

@@ -42,7 +42,7 @@ def declaring() -> Iterator[Path]:
         yield from (path for path in sorted(room.rglob("*.py")) if path.name not in SCALING)
 
 
-@pytest.mark.parametrize("path", declaring(), ids=named)
+@pytest.mark.parametrize("path", list(declaring()), ids=named)
 def test_what_declares_sheets_neither_multiplies_nor_divides(path: Path) -> None:
     found = [f"{named(path)}:{line}: {sign}" for line, sign in sorted(arithmetic(parsed(path)))]
     assert not found, "\n".join(found)

@@ -5,11 +5,13 @@ import math
 import pytest
 
 from tests.workbook.cells import computed, disagreeing
+from workbook.build import build, inputs
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["cutting-machine"]
+pytestmark = pytest.mark.quick
 
 
 def described(**sizes):
@@ -87,6 +89,15 @@ def test_pycel_agrees_with_the_engine_in_every_cell(law):
     wrong, count = disagreeing(TEMPLATE, machine)
     assert wrong == []
     assert count > 3000
+
+
+def test_a_book_that_was_built_is_verified_and_comes_back(tmp_path):
+    machine, path = described(cycle=24, law=8, own_law=8), tmp_path / "book.xlsx"
+    build(machine, path)
+    report = verify(path)
+    assert report.findings == []
+    assert report.unmatched == []
+    assert inputs(path) == (machine, [])
 
 
 def test_the_committed_template_verifies():
