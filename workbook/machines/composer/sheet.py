@@ -6,7 +6,8 @@ from collections.abc import Iterable
 
 from engine.motion import Junction
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, check, constant, filled, given, result
+from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
+from workbook.book.rows import filled
 from workbook.laws import phases as joined
 from workbook.laws import sampling
 from workbook.machines.composer.view import Composition

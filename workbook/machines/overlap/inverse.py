@@ -14,7 +14,8 @@ from engine.halving import middles, newton_step
 from engine.laws import Law
 from engine.laws.base import Array
 from engine.laws.inverse import inverse
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, filled, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.book.rows import filled
 from workbook.entries.units import MM, shown
 from workbook.laws.stack import CODES, Row
 from workbook.machines.overlap.view import Overlapping, Station
