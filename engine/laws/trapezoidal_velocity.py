@@ -115,5 +115,5 @@ ENTRY = Entry(
         },
     ),
     example=TrapezoidalVelocity,
-    others=(TrapezoidalVelocity(0.1, 0.7), TrapezoidalVelocity(0.45, 0.45), TrapezoidalVelocity(0.001, 0.98)),
+    others=(TrapezoidalVelocity(0.1, 0.7), TrapezoidalVelocity(0.45, 0.45), TrapezoidalVelocity(0.02, 0.98)),
 )
