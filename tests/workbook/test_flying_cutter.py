@@ -12,7 +12,7 @@ from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.flying.template import RISING
+from workbook.machines.flying.variations import RISING
 from workbook.reading.entries import checked, read_machine
 from workbook.templates import TEMPLATES
 
@@ -125,7 +125,8 @@ def test_lengths_are_the_cuts_of_each_length():
     cuts = [Cut(drum, length / 1e3, LINE, Cycloidal()) for length in value("lengths", "length")]
     assert value("lengths", "high") == pytest.approx([c.speed_range[1] for c in cuts], rel=1e-12)
     assert value("lengths", "a") == pytest.approx([c.max_acceleration for c in cuts], rel=1e-9)
-    assert value("lengths", "beta") == pytest.approx([c.load_factor(INERTIA) for c in cuts], rel=1e-9)
+    beta = [4 * INERTIA * c.rms_angular_acceleration**2 for c in cuts]
+    assert value("lengths", "beta") == pytest.approx(beta, rel=1e-9)
     assert {"keeps on", "waits"} == set(value("lengths", "does"))
 
 

@@ -18,10 +18,11 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import repeat
 from typing import Any, NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
@@ -31,7 +32,7 @@ from workbook.book.quantity import Quantity, calc, check, constant, given, resul
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "Sheet", "Text",
-    "as_rows", "calc", "check", "constant", "given", "result",
+    "as_rows", "calc", "check", "constant", "filled", "given", "result",
 ]  # fmt: skip
 
 REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
@@ -276,10 +277,16 @@ class Book:
 def as_rows(value: Any, size: int, where: str) -> list[Any]:
     """Return one value for each row: a sequence as it is, a single value repeated."""
     if isinstance(value, str) or not hasattr(value, "__len__"):
-        return [value] * size
+        return filled([], size, value)
     if len(value) != size:
         raise ValueError(f"{where}: {len(value)} values for {size} rows")
     return value.tolist() if hasattr(value, "tolist") else list(value)
+
+
+def filled(values: Iterable[Any], rows: int, blank: Any = 0.0) -> list[Any]:
+    """Return the values of the rows in use, then ``blank`` for each spare row."""
+    used = list(values)
+    return [*used, *repeat(blank, rows - len(used))]
 
 
 def span(top: int, left: int, bottom: int, right: int) -> str:
