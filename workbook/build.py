@@ -18,6 +18,7 @@ from workbook.reading.files import open_book
 from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
+from workbook.witnesses import by_cell
 from workbook.writing.same import same_book
 from workbook.writing.write import refuse_existing, replace, save
 
@@ -74,7 +75,7 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
 def inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
     file = open_book(path)
-    entries = Entries(file)
+    entries = Entries(file, by_cell().values)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
     return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)
