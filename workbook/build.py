@@ -12,9 +12,9 @@ from workbook.collector import collector_paused, swept_between
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
-from workbook.reading.catalogue import read_motors, read_reducers
 from workbook.reading.entries import Entries, checked, read_machine, template_named, write_machine
 from workbook.reading.files import open_book
+from workbook.selection.catalogue_files import read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES

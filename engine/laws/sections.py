@@ -8,11 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from engine.laws.base import Array, Law
-from engine.laws.constant_acceleration import ConstantAcceleration
 from engine.laws.crossings import narrowed
-from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
-from engine.laws.pieces import PieceLaw
-from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
 
 SAMPLES = 257
 """of a stage, between which a crossing is looked for: two crossings within one step are not seen"""
@@ -29,19 +25,8 @@ PANELS = 4  # a section, in an integral
 
 def breaks(law: Law) -> Array:
     """Return every ξ at which the law's formula changes, with 0 and 1, rising."""
-    match law:
-        case ConstantAcceleration():
-            inner = [0.5]
-        case TrapezoidalVelocity():
-            inner = [law.rise_end, law.fall_start]
-        case ModifiedTrapezoidal():
-            inner = list(itertools.accumulate(law.durations))
-        case PieceLaw():
-            inner = list(itertools.accumulate(piece.duration for piece in law.pieces))
-        case _:
-            inner = []
     kept = [0.0]
-    for xi in sorted(inner):
+    for xi in law.breaks:
         if kept[-1] + INSIDE < xi < 1.0 - INSIDE:
             kept.append(xi)
     return np.array([*kept, 1.0])

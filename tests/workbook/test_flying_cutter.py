@@ -6,7 +6,7 @@ import pytest
 
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal
-from engine.selection import Task
+from tests.engine.tasks import sampled_task
 from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
@@ -103,7 +103,7 @@ def test_the_torque_over_the_cycle_has_the_mean_squares_of_the_cells():
     machine = entries(load__torque=3.0)
     machine["sizes"]["cycle"] = 240
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
-    task = Task.of_samples(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
+    task = sampled_task(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
     assert value("fly_dw_rms") == pytest.approx(task.acceleration_rms, rel=1e-5)
     assert value("fly_torque_rms") == pytest.approx(task.torque_rms, rel=1e-5)
     assert value("fly_mean") == pytest.approx(task.power_rate_mean, rel=1e-4)

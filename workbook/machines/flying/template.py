@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, cast
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
 from workbook.entries.units import RPM
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import LAWS, factors, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.flying.cycle import cycle_sheet
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
@@ -20,7 +21,7 @@ from workbook.machines.flying.view import Flying
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.variations import vary_selection
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 RISING = [
@@ -71,14 +72,15 @@ def declare(machine: Machine) -> Book:
 
 def variants(machine: Machine) -> list[Machine]:
     """Return six machines of the same layout: every law, drum and saw, each case, each limit exceeded."""
-    return [FlyingCutter.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
+    return [FlyingCutter.model_validate(data) for data in variations(machine, varied)]
 
 
-def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return the ``k``-th variation of a description."""
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn."""
+    k = turn % SIX
     entries, scale = data["cutter"], factors(k)
     vary_laws(data["laws"], k, scale, data["sizes"]["pieces"])
-    law = LAWS[(k + 4) % 6]
+    law = law_for(turn + 4)
     if law == "OWN":
         data["laws"]["OWN"]["pieces"] = RISING
     drum, saw, load = entries["drum"], entries["saw"], entries["load"]
@@ -122,8 +124,8 @@ def choosing(view: Flying, given: FlyingCutter) -> Choosing:
     """Return the choice of motor and reducer for the load at the tool's shaft."""
     at, r, load, asked = view.samples, view.tool.radius, view.load, view.asked(view.cut)
     dw = at.acceleration / r
-    samples = Samples(view.times, at.speed / r, dw, load.torque + load.inertia * dw)
-    need = Asked(asked.acceleration, asked.torque, asked.mean, view.cut.max_angular_speed)
+    samples = LoadSamples(view.times, at.speed / r, dw, load.torque + load.inertia * dw)
+    need = Task.of_figures(asked.acceleration, asked.torque, asked.mean, view.cut.max_angular_speed)
     return Choosing(given.selection, given.sizes, need, samples)
 
 
