@@ -21,7 +21,6 @@ from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Selection, SelectionSizes
 
 PLACES = 6  # decimals in which scores are compared: equal to an engineer, equal in the ranking
-STEP = 1e-10  # by which each row of the pairs ranks behind the one above it where they are equal
 
 
 def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
@@ -119,7 +118,7 @@ class Choosing:
         return counted_in(self.ranking, self.given.criterion)
 
     def _keys(self, pairs: Pairs) -> Array:
-        return sorting_keys(pairs, self.given.criterion, self.row(pairs), PLACES, STEP)
+        return sorting_keys(pairs, self.given.criterion, self.row(pairs), PLACES, math.prod(self.rooms))
 
     def row(self, pairs: Pairs) -> NDArray[np.intp]:
         """Return the row of pairs in the table of all of them, from 1."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import prod
 from typing import NamedTuple, get_args
 
 from engine.choice.pairs import Criterion
@@ -9,7 +10,7 @@ from engine.choice.task import NOTHING
 from engine.drive import RETURNED, STANDSTILL
 from workbook.book.declare import Sheet, calc, constant
 from workbook.entries.units import PER_RPM, RPM, shown
-from workbook.selection.view import PLACES, STEP, Choosing
+from workbook.selection.view import PLACES, Choosing
 
 OFF = -1.0  # left of the charts' edge: where what is not drawn lies
 
@@ -127,7 +128,8 @@ def constants(sheet: Sheet, view: Choosing) -> None:
              source="the largest mass or cost, else 1"),
         constant("sel_places", "Decimals in which scores are compared", "", "",
                  PLACES, format="0", source="equal to an engineer, equal in the ranking"),
-        constant("sel_step", "By which a pair ranks behind an equal one above it", "", "", STEP, format="0E+00"),
+        calc("sel_rows", "Rows of all pairs", "", "",
+             "=COUNT([pairs.k])", prod(view.rooms), format="0", source="equals rank in their order there"),
         constant("sel_still", "Slower than this counts as standing", "ω_0", "rad/s",
                  STANDSTILL, format="0E+00", source="at the load's shaft"),
         constant("sel_returned", "A load that gives back less counts as driven", "P_0", "W",

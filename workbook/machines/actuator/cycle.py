@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion import EDGE_TOLERANCE
 from workbook.book.chart import Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.units import RPM
@@ -14,8 +13,8 @@ from workbook.laws.sampling import Pieces
 from workbook.machines.actuator.flow import Sized
 
 FIND = (
-    "=MATCH(MIN([time]+act_eps,act_time-act_eps),[phases.begin],1)",
-    "=([time]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p])",
+    "=MATCH(MIN([time]/act_time+break_tolerance,1-break_tolerance),[phases.share],1)",
+    "=MAX(0,([time]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p]))",
     "=INDEX([phases.no],[p])",
 )
 LOSSY = '=IF(OR(act_method="document",[{0}]*[dir]>=0),[{0}]/[stages.eta.{1}],[{0}]*[stages.eta.{1}])/[stages.ratio.{1}]'
@@ -29,12 +28,6 @@ def cycle_sheet(book: Book, machine: Sized, pieces: Pieces) -> None:
         "Workings",
         "From stage to stage T(k) = f T(k + 1)/i + J ω̇: f = 1/η where power flows to the load, η where it flows back.",
     )
-    total = machine.sizing.motion.total
-    sheet.rows(
-        calc("act_eps", "Tolerance of a time", "ε", "s",
-             "=act_time*break_tolerance", total * EDGE_TOLERANCE, format="0E+00",
-             source="a sample this near to a phase's begin counts as on it"),
-    )  # fmt: skip
     extremes(sheet, machine)
     limits(sheet, machine)
     sheet.heading(

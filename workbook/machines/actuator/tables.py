@@ -55,6 +55,8 @@ def motion(sheet: Sheet, machine: Actuator) -> None:
         calc("begin", "begins at", "", "s",
              '=IF([kind]="spare",2*act_time,IF([k]=1,0,[begin-1]+[span-1]))', filled(edges[:-1], n, 2 * total),
              scale=total, source="spare rows: out of reach"),
+        calc("share", "begins at, of the cycle", "", "",
+             "=[begin]/act_time", filled(machine.sizing.motion.shares, n, 2.0), source="what a sample looks up"),
         calc("y0", "position at its begin", "x_0", "",
              "=IF([k]=1,0,[y0-1]+[h-1])", np.cumsum([0.0, *filled(si, n)])[:-1], scale=h,
              source="lifts before, in m or rad"),

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.motion import EDGE_TOLERANCE, Junction
+from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.checks import ZERO
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
@@ -166,6 +166,8 @@ def phases(sheet: Sheet, machine: Composition) -> None:
              source="0 if spare"),
         calc("begin", "begins at", "", "x",
              "=IF([k]=1,0,[end-1])", filled(edges[:-1], n, motion.total), scale=motion.total, source="end before"),
+        calc("share", "begins at, of the whole", "", "",
+             "=[begin]/move_total", filled(motion.shares, n, 1.0), source="what a sample looks up"),
         calc("y0", "position at its begin", "y_0", "lift",
              "=IF([k]=1,move_start,[y0-1]+[h-1])", filled(begins[:-1], n, begins[-1]), scale=h, source="lifts before"),
         calc("lack", "lack of lift", "Δy", "lift",
@@ -219,15 +221,10 @@ def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None
     """Declare the sampled motion: results, then how each sample finds its phase and its law's piece."""
     x, at, (h, v, a) = machine.abscissa, machine.samples, machine.peaks
     finding = (
-        "=MATCH(MIN([at]+move_eps,move_total-move_eps),[phases.begin],1)",
-        "=([at]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p])",
+        "=MATCH(MIN([at]/move_total+break_tolerance,1-break_tolerance),[phases.share],1)",
+        "=MAX(0,([at]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p]))",
         "=INDEX([phases.no],[p])",
     )
-    sheet.rows(
-        calc("move_eps", "Tolerance of a place", "ε", "x",
-             "=move_total*break_tolerance", machine.motion.total * EDGE_TOLERANCE, format="0E+00",
-             source="a sample this near to a phase's begin counts as on it"),
-    )  # fmt: skip
     sheet.table(
         "motion", f"Position, velocity and acceleration at N = {len(x)} equal steps", len(x),
         calc("at", "abscissa", "x", "x",
@@ -239,7 +236,7 @@ def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None
         result("y2", "acceleration", "y''", PER2,
                "=INDEX([phases.h],[p])/INDEX([phases.span],[p])^2*[a]", at.y2, scale=a, source="h a/δ²"),
         constant("k", "sample", "k", "", list(range(len(x)))),
-        *joined.located(machine.motion, x, pieces, finding, ("last begin not above x", "(x − begin)/δ")),
+        *joined.located(machine.motion, x, pieces, finding, ("last share not above x/Σδ + ε", "(x − begin)/δ")),
     )  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from engine.timing import Movement, shaft_speed
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.entries.machine import Sizes
-from workbook.entries.units import MM
+from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws import phases as joined_phases
 from workbook.laws import sampling
 from workbook.laws.phases import ACCELERATION, AT_END, LAW_NUMBER, RMS, VELOCITY
@@ -36,7 +36,7 @@ def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
         calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()*timing_rate/60", shaft_speed(machine.rate), source="2π n / 60"),
         calc("timing_eps", "Tolerance of an angle", "ε", "°",
-             "=360*break_tolerance", 360 * 1e-12, format="0E+00",
+             "=360*break_tolerance", shown(machine.axes[0].motion.tolerance, DEGREE), format="0E+00",
              source="an angle this near to a phase's begin counts as on it"),
         constant("timing_lane", "Height of an axis in the diagram", "", "",
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
@@ -225,7 +225,7 @@ def located(i: int, axis: engine_timing.Axis, theta: np.ndarray, pieces: samplin
     t = f"axis{i}"
     phase = f"=MATCH(MIN([theta]+timing_eps,360-timing_eps),[{t}.begin],1)"
     span = f"(INDEX([{t}.stop],[p{i}])-INDEX([{t}.start],[p{i}]))"
-    xi = f"=([theta]-INDEX([{t}.start],[p{i}]))/{span}"
+    xi = f"=MAX(0,([theta]-INDEX([{t}.start],[p{i}]))/{span})"
     number = f"=INDEX([{t}.no],[p{i}])"
     names = ("last begin not above θ", "(θ − from)/δ")
     return joined_phases.located(

@@ -6,10 +6,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.inverse import is_monotone
 from workbook.entries.machine import Machine, Sizes
-from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive, Text
+from workbook.entries.types import END_TOLERANCE, Angle, EntryError, Model, NotNegative, Positive, Text
 from workbook.laws.library import laws
 
 MOST_TOOLS = 6
@@ -114,7 +113,7 @@ class IndexingOverlap(Machine):
         own = laws(self.laws, self.sizes.own_law)["OWN"]
         if not is_monotone(own):
             raise EntryError(f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout")
-        if abs(own.end.s - 1) > BREAK_TOLERANCE:
+        if abs(own.end.s - 1) > END_TOLERANCE:
             raise EntryError(
                 f"overlap.{entry}", f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
             )

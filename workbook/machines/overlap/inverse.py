@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.laws import Law
-from engine.laws.base import Array
+from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import inverse
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.laws.stack import CODES, Row
@@ -32,7 +32,7 @@ COEFFICIENTS = (
 )  # fmt: skip
 HEIGHT = "=[s0]+[{t}]*([s1]+[{t}]*([c0]/2+[{t}]*([c1]/6+[{t}]*([c2]/12+[{t}]*[c3]/20))))-[ps]*SIN([omega]*[{t}]+[phi])"
 SLOPE = "=[s1]+[{t}]*([c0]+[{t}]*([c1]/2+[{t}]*([c2]/3+[{t}]*[c3]/4)))-[pv]*COS([omega]*[{t}]+[phi])"
-HALVE = "=[t{k}]+IF([f{k}]<=[s]+inverse_near,1,0-1)*ABS([t{k}]-{before})/2"
+HALVE = "=[t{k}]+IF(AND([s]>0,[f{k}]<=[s]+inverse_near),1,0-1)*ABS([t{k}]-{before})/2"
 STEP = "=MAX(0,MIN([d],[{t}]-IF([{v}]>inverse_slow,([{s}]-[s])/[{v}],0)))"
 
 
@@ -168,7 +168,7 @@ def inversion(sheet: Sheet, name: str, title: str, wanted: Wanted, rows: list[Ro
                format="0.00000000"),
         calc("residual", "residual", "s(ξ) − s", "", f"=[f{last}]-[s]", np.zeros(len(wanted.s)), format="0.0E+00"),
         calc("p", "piece", "", "",
-             f"=MATCH([s]+inverse_near,[carried.s{wanted.use}],1)", at["p"], format="0", source="last s_k not above s"),
+             f"=MATCH([s]+break_tolerance,[carried.s{wanted.use}],1)", at["p"], format="0", source="last s_k not above s"),
         calc("q", "piece row", "q", "", f"=[used.skip.{wanted.use}]+[p]", at["q"], format="0"),
         *(calc(n, label, symbol, "",
                f"=INDEX(piece_{column},[q])", at[n]) for n, label, symbol, column in COEFFICIENTS),
@@ -208,12 +208,13 @@ def newton(at: dict[str, Array]) -> list[Quantity]:
 def solved(wanted: Wanted, rows: list[Row]) -> dict[str, Array]:
     """Return the engine's side: the middles of the halvings follow from the engine's own inverse of s + ε."""
     law, own = wanted.law, [(i, r) for i, r in enumerate(rows, 1) if r.law == wanted.code]
-    p = np.searchsorted([r.s for _, r in own], wanted.s + NEAR, side="right")
+    p = np.searchsorted([r.s for _, r in own], wanted.s + BREAK_TOLERANCE, side="right")
     found = [own[i - 1][1] for i in p]
     at: dict[str, Array] = {"p": p.astype(float), "q": np.array([float(own[i - 1][0]) for i in p])}
     for name, _, _, column in COEFFICIENTS:
         at[name] = np.array([engine_entry(r, column) for r in found])
-    root = inverse(law, np.minimum(wanted.s + NEAR, 1.0)) - at["xk"]
+    sought = np.where(wanted.s > 0, np.minimum(wanted.s + NEAR, 1.0), 0.0)  # at a law's end no height is sought
+    root = inverse(law, sought) - at["xk"]
     share = np.divide(root, at["d"], out=np.zeros_like(root), where=at["d"] > 0)
     for k in range(1, HALVINGS + 1):
         parts = 2.0 ** (k - 1)
