@@ -9,8 +9,8 @@ import re
 import openpyxl
 import pytest
 
-from tests.displayed import Displayed
 from tests.mutation.bench import smaller
+from tests.workbook.writing.displayed import Displayed
 from workbook.judging.compare import TOLERANCE
 from workbook.reading.entries import read_machine
 from workbook.template import FOLDER
