@@ -101,7 +101,7 @@ def test_saved_refuses_a_file_that_was_never_calculated(cutting, tmp_path):
 
 
 def test_an_unknown_witness_is_refused(cutting):
-    with pytest.raises(MotionbookError, match=r"expected pycel, formualizer, libreoffice, saved"):
+    with pytest.raises(MotionbookError, match="expected " + ", ".join(WITNESSES)):
         verify(cutting, ["excel"])
 
 
