@@ -17,7 +17,7 @@ from workbook.templates import MODULES, TEMPLATES
 TRIES = 200
 
 
-def machines(given: Machine, count: int, seed: int) -> list[Machine]:
+def machines(given: Machine, count: int, seed: int | str) -> list[Machine]:
     """Return machines with the sizes of ``given`` and other entries everywhere; the same for the same seed."""
     drawn = random.Random(seed)
     return [machine(given, drawn) for _ in range(count)]

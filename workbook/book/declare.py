@@ -18,21 +18,21 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import repeat
 from typing import Any, NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.chart import Chart, in_scope
 from workbook.book.quantity import Quantity, calc, check, constant, given, result
+from workbook.book.rows import as_rows
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "Sheet", "Text",
-    "as_rows", "calc", "check", "constant", "filled", "given", "result",
+    "calc", "check", "constant", "given", "result",
 ]  # fmt: skip
 
 REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
@@ -272,21 +272,6 @@ class Book:
             yield block.name, f"{quote_sheetname(block.sheet.title)}!{block.span}"
         for name, (table, column) in self.column_names.items():
             yield name, self.range(f"[{table}.{column}]")
-
-
-def as_rows(value: Any, size: int, where: str) -> list[Any]:
-    """Return one value for each row: a sequence as it is, a single value repeated."""
-    if isinstance(value, str) or not hasattr(value, "__len__"):
-        return filled([], size, value)
-    if len(value) != size:
-        raise ValueError(f"{where}: {len(value)} values for {size} rows")
-    return value.tolist() if hasattr(value, "tolist") else list(value)
-
-
-def filled(values: Iterable[Any], rows: int, blank: Any = 0.0) -> list[Any]:
-    """Return the values of the rows in use, then ``blank`` for each spare row."""
-    used = list(values)
-    return [*used, *repeat(blank, rows - len(used))]
 
 
 def span(top: int, left: int, bottom: int, right: int) -> str:
