@@ -25,6 +25,7 @@ from engine.drivetrain import (
 )
 from engine.drivetrain.chain import geared
 from engine.drivetrain.lossless import LosslessCycle, at_shaft
+from engine.drivetrain.losses import rounding_of
 from engine.drivetrain.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Motion, Phase
