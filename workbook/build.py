@@ -12,26 +12,37 @@ from workbook.collector import collector_paused, swept_between
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
-from workbook.reading.catalogue import read_motors, read_reducers
-from workbook.reading.entries import Entries, checked, read_machine, template_named, write_machine
+from workbook.reading.entries import (
+    Entries,
+    checked,
+    counted,
+    read_machine,
+    require_possible,
+    template_named,
+    write_machine,
+)
 from workbook.reading.files import open_book
+from workbook.selection.catalogue_files import read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses import by_cell
 from workbook.writing.same import same_book
-from workbook.writing.write import refuse_existing, replace, save, to_workbook
+from workbook.writing.write import refuse_existing, replace, save
 
 READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
-    """Write the workbook of ``machine``; raise WriteError where ``path`` exists or cannot be written."""
+    """Write the workbook of ``machine``; raise WriteError where ``path`` exists or cannot be written.
+
+    Raises InputError for a machine that the engine refuses.
+    """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
+    require_possible(template, machine, counted)
     with collector_paused():
-        book = template.declare(machine)
-        save(to_workbook(book, template.model), book, path, overwrite)
+        save(template.declare(machine), template.model, path, overwrite)
 
 
 def described(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:

@@ -4,19 +4,27 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, ClassVar, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-BREAK_TOLERANCE = 1e-12
-"""A sample this near to a break, in units of ξ, counts as on it.
+if TYPE_CHECKING:
+    from engine.laws.piece import Piece
+
+BREAK_TOLERANCE = 2e-9
+"""A sample this near to a break, in units of ξ, counts as on it: twice what a look-up may hang on.
+
+The cells look up the same sum of ξ and tolerance, and spreadsheet programs take numbers for equal that differ by
+1e-12 or more: so rounding decides neither here nor there on which side of a jump a sample lies.
 
 Laws are right-continuous: at a break they have the value of the later stage, at ξ = 1 the left limit.
 """
+
+ROUNDING = 1e-12
+"""By so much of its range an abscissa may lie outside it."""
 
 BLOCK = 8192  # samples evaluated at a time, so that what lies between stays in the cache
 
@@ -63,8 +71,41 @@ class Coefficients:
         return max(abs(self.va_max), abs(self.va_min))
 
 
+class Shapes(NamedTuple):
+    """Shares of a law's time on stages of each shape, accelerating (up) and braking (down).
+
+    On each a reaches the law's peak on that side: constant; quarters of a sine that begin or end at 0; straight
+    lines that begin or end at 0. With these shares, however the stages follow one another, the integral of the
+    acceleration beyond any level x of its peak is, for n = 1, 2 and θ = arccos x::
+
+        ∫((a − x peak)+)ⁿ dξ / peakⁿ = flat (1 − x)ⁿ + sine q_n + ramp (1 − x)ⁿ⁺¹/(n + 1)
+        q_1 = 2/π (sin θ − x θ)      q_2 = 2/π (θ (1/2 + x²) − 3/2 x sin θ)
+    """
+
+    flat_up: float = 0.0
+    flat_down: float = 0.0
+    sine_up: float = 0.0
+    sine_down: float = 0.0
+    ramp_up: float = 0.0
+    ramp_down: float = 0.0
+
+    @property
+    def up(self) -> tuple[float, float, float]:
+        """Shares of constant, sine and straight stages while it accelerates."""
+        return self.flat_up, self.sine_up, self.ramp_up
+
+    @property
+    def down(self) -> tuple[float, float, float]:
+        """Shares of constant, sine and straight stages while it brakes."""
+        return self.flat_down, self.sine_down, self.ramp_down
+
+
 class Law(ABC):
-    """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ."""
+    """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ.
+
+    A law states its closed form and, from its parameters, what else is known of it: one test measures that all
+    of it is true of the closed form (tests/engine/laws/test_claims.py).
+    """
 
     code: ClassVar[str]
     name: ClassVar[str]
@@ -77,13 +118,26 @@ class Law(ABC):
     def _coefficients(self) -> Coefficients:
         """Return the coefficients in closed form."""
 
+    @property
+    @abstractmethod
+    def breaks(self) -> tuple[float, ...]:
+        """Every ξ between 0 and 1 at which the formula changes, in order; a stage of no duration repeats one."""
+
+    @abstractmethod
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return the law as pieces, each a polynomial and a sine: what the cells of its page must hold."""
+
+    @abstractmethod
+    def shapes(self) -> Shapes | None:
+        """Return the shares of its time on stages of each shape; None for a law of other stages."""
+
     def evaluate(self, xi: Real) -> Kinematics[Real]:
         """Return s, v, a, j at ξ: floats of a number, arrays of ξ's shape of an array.
 
         Raises ValueError where ξ is not a number from 0 to 1.
         """
         x = np.asarray(xi, dtype=np.float64)
-        require_within("xi", x, 0.0, 1.0, BREAK_TOLERANCE)
+        require_within("xi", x, 0.0, 1.0, ROUNDING)
         flat = x.reshape(-1)
         table = np.empty((4, flat.size))
         for begin in range(0, flat.size, BLOCK):
@@ -123,50 +177,6 @@ class Law(ABC):
     def end(self) -> Kinematics[float]:
         """Values at ξ = 1, from the left."""
         return self.evaluate(1.0)
-
-
-@dataclass(frozen=True)
-class Claims:
-    """What a law promises, with its default parameters; one test measures every claim of every law.
-
-    ``order_ends`` and ``order_inside`` are the highest derivative of s that is continuous, at the ends
-    against rest and between them. The coefficients are formulas in Python's notation, over the functions
-    of ``math``, the names in ``where`` and the coefficients before.
-    """
-
-    order_ends: float
-    order_inside: float
-    coefficients: Mapping[str, str]
-    where: Mapping[str, str] = field(default_factory=dict)
-    start: tuple[float, float] = (0.0, 0.0)  # s, v
-    end: tuple[float, float] = (1.0, 0.0)
-
-
-@dataclass(frozen=True)
-class Entry:
-    """A law in the catalogue: its class, the names that documents give it, its source and its claims."""
-
-    law: type[Law]
-    aliases: tuple[str, ...]
-    source: str
-    claims: Claims
-    example: Callable[[], Law]
-    """makes the law with its default parameters"""
-
-    @property
-    def code(self) -> str:
-        """The code of three letters."""
-        return self.law.code
-
-    @property
-    def name(self) -> str:
-        """The name in words."""
-        return self.law.name
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Every name that the law is known by."""
-        return (self.code, self.name, *self.aliases)
 
 
 def stage_of(xi: Array, starts: Array) -> NDArray[np.intp]:

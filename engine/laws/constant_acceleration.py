@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Claims, Coefficients, Entry, Law
+from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law, Shapes
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
 
 
 @dataclass(frozen=True)
@@ -28,6 +30,19 @@ class ConstantAcceleration(Law):
 
     def _coefficients(self) -> Coefficients:
         return Coefficients(cv=2.0, ca_max=4.0, ca_min=-4.0, ca_rms=4.0, cj=math.inf, va_max=8.0, va_min=-8.0)
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The middle, at which a turns round."""
+        return (0.5,)
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return the two halves, a = 4 and a = −4."""
+        return Piece(0.5, (4.0, 0.0, 0.0, 0.0)), Piece(0.5, (-4.0, 0.0, 0.0, 0.0))
+
+    def shapes(self) -> Shapes:
+        """Return two constants of half the time each."""
+        return Shapes(flat_up=0.5, flat_down=0.5)
 
 
 ENTRY = Entry(

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from engine.laws.base import Array, Claims, Coefficients, Entry, Law
+from engine.laws.base import Array, Coefficients, Law, Shapes
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,19 @@ class Cubic(Law):
             va_max=power,
             va_min=-power,
         )
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """None."""
+        return ()
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one cubic, a = 6 − 12u."""
+        return (Piece(1.0, (6.0, -12.0, 0.0, 0.0)),)
+
+    def shapes(self) -> Shapes:
+        """Return the straight line, half of it on either side of the middle."""
+        return Shapes(ramp_up=0.5, ramp_down=0.5)
 
 
 ENTRY = Entry(

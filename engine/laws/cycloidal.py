@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from engine.laws.base import Array, Claims, Coefficients, Entry, Law
+from engine.laws.base import Array, Coefficients, Law, Shapes
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
 
 TURN = 2.0 * math.pi
 
@@ -34,6 +36,19 @@ class Cycloidal(Law):
             va_max=power,
             va_min=-power,
         )
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """None."""
+        return ()
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one full sine, a = 2π sin 2πu."""
+        return (Piece(1.0, amplitude=TURN, omega=TURN),)
+
+    def shapes(self) -> Shapes:
+        """Return two quarters of the sine on either side of the middle."""
+        return Shapes(sine_up=0.5, sine_down=0.5)
 
 
 ENTRY = Entry(

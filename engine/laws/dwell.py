@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from engine.laws.base import Array, Claims, Coefficients, Entry, Law
+from engine.laws.base import Array, Coefficients, Law, Shapes
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
 
 
 @dataclass(frozen=True)
@@ -20,6 +22,19 @@ class Dwell(Law):
 
     def _coefficients(self) -> Coefficients:
         return Coefficients(cv=0.0, ca_max=0.0, ca_min=0.0, ca_rms=0.0, cj=0.0, va_max=0.0, va_min=0.0)
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """None."""
+        return ()
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one piece without acceleration."""
+        return (Piece(1.0),)
+
+    def shapes(self) -> Shapes:
+        """Return no share of any."""
+        return Shapes()
 
 
 ENTRY = Entry(

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
 
-from engine.laws.base import Array, Claims, Coefficients, Entry, Law, stage_of
+from engine.laws.base import Array, Coefficients, Law, Shapes, stage_of
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
 
 SUM_TOLERANCE = 1e-9
 K = 2.0 / math.pi  # mean of a quarter sine
@@ -29,6 +33,31 @@ class Stage(NamedTuple):
     c: float
     v0: float
     s0: float
+
+
+class Quarter(NamedTuple):
+    """A quarter sine that ends without acceleration: velocity v2 at its begin, velocity g gained on it.
+
+    With x from 0 to π/2 its velocity is v2 + g sin x and its acceleration, of unit height, cos x.
+    """
+
+    velocity: float
+    gain: float
+
+    @property
+    def sin(self) -> float:
+        """Sin x where v·a is largest: 2g sin²x + v2 sin x = g; the same for any height of the acceleration."""
+        v2, g = self
+        return 2.0 * g / (v2 + math.hypot(v2, math.sqrt(8.0) * g))
+
+    @property
+    def power(self) -> float:
+        """Largest v·a, for unit height: cos x (v2 + g sin x)."""
+        return math.sqrt(1.0 - self.sin**2) * (self.velocity + self.gain * self.sin)
+
+    def scaled(self, height: float) -> Quarter:
+        """Return the same for another height of the acceleration."""
+        return Quarter(height * self.velocity, height * self.gain)
 
 
 class Lobe(NamedTuple):
@@ -61,11 +90,14 @@ class Lobe(NamedTuple):
         return self.d1 / 2.0 + self.d2 + self.d3 / 2.0
 
     @property
+    def quarter(self) -> Quarter:
+        """The last quarter sine, on which v·a is largest."""
+        return Quarter(self.velocities[1], K * self.d3)
+
+    @property
     def power(self) -> float:
-        """Largest v·a: on the last quarter, cos x (v2 + g sin x) with 2g sin²x + v2 sin x = g."""
-        v2, g = self.velocities[1], K * self.d3
-        sin = 2.0 * g / (v2 + math.hypot(v2, math.sqrt(8.0) * g))
-        return math.sqrt(1.0 - sin * sin) * (v2 + g * sin)
+        """Largest v·a."""
+        return self.quarter.power
 
     @property
     def jerk(self) -> float:
@@ -134,6 +166,12 @@ class ModifiedTrapezoidal(Law):
         rise, fall = self.lobes
         return self.acceleration * rise.velocities[2] / fall.velocities[2]
 
+    @property
+    def quarters(self) -> tuple[Quarter, Quarter]:
+        """The quarter sines on either side of the uniform velocity, with their velocities in this law."""
+        rise, fall = self.lobes
+        return rise.quarter.scaled(self.acceleration), fall.quarter.scaled(self.deceleration)
+
     @cached_property
     def _stages(self) -> tuple[Array, Array]:
         """Begin of each stage, and a column of what evaluates it: direction, origin, amplitude, …"""
@@ -165,6 +203,28 @@ class ModifiedTrapezoidal(Law):
             va_min=-(down**2) * fall.power,
         )
 
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The ends of the first six stages."""
+        return tuple(accumulate(self.durations[:6]))
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return the seven stages, with ω = π/2d of the sines and the cosines as sines of φ = π/2."""
+        d1, d2, d3, d4, d5, d6, d7 = self.durations
+        return (*_lobe(d1, d2, d3, self.acceleration), Piece(d4), *_lobe(d5, d6, d7, -self.deceleration))
+
+    def shapes(self) -> Shapes:
+        """Return the constants of d2 and d6, and the quarter sines of d1 and d3, d5 and d7."""
+        d1, d2, d3, _, d5, d6, d7 = self.durations
+        return Shapes(flat_up=d2, flat_down=d6, sine_up=d1 + d3, sine_down=d5 + d7)
+
+
+def _lobe(first: float, constant: float, last: float, height: float) -> Iterator[Piece]:
+    """Yield a quarter sine from 0 to a height, the height, and a quarter sine back to 0."""
+    yield Piece(first, amplitude=height, omega=QUARTER / first if first else 0.0)
+    yield Piece(constant, (height, 0.0, 0.0, 0.0))
+    yield Piece(last, amplitude=height, omega=QUARTER / last if last else 0.0, phase=QUARTER)
+
 
 def _column(stage: Stage, sign: float, origin: float, amplitude: float, base: float) -> tuple[float, ...]:
     begin, r, x0, c, v0, s0 = stage
@@ -190,4 +250,13 @@ ENTRY = Entry(
         },
     ),
     example=ModifiedTrapezoidal,
+    others=tuple(
+        ModifiedTrapezoidal(durations)
+        for durations in (
+            (0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1),
+            (0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2),
+            (0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0),
+            (0.0, 0.0, 0.4, 0.1, 0.0, 0.5, 0.0),
+        )
+    ),
 )

@@ -6,10 +6,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 
 import numpy as np
 
-from engine.laws.base import Array, Claims, Coefficients, Entry, Law, stage_of
+from engine.laws.base import Array, Coefficients, Law, stage_of
+from engine.laws.entry import Claims, Entry
 from engine.laws.piece import Piece, gains
 from engine.laws.piece_extremes import stationary
 
@@ -67,6 +69,18 @@ class PieceLaw(Law):
             va_min=float((v * a).min()),
         )
 
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The ends of all pieces but the last."""
+        return tuple(accumulate(piece.duration for piece in self.pieces[:-1]))
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return the pieces as they are given."""
+        return self.pieces
+
+    def shapes(self) -> None:
+        """Return None: the pieces may be of any shape."""
+
     def _extremes(self, k: int) -> tuple[Array, Array, Array]:
         """Return v, a, j at the begin of a piece, where v, a, j or v·a is stationary, and at its end."""
         piece, v0 = self.pieces[k], float(self._carried[2][k])
@@ -100,6 +114,13 @@ def _before(gained: Array) -> Array:
 
 
 POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
+MIXED = (
+    Piece(0.3, amplitude=6.0, omega=5.0),
+    Piece(0.0, (9.0, 0.0, 0.0, 0.0)),
+    Piece(0.2, (6.0, -30.0, 2.0, 0.0), amplitude=1.0, omega=9.0, phase=0.4),
+    Piece(0.5, (-4.0, 8.0, 0.0, 0.0)),
+)
+"""a polynomial and a sine in one piece, a piece of no duration; it ends neither at 1 nor at rest"""
 
 ENTRY = Entry(
     law=PieceLaw,
@@ -119,4 +140,5 @@ ENTRY = Entry(
         },
     ),
     example=lambda: PieceLaw(POLYNOMIAL_345),
+    others=(PieceLaw(MIXED),),
 )

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Claims, Coefficients, Entry, Law, require_finite
+from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law, Shapes, require_finite
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
 
 
 @dataclass(frozen=True)
@@ -72,6 +74,23 @@ class TrapezoidalVelocity(Law):
             va_min=-top * down,
         )
 
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The break points α_v and α_w."""
+        return self.rise_end, self.fall_start
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return acceleration A, uniform velocity, deceleration B."""
+        return (
+            Piece(self.rise_end, (self.acceleration, 0.0, 0.0, 0.0)),
+            Piece(self.fall_start - self.rise_end),
+            Piece(1.0 - self.fall_start, (-self.deceleration, 0.0, 0.0, 0.0)),
+        )
+
+    def shapes(self) -> Shapes:
+        """Return a constant of α_v and one of 1 − α_w."""
+        return Shapes(flat_up=self.rise_end, flat_down=1.0 - self.fall_start)
+
 
 ENTRY = Entry(
     law=TrapezoidalVelocity,
@@ -96,4 +115,5 @@ ENTRY = Entry(
         },
     ),
     example=TrapezoidalVelocity,
+    others=(TrapezoidalVelocity(0.1, 0.7), TrapezoidalVelocity(0.45, 0.45), TrapezoidalVelocity(0.02, 0.98)),
 )

@@ -28,10 +28,11 @@ from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.chart import Chart, in_scope
 from workbook.book.quantity import Quantity, calc, check, constant, given, result
+from workbook.book.rows import as_rows
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "Sheet", "Text",
-    "as_rows", "calc", "check", "constant", "given", "result",
+    "calc", "check", "constant", "given", "result",
 ]  # fmt: skip
 
 REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
@@ -227,10 +228,9 @@ class Book:
         self.sheets.append(Sheet(self, title, purpose))
         return self.sheets[-1]
 
-    def name_columns(self, block: Block, prefix: str) -> None:
-        """Give every column of a table a defined name, ``prefix_quantity``: for tables that others look up."""
-        for q in block.quantities:
-            self.column_names[f"{prefix}_{q.name}"] = (block.name, q.name)
+    def name(self, table: str, **columns: str) -> None:
+        """Give columns of a table defined names, for those that others look up: ``name("laws", law_cv="cv")``."""
+        self.column_names |= {name: (table, column) for name, column in columns.items()}
 
     def cells(self) -> Iterator[Cell]:
         """Yield every declared cell of the book."""
@@ -259,21 +259,19 @@ class Book:
         block = self.blocks[table]
         return f"{quote_sheetname(block.sheet.title)}!{block.reference(column)}"
 
+    def values(self, text: str) -> list[Any]:
+        """Return what the cells of ``[table.column]`` hold, or what the engine has for them."""
+        table, column = text.strip("[]").split(".")
+        block = self.blocks[table]
+        quantity = next(q for q in block.quantities if q.name == column)
+        return as_rows(quantity.value, block.size, text)
+
     def names(self) -> Iterator[tuple[str, str]]:
         """Yield every defined name with what it refers to: the blocks, then the named columns."""
         for block in self.blocks.values():
             yield block.name, f"{quote_sheetname(block.sheet.title)}!{block.span}"
         for name, (table, column) in self.column_names.items():
             yield name, self.range(f"[{table}.{column}]")
-
-
-def as_rows(value: Any, size: int, where: str) -> list[Any]:
-    """Return one value for each row: a sequence as it is, a single value repeated."""
-    if isinstance(value, str) or not hasattr(value, "__len__"):
-        return [value] * size
-    if len(value) != size:
-        raise ValueError(f"{where}: {len(value)} values for {size} rows")
-    return value.tolist() if hasattr(value, "tolist") else list(value)
 
 
 def span(top: int, left: int, bottom: int, right: int) -> str:

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from math import sqrt
-from typing import cast
-
 import numpy as np
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
-from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.cutting.drive import drive_sheet, operating, rms_lossless
+from workbook.machines.cutting.drive import drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.machines.cutting.timing import timing_sheet
 from workbook.machines.cutting.variations import variants
 from workbook.machines.cutting.view import Cutting
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 LOAD = LoadCells(
@@ -34,9 +31,8 @@ LOAD = LoadCells(
 """Where the Drive sheet has the load at the roller shaft."""
 
 
-def declare(machine: Machine) -> Book:
+def declare(given: CuttingMachine) -> Book:
     """Declare the book."""
-    given = cast(CuttingMachine, machine)
     shelf = LawShelf(given.laws, given.sizes)
     reference = Cutting(given, shelf.laws)
     book = Book(given.template, given.title)
@@ -52,7 +48,10 @@ def declare(machine: Machine) -> Book:
         ],
     )  # fmt: skip
     timing_sheet(book, reference, shelf.stack)
-    book.name_columns(book.blocks["axes"], "axis")
+    book.name(
+        "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_travel="travel",
+        axis_low="low", axis_high="high", axis_v="v", axis_a="a",
+    )  # fmt: skip
     drive_sheet(book, reference)
     selection_sheet(book, LOAD, choosing(reference))
     shelf.sheets(book)
@@ -61,13 +60,9 @@ def declare(machine: Machine) -> Book:
 
 def choosing(reference: Cutting) -> Choosing:
     """Return the choice of motor and reducer for the load at the roller shaft, exact by the laws where they are."""
-    given, load, points = reference.machine, reference.drive.load, operating(reference)
-    lossless = rms_lossless(reference)
-    dw = lossless["acceleration"]
-    torque = sqrt((load.inertia * dw) ** 2 + load.torque**2 * lossless["share"])
-    asked = Asked(dw, torque, load.inertia * dw**2, float(np.abs(points["w"]).max()))
-    time = reference.angles / 360 * 60 / given.drive.rate
-    samples = Samples(time, points["w"], points["dw"], points["total"])
+    given, exact, points = reference.machine, reference.asked, reference.samples
+    asked = Task.of_figures(exact.acceleration, exact.torque, exact.product, float(np.abs(points.speed).max()))
+    samples = LoadSamples(reference.times, points.speed, points.acceleration, points.load)
     return Choosing(given.selection, given.sizes, asked, samples)
 
 

@@ -1,0 +1,260 @@
+"""A cut: what a product length asks of the tool. Lengths in m along the line, speeds in m/s, angles in rad."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from engine.flying.motion import MOVES, WAITS, WORKS, CycleState, ToolMotion
+from engine.flying.tool import Tool, require
+from engine.laws import Law
+from engine.laws.base import Array
+from engine.laws.inverse import is_monotone
+from engine.laws.sections import breaks, roots, velocity_extremes, velocity_peak
+
+Case = Literal["constant speed", "faster", "slower"]
+Beyond = Literal["standstill", "reversal"]
+SAME_LENGTH = 1e-12
+"""of the design length, the line speed, the cycle time: a smaller difference is none"""
+
+
+@dataclass(frozen=True)
+class Cut:
+    """A product length L_p (m) at line speed v_L (m/s), the law of the superimposed motion.
+
+    ``beyond`` says what a drum does with products longer than ``limit_length``: come to a standstill, wait
+    at the law's fastest instant and go on, or reverse. ``peak`` is the ξ of that instant, or None for the first
+    at which the law is exactly at its fastest. Raises ValueError unless L_p > L_T and v_L > 0, and
+    for a law that moves backwards or does not end at rest at 1.
+    """
+
+    tool: Tool
+    product_length: float
+    line_speed: float
+    law: Law
+    beyond: Beyond = "standstill"
+    peak: float | None = None
+
+    def __post_init__(self) -> None:
+        require(self.line_speed > 0.0, "line speed", self.line_speed, "more than 0")
+        if not (math.isfinite(self.product_length) and self.product_length > self.tool.tool_length):
+            least = self.tool.tool_length
+            raise ValueError(f"product length is {self.product_length:g} m; expected more than L_T, {least:g} m")
+        if self.beyond not in ("standstill", "reversal"):
+            raise ValueError(f"beyond is {self.beyond!r}; expected 'standstill' or 'reversal'")
+        end = self.law.end
+        if not is_monotone(self.law) or abs(end.s - 1.0) > 1e-9 or max(abs(end.v), abs(self.law.start.v)) > 1e-9:
+            raise ValueError(f"{self.law.name}: expected a law that rises from rest at 0 to rest at 1")
+
+    @property
+    def cycle_time(self) -> float:
+        """t_C = L_p/v_L (s). Source: S5, eq. (4)."""
+        return self.product_length / self.line_speed
+
+    @property
+    def rate(self) -> float:
+        """Products a second, v_L/L_p."""
+        return self.line_speed / self.product_length
+
+    @property
+    def time_tolerance(self) -> float:
+        """A time (s) this near to an event counts as on it."""
+        return SAME_LENGTH * self.cycle_time
+
+    @property
+    def tool_time(self) -> float:
+        """t_T = L_T/v_L (s)."""
+        return self.tool.tool_length / self.line_speed
+
+    @property
+    def repositioning_time(self) -> float:
+        """t_R = t_C − t_T (s)."""
+        return (self.product_length - self.tool.tool_length) / self.line_speed
+
+    @property
+    def displacement(self) -> float:
+        """h = L_0 − L_p (m), the dynamic displacement."""
+        return self.tool.design_length - self.product_length
+
+    @property
+    def case(self) -> Case:
+        """Whether the tool re-positions at line speed, faster or slower: by the sign of h."""
+        if abs(self.displacement) <= SAME_LENGTH * self.tool.design_length:
+            return "constant speed"
+        return "faster" if self.displacement > 0.0 else "slower"
+
+    @property
+    def limit_length(self) -> float:
+        """L_p,lim = (C_v L_0 − L_T)/(C_v − 1) (m): longer, and the drum cannot but stop or reverse.
+
+        For a tool that comes back it is below L_T. Source: S5, 'Variable length cut'.
+        """
+        cv = self.law.coefficients.cv
+        return (cv * self.tool.design_length - self.tool.tool_length) / (cv - 1.0)
+
+    @property
+    def waits(self) -> bool:
+        """Whether the drum stands still for part of the cycle."""
+        drum = self.tool.design_length > 0.0
+        return drum and self.beyond == "standstill" and self.product_length > self.limit_length
+
+    @cached_property
+    def moving_time(self) -> float:
+        """Time of the superimposed motion without the wait (s): t_R, or C_v L_R/((C_v − 1) v_L) with a wait.
+
+        The latter brings the slowest instant of the motion to standstill exactly.
+        """
+        if not self.waits:
+            return self.repositioning_time
+        cv = self.law.coefficients.cv
+        return cv * self.tool.repositioning_length / ((cv - 1.0) * self.line_speed)
+
+    @property
+    def waiting_time(self) -> float:
+        """Time at standstill (s)."""
+        return self.repositioning_time - self.moving_time
+
+    @property
+    def superimposed(self) -> float:
+        """Displacement by the law (m): h, or what remains of it beside the wait, −v_L t/C_v."""
+        return -self.line_speed * self.moving_time / self.law.coefficients.cv if self.waits else self.displacement
+
+    @property
+    def speed_change(self) -> float:
+        """Δv_max = C_v h/t_R (m/s), with the sign of h. Source: S5, eq. (10)."""
+        return self.law.coefficients.cv * self.superimposed / self.moving_time
+
+    @property
+    def angular_speed_change(self) -> float:
+        """Δω_L,max = Δv_max/R_t (rad/s). Source: S5, eq. (11)."""
+        return self.speed_change / self.tool.radius
+
+    @property
+    def max_acceleration(self) -> float:
+        """a_max = C_a |h|/t_R² (m/s²)."""
+        return self.law.coefficients.ca * abs(self.superimposed) / self.moving_time**2
+
+    @property
+    def max_angular_acceleration(self) -> float:
+        """ω̇_L,max = a_max/R_t (rad/s²). Source: S5, eq. (12)."""
+        return self.max_acceleration / self.tool.radius
+
+    @property
+    def rms_acceleration(self) -> float:
+        """a_rms = C_a,rms |h|/t_R² sqrt(t_R/t_C) (m/s²), over the whole cycle."""
+        share = math.sqrt(self.moving_time / self.cycle_time)
+        return self.law.coefficients.ca_rms * abs(self.superimposed) / self.moving_time**2 * share
+
+    @property
+    def rms_angular_acceleration(self) -> float:
+        """ω̇_L,rms = a_rms/R_t (rad/s²). Source: S5, eq. (13)."""
+        return self.rms_acceleration / self.tool.radius
+
+    @property
+    def speed_range(self) -> tuple[float, float]:
+        """Lowest and highest speed of the tool over the cycle (m/s)."""
+        ends = (self.line_speed, self.line_speed + self.speed_change)
+        return min(ends), max(ends)
+
+    @property
+    def max_angular_speed(self) -> float:
+        """max |ω_L| (rad/s)."""
+        return max(abs(v) for v in self.speed_range) / self.tool.radius
+
+    @property
+    def angular_speed_range(self) -> tuple[float, float]:
+        """Lowest and highest speed of the shaft (rad/s)."""
+        low, high = self.speed_range
+        return low / self.tool.radius, high / self.tool.radius
+
+    @property
+    def reverses(self) -> bool:
+        """Whether the tool moves against the line for part of the cycle."""
+        return self.speed_range[0] < -SAME_LENGTH * self.line_speed
+
+    @property
+    def stops(self) -> bool:
+        """Whether the tool comes to a standstill, if only for an instant."""
+        return self.speed_range[0] <= SAME_LENGTH * self.line_speed
+
+    @property
+    def standing_velocity(self) -> float:
+        """v* = −v_L t_m/h, the dimensionless velocity of the law at which the tool stands.
+
+        Of a tool that does not reverse 1, the mean of every law.
+        """
+        return -self.line_speed * self.moving_time / self.superimposed if self.reverses else 1.0
+
+    def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
+        """Return the line speed (m/s) at which the shaft is at the first of its limits (rad/s, rad/s²).
+
+        Of one product and law, ω grows with v_L, ω̇ with v_L²: S5, eqs. (11), (12) with t_R = (L_p − L_T)/v_L.
+        """
+        unit = replace(self, line_speed=1.0)
+        by_speed, asked = max_speed / unit.max_angular_speed, unit.max_angular_acceleration
+        return min(by_speed, math.sqrt(max_acceleration / asked)) if asked > 0.0 else by_speed
+
+    @property
+    def stroke(self) -> float:
+        """Furthest less nearest position of the tool in a cycle (m): the slide's travel of a flying saw."""
+        found = self.at(self._turning_times).position
+        return float(found.max() - found.min())
+
+    @property
+    def _turning_times(self) -> Array:
+        ends = np.array([0.0, self.repositioning_time, self.cycle_time])
+        if not self.reverses:
+            return ends
+        xi = roots(lambda x: self.law.v(x) - self.standing_velocity, velocity_extremes(self.law))
+        return np.concatenate([ends, np.union1d(xi, breaks(self.law)) * self.moving_time])
+
+    def at(self, time: ArrayLike) -> ToolMotion:
+        """Return position, speed and acceleration of the tool (m, s) at times from 0 to t_C.
+
+        Raises ValueError outside.
+        """
+        t = np.asarray(time, dtype=np.float64)
+        part, waited, xi = self.state(t)
+        law, per = self.law.evaluate(xi), self.superimposed / self.moving_time
+        moved = self.superimposed * law.s - self.line_speed * waited
+        speed = np.select([part == WAITS, part == WORKS], [0.0, self.line_speed], self.line_speed + per * law.v)
+        acceleration = np.where(part == MOVES, per / self.moving_time * law.a, 0.0)
+        return ToolMotion(self.line_speed * t + moved, speed, acceleration)
+
+    def state(self, time: ArrayLike) -> CycleState:
+        """Return where the cycle is at times (s) from 0 to t_C; at either end of the wait, it moves.
+
+        Raises ValueError outside.
+        """
+        t, near = np.asarray(time, dtype=np.float64), self.time_tolerance
+        if t.size and not (t.min() >= -near and t.max() <= self.cycle_time + near):
+            raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")
+        begin, end = self.wait
+        waited = np.clip(t - begin, 0.0, self.waiting_time)
+        waiting = (t > begin + near) & (t < end - near)
+        part = np.select([t >= self.repositioning_time - near, waiting], [WORKS, WAITS], MOVES)
+        return CycleState(part, waited, np.clip((t - waited) / self.moving_time, 0.0, 1.0))
+
+    @cached_property
+    def fastest(self) -> float:
+        """ξ at which the law is at its fastest: there a drum waits."""
+        return velocity_peak(self.law) if self.peak is None else self.peak
+
+    @property
+    def wait(self) -> tuple[float, float]:
+        """When the drum comes to a standstill, and when it goes on (s); both t_R where it does not wait."""
+        begin = self.fastest * self.moving_time if self.waits else self.repositioning_time
+        return begin, begin + self.waiting_time
+
+    def product_position(self, time: Array) -> Array:
+        """Return the position of the product (m) at times (s): v_L t."""
+        return self.line_speed * time
+
+    def position_at(self, xi: float) -> float:
+        """Return the position of the tool (m) at an abscissa of the law, without a wait: v_L ξ t_m + h s(ξ)."""
+        return self.line_speed * xi * self.moving_time + self.superimposed * self.law.s(xi)

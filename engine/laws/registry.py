@@ -1,0 +1,69 @@
+"""The registry of motion laws: a line a family.
+
+A name in :data:`MODULES` is that of a file beside this one, whose ``ENTRY`` says all that the engine knows of the
+family, and of the file in ``workbook/laws/pages`` whose ``PAGE`` says all that a workbook needs of it. Everything
+else (the stack of pieces, drop-downs, variations, tests) goes through the registry. The order is that of the laws'
+numbers in a workbook.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any
+
+from engine.laws.base import Law
+from engine.laws.entry import Entry, IncompleteError
+
+MODULES = (
+    "dwell",
+    "constant_acceleration",
+    "trapezoidal_velocity",
+    "cycloidal",
+    "cubic",
+    "modified_trapezoidal",
+    "pieces",
+)
+
+
+class UnknownLawError(ValueError):
+    """No law of the catalogue has this name."""
+
+
+def entry_of(module: str) -> Entry:
+    """Return the entry of a law's file in this folder; raise IncompleteError where it has none."""
+    found = getattr(import_module(f"engine.laws.{module}"), "ENTRY", None)
+    if not isinstance(found, Entry):
+        raise IncompleteError(f"engine/laws/{module}.py has no ENTRY")
+    return found
+
+
+def _key(name: str) -> str:
+    return " ".join(name.casefold().split())
+
+
+def by_name(entries: Sequence[Entry]) -> dict[str, Entry]:
+    """Return the entries by each of their names; raise ValueError where one name means two laws."""
+    found: dict[str, Entry] = {}
+    for entry in entries:
+        for key in {_key(name) for name in entry.names}:
+            if key in found:
+                raise ValueError(f"{key!r} names two laws: {found[key].law.__name__} and {entry.law.__name__}")
+            found[key] = entry
+    return found
+
+
+CATALOGUE: tuple[Entry, ...] = tuple(entry_of(module) for module in MODULES)
+_KNOWN = by_name(CATALOGUE)
+
+
+def law(name: str, **parameters: Any) -> Law:
+    """Return the law of this code, name or alias (in capitals or not), made with its parameters.
+
+    Raises UnknownLawError, which lists the known laws, and what the law itself raises for its parameters.
+    """
+    entry = _KNOWN.get(_key(name))
+    if entry is None:
+        known = ", ".join(f"{e.code} ({e.name})" for e in CATALOGUE)
+        raise UnknownLawError(f"no law is named {name!r}; expected one of {known}")
+    return entry.law(**parameters)

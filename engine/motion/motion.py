@@ -1,0 +1,202 @@
+"""Phases joined into a motion over an abscissa: the angle of a shaft, time, or the travel of a product."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Self, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from engine.laws import Law
+from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
+from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues, numbered_phase, scaled
+
+EDGE_TOLERANCE = BREAK_TOLERANCE
+"""A sample this near to an edge, in units of the whole abscissa, counts as on it."""
+ZERO_TOLERANCE = 1e-9
+"""of the largest lift, or of the largest y': a smaller jump is none"""
+
+
+class Motion:
+    """Phases one after the other: y = y_k + h s(ξ), y' = h v(ξ)/δ, y'' = h a(ξ)/δ², ξ = (x − x_k)/δ.
+
+    The abscissa begins at ``start``, the position at ``position``, and each phase takes over the position
+    where the lifts before have brought it. (S3's listing leaves that out, so that a dwell after a rise would
+    drop to 0.) Right-continuous at the edges; at the last edge the left limit.
+    Raises ValueError for no phases. Source: S3, function motionlaw.
+    """
+
+    def __init__(self, phases: Sequence[Phase], start: float = 0.0, position: float = 0.0) -> None:
+        self._set(phases, start + np.cumsum([0.0, *(p.duration for p in phases)]), position)
+
+    @classmethod
+    def from_edges(cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0) -> Self:
+        """Return the motion whose phases run between ``edges``, one more than lifts and laws, kept exactly.
+
+        Raises ValueError where the numbers do not go together or the edges do not rise.
+        """
+        bounds = np.array(edges, dtype=np.float64)
+        if not len(bounds) - 1 == len(lifts) == len(laws):
+            raise ValueError(
+                f"{len(bounds)} edges, {len(lifts)} lifts and {len(laws)} laws are given; "
+                "expected one lift and one law between each two edges"
+            )
+        made = []
+        for k, (one, lift, duration) in enumerate(zip(laws, lifts, np.diff(bounds), strict=True), 1):
+            made.append(numbered_phase(k, one, float(lift), float(duration)))
+        motion = cls.__new__(cls)
+        motion._set(made, bounds, position)
+        return motion
+
+    def _set(self, phases: Sequence[Phase], edges: Array, position: float) -> None:
+        if not phases:
+            raise ValueError("a motion has no phases; expected at least one")
+        require_finite(start=float(edges[0]), position=position)
+        self.phases = tuple(phases)
+        self.edges = edges
+        self.edges.flags.writeable = False
+        self.position = position
+
+    @cached_property
+    def total(self) -> float:
+        """Length of the abscissa."""
+        return float(self.edges[-1] - self.edges[0])
+
+    @property
+    def tolerance(self) -> float:
+        """How near to an edge counts as on it, in units of the abscissa."""
+        return EDGE_TOLERANCE * self.total
+
+    @cached_property
+    def shares(self) -> Array:
+        """Where each phase begins, as a share of the whole abscissa."""
+        shares: Array = (self.edges[:-1] - self.edges[0]) / self.total
+        return shares
+
+    @cached_property
+    def lifts_sum(self) -> float:
+        """Sum of the lifts: the travel of a cycle."""
+        return float(sum(p.lift for p in self.phases))
+
+    @cached_property
+    def _begins(self) -> Array:
+        """Position at the begin of each phase."""
+        return self.position + np.cumsum([0.0, *(p.lift for p in self.phases[:-1])])
+
+    @cached_property
+    def ends(self) -> tuple[Ends, ...]:
+        """Each phase where it begins and ends: y_k + h s, h v/δ, h a/δ² of its law at ξ = 0 and 1."""
+        return tuple(
+            Ends(*(scaled(phase, y, at) for at in (phase.law.start, phase.law.end)))
+            for phase, y in zip(self.phases, self._begins.tolist(), strict=True)
+        )
+
+    @cached_property
+    def peaks(self) -> MotionValues[float]:
+        """Largest |h|, |y'| and |y''| of any phase, exact by the laws' coefficients."""
+        phases = self.phases
+        return MotionValues(
+            max(abs(p.lift) for p in phases), max(p.y1_max for p in phases), max(p.y2_max for p in phases)
+        )
+
+    @cached_property
+    def y2_rms(self) -> float:
+        """Root of the mean of y''² over the whole, √(Σ y''²_rms δ / Σδ), exact by the laws' coefficients."""
+        return math.sqrt(math.fsum(p.y2_rms**2 * p.duration for p in self.phases) / self.total)
+
+    @cached_property
+    def sizes(self) -> MotionValues[float]:
+        """Largest |h|, |h|/δ and |h|/δ² of any phase; 1 where nothing moves: what is next to nothing beside them?"""
+        moving = [(abs(p.lift), p.duration) for p in self.phases if p.lift] or [(1.0, 1.0)]
+        return MotionValues(max(h for h, _ in moving), max(h / d for h, d in moving), max(h / d**2 for h, d in moving))
+
+    @property
+    def gap(self) -> float:
+        """What a cycle does not close by: y(end) − y(begin)."""
+        return self.junctions()[-1].jump_y
+
+    @property
+    def closes(self) -> bool:
+        """Whether the end of the cycle joins its begin without a jump of position."""
+        return abs(self.gap) <= ZERO_TOLERANCE * self.peaks.y
+
+    @property
+    def complete(self) -> bool:
+        """Whether every law reaches its lift: there is no jump of position between the phases."""
+        return all(abs(p.lack) <= ZERO_TOLERANCE * self.peaks.y for p in self.phases)
+
+    def smooth(self, periodic: bool = True) -> bool:
+        """Whether velocity nowhere jumps; of a periodic motion, neither from its end to its begin."""
+        return all(abs(j.jump_v) <= ZERO_TOLERANCE * self.peaks.y1 for j in self.junctions(periodic))
+
+    @overload
+    def phase_index(self, x: float) -> int: ...
+    @overload
+    def phase_index(self, x: Array) -> NDArray[np.intp]: ...
+    def phase_index(self, x: float | Array) -> int | NDArray[np.intp]:
+        """Return the index of the phase at x: an int of a number, an array of x's shape of an array.
+
+        Raises ValueError outside the abscissa.
+        """
+        at = np.asarray(x, dtype=np.float64)
+        return unwrap(x, [self._locate(at.reshape(-1)).reshape(at.shape)])[0]  # type: ignore[no-any-return]
+
+    def xi(self, x: Real) -> Real:
+        """Return ξ, the share of its phase that has passed at x. Raises ValueError outside the abscissa."""
+        at = np.asarray(x, dtype=np.float64)
+        flat = at.reshape(-1)
+        return unwrap(x, [self._share(flat, self._locate(flat)).reshape(at.shape)])[0]  # type: ignore[no-any-return]
+
+    def at(self, x: Real) -> MotionValues[Real]:
+        """Return y, y', y'' at x: floats of a number, arrays of x's shape of an array.
+
+        Raises ValueError outside the abscissa.
+        """
+        at = np.asarray(x, dtype=np.float64)
+        flat = at.reshape(-1)
+        index = self._locate(flat)
+        xi = self._share(flat, index)
+        table = np.empty((3, flat.size))
+        for k in np.unique(index):
+            here, phase = index == k, self.phases[k]
+            values = phase.law.evaluate(xi[here])
+            per = phase.lift / phase.duration
+            table[0, here] = self._begins[k] + phase.lift * values.s
+            table[1, here] = per * values.v
+            table[2, here] = per / phase.duration * values.a
+        return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
+
+    def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:
+        """Return y, ẏ = y' w, ÿ = y'' w² at x, where the abscissa advances at the constant speed w."""
+        y, y1, y2 = self.at(x)
+        return TimeValues(y, y1 * speed, y2 * speed**2)
+
+    def junctions(self, periodic: bool = True) -> tuple[Junction, ...]:
+        """Return the jumps between the phases in order; of a periodic motion, the wrap last."""
+        last = len(self.phases) - 1
+        found = [self._junction(k, k + 1) for k in range(last)]
+        return tuple([*found, self._junction(last, 0)] if periodic else found)
+
+    def _junction(self, before: int, after: int) -> Junction:
+        one, other = self.ends[before].end, self.ends[after].begin
+        return Junction(
+            x=float(self.edges[before + 1]),
+            before=before,
+            after=after,
+            jump_y=other.y - one.y if after > before else one.y - other.y,
+            jump_v=other.y1 - one.y1,
+            jump_a=other.y2 - one.y2,
+        )
+
+    def _locate(self, x: Array) -> NDArray[np.intp]:
+        require_within("x", x, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
+        found = np.searchsorted(self.edges, x + self.tolerance, side="right") - 1
+        return np.clip(found, 0, len(self.phases) - 1)
+
+    def _share(self, x: Array, index: NDArray[np.intp]) -> Array:
+        durations = np.array([p.duration for p in self.phases])
+        xi: Array = (x - self.edges[index]) / durations[index]
+        return np.minimum(np.maximum(xi, 0.0), 1.0)

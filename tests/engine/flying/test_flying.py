@@ -1,0 +1,223 @@
+"""Flying machining: the motion over a cycle against its closed figures, standstill, reversal, the saw, the sweep."""
+
+from math import inf, pi, radians, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from engine.flying import Cut, Tool, flying_saw, generalized_torque, rotary_drum, sizes
+from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
+
+DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
+SAW = flying_saw(tool_length=0.3, metres_per_radian=0.01)
+ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
+LAWS = [e.example() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, TrapezoidalVelocity(0.2, 0.3)]
+laws = st.sampled_from(LAWS)
+lengths = st.floats(0.12, 1.5)
+beyond = st.sampled_from(["standstill", "reversal"])
+
+
+def samples(cut, n=20001):
+    step = cut.cycle_time / n
+    time = step * (np.arange(n) + 0.5)
+    return time, step, cut.at(time)
+
+
+@settings(max_examples=40)
+@given(laws, lengths, beyond)
+def test_the_motion_has_the_closed_figures(law, length, way):
+    cut = Cut(DRUM, length, 1.2, law, way)
+    _, _, motion = samples(cut)
+    scale = cut.max_acceleration
+    assert np.abs(motion.acceleration).max() == pytest.approx(scale, rel=2e-3)
+    assert sqrt((motion.acceleration**2).mean()) == pytest.approx(cut.rms_acceleration, rel=2e-3)
+    assert (motion.speed.min(), motion.speed.max()) == pytest.approx(
+        cut.speed_range, abs=2e-3 * (1.2 + abs(cut.speed_change))
+    )
+
+
+@settings(max_examples=40)
+@given(laws, lengths, beyond)
+def test_position_is_the_integral_of_speed_and_ends_one_pitch_on(law, length, way):
+    cut = Cut(DRUM, length, 1.2, law, way)
+    time, step, motion = samples(cut)
+    travelled = cut.at(time + step / 2).position - cut.at(time - step / 2).position
+    assert np.abs(travelled - motion.speed * step).max() <= 1e-7
+    assert np.abs(np.diff(motion.speed)).max() <= 1.001 * cut.max_acceleration * step + 1e-12
+    assert cut.at(cut.cycle_time).position == pytest.approx(DRUM.design_length, abs=1e-12)
+
+
+@settings(max_examples=40)
+@given(laws, lengths, beyond)
+def test_the_tool_works_at_line_speed(law, length, way):
+    cut = Cut(DRUM, length, 1.2, law, way)
+    at_work = cut.at(np.linspace(cut.repositioning_time, cut.cycle_time, 9))
+    assert (at_work.speed == 1.2).all()
+    assert (at_work.acceleration == 0.0).all()
+
+
+@pytest.mark.parametrize("law", LAWS, ids=str)
+def test_beyond_the_limit_the_drum_waits_or_reverses(law):
+    limit = Cut(DRUM, 0.3, 1.0, law).limit_length
+    short, long = (Cut(DRUM, limit * k, 1.0, law) for k in (0.999, 1.001))
+    assert (short.waits, long.waits) == (False, True)
+    assert not long.reverses
+    assert long.waiting_time > 0.0
+    assert long.speed_range == pytest.approx((0.0, 1.0), abs=1e-12)
+    back = Cut(DRUM, limit * 1.001, 1.0, law, "reversal")
+    assert back.reverses
+    assert back.waiting_time == 0.0
+
+
+def test_standstill_takes_over_from_the_plain_motion_without_a_jump():
+    limit = Cut(DRUM, 0.3, 1.0, Cycloidal()).limit_length
+    below, above = (Cut(DRUM, limit * (1 + e), 1.0, Cycloidal()) for e in (-1e-9, 1e-9))
+    assert above.max_acceleration == pytest.approx(below.max_acceleration, rel=1e-7)
+    assert above.rms_acceleration == pytest.approx(below.rms_acceleration, rel=1e-7)
+
+
+def test_longer_products_ask_no_more_acceleration_once_the_drum_waits():
+    cuts = [Cut(DRUM, length, 1.0, Cycloidal()) for length in (0.5, 0.8, 1.4)]
+    assert [c.max_acceleration for c in cuts] == pytest.approx([cuts[0].max_acceleration] * 3, rel=1e-12)
+
+
+@settings(max_examples=40)
+@given(laws, st.floats(0.31, 3.0))
+def test_the_saw_comes_back_and_its_stroke_is_what_it_covers(law, length):
+    cut = Cut(SAW, length, 0.8, law)
+    _, _, motion = samples(cut)
+    assert cut.at(cut.cycle_time).position == pytest.approx(0.0, abs=1e-12)
+    assert cut.reverses
+    assert not cut.waits
+    assert cut.stroke == pytest.approx(float(np.ptp(motion.position)), abs=1e-3)
+    assert cut.stroke >= np.ptp(motion.position) - 1e-12
+
+
+def test_stroke_of_a_reversing_drum_by_hand():
+    cut = Cut(DRUM, 1.0, 1.0, TrapezoidalVelocity(1 / 4, 3 / 4), "reversal")
+    motion = cut.at(np.linspace(0, cut.cycle_time, 200001))
+    assert cut.stroke == pytest.approx(np.ptp(motion.position), abs=1e-8)
+
+
+def test_angular_figures_are_those_of_the_radius():
+    cut = Cut(DRUM, 0.15, 1.0, Cycloidal())
+    assert cut.max_angular_speed == pytest.approx((1.0 + cut.speed_change) / 0.1, rel=1e-14)
+    assert cut.max_angular_acceleration == pytest.approx(cut.max_acceleration / 0.1, rel=1e-14)
+
+
+@settings(max_examples=40)
+@given(laws, lengths, beyond)
+def test_the_state_tells_the_speed(law, length, way):
+    """A second way to the speed: by part and law, as a sheet goes."""
+    cut = Cut(DRUM, length, 1.2, law, way)
+    time = np.linspace(0.0, cut.cycle_time, 2001)
+    part, waited, xi = cut.state(time)
+    moving = 1.2 + cut.superimposed / cut.moving_time * law.v(xi)
+    speed = np.select([part == 1, part == 2], [moving, 0.0], 1.2)
+    assert speed == pytest.approx(cut.at(time).speed, abs=1e-12)
+    assert waited.max() == pytest.approx(cut.waiting_time, abs=1e-12)
+    if not 0.0 < cut.waiting_time < 2e-3 * cut.cycle_time:  # as short a wait may lie between two samples
+        assert (2 in part) is cut.waits
+
+
+def test_at_both_ends_of_the_wait_the_drum_still_moves_by_its_law():
+    cut = Cut(DRUM, 1.4, 1.0, Cycloidal())
+    begin, end = cut.wait
+    assert list(cut.state([begin, (begin + end) / 2, end, cut.repositioning_time]).part) == [1, 2, 1, 3]
+    assert cut.at([begin, end]).speed == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+def test_a_peak_that_is_given_is_where_the_drum_waits():
+    """A law of uniform velocity has its peak anywhere in between; the position at the end is the same."""
+    early, late = (Cut(DRUM, 1.4, 1.0, TrapezoidalVelocity(0.3, 0.7), peak=peak) for peak in (None, 0.6))
+    assert (early.fastest, late.fastest) == (0.3, 0.6)
+    assert late.wait[0] == pytest.approx(2 * early.wait[0])
+    assert late.at(late.cycle_time).position == pytest.approx(early.at(early.cycle_time).position)
+
+
+@pytest.mark.parametrize("limits", [(50.0, 1e9), (1e9, 700.0)])
+@pytest.mark.parametrize("length", [0.15, 0.4, 1.2])
+def test_at_the_fastest_line_the_shaft_is_at_its_first_limit(limits, length):
+    cut = Cut(DRUM, length, 1.1, ASYMMETRIC)
+    there = Cut(DRUM, length, cut.fastest_line(*limits), ASYMMETRIC)
+    reached = there.max_angular_speed / limits[0], there.max_angular_acceleration / limits[1]
+    assert max(reached) == pytest.approx(1.0, rel=1e-12)
+
+
+def test_in_step_only_the_speed_limits_the_line():
+    cut = Cut(DRUM, DRUM.design_length, 1.1, Cycloidal())
+    assert cut.fastest_line(30.0, 1.0) == pytest.approx(30.0 * DRUM.radius)
+
+
+@settings(max_examples=40)
+@given(laws, st.floats(0.31, 3.0))
+def test_at_the_standing_velocity_the_saw_stands(law, length):
+    cut = Cut(SAW, length, 0.8, law)
+    assert 0.8 + cut.superimposed / cut.moving_time * cut.standing_velocity == pytest.approx(0.0, abs=1e-12)
+    xi = 0.4
+    assert cut.position_at(xi) == pytest.approx(float(cut.at(xi * cut.moving_time).position), abs=1e-12)
+
+
+def test_the_shaft_turns_by_the_radius():
+    cut = Cut(DRUM, 0.15, 1.0, Cycloidal())
+    motion = cut.at(np.linspace(0, cut.cycle_time, 11))
+    shaft = motion.at_shaft(DRUM.radius)
+    assert DRUM.angle(DRUM.design_length) == pytest.approx(2 * pi / 3)
+    assert shaft.angle[-1] == pytest.approx(2 * pi / 3, rel=1e-12)
+    assert shaft.speed[-1] * 0.1 == 1.0
+    assert np.abs(shaft.speed).max() <= cut.max_angular_speed * (1 + 1e-12)
+    assert cut.angular_speed_range == pytest.approx([v / 0.1 for v in cut.speed_range])
+
+
+def test_a_mass_in_step_with_the_tool_has_the_energy_of_its_inertia():
+    assert SAW.load_inertia(0.0, 7.0) * (0.8 / SAW.radius) ** 2 == pytest.approx(7.0 * 0.8**2)
+    assert SAW.load_inertia(0.3, 7.0) == pytest.approx(0.3 + SAW.load_inertia(0.0, 7.0))
+
+
+def test_the_torque_s_work_over_a_cycle_is_that_of_the_load_alone():
+    """What the inertia takes it gives back: the energy of a cycle is T_L times the angle."""
+    cut = Cut(DRUM, 0.2, 1.0, Cycloidal())
+    time = np.linspace(0, cut.cycle_time, 20_001)
+    shaft = cut.at(time).at_shaft(DRUM.radius)
+    torque = generalized_torque(3.0, 0.02, shaft.acceleration)
+    assert np.trapezoid(torque * shaft.speed, time) == pytest.approx(3.0 * shaft.angle[-1], rel=1e-6)
+
+
+def test_sizes_are_those_of_the_line_over_the_longest_length():
+    found = sizes(Cut(DRUM, 0.5, 2.0, Cycloidal()), 0.02, 3.0)
+    assert found[:6] == pytest.approx((0.5, 2.0, 8.0, 5.0, 20.0, 80.0))
+    assert found[6:] == pytest.approx((sqrt(1.6**2 + 9.0), 128.0))
+    assert sizes(Cut(DRUM, 0.15, 2.0, Cycloidal()), 0.02, 3.0).length == DRUM.design_length
+
+
+UNFINISHED = PieceLaw([Piece(1.0, (1.0, 0.0, 0.0, 0.0))])
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: rotary_drum(0, 0.1, 0.1), "tools is 0"),
+        (lambda: rotary_drum(3, 0.1, radians(120)), "tool angle is 120 degrees; expected at least 0 and less than 120"),
+        (lambda: rotary_drum(3, 0.0, 0.1), "radius is 0"),
+        (lambda: Tool(0.2, 0.3, 0.1), "tool length is 0.3 m; expected less than 0.2 m"),
+        (lambda: flying_saw(-0.1, 0.01), "tool length is -0.1"),
+        (lambda: Cut(DRUM, 0.05, 1.0, Cycloidal()), "product length is 0.05 m; expected more than L_T"),
+        (lambda: Cut(DRUM, inf, 1.0, Cycloidal()), "product length is inf"),
+        (lambda: Cut(DRUM, 0.2, 0.0, Cycloidal()), "line speed is 0"),
+        (lambda: Cut(DRUM, 0.2, 1.0, Dwell()), "Dwell: expected a law that rises from rest"),
+        (lambda: Cut(DRUM, 0.2, 1.0, UNFINISHED), "Own law: expected a law that rises from rest"),
+        (lambda: Cut(DRUM, 0.2, 1.0, Cycloidal(), "stop"), "beyond is 'stop'"),
+        (lambda: Cut(DRUM, 0.2, 1.0, Cycloidal()).at(1.0), "expected 0 to 0.2 s"),
+    ],
+)
+def test_what_cannot_be_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
+
+
+def test_one_tool_that_works_for_an_instant():
+    drum = rotary_drum(1, 0.1, 0.0)
+    assert drum.repositioning_length == pytest.approx(2 * pi * 0.1)
+    assert Cut(drum, 0.5, 1.0, Cycloidal()).tool_time == 0.0

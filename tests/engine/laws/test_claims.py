@@ -1,0 +1,267 @@
+"""Every law of the catalogue keeps what it claims: ends, continuity, coefficients, breaks, pieces, shapes, names."""
+
+import math
+from dataclasses import fields, replace
+from itertools import accumulate
+
+import numpy as np
+import pytest
+
+from engine.laws import (
+    CATALOGUE,
+    Claims,
+    ConstantAcceleration,
+    Cubic,
+    Cycloidal,
+    Entry,
+    ModifiedTrapezoidal,
+    Piece,
+    TrapezoidalVelocity,
+    UnknownLawError,
+    law,
+)
+from engine.laws.base import Law, Shapes
+from engine.laws.entry import IncompleteError
+from engine.laws.modified_trapezoidal import CLASSIC
+from engine.laws.registry import by_name, entry_of
+from tests.engine.measured import complaints
+
+N = 200_000
+LAWS = pytest.mark.parametrize("entry", CATALOGUE, ids=lambda e: e.code)
+NAMES = ("cv", "ca_max", "ca_min", "ca_rms", "cj", "va_max", "va_min")
+
+
+def claimed(entry):
+    """The claimed coefficients as numbers, each formula over the ones before."""
+    known = {name: getattr(math, name) for name in ("pi", "sqrt", "inf")}
+    for name, formula in (entry.claims.where | entry.claims.coefficients).items():
+        known[name] = float(eval(formula, {"__builtins__": {}}, known))
+    return {name: known[name] for name in NAMES}
+
+
+def measured_order(fine, coarse):
+    """The highest derivative without a jump: its largest step between samples shrinks with the spacing."""
+    order = -1
+    for dense, sparse in zip(fine, coarse, strict=True):
+        step, wider = np.abs(np.diff(dense)).max(), np.abs(np.diff(sparse)).max()
+        if step > max(0.5 * wider, 1e-9):
+            break
+        order += 1
+    return order
+
+
+@LAWS
+def test_claimed_ends(entry):
+    made = entry.example()
+    assert (made.start.s, made.start.v) == pytest.approx(entry.claims.start, abs=1e-14)
+    assert (made.end.s, made.end.v) == pytest.approx(entry.claims.end, abs=1e-14)
+
+
+@LAWS
+def test_claimed_continuity_inside(entry):
+    made = entry.example()
+    fine, coarse = (made.evaluate(np.linspace(0, 1, n + 1)) for n in (4000, 1000))
+    assert measured_order(fine, coarse) == min(entry.claims.order_inside, 3)
+
+
+@LAWS
+def test_claimed_continuity_against_rest(entry):
+    made = entry.example()
+    ends = [max(abs(begin), abs(end)) for begin, end in zip(made.start[1:], made.end[1:], strict=True)]
+    measured = next((order for order, value in enumerate(ends) if value > 1e-9), 3)
+    assert measured == min(entry.claims.order_ends, 3)
+
+
+@LAWS
+def test_claimed_coefficients_are_the_laws(entry):
+    coefficients = entry.example().coefficients
+    for name, value in claimed(entry).items():
+        assert getattr(coefficients, name) == pytest.approx(value, rel=1e-12, abs=1e-15), name
+
+
+@LAWS
+def test_claimed_coefficients_are_what_samples_show(entry):
+    values, claims = entry.example().evaluate((np.arange(N) + 0.5) / N), claimed(entry)
+    power = values.v * values.a
+    shown = {
+        "cv": np.abs(values.v).max(), "ca_max": values.a.max(), "ca_min": values.a.min(),
+        "ca_rms": math.sqrt(np.mean(values.a**2)), "va_max": power.max(), "va_min": power.min(),
+    }  # fmt: skip
+    if math.isfinite(claims["cj"]):
+        shown["cj"] = np.abs(values.j).max()
+    for name, value in shown.items():
+        assert value == pytest.approx(claims[name], rel=3e-5, abs=1e-12), name
+
+
+@LAWS
+def test_jerk_is_infinite_exactly_where_the_acceleration_jumps(entry):
+    jumps = min(entry.claims.order_ends, entry.claims.order_inside) < 2
+    assert math.isinf(entry.example().coefficients.cj) == jumps
+
+
+@LAWS
+def test_position_velocity_and_acceleration_are_integrals(entry):
+    made = entry.example()
+    xi = np.linspace(0, 1, N + 1)
+    at, middle = made.evaluate(xi), made.evaluate((xi[1:] + xi[:-1]) / 2)
+    smooth = math.isfinite(made.coefficients.cj)
+    for value, rate in list(zip(at[:3], middle[1:], strict=True))[: 3 if smooth else 2]:
+        carried = value[0] + np.cumsum(rate) / N
+        assert np.abs(carried - value[1:]).max() < 2e-5
+
+
+@LAWS
+def test_every_name_finds_its_law(entry):
+    for name in entry.names:
+        if entry.code == "OWN":
+            assert law(name, pieces=entry.example().pieces) == entry.example()
+        else:
+            assert law(f" {name.upper()} ") == law(name.lower()) == entry.example()
+    assert entry.source
+
+
+def test_the_documents_names_are_known():
+    names = ("ACS", "TVP", "CUB", "Cubic", "CIC", "Cycloidal", "Dwell", "ModTVP", "Modified trapezoidal")
+    codes = [law(name).code for name in names]
+    assert codes == ["ACS", "TVP", "CUB", "CUB", "CIC", "CIC", "DWL", "MTP", "MTP"]
+
+
+def test_no_name_means_two_laws():
+    entry = CATALOGUE[1]
+    assert by_name([entry])["acs"] is entry
+    with pytest.raises(ValueError, match="names two laws: ConstantAcceleration and Cubic"):
+        by_name([entry, replace(law_entry("CUB"), aliases=("Parabolic",))])
+
+
+def test_an_unknown_name_is_met_with_the_known_ones():
+    with pytest.raises(UnknownLawError, match=r"'spline'.*DWL \(Dwell\), ACS .*OWN"):
+        law("spline")
+
+
+def test_parameters_reach_the_law():
+    assert law("tvp", rise_end=0.2, fall_start=0.7).rise_end == 0.2
+    assert law("ModTVP", durations=[0, 0.5, 0, 0, 0, 0.5, 0]).durations == (0, 0.5, 0, 0, 0, 0.5, 0)
+
+
+def law_entry(code):
+    return next(entry for entry in CATALOGUE if entry.code == code)
+
+
+@LAWS
+def test_breaks_pieces_shapes_and_coefficients_are_those_of_the_closed_form(entry):
+    assert complaints(entry) == []
+
+
+class NoBreaks(ConstantAcceleration):
+    breaks = ()
+
+
+class ABreakTooFew(TrapezoidalVelocity):
+    @property
+    def breaks(self):
+        return (self.rise_end,)
+
+
+class BreaksOfTheDefault(ModifiedTrapezoidal):
+    @property
+    def breaks(self):
+        return tuple(accumulate(CLASSIC[:6]))
+
+
+class ABreakAtTheWrongPlace(TrapezoidalVelocity):
+    @property
+    def breaks(self):
+        return self.rise_end, self.fall_start + 1e-6
+
+
+class AHigherPiece(Cycloidal):
+    def as_pieces(self):
+        (piece,) = super().as_pieces()
+        return (replace(piece, amplitude=piece.amplitude * (1 + 1e-10)),)
+
+
+class APieceTooShort(ModifiedTrapezoidal):
+    def as_pieces(self):
+        first, second, *others = super().as_pieces()
+        moved = first.duration * 1e-9
+        return (
+            replace(first, duration=first.duration - moved), replace(second, duration=second.duration + moved), *others
+        )  # fmt: skip
+
+
+class ASineForALine(Cubic):
+    def as_pieces(self):
+        return (Piece(1.0, amplitude=6.0, omega=math.pi, phase=math.pi / 2),)
+
+
+class NoShapes(Cycloidal):
+    def shapes(self):
+        return Shapes()
+
+
+class ConstantsForSines(ModifiedTrapezoidal):
+    def shapes(self):
+        share = super().shapes()
+        return Shapes(flat_up=sum(share.up), flat_down=sum(share.down))
+
+
+class SidesChanged(TrapezoidalVelocity):
+    def shapes(self):
+        share = super().shapes()
+        return Shapes(flat_up=share.flat_down, flat_down=share.flat_up)
+
+
+class AGreaterCoefficient(ModifiedTrapezoidal):
+    def _coefficients(self):
+        found = super()._coefficients()
+        return replace(found, va_max=found.va_max * (1 + 1e-5))
+
+
+WRONG = {
+    "breaks": (NoBreaks, ABreakTooFew, BreaksOfTheDefault, ABreakAtTheWrongPlace),
+    "pieces": (AHigherPiece, APieceTooShort, ASineForALine),
+    "shapes": (NoShapes, ConstantsForSines, SidesChanged),
+    "coefficients": (AGreaterCoefficient,),
+}
+
+
+@pytest.mark.parametrize(("what", "wrong"), [(what, one) for what, all_of in WRONG.items() for one in all_of])
+def test_a_law_registered_with_wrong_figures_is_caught_by_name(what, wrong):
+    entry = law_entry(wrong.code)
+    others = tuple(wrong(*(getattr(one, f.name) for f in fields(one))) for one in entry.others)
+    found = complaints(replace(entry, law=wrong, example=wrong, others=others))
+    assert any(f"{wrong.__name__}" in words and f": {what}: " in words for words in found), found
+
+
+class Unsaid(Law):
+    """A law that leaves out what every law must state."""
+
+    code, name = "XYZ", "Unsaid"
+
+    def _block(self, xi):
+        return 0.0, 0.0, 0.0, 0.0
+
+    def _coefficients(self):
+        return ConstantAcceleration().coefficients
+
+
+@pytest.mark.parametrize(
+    ("registered", "named"),
+    [
+        (lambda: Entry(Unsaid, (), "", law_entry("DWL").claims, Unsaid), "Unsaid .*as_pieces.*breaks.*shapes"),
+        (lambda: replace(law_entry("TVP"), others=()), "TrapezoidalVelocity: lacks .* rise_end, fall_start"),
+        (
+            lambda: replace(law_entry("TVP"), others=(TrapezoidalVelocity(0.2),)),
+            "TrapezoidalVelocity: lacks among its other examples one with another fall_start",
+        ),
+        (
+            lambda: replace(law_entry("CUB"), claims=Claims(1, 1, {"cv": "2"})),
+            "Cubic: lacks the claim of ca_max, ca_min",
+        ),
+        (lambda: entry_of("crossings"), "engine/laws/crossings.py has no ENTRY"),
+        (lambda: entry_of("missing_law"), "missing_law"),
+    ],
+)
+def test_what_a_law_leaves_out_is_named_when_it_is_registered(registered, named):
+    with pytest.raises((IncompleteError, TypeError, ModuleNotFoundError), match=named):
+        registered()

@@ -1,0 +1,263 @@
+"""Many workbooks and folders at once: which are taken, what is said of each, what the run's exit code is."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import openpyxl
+import pytest
+from openpyxl import Workbook
+
+from workbook.build import build
+from workbook.judging import many
+from workbook.judging.many import Outcome, Target, exit_code, find, verify_many
+from workbook.judging.verify import Report
+from workbook.reading.entries import read_machine
+from workbook.templates import TEMPLATES
+
+TEMPLATE = TEMPLATES["motion-composer"]  # the one that is soonest verified
+
+
+@pytest.fixture(scope="module")
+def good(tmp_path_factory):
+    """A small workbook as built."""
+    machine = read_machine(TEMPLATE.description)
+    small = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
+    path = tmp_path_factory.mktemp("good") / "good.xlsx"
+    build(machine.model_copy(update={"sizes": small}), path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def wrong(good, tmp_path_factory):
+    """The same workbook with a number in place of the first formula of the sheet Motion; beside it, that cell."""
+    book = openpyxl.load_workbook(good)
+    cell = next(c for row in book["Motion"].iter_rows() for c in row if c.data_type == "f")
+    cell.value = 123.5
+    path = tmp_path_factory.mktemp("wrong") / "wrong.xlsx"
+    book.save(path)
+    return path, cell.coordinate
+
+
+@pytest.fixture
+def folder(good, wrong, tmp_path):
+    """A folder with one workbook of each kind, and with files that are to be passed over."""
+    (tmp_path / "deep" / "deeper").mkdir(parents=True)
+    (tmp_path / ".hidden").mkdir()
+    for name in ("b.xlsx", "deep/deeper/a.XLSX", "deep/c.xlsm", ".hidden/no.xlsx", ".no.xlsx"):
+        shutil.copy(good, tmp_path / name)
+    shutil.copy(wrong[0], tmp_path / "wrong.xlsx")
+    Workbook().save(tmp_path / "foreign.xlsx")
+    (tmp_path / "~$b.xlsx").write_bytes(b"a lock")
+    (tmp_path / "notes.txt").write_text("no workbook")
+    return tmp_path
+
+
+def run(*arguments, **options):
+    """Run the command as a user does."""
+    command = [sys.executable, "-m", "workbook", "verify", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False, encoding="utf-8", **options)
+
+
+def names(targets, folder):
+    return [t.path.relative_to(folder).as_posix() for t in targets]
+
+
+def test_a_folder_gives_its_workbooks_and_neither_lock_files_nor_hidden_ones(folder):
+    targets, failed = find([folder])
+    assert names(targets, folder) == ["b.xlsx", "foreign.xlsx", "wrong.xlsx", "deep/c.xlsm", "deep/deeper/a.XLSX"]
+    assert failed == []
+    assert not any(t.named for t in targets)
+
+
+def test_a_file_named_and_found_is_taken_once_and_as_named(folder):
+    targets, _ = find([folder, folder / "foreign.xlsx", folder / "deep"])
+    assert len(targets) == 5
+    assert [t.path.name for t in targets if t.named] == ["foreign.xlsx"]
+
+
+def test_an_empty_folder_is_said_to_be_empty(tmp_path):
+    targets, failed = find([tmp_path])
+    assert targets == []
+    assert failed[0].reason == f"{tmp_path}: there is no workbook in this folder"
+
+
+def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(folder, wrong):
+    targets, _ = find([folder])
+    alone, together = ([(o.path, o.verdict, o.sha256) for o in verify_many(targets, jobs=n)] for n in (1, 2))
+    assert alone == together
+    verdicts = {path.name: verdict for path, verdict, _ in alone}
+    assert verdicts == {
+        "b.xlsx": "agrees", "a.XLSX": "agrees", "c.xlsm": "agrees", "foreign.xlsx": "no machine",
+        "wrong.xlsx": "disagrees",
+    }  # fmt: skip
+
+
+def test_a_foreign_workbook_is_an_error_only_where_it_is_named(folder):
+    path = folder / "foreign.xlsx"
+    found, named = (verify_many([Target(path, named=n)])[0] for n in (False, True))
+    assert (found.verdict, named.verdict) == ("no machine", "unreadable")
+    assert "book_template" in named.reason
+
+
+def test_a_damaged_workbook_in_a_folder_is_not_taken_for_a_foreign_one(tmp_path, good):
+    path = tmp_path / "cut.xlsx"
+    path.write_bytes(good.read_bytes()[:3000])
+    outcome = verify_many([Target(path, named=False)])[0]
+    assert outcome.verdict == "unreadable"
+    assert outcome.reason.startswith(str(path))
+
+
+def test_a_file_that_vanishes_is_one_line(tmp_path):
+    outcome = verify_many([Target(tmp_path / "gone.xlsx", named=False)])[0]
+    assert outcome.verdict == "unreadable"
+    assert outcome.reason.splitlines() == [f"{tmp_path / 'gone.xlsx'}: there is no such file"]
+
+
+def test_a_file_that_cannot_be_opened_is_one_line(tmp_path, good, monkeypatch):
+    def locked(*_):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(many, "verify", locked)
+    outcome = verify_many([Target(good, named=True)])[0]
+    assert (outcome.verdict, outcome.reason) == ("unreadable", f"{good}: cannot be read: Permission denied")
+
+
+def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monkeypatch):
+    path = tmp_path / "busy.xlsx"
+    shutil.copy(good, path)
+
+    def verify(*_):
+        os.utime(path, ns=(1, 1))
+        return Report(path, "cutting-machine")
+
+    monkeypatch.setattr(many, "verify", verify)
+    outcome = verify_many([Target(path, named=True)])[0]
+    assert outcome.verdict == "unreadable"
+    assert "changed while it was read" in outcome.reason
+
+
+def test_a_fault_of_ours_in_one_file_leaves_the_others_their_verdicts(folder, monkeypatch):
+    monkeypatch.setattr(many, "verify", lambda path, _: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
+    outcomes = {o.path.name: o for o in verify_many(find([folder])[0], jobs=1)}
+    assert outcomes["b.xlsx"].verdict == "unreadable"
+    assert "ZeroDivisionError" in outcomes["b.xlsx"].reason
+    assert outcomes["c.xlsm"].verdict == "agrees"
+
+
+def dies(target, witnesses):
+    """Verify, except for one file that ends its process."""
+    if target.path.name == "b.xlsx":
+        os._exit(9)
+    return Outcome(target.path, "agrees")
+
+
+def test_a_process_that_dies_is_blamed_on_its_file_alone(folder, monkeypatch):
+    monkeypatch.setattr(many, "verify_one", dies)
+    outcomes = {o.path.name: o for o in verify_many(find([folder])[0], jobs=2)}
+    assert {name for name, o in outcomes.items() if o.verdict != "agrees"} == {"b.xlsx"}
+    assert "ended the process" in outcomes["b.xlsx"].reason
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "code"),
+    [
+        (["agrees"], 0),
+        (["agrees", "no machine"], 0),
+        (["agrees", "disagrees", "no machine"], 1),
+        (["disagrees", "unreadable"], 2),
+        (["no machine"], 2),
+        ([], 2),
+    ],
+)
+def test_the_exit_code_tells_the_worst_and_that_nothing_was_verified(verdicts, code):
+    assert exit_code(Outcome(Path("x"), v) for v in verdicts) == code
+
+
+def test_the_command_sums_a_folder_up_and_names_the_worst_cell(folder, wrong):
+    done = run(folder, cwd=folder, env=os.environ | {"COLUMNS": "200"})
+    assert done.returncode == 1
+    assert done.stderr == ""  # no bar where no terminal is
+    assert "3 agree, 1 disagree, 1 skipped (no machine)." in done.stdout
+    assert f"{folder / 'wrong.xlsx'}: Motion!{wrong[1]}" in done.stdout
+
+
+def test_the_json_of_many_files_has_each_of_them(folder, wrong):
+    done = run(folder, folder / "gone.xlsx", "--json", "--jobs", 2)
+    assert done.returncode == 2
+    said = json.loads(done.stdout)
+    files = {Path(f["file"]).name: f for f in said["files"]}
+    assert said["compared"] == sum(f["compared"] for f in said["files"]) > 1000
+    assert files["wrong.xlsx"]["findings"][0]["cell"] == wrong[1]
+    assert files["gone.xlsx"]["reason"].endswith("there is no such file")
+    assert files["b.xlsx"]["findings"] == []
+
+
+def test_the_json_of_one_file_is_its_report_alone(good):
+    done = run(good, "--json")
+    assert done.returncode == 0
+    said = json.loads(done.stdout)
+    assert said["agrees"] is True
+    assert said["findings"] == []
+    assert said["compared"] > 1000
+
+
+def test_one_file_that_cannot_be_read_is_a_line_on_stderr(tmp_path):
+    done = run(tmp_path / "gone.xlsx", "--json")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"{tmp_path / 'gone.xlsx'}: there is no such file\n"
+
+
+def test_an_unknown_witness_is_refused_with_the_known_ones(good):
+    done = run(good, "--with", "abacus", env=os.environ | {"COLUMNS": "200"})
+    assert done.returncode == 2
+    assert "abacus" in done.stderr
+    assert "libreoffice" in done.stderr
+
+
+def test_the_folder_is_left_as_it_was(folder):
+    before = {p: (p.stat().st_mtime_ns, p.read_bytes()) for p in folder.rglob("*") if p.is_file()}
+    run(folder, "--with", "pycel", "--with", "formualizer")
+    assert {p: (p.stat().st_mtime_ns, p.read_bytes()) for p in folder.rglob("*") if p.is_file()} == before
+
+
+TELLING = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell lets what runs in its background ignore it
+from workbook import cli
+from workbook.judging import many
+verify_many = many.verify_many
+many.verify_many = lambda t, w, j, done: verify_many(t, w, j, lambda outcome: print("one is done", flush=True))
+cli.main()
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows sends Ctrl-C to a whole console, the test's own too")
+def test_an_interrupted_run_ends_without_traceback_or_orphans(good, tmp_path):
+    for i in range(1000):
+        os.link(good, tmp_path / f"{i}.xlsx")
+    command = [sys.executable, "-c", TELLING, "verify", str(tmp_path), "--jobs", "2"]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, start_new_session=True, **pipes) as started:
+        assert started.stdout.readline() == "one is done\n"
+        os.killpg(started.pid, signal.SIGINT)
+        _, said = started.communicate(timeout=60)
+    assert started.returncode == 130
+    assert "Traceback" not in said
+    assert group_ends(started.pid)
+
+
+def group_ends(group):
+    """Whether all processes of a group end within a few seconds."""
+    for _ in range(50):
+        try:
+            os.killpg(group, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.1)
+    return False

@@ -1,0 +1,181 @@
+"""The book of S2's indexing mill and die: the document's figures in its cells, every cell as the engine says."""
+
+import pytest
+
+from engine.laws.inverse import inverse
+from tests.laws import MOVING
+from tests.workbook.cells import computed, disagreeing
+from workbook.errors import InputError
+from workbook.judging.verify import verify
+from workbook.laws.library import laws
+from workbook.machines.overlap.variations import RISING
+from workbook.machines.overlap.view import Overlapping
+from workbook.reading.entries import checked, read_machine
+from workbook.templates import TEMPLATES
+
+TEMPLATE = TEMPLATES["indexing-overlap"]
+SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}
+
+
+def entries(**changed):
+    """The committed description with small tables; ``tool__dwell=3`` changes an entry of the overlap."""
+    data = read_machine(TEMPLATE.description).model_dump()
+    data["sizes"] |= SMALL
+    data["laws"]["OWN"]["pieces"] = RISING
+    for name, value in changed.items():
+        part, _, entry = name.rpartition("__")
+        place(data["overlap"], part)[entry] = value
+    return data
+
+
+def place(overlap, part):
+    """Where the entries of a part stand, by its name: of the first tool, unless a number follows (``passage2``)."""
+    name, number = part.rstrip("0123456789"), part.lstrip("abcdefghijklmnopqrstuvwxyz")
+    if name in ("tool", "passage"):
+        tool = overlap["tools"][int(number or 1) - 1]
+        return tool["passage"] if name == "passage" else tool
+    return overlap[name] if name else overlap
+
+
+def described(**changed):
+    return TEMPLATE.model.model_validate(entries(**changed))
+
+
+def test_s2_one_after_the_other():
+    """S2: 55°, 4.154 m/s²; exactly 4.154172."""
+    value = computed(TEMPLATE, described())
+    assert value("tool1_schedules", "in")[0] == pytest.approx(55, abs=1e-12)
+    assert value("tool1_a0") == pytest.approx(4.154, abs=5e-4)
+    assert value("tool1_a0") == pytest.approx(4.154172, abs=5e-7)
+
+
+def test_s2_effective_angle_and_what_remains():
+    """S2: 15°, 135°, 120° and 70° each way; 44 % of the time, exactly 0.4392684."""
+    value = computed(TEMPLATE, described())
+    found = [value(f"tool1_{name}") for name in ("begin", "end", "effective", "free_in", "free_out")]
+    assert found == pytest.approx([15, 135, 120, 70, 70], abs=1e-9)
+    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.44, abs=5e-3)
+    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.4392684, abs=5e-8)
+
+
+def test_s2_new_angle_with_and_without_the_allowance():
+    """S2: 125°, exactly 124.8369°; 120° with the allowance of 5°."""
+    value = computed(TEMPLATE, described())
+    _, longest, as_set = value("tool1_schedules", "in")
+    assert longest == pytest.approx(125, abs=0.5)
+    assert longest == pytest.approx(124.8369, abs=5e-5)
+    assert as_set == pytest.approx(120, abs=0.5)
+    assert longest - as_set == pytest.approx(5, abs=1e-12)
+
+
+def test_s2_at_its_rounded_angle():
+    """S2: 0.625 s, 0.804 m/s² and 5.17 times lower at 125°; rounding up costs 0.1 mm of the margin."""
+    value = computed(TEMPLATE, described(tool__angle_in=125.0, tool__angle_out=125.0))
+    assert value("tool1_schedules", "t_in")[2] == pytest.approx(0.625, abs=1e-12)
+    assert value("tool1_a1") == pytest.approx(0.804248, abs=5e-7)
+    assert value("tool1_ratio") == pytest.approx(5.17, abs=5e-3)
+    assert value("tool1_ratio") == pytest.approx(5.1653, abs=5e-5)
+    assert 0.8 < value("tool1_least") < 1.0
+    assert (value("tool1_ok_collide"), value("tool1_ok_margin"), value("overall")) == ("OK", "FAIL", "FAIL")
+
+
+def test_the_margin_is_what_stays_free_at_the_longest_angle():
+    value = computed(TEMPLATE, described(passage__allowance=0.0))
+    assert value("tool1_least") == pytest.approx(1.0, abs=1e-9)
+    assert value("overall") == "OK"
+
+
+def test_parts_that_collide_fail_the_book():
+    value = computed(TEMPLATE, described(tool__angle_in=160.0, tool__angle_out=95.0, view=134.0))
+    assert value("tool1_least") < 0
+    assert value("tool1_ok_collide") == value("overall") == "FAIL"
+    assert value("stands", "says") == ["COLLISION"]
+
+
+@pytest.mark.parametrize("law", MOVING)
+def test_any_law_is_inverted_to_1e_9(law):
+    machine = described(transfer__law=law, tool__law_in=law, tool__law_out=law)
+    value, engine = computed(TEMPLATE, machine), laws(machine.laws, 8)[law]
+    for name in ("inverse_transfer", "tool1_inverse_in", "tool1_inverse_out"):
+        s, xi = (value(name, column) for column in ("s", "xi"))
+        assert xi == pytest.approx([inverse(engine, x) for x in s], abs=1e-9)
+        assert [engine.s(x) for x in xi] == pytest.approx(s, abs=1e-12)
+    assert value("inverse_residual") < 1e-12
+    assert value("inverse_ok") == "OK"
+
+
+def test_half_of_the_stroke_at_half_of_the_time_decides_no_halving_by_rounding():
+    """The cubic law is at s = 1/2 just in the middle of its only piece, where the first halving looks."""
+    machine = described(tool__law_in="CUB", tool__law_out="CUB", passage__clearance=25.0, passage__margin=0.0)
+    value = computed(TEMPLATE, machine)
+    assert value("tool1_inverse_in", "s")[0] == 0.5
+    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.5, abs=1e-12)
+
+
+def test_the_picture_moves_with_the_angle():
+    value = computed(TEMPLATE, described(view=60.0))
+    other = computed(TEMPLATE, described(view=220.0))
+    for column in ("x", "y"):
+        assert len(value("outline", column)) == 12
+    assert value("outline", "x") != other("outline", "x")
+    assert min(value("tool1_punch", "yb")) == pytest.approx(50, abs=1e-12)
+    assert min(other("tool1_punch", "yb")) == min(other("tool1_punch", "ya")) == pytest.approx(0, abs=1e-9)
+    assert max(value("view_line", "theta")) == 60
+
+
+def test_the_table_of_margins_is_the_engine_s_schedule_of_each():
+    value = computed(TEMPLATE, described())
+    for margin, angle, ratio in zip(*(value("tool1_margins", c) for c in ("margin", "in", "ratio")), strict=True):
+        machine = described(passage__margin=margin)
+        (station,) = Overlapping(machine, laws(machine.laws, 8)).stations
+        assert angle == pytest.approx(station.as_set.way_in * 57.29577951308232, rel=1e-9)
+        before, _, after = station.peaks
+        assert ratio == pytest.approx(before / after, rel=1e-9)
+
+
+@pytest.mark.parametrize(("into", "out"), [("ACS", "OWN"), ("CUB", "TVP"), ("MTP", "CIC")])
+def test_pycel_agrees_with_the_engine_in_every_cell(into, out):
+    machine = described(transfer__law=out, tool__law_in=into, tool__law_out=out)
+    assert disagreeing(TEMPLATE, machine)[0] == []
+
+
+def test_the_variations_fail_both_checks_of_the_clearance():
+    books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described())]
+    failed = [{q.name for _, q in book.checks if q.value == "FAIL" and q.name.startswith("tool1")} for book in books]
+    assert {"tool1_ok_margin"} in failed
+    assert {"tool1_ok_margin", "tool1_ok_collide"} in failed
+    assert "COLLISION" in [book.blocks["stands"].quantities[-1].value[0] for book in books]
+
+
+@pytest.mark.parametrize(
+    ("changed", "line"),
+    [
+        ({"passage__margin": 21.0}, "margin.*the margin is 21 mm; expected at most the clearance, 20 mm"),
+        ({"tool__dwell": 215.0}, r"dwell.*transfer \(150°\) and dwell \(215°\) leave the tool no angle"),
+        ({"passage__allowance": 55.0}, "allowance.*an allowance of 55° leaves the tool no angle"),
+        ({"tool__angle_in": 150.0}, "angle_in.*way in, dwell and way out take"),
+        ({"transfer__law": "DWL"}, "law.*found 'DWL'; expected ACS, TVP, .* or OWN"),
+        ({"passage__split": 1.0}, "split.*found 1.0; expected a number greater than 0 and less than 1"),
+    ],
+)
+def test_entries_that_cannot_be_get_one_line(changed, line):
+    with pytest.raises(InputError, match=line):
+        checked(TEMPLATE, entries(**changed), str)
+
+
+@pytest.mark.parametrize(
+    ("pieces", "line"),
+    [
+        ([{"duration": 1.0, "c0": 1.0}], "law_in.*the own law ends at s ="),
+        ([{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 8.0}], "law_in.*the own law moves backwards"),
+    ],
+)
+def test_an_own_law_that_cannot_be_inverted_gets_one_line(pieces, line):
+    data = entries(tool__law_in="OWN")
+    data["laws"]["OWN"]["pieces"] = pieces
+    with pytest.raises(InputError, match=line):
+        checked(TEMPLATE, data, str)
+
+
+def test_the_committed_template_verifies():
+    assert verify(TEMPLATE.book).findings == []

@@ -1,0 +1,213 @@
+"""Several tools over one transfer: each as if it were alone, what they come to together, entries, books."""
+
+import random
+
+import openpyxl
+import pytest
+
+from tests.mutation.machines import machine as drawn_machine
+from tests.workbook.cells import computed, disagreeing, entered
+from workbook.build import build, inputs
+from workbook.errors import InputError
+from workbook.judging.matching import is_formula
+from workbook.judging.verify import verify
+from workbook.machines.overlap.entries import MOST_TOOLS
+from workbook.reading.entries import checked, counted, read_machine, write_machine
+from workbook.reading.files import open_book
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
+
+TEMPLATE = TEMPLATES["indexing-overlap"]
+STATIONS = FOLDER / "indexing-overlap-stations.toml"
+SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}
+OWN_PLACE = {"lane_a", "lane_b", "x"}  # columns that say where a tool is drawn among the others
+WORKED_OUT_ONCE = {"lane_t", "xit", "qt", "ut", "xt", "st"}  # of the transfer, in the table of the first tool
+
+
+def entries(**second):
+    """The committed description with small tables, and other entries of the second tool."""
+    data = read_machine(STATIONS).model_dump()
+    data["sizes"] |= SMALL
+    data["overlap"]["tools"][1] |= second
+    return data
+
+
+def described(data):
+    return TEMPLATE.model.model_validate(data)
+
+
+def alone(data, i):
+    """The machine that has the ``i``-th tool only."""
+    return described(data | {"overlap": data["overlap"] | {"tools": [data["overlap"]["tools"][i]]}})
+
+
+def with_tools(number, seed):
+    """A machine of so many tools, drawn at random."""
+    data = entries()
+    data["overlap"]["tools"] = [data["overlap"]["tools"][0] | {"name": f"Tool {i}"} for i in range(number)]
+    return drawn_machine(described(data), random.Random(seed))
+
+
+@pytest.fixture(scope="module")
+def three():
+    return computed(TEMPLATE, described(entries()))
+
+
+@pytest.mark.parametrize("i", range(3))
+def test_each_tool_computes_what_it_computes_alone(three, i):
+    machine = alone(entries(), i)
+    value, book = computed(TEMPLATE, machine), TEMPLATE.declare(machine)
+    blocks = [block for name, block in book.blocks.items() if name.startswith("tool1_")]
+    compared = [
+        (block.name, q.name if block.is_table else None)
+        for block in blocks
+        for q in block.quantities
+        if q.formula and q.name not in OWN_PLACE | WORKED_OUT_ONCE
+    ]
+    for name, column in compared:
+        here, there = value(name, column), three(name.replace("tool1_", f"tool{i + 1}_"), column)
+        assert there == (here if isinstance(here, str) else pytest.approx(here, rel=1e-12, abs=1e-12)), (name, column)
+    assert len(compared) > 250
+
+
+def test_the_first_sheets_show_the_worst_of_all_tools(three):
+    peaks = [three(f"tool{i}_a0") for i in (1, 2, 3)], [three(f"tool{i}_a1") for i in (1, 2, 3)]
+    assert three("about_a0") == three("overlap_a0") == max(peaks[0]) == pytest.approx(4.154172, abs=5e-7)
+    assert three("about_a1") == three("overlap_a1") == max(peaks[1])
+    assert three("about_least") == three("overlap_least") == min(three(f"tool{i}_least") for i in (1, 2, 3))
+    assert three("tools", "name") == ["Die", "Riveting head", "Ejector"]
+    assert three("tools", "ok") == ["OK", "OK", "OK"]
+    assert three("overall") == "OK"
+
+
+def test_each_motion_has_a_lane_of_its_own_in_the_diagrams(three):
+    for i in (1, 2, 3):
+        for lane in ("lane_a", "lane_b"):
+            heights = three(f"tool{i}_motions", lane)
+            assert i <= min(heights)
+            assert max(heights) == pytest.approx(i + 0.8, abs=1e-9)
+    assert max(three("tool1_motions", "lane_t")) <= 0.8
+    assert max(three("view_line", "height")) == 3.8
+
+
+def test_the_transfer_s_travel_is_the_same_beside_every_tool(three):
+    assert three("tool1_motions", "yt") == three("tool2_motions", "yt") == three("tool3_motions", "yt")
+
+
+def test_the_stations_stand_apart_in_the_picture(three):
+    ends = [(min(x), max(x)) for x in (three(f"tool{i}_punch", "x") for i in (1, 2, 3))]
+    assert ends[0][1] < ends[1][0] < ends[1][1] < ends[2][0]
+    assert min(three("outline", "x")) >= min(three("frame", "x"))
+    assert max(three("outline", "x")) <= max(three("frame", "x"))
+
+
+def test_the_legends_follow_the_names_entered(tmp_path):
+    path = tmp_path / "book.xlsx"
+    build(described(entries()), path)
+    book = openpyxl.load_workbook(path)
+    names = {book.defined_names[f"tool{i}_name"].attr_text for i in (1, 2, 3)}
+    for chart in book["Overlap"]._charts:
+        assert {s.tx.strRef.f for s in chart.series if s.tx.strRef} >= names
+    colours = [{s.tx.strRef.f: s.graphicalProperties.line.solidFill.srgbClr for s in chart.series if s.tx.strRef}
+               for chart in book["Overlap"]._charts]  # fmt: skip
+    assert len(colours) == 4
+    assert all(found[name] == colours[0][name] for found in colours for name in names)
+
+
+def test_a_collision_of_the_second_tool_fails_its_own_checks_and_the_book():
+    value = computed(TEMPLATE, described(entries(angle_in=250.0, angle_out=60.0)))
+    assert value("tool2_ok_collide") == value("tool2_ok_margin") == "FAIL"
+    assert value("tools", "ok") == ["OK", "FAIL", "OK"]
+    assert value("overall") == "FAIL"
+    assert value("about_least") == value("tool2_least") < 0
+    assert sum(verdict == "FAIL" for verdict in value("checks", "verdict")) == 2
+
+
+@pytest.mark.parametrize(
+    ("path", "changed", "line"),
+    [
+        (
+            ("passage",),
+            {"margin": 11.0},
+            r"overlap.tools\[3\].passage.margin .*: the margin is 11 mm; expected at most",
+        ),
+        ((), {"dwell": 215.0}, r"overlap.tools\[3\].dwell .*: transfer \(150°\) and dwell \(215°\) leave the tool no"),
+        ((), {"dwell": 120.0, "angle_in": 300.0}, r"overlap.tools\[3\].angle_in .*: way in, dwell and way out take"),
+        (("passage",), {"allowance": 60.0}, r"overlap.tools\[3\].passage.allowance .*: an allowance of 60° leaves"),
+        ((), {"law_out": "DWL"}, r"overlap.tools\[3\].law_out .*: found 'DWL'; expected ACS, TVP"),
+        ((), {"name": "Die"}, r"overlap.tools\[3\].name .*: a second tool is named 'Die'; expected a name of its own"),
+    ],
+)
+def test_a_bad_entry_of_the_third_tool_is_named_with_its_path(path, changed, line):
+    data = entries()
+    tool = data["overlap"]["tools"][2]
+    (tool["passage"] if path else tool).update(changed)
+    with pytest.raises(InputError, match=line):
+        checked(TEMPLATE, data, counted)
+
+
+def test_a_bad_entry_of_the_third_tool_is_named_with_its_cell(tmp_path):
+    path = tmp_path / "book.xlsx"
+    build(described(entries()), path)
+    file = open_book(path)
+    place = file.places["tool3_clearance"]
+    file.workbook[place.sheet].cell(place.row, place.column).value = 0.5
+    file.workbook.save(path)
+    with pytest.raises(InputError, match=r"'Tool 3'!D\d+ \(Margin that stays free\): the margin is 1.5 mm"):
+        inputs(path)
+
+
+@pytest.mark.parametrize("number", [0, MOST_TOOLS + 1])
+def test_one_to_six_tools(number):
+    data = entries()
+    data["overlap"]["tools"] = data["overlap"]["tools"][:1] * number
+    with pytest.raises(InputError, match=r"overlap.tools: found .*; expected a list of 1 to 6 entries"):
+        checked(TEMPLATE, data, counted)
+
+
+@pytest.mark.parametrize("number", range(1, MOST_TOOLS + 1))
+def test_a_book_of_any_number_of_tools_comes_back_and_agrees(number, tmp_path):
+    machine, text = with_tools(number, number), tmp_path / "machine.toml"
+    assert disagreeing(TEMPLATE, machine)[0] == []
+    assert entered(TEMPLATE, machine) == (machine, [])
+    text.write_text(write_machine(machine), encoding="utf-8")
+    assert read_machine(text) == machine
+
+
+def test_a_book_of_two_tools_verifies(tmp_path):
+    build(with_tools(2, 2), tmp_path / "book.xlsx")
+    assert verify(tmp_path / "book.xlsx").findings == []
+
+
+def test_six_tools_at_every_degree_stay_below_what_a_book_can_have():
+    data = read_machine(STATIONS).model_dump()
+    die = data["overlap"]["tools"][0]
+    data["overlap"]["tools"] = [die | {"name": f"Tool {i}"} for i in range(MOST_TOOLS)]
+    assert sum(is_formula(cell.content) for cell in TEMPLATE.declare(described(data)).cells()) == 96_420
+
+
+def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):
+    path = tmp_path / "book.xlsx"
+    build(described(entries()), path)
+    file = open_book(path)
+    del file.workbook.defined_names["tool2_name"]
+    file.workbook.save(path)
+    with pytest.raises(InputError, match="the name tool2_name is missing; its inputs cannot be found"):
+        inputs(path)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_pycel_agrees_with_the_engine_at_random_machines_of_three_tools(seed):
+    wrong, formulas = disagreeing(TEMPLATE, with_tools(3, 100 + seed))
+    assert wrong == []
+    assert formulas > 8_000
+
+
+def test_the_variations_fail_the_clearance_of_every_tool():
+    books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described(entries()))]
+    failed = {q.name for book in books for _, q in book.checks if q.value == "FAIL"}
+    assert failed == {f"tool{i}_ok_{check}" for i in (1, 2, 3) for check in ("collide", "margin")}
+
+
+def test_the_committed_book_verifies():
+    assert verify(STATIONS.with_suffix(".xlsx")).findings == []

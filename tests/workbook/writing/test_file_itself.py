@@ -1,0 +1,129 @@
+"""The file itself: valid Office Open XML, sound to a spreadsheet auditor, the same bytes each time, wherever built."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import zipfile
+from filecmp import cmp
+
+import openpyxl
+import pytest
+from openxml_audit import FileFormat, OpenXmlValidator
+from spreadsheet_auditor.audit import main as audit
+
+from workbook.build import build
+from workbook.reading.entries import read_machine, write_machine
+from workbook.templates import TEMPLATES
+
+FACTORS = {"3", "5", "6", "7", "8", "12", "20"}  # of the integrals of a polynomial, and of closed forms: no inputs
+TURN = {"360"}  # degrees of a turn
+BETWEEN = pytest.param(FileFormat.OFFICE_2019, marks=pytest.mark.nightly)
+BUILD = """
+import sys
+from pathlib import Path
+from workbook.build import build
+from workbook.reading.entries import read_machine, write_machine
+build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
+"""
+
+
+@pytest.fixture(scope="module", params=TEMPLATES.values(), ids=TEMPLATES.keys())
+def template(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def book(template, tmp_path_factory):
+    """The formulas of the committed books in fewer rows: what is judged are patterns, and that takes its time."""
+    path = tmp_path_factory.mktemp("short") / template.book.name
+    build(shortened(template), path)
+    return path
+
+
+def shortened(template):
+    machine = read_machine(template.description)
+    sizes = machine.sizes.model_copy(update=dict.fromkeys(("law", "own_law", "cycle"), 12))
+    return machine.model_copy(update={"sizes": sizes})
+
+
+@pytest.mark.parametrize("office", [FileFormat.OFFICE_2010, FileFormat.MICROSOFT_365, BETWEEN])
+def test_office_open_xml_is_valid(book, office):
+    """No error and no warning either: openpyxl's own slips (order in fonts, texts in cells) are mended in writing."""
+    found = OpenXmlValidator(file_format=office, max_errors=0, security_validation=True).validate(book)
+    assert [f"{e.part_uri}: {e.description}" for e in found.errors] == []
+
+
+def literals(finding):
+    """The numbers that the auditor would rather see in a cell of their own."""
+    return set(re.search(r"found: (.*)\.$", finding["evidence"][0])[1].split(", "))
+
+
+def audited(book, folder):
+    settings = folder / "settings.json"
+    settings.write_text(json.dumps({"recalc": {"enabled": False}, "limits": {"max_formulas": 10**6}}))
+    answer = folder / "findings.json"
+    audit([str(book), "--config", str(settings), "--json", str(answer), "--out", str(folder / "report.md")])
+    return json.loads(answer.read_text())
+
+
+def test_auditor_finds_nothing_above_low(book, tmp_path):
+    answer = audited(book, tmp_path)
+    above = [f for f in answer["findings"] if f["severity"] not in ("Low", "Info")]
+    faults = [f for f in above if f["rule_id"] != "LITERAL_CONSTANT" or literals(f) - FACTORS - TURN]
+    assert [(f["rule_id"], f["location"], f["evidence"]) for f in faults] == []
+    assert answer["coverage"]["complete"]
+
+
+def test_auditor_is_awake(tmp_path):
+    """A number typed over a formula in the middle of a column is found; so silence means something."""
+    build(shortened(TEMPLATES["motion-composer"]), tmp_path / "book.xlsx")
+    spoiled = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    sheet = spoiled["ACS"]
+    row = next(c.row for c in sheet["D"] if isinstance(c.value, str) and "piece_s0" in c.value) + 3
+    sheet.cell(row, 4).value = 0.25
+    spoiled.save(tmp_path / "spoiled.xlsx")
+    found = audited(tmp_path / "spoiled.xlsx", tmp_path)["findings"]
+    assert any(f["severity"] not in ("Low", "Info") and f["cell"] == f"D{row}" for f in found)
+
+
+def test_bytes_are_the_same_each_time(book, template, tmp_path):
+    again = tmp_path / "again.xlsx"
+    build(shortened(template), again)
+    assert cmp(again, book, shallow=False)  # no diff of a million bytes
+
+
+def test_bytes_do_not_hang_on_lxml(book, template, tmp_path):
+    """openpyxl writes through lxml where it is installed, and then other bytes, unless it is told not to."""
+    pytest.importorskip("lxml")
+    described, again = tmp_path / "short.toml", tmp_path / "again.xlsx"
+    described.write_text(write_machine(shortened(template)), encoding="utf-8")
+    environment = {name: value for name, value in os.environ.items() if name != "OPENPYXL_LXML"}
+    command = [sys.executable, "-c", BUILD, str(described), str(again)]
+    subprocess.run(command, check=True, env=environment)
+    assert cmp(again, book, shallow=False)  # no diff of a million bytes
+
+
+def test_every_formula_has_a_saved_value(book):
+    with zipfile.ZipFile(book) as parts:
+        sheets = [parts.read(n).decode() for n in parts.namelist() if n.startswith("xl/worksheets/sheet")]
+    formulas = [f for sheet in sheets for f in re.findall(r"<c [^>]*><f>[^<]*</f>(<v[^>]*>[^<]*</v>|)", sheet)]
+    assert len(formulas) > 1_000
+    assert not [f for f in formulas if not re.fullmatch(r"<v ?>[^<]+</v>", f)]
+
+
+def test_every_chart_has_a_title_and_alternative_text(book):
+    with zipfile.ZipFile(book) as parts:
+        drawings = "".join(parts.read(n).decode() for n in parts.namelist() if re.match(r"xl/drawings/d", n))
+    frames = re.findall(r"<cNvPr [^>]*>", drawings)
+    assert len(frames) > 10
+    assert all(re.search(r'name="(?!Chart \d)[^"]+" descr="[^"]{20,}"', frame) for frame in frames)
+
+
+def test_texts_are_shared(book):
+    with zipfile.ZipFile(book) as parts:
+        assert b"inlineStr" not in b"".join(parts.read(n) for n in parts.namelist() if n.startswith("xl/worksheets/s"))
+        strings = parts.read("xl/sharedStrings.xml")
+    count, unique = (int(n) for n in re.search(rb'count="(\d+)" uniqueCount="(\d+)"', strings).groups())
+    assert count > unique == strings.count(b"<si>")

@@ -1,0 +1,160 @@
+"""Catalogues of motors and reducers as CSV: one product a line, figures in the units that the column heads name."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+
+import workbook
+from workbook.entries import rules
+from workbook.entries.types import EntryError
+from workbook.errors import InputError, ReadError
+from workbook.selection.catalogue import MotorRow, ReducerRow
+
+Row = TypeVar("Row", MotorRow, ReducerRow)
+FOLDER = Path(workbook.__file__).parent.parent.joinpath("templates")
+MOTORS, REDUCERS = "motors.csv", "reducers.csv"
+TEXTS = ("name", "source")
+MOTOR_COLUMNS = {
+    "name": "name",
+    "inertia_kgm2": "inertia",
+    "rated_torque_Nm": "rated_torque",
+    "peak_torque_Nm": "peak_torque",
+    "max_speed_rpm": "max_speed",
+    "full_torque_to_rpm": "full_torque_to",
+    "torque_at_max_speed_Nm": "end_torque",
+    "mass_kg": "mass",
+    "cost": "cost",
+    "source": "source",
+}
+REDUCER_COLUMNS = {
+    "name": "name",
+    "reduction": "reduction",
+    "efficiency": "efficiency",
+    "inertia_at_input_kgm2": "inertia",
+    "max_input_speed_rpm": "max_speed",
+    "max_output_torque_Nm": "max_torque",
+    "mass_kg": "mass",
+    "cost": "cost",
+    "source": "source",
+}
+
+
+def read_motors(path: Path) -> list[MotorRow]:
+    """Read a catalogue of motors; raise ReadError, or InputError with a line for each fault."""
+    return read(path, MotorRow, MOTOR_COLUMNS)
+
+
+def read_reducers(path: Path) -> list[ReducerRow]:
+    """Read a catalogue of reducers; raise ReadError, or InputError with a line for each fault."""
+    return read(path, ReducerRow, REDUCER_COLUMNS)
+
+
+@cache
+def committed_motors() -> list[MotorRow]:
+    """Return the motors that come with the templates."""
+    return read_motors(FOLDER.joinpath(MOTORS))
+
+
+@cache
+def committed_reducers() -> list[ReducerRow]:
+    """Return the reducers that come with the templates."""
+    return read_reducers(FOLDER.joinpath(REDUCERS))
+
+
+def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Row]:
+    """Read the rows of a CSV file: commas, or semicolons with commas in the numbers."""
+    lines = text(path).splitlines()
+    if not lines:
+        raise ReadError(f"{path}: the file is empty; expected a head of {', '.join(columns)}")
+    separator = ";" if ";" in lines[0] else ","
+    table = csv.reader(lines, delimiter=separator)
+    head = [cell.strip() for cell in next(table)]
+    require_head(path, head, model, columns)
+    faults: list[str] = []
+    rows = [row for row in parse(path, table, head, separator, (model, columns), faults) if row is not None]
+    if faults:
+        raise InputError(faults)
+    if not rows:
+        raise ReadError(f"{path}: there is no product below the head; expected one a line")
+    return rows
+
+
+def text(path: Path) -> str:
+    """Return a file's text; raise ReadError where there is none."""
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except FileNotFoundError as error:
+        raise ReadError(f"{path}: there is no such file") from error
+    except UnicodeDecodeError as error:
+        raise ReadError(f"{path}: this is not a text; expected a catalogue, a .csv file in UTF-8") from error
+    except OSError as error:
+        kind = "this is a folder" if path.is_dir() else f"cannot be read: {error.strerror or error}"
+        raise ReadError(f"{path}: {kind}; expected a catalogue, a .csv file") from error
+
+
+def require_head(path: Path, head: list[str], model: type[Row], columns: dict[str, str]) -> None:
+    """Raise InputError for a column that is unknown, given twice, or needed and missing."""
+    where = f"{path}: line 1"
+    faults = [
+        f"{where}: unknown column {name!r}; expected one of {', '.join(columns)}"
+        for name in head
+        if name not in columns
+    ]
+    faults += [f"{where}: column {name} stands there twice" for name in dict.fromkeys(head) if head.count(name) > 1]
+    needed = [name for name, entry in columns.items() if model.model_fields[entry].is_required()]
+    faults += [f"{where}: column {name} is missing" for name in needed if name not in head]
+    if faults:
+        raise InputError(faults)
+
+
+def parse(
+    path: Path,
+    table: Any,
+    head: list[str],
+    separator: str,
+    target: tuple[type[Row], dict[str, str]],
+    faults: list[str],
+) -> Iterator[Row | None]:
+    """Yield each line's row; enter what is wrong in ``faults``."""
+    model, columns = target
+    names = {entry: column for column, entry in columns.items()}
+    for cells in table:
+        if not any(cell.strip() for cell in cells):
+            continue
+        where = f"{path}: line {table.line_num}"
+        if len(cells) > len(head):
+            faults.append(f"{where}: {len(cells)} cells; expected {len(head)}, as in the head")
+            continue
+        filled = zip(head, cells, strict=False)  # cells at the end may be missing
+        given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
+        try:
+            yield model.model_validate({entry: cell for entry, cell in given.items() if cell is not None})
+        except ValidationError as error:
+            faults += [f"{where}, {fault(found, model, names)}" for found in error.errors(include_url=False)]
+
+
+def value(cell: str, entry: str, separator: str) -> Any:
+    """Return what a cell holds: nothing, a text, or a number; what is no number stays a text, which no rule takes."""
+    if not cell or entry in TEXTS:
+        return cell or None
+    try:
+        return float(cell.replace(",", ".") if separator == ";" else cell)
+    except ValueError:
+        return cell
+
+
+def fault(found: Any, model: type[Row], names: dict[str, str]) -> str:
+    """Return the column, what was found, what is expected."""
+    cause = found.get("ctx", {}).get("error")
+    if isinstance(cause, EntryError):
+        return f"column {names[cause.field]}: {cause}"
+    entry = str(found["loc"][0])
+    expected = rules.expectation(*rules.field_at(model, entry))
+    what = "empty" if found["type"] == "missing" else f"found {found['input']!r}"
+    return f"column {names[entry]}: {what}; expected {expected}"
