@@ -15,12 +15,14 @@ from openpyxl import Workbook
 from tests.mutation.bench import sized
 from workbook.book.address import Address
 from workbook.build import build
+from workbook.errors import ReadError
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Report
 from workbook.judging.shown.book import displayed
 from workbook.judging.verify import verify
 from workbook.reading.files import BookFile, find_places, open_book
 from workbook.templates import Template
+from workbook.writing.archive import unzipped, zipped
 
 TASTE = (
     "General", "0", "0.000", "#,##0.00", "0.00E+00", "##0.0E+0", "0.0_);(0.0)", "+0.00;-0.00", "[Red]0.0", '"ca. "0.0',
@@ -174,6 +176,69 @@ def texts(looks: Looks, changed: Workbook, count: int, seed: int | str) -> set[s
         changed[pair.address.sheet][pair.address.a1].data_type = "s"
         cells.add(f"{pair.address.sheet}!{pair.address.a1}")
     return cells
+
+
+def packages(looks: Looks) -> Iterator[tuple[str, bytes]]:
+    """Yield copies of which two programs could read two things, each in words."""
+    parts = unzipped(looks.path.read_bytes())
+    kind = "application/vnd.openxmlformats-officedocument.spreadsheetml."
+    for name, content in (("xl/workbook2.xml", "sheet.main"), ("xl/strings2.xml", "sharedStrings")):
+        more = f'<Override PartName="/{name}" ContentType="{kind}{content}+xml"/></Types>'.encode()
+        types = parts["[Content_Types].xml"].replace(b"</Types>", more)
+        yield name, zipped(parts | {name: parts["xl/workbook.xml"], "[Content_Types].xml": types})
+    sheet = "xl/worksheets/sheet2.xml"
+    formula, row = rb"(<f>[^<]*</f>)", rb"(<row .*?</row>)"
+    for what, pattern, new in (("a formula", formula, rb"\1\1"), ("an element in one", b"</f>", b"<x/></f>"),
+                               ("a row", row, rb"\1\1"), ("a cell", rb"(<c [^>]*><f>.*?</c>)", rb"\1\1")):  # fmt: skip
+        yield what, zipped(parts | {sheet: re.sub(pattern, new, parts[sheet], count=1, flags=re.DOTALL)})
+
+
+def outcomes(template: Template, folder: Path, count: int, seed: int | str) -> Iterator[tuple[str, bool]]:
+    """Yield faults of every class in words, each with whether ``verify`` finds and names it, and nothing of taste."""
+    looks = Looks(template, folder)
+    changed = looks.opened()
+    faults = formatted(looks, changed, count, seed)
+    said, oracle = looks.said(changed), Oracle(changed)
+    for pair, code in faults:
+        text = oracle.text(pair.address)
+        misread = not reads_back(text, value_of(pair), pair.cell.quantity.unit)
+        found = f"{pair.address.sheet}!{pair.address.a1}" in said
+        yield f"{pair.address} shown as {text!r} by {code}", found if misread else not (found and code in TASTE)
+    for style in ("label", "symbol", "unit"):
+        changed = looks.opened()
+        cells = exchanged(looks, changed, style, seed)
+        said = looks.said(changed)
+        yield from ((f"{cell}: a {style} that has changed places", cell in said) for cell in sorted(cells))
+    changed = looks.opened()
+    corners = [corner for _, _, corner in redrawn(changed, seed)]
+    said = looks.said(changed)
+    yield from ((f"the chart at {corner}", corner in said) for corner in corners)
+    yield from whole(looks, folder / "changed.xlsx", seed)
+
+
+def whole(looks: Looks, path: Path, seed: int | str) -> Iterator[tuple[str, bool]]:
+    """Yield the faults about which all of ``verify`` is asked: types, settings, parts."""
+    changed = looks.opened()
+    cells = texts(looks, changed, 10, seed)
+    changed.save(path)
+    kinds = named(path)
+    yield from ((f"{cell}: a formula kept as a text", "replaced" in kinds.get(cell, ())) for cell in sorted(cells))
+    changed = looks.opened()
+    for name in settings(changed):
+        changed.save(path)
+        yield f"the setting {name}", named(path).keys() == {"!calculation"}
+    for what, content in packages(looks):
+        path.write_bytes(content)
+        yield f"{what} twice in the package", refused(path)
+
+
+def refused(path: Path) -> bool:
+    """Whether a file is refused."""
+    try:
+        open_book(path)
+    except ReadError:
+        return True
+    return False
 
 
 def named(path: Path) -> dict[str, set[str]]:
