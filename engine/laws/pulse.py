@@ -1,0 +1,299 @@
+"""Pulses of acceleration: what a law does between rest and its greatest velocity, and backwards from its end."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+
+from engine.laws.ladder import Curve, zeros
+from engine.laws.piece import Piece
+
+K = 2.0 / math.pi  # mean of a quarter sine
+QUARTER = math.pi / 2.0
+SUM_TOLERANCE = 1e-9
+
+
+class Pulse(ABC):
+    """An acceleration p(x) of peak 1 over x from 0 to 1, told from its outer end.
+
+    The outer end is where the law begins; a deceleration is told backwards from where the law ends. All else
+    follows from four numbers: w = ∫p, κ = ∫(1 − x)p dx/w, q = ∫p² and the greatest power from rest.
+    """
+
+    @property
+    @abstractmethod
+    def gain(self) -> float:
+        """w = ∫p dx: the velocity gained."""
+
+    @property
+    @abstractmethod
+    def lead(self) -> float:
+        """κ = ∫(1 − x)p dx/w: the travel from rest, for unit velocity gained."""
+
+    @property
+    @abstractmethod
+    def square(self) -> float:
+        """q = ∫p² dx."""
+
+    @property
+    @abstractmethod
+    def power(self) -> float:
+        """Greatest p·∫p, from rest."""
+
+    @property
+    @abstractmethod
+    def jerk(self) -> float:
+        """Largest |dp/dx| between the ends."""
+
+    @property
+    @abstractmethod
+    def pieces(self) -> tuple[Piece, ...]:
+        """The pulse piece by piece from its outer end; a stage without length is among them."""
+
+    @property
+    @abstractmethod
+    def outer(self) -> float:
+        """p(0), where the law begins or ends."""
+
+    @property
+    @abstractmethod
+    def inner(self) -> float:
+        """p(1), where the law is at its greatest velocity."""
+
+    @property
+    @abstractmethod
+    def least(self) -> float:
+        """The smallest p."""
+
+    @property
+    def shape(self) -> tuple[float, float, float] | None:
+        """Shares of constant, sine and straight stages; None of a polynomial."""
+        return None
+
+
+@dataclass(frozen=True)
+class Edged(Pulse):
+    """A pulse of three stages: an edge up, a constant, an edge down; the shares, not negative, sum to 1."""
+
+    rise: float
+    flat: float
+    fall: float
+
+    def __post_init__(self) -> None:
+        shares = (self.rise, self.flat, self.fall)
+        if not (min(shares) >= 0.0 and abs(sum(shares) - 1.0) <= SUM_TOLERANCE):
+            raise ValueError(f"the shares of a pulse are {shares}; expected three, none negative, of sum 1")
+
+    @property
+    def outer(self) -> float:
+        """1 without an edge at the outer end, else 0."""
+        return 0.0 if self.rise > 0.0 else 1.0
+
+    @property
+    def inner(self) -> float:
+        """1 without an edge at the inner end, else 0."""
+        return 0.0 if self.fall > 0.0 else 1.0
+
+    @property
+    def least(self) -> float:
+        """1 for a constant, else 0."""
+        return min(self.outer, self.inner)
+
+    @property
+    def steepest(self) -> float:
+        """1/d of the shorter edge of the two that last; 0 of a constant."""
+        return max((1.0 / d for d in (self.rise, self.fall) if d > 0.0), default=0.0)
+
+
+class SineEdged(Edged):
+    """sin(πx/2d1), 1, cos(πx/2d3), each from the begin of its stage.
+
+    With k = 2d1/π + d2 and g = 2d3/π: w = k + g; v·p is greatest on the last edge, at the sine
+    σ = 2g/(k + √(k² + 8g²)) of the angle yet to go, where it is (k + gσ)√(1 − σ²).
+    Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'.
+    """
+
+    @property
+    def gain(self) -> float:
+        """W = k + g."""
+        return K * self.rise + self.flat + K * self.fall
+
+    @property
+    def lead(self) -> float:
+        """κ = [(2d1/π)(1 − 2d1/π) + d2(d2/2 + d3) + g²]/w."""
+        edge, g = K * self.rise, K * self.fall
+        return (edge * (1.0 - edge) + self.flat * (self.flat / 2.0 + self.fall) + g * g) / self.gain
+
+    @property
+    def square(self) -> float:
+        """Q = d1/2 + d2 + d3/2."""
+        return self.rise / 2.0 + self.flat + self.fall / 2.0
+
+    @property
+    def power(self) -> float:
+        """(k + gσ)√(1 − σ²)."""
+        k, g = K * self.rise + self.flat, K * self.fall
+        sigma = 2.0 * g / (k + math.hypot(k, math.sqrt(8.0) * g))
+        return (k + g * sigma) * math.sqrt(1.0 - sigma * sigma)
+
+    @property
+    def jerk(self) -> float:
+        """π/2d of the shorter edge."""
+        return QUARTER * self.steepest
+
+    @property
+    def shape(self) -> tuple[float, float, float]:
+        """A constant and two quarters of a sine."""
+        return self.flat, self.rise + self.fall, 0.0
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """A quarter sine, a constant, a quarter cosine."""
+        return (_quarter(self.rise, 0.0), Piece(self.flat, (1.0, 0.0, 0.0, 0.0)), _quarter(self.fall, QUARTER))
+
+
+def _quarter(d: float, phase: float) -> Piece:
+    return Piece(d, amplitude=1.0, omega=QUARTER / d, phase=phase) if d > 0.0 else Piece(0.0)
+
+
+class HalfSine(SineEdged):
+    """sin πx: two quarter sines that are one piece. Source: S3, 'CIC'."""
+
+    def __init__(self) -> None:
+        super().__init__(0.5, 0.0, 0.5)
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """One half sine."""
+        return (Piece(1.0, amplitude=1.0, omega=math.pi),)
+
+
+class LinearEdged(Edged):
+    """x/t1, 1, 1 − x/t3, each from the begin of its stage: a ramp of velocity whose jerk is limited.
+
+    With k = t1/2 + t2: w = k + t3/2; v·p is greatest on the last edge, where p = y = min(1, √((2k + t3)/3t3)),
+    and is (k + t3/2 − t3y²/2)y there.
+    """
+
+    @property
+    def gain(self) -> float:
+        """W = t1/2 + t2 + t3/2."""
+        return self.rise / 2.0 + self.flat + self.fall / 2.0
+
+    @property
+    def lead(self) -> float:
+        """κ = [(t1/2)(1 − 2t1/3) + t2(t2/2 + t3) + t3²/3]/w."""
+        edge = self.rise / 2.0 * (1.0 - 2.0 * self.rise / 3.0)
+        return (edge + self.flat * (self.flat / 2.0 + self.fall) + self.fall**2 / 3.0) / self.gain
+
+    @property
+    def square(self) -> float:
+        """Q = t1/3 + t2 + t3/3."""
+        return self.rise / 3.0 + self.flat + self.fall / 3.0
+
+    @property
+    def power(self) -> float:
+        """(k + t3/2 − t3y²/2)y."""
+        k, t3 = self.rise / 2.0 + self.flat, self.fall
+        y = min(1.0, math.sqrt((2.0 * k + t3) / (3.0 * t3))) if t3 > 0.0 else 1.0
+        return (k + t3 / 2.0 - t3 * y * y / 2.0) * y
+
+    @property
+    def jerk(self) -> float:
+        """1/t of the shorter edge."""
+        return self.steepest
+
+    @property
+    def shape(self) -> tuple[float, float, float]:
+        """A constant and two straight lines."""
+        return self.flat, 0.0, self.rise + self.fall
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """A line up, a constant, a line down."""
+        up = Piece(self.rise, (0.0, 1.0 / self.rise, 0.0, 0.0)) if self.rise > 0.0 else Piece(0.0)
+        down = Piece(self.fall, (1.0, -1.0 / self.fall, 0.0, 0.0)) if self.fall > 0.0 else Piece(0.0)
+        return (up, Piece(self.flat, (1.0, 0.0, 0.0, 0.0)), down)
+
+
+@dataclass(frozen=True)
+class PolynomialPulse(Pulse):
+    """P(x) = Σ c_i xⁱ, which is of peak 1 and nowhere negative: the half of a symmetric polynomial law."""
+
+    c: tuple[float, ...]
+
+    @cached_property
+    def _acceleration(self) -> Curve:
+        return Curve(self.c)
+
+    @cached_property
+    def _velocity(self) -> Curve:
+        return self._acceleration.integral(0.0)
+
+    @property
+    def gain(self) -> float:
+        """W = Σ c_i/(i + 1)."""
+        return self._velocity(1.0)
+
+    @property
+    def lead(self) -> float:
+        """κ = Σ c_i/((i + 1)(i + 2))/w."""
+        return self._velocity.integral(0.0)(1.0) / self.gain
+
+    @property
+    def square(self) -> float:
+        """Q = ΣΣ c_i c_k/(i + k + 1)."""
+        return self._acceleration.times(self._acceleration).integral(0.0)(1.0)
+
+    @cached_property
+    def power(self) -> float:
+        """Greatest p·∫p: at a zero of its derivative, or at the inner end."""
+        power = self._velocity.times(self._acceleration)
+        return max(map(power, [*zeros(power.derivative(), 1.0), 1.0]))
+
+    @cached_property
+    def jerk(self) -> float:
+        """Largest |Σ i c_i xⁱ⁻¹|: at a zero of the second derivative, or at an end."""
+        jerk = self._acceleration.derivative()
+        return max(abs(jerk(x)) for x in (0.0, *zeros(jerk.derivative(), 1.0), 1.0))
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """One polynomial."""
+        return (Piece(1.0, self.c + (0.0,) * (4 - len(self.c))),)
+
+    @property
+    def outer(self) -> float:
+        """p(0) = c0."""
+        return self.c[0]
+
+    @property
+    def inner(self) -> float:
+        """p(1) = Σ c_i."""
+        return self._acceleration(1.0)
+
+    @property
+    def least(self) -> float:
+        """The smaller of p(0) and p(1), as p has one peak."""
+        return min(self.outer, self.inner)
+
+    @property
+    def shape(self) -> tuple[float, float, float] | None:
+        """Known of a constant and of a straight line."""
+        return {1: (1.0, 0.0, 0.0), 2: (0.0, 0.0, 1.0)}.get(len(self.c))
+
+
+def _of_peak(peak: float, *c: float) -> PolynomialPulse:
+    return PolynomialPulse(tuple(x / peak for x in c))
+
+
+CONSTANT = PolynomialPulse((1.0,))
+CYCLOIDAL = HalfSine()
+LINE_DOWN = PolynomialPulse((1.0, -1.0))
+"""the half of a cubic"""
+HALF_345 = _of_peak(5.0 / math.sqrt(3.0), 0.0, 15.0, -22.5, 7.5)
+"""the half of the polynomial 3-4-5, s = 10ξ³ − 15ξ⁴ + 6ξ⁵"""
+HALF_4567 = _of_peak(42.0 / (5.0 * math.sqrt(5.0)), 0.0, 0.0, 52.5, -105.0, 65.625, -13.125)
+"""the half of the polynomial 4-5-6-7, s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷"""
