@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import astuple, dataclass, replace
-from typing import ClassVar, Self
+from typing import ClassVar, NamedTuple, Self
 
 from engine.laws.base import Law, require_finite
 
@@ -36,9 +36,14 @@ class Ends:
         require_finite(stroke=self.stroke, v0=self.v0, v1=self.v1, a0=self.a0, a1=self.a1, j0=self.j0, j1=self.j1)
 
     @property
+    def values(self) -> tuple[float, ...]:
+        """Stroke, v0, v1, a0, a1, j0, j1."""
+        return astuple(self)
+
+    @property
     def at_rest(self) -> bool:
         """Whether nothing but a stroke is asked for."""
-        return not any(astuple(self)[1:])
+        return not any(self.values[1:])
 
     def asked(self, quantity: str) -> tuple[float, float]:
         """Return the values of ``quantity`` (v, a or j) at begin and end."""
@@ -54,17 +59,21 @@ class EndedLaw(Law):
     With ``ends`` as they are by default it is the law of unit stroke between two rests; else s(1) is the stroke.
     """
 
-    takes: ClassVar[str] = "v"
-    """the quantities that may be prescribed at its ends: of v, a, j"""
+    TAKES: ClassVar[str] = "v"
 
     ends: Ends
+
+    @property
+    def takes(self) -> str:
+        """The quantities that may be prescribed at its ends: of v, a, j."""
+        return self.TAKES
 
     @property
     @abstractmethod
     def own_acceleration(self) -> tuple[bool, bool]:
         """Whether it begins, and whether it ends, with an acceleration of its own."""
 
-    def between(self, ends: Ends) -> Law:
+    def between(self, ends: Ends) -> EndedLaw:
         """Return the law between these ends, with their stroke; raise EndError, with the reason, if it has none."""
         require_ends(self, ends, self.takes)
         return self._with(ends)
@@ -73,12 +82,24 @@ class EndedLaw(Law):
         return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
 
 
-def between(law: Law, ends: Ends) -> Law:
-    """Return any law with prescribed ends; of a law that takes none, only rest: EndError says why not."""
+class Scaled(NamedTuple):
+    """A law, and what its s, v, a and j are to be multiplied by."""
+
+    law: Law
+    scale: float
+
+
+def between(law: Law, ends: Ends) -> Scaled:
+    """Return any law between two ends: between rests the law itself, to be multiplied by the stroke.
+
+    Raises EndError, with the reason, for an end that the law cannot have.
+    """
+    if ends.at_rest:
+        return Scaled(law, ends.stroke)
     if isinstance(law, EndedLaw):
-        return law.between(ends)
+        return Scaled(law.between(ends), 1.0)
     require_ends(law, ends, "")
-    return law
+    raise AssertionError("ends that are not at rest ask for something")
 
 
 def require_ends(law: Law, ends: Ends, takes: str) -> None:
@@ -113,5 +134,5 @@ def kinds(law: Law) -> tuple[str, str]:
         return kind(*ends[0]), kind(*ends[1])
     if "a" in law.takes:
         return "RGUB", "RGUB"
-    begin, end = ("UB" if own else "RG" for own in law.own_acceleration)
+    begin, end = (("UB" if own else "RG")[: 1 + len(law.takes)] for own in law.own_acceleration)
     return begin, end

@@ -16,6 +16,8 @@ POWERS = 6
 SINES = (POWERS, POWERS + 4)
 """where the two sines stand in :attr:`Piece.row`"""
 
+Columns = Sequence[Array] | Array
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -63,7 +65,7 @@ def gains(u: Array, row: Array) -> tuple[Array, Array, Array, Array]:
     return gains_of(u, row[:POWERS], [row[k : k + 4] for k in SINES if row[k].any()])
 
 
-def gains_of(u: Array, c: Sequence[Array], sines: Sequence[Sequence[Array]]) -> tuple[Array, Array, Array, Array]:
+def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Array, Array, Array]:
     """Return ∬a, ∫a, a and da/du from the coefficients of a polynomial and the P, ω, sin φ, cos φ of sines.
 
     With h = ωu/2 and m, n the sine and cosine of φ + h, the integrals of a sine are

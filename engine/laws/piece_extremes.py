@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
 from engine.laws.crossings import narrowed
@@ -72,7 +73,7 @@ def _sine_power(sine: Sine, duration: float, v0: float) -> list[float]:
 def _searched_power(piece: Piece, v0: float) -> list[float]:
     row = np.array(piece.row)[:, None]
 
-    def rises(u: Array) -> Array:
+    def rises(u: Array) -> NDArray[np.bool_]:
         _, v, a, j = gains(u, row)
         return np.asarray(a * a + (v0 + v) * j >= 0.0)
 

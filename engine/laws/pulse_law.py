@@ -70,6 +70,10 @@ class PulseLaw(EndedLaw):
         return (self.top - self.ends.v1) / (self.course.fall.gain * self.course.fall_time)
 
     @property
+    def _stages(self) -> tuple[int, ...] | None:
+        return self.STAGES
+
+    @property
     def own_acceleration(self) -> tuple[bool, bool]:
         """Whether the first pulse begins, and the second ends, above 0."""
         return self.course.rise.outer != 0.0, self.course.fall.outer != 0.0
@@ -83,7 +87,7 @@ class PulseLaw(EndedLaw):
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
         rise, fall = self._pulses
         pieces = (*rise, Piece(self.course.cruise), *reversed_pieces(fall))
-        return pieces if self.STAGES is None else tuple(pieces[k] for k in self.STAGES)
+        return pieces if self._stages is None else tuple(pieces[k] for k in self._stages)
 
     def shapes(self) -> Shapes | None:
         """Return the shares of each stage's shape; None between prescribed ends and where a pulse is a polynomial."""
