@@ -70,10 +70,10 @@ class Shapes(NamedTuple):
 
     On each a reaches the law's peak on that side: constant; quarters of a sine that begin or end at 0; straight
     lines that begin or end at 0. With these shares, however the stages follow one another, the integral of the
-    acceleration beyond any level x of its peak is, for n = 1, 2 and γ = arccos x::
+    acceleration beyond any level x of its peak is, for n = 1, 2 and θ = arccos x::
 
         ∫((a − x peak)+)ⁿ dξ / peakⁿ = flat (1 − x)ⁿ + sine q_n + ramp (1 − x)ⁿ⁺¹/(n + 1)
-        q_1 = 2/π (sin γ − x γ)      q_2 = 2/π (γ (1/2 + x²) − 3/2 x sin γ)
+        q_1 = 2/π (sin θ − x θ)      q_2 = 2/π (θ (1/2 + x²) − 3/2 x sin θ)
     """
 
     flat_up: float = 0.0

@@ -6,6 +6,7 @@ import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 from engine.laws.ladder import Curve, zeros
 from engine.laws.piece import Piece
@@ -13,6 +14,31 @@ from engine.laws.piece import Piece
 K = 2.0 / math.pi  # mean of a quarter sine
 QUARTER = math.pi / 2.0
 SUM_TOLERANCE = 1e-9
+
+
+class Quarter(NamedTuple):
+    """A quarter sine that ends without acceleration: velocity v2 at its begin, velocity g gained on it.
+
+    With x from 0 to π/2 its velocity is v2 + g sin x and its acceleration, of unit height, cos x.
+    """
+
+    velocity: float
+    gain: float
+
+    @property
+    def sin(self) -> float:
+        """Sin x where v·a is largest: 2g sin²x + v2 sin x = g; the same for any height of the acceleration."""
+        v2, g = self
+        return 2.0 * g / (v2 + math.hypot(v2, math.sqrt(8.0) * g))
+
+    @property
+    def power(self) -> float:
+        """Largest v·a, for unit height: cos x (v2 + g sin x)."""
+        return math.sqrt(1.0 - self.sin**2) * (self.velocity + self.gain * self.sin)
+
+    def scaled(self, height: float) -> Quarter:
+        """Return the same for another height of the acceleration."""
+        return Quarter(height * self.velocity, height * self.gain)
 
 
 class Pulse(ABC):
@@ -134,9 +160,7 @@ class SineEdged(Edged):
     @property
     def power(self) -> float:
         """(k + gσ)√(1 − σ²)."""
-        k, g = K * self.rise + self.flat, K * self.fall
-        sigma = 2.0 * g / (k + math.hypot(k, math.sqrt(8.0) * g))
-        return (k + g * sigma) * math.sqrt(1.0 - sigma * sigma)
+        return Quarter(K * self.rise + self.flat, K * self.fall).power
 
     @property
     def jerk(self) -> float:

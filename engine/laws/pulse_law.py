@@ -29,6 +29,13 @@ class Course(NamedTuple):
     fall_time: float
 
 
+class Lobe(NamedTuple):
+    """Velocity gained, and travel from rest, of a pulse of unit height over its time: w T and κ w T²."""
+
+    velocity: float
+    travel: float
+
+
 class PulseLaw(EndedLaw):
     """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H::
 
@@ -51,6 +58,13 @@ class PulseLaw(EndedLaw):
     def course(self) -> Course:
         """The pulses with their durations."""
         return self._course()
+
+    @property
+    def lobes(self) -> tuple[Lobe, Lobe]:
+        """Both pulses for unit height."""
+        c = self.course
+        up, down = c.rise.gain * c.rise_time, c.fall.gain * c.fall_time
+        return Lobe(up, c.rise.lead * up * c.rise_time), Lobe(down, c.fall.lead * down * c.fall_time)
 
     @cached_property
     def top(self) -> float:

@@ -227,10 +227,9 @@ class Book:
         self.sheets.append(Sheet(self, title, purpose))
         return self.sheets[-1]
 
-    def name_columns(self, block: Block, prefix: str) -> None:
-        """Give every column of a table a defined name, ``prefix_quantity``: for tables that others look up."""
-        for q in block.quantities:
-            self.column_names[f"{prefix}_{q.name}"] = (block.name, q.name)
+    def name(self, table: str, **columns: str) -> None:
+        """Give columns of a table defined names, for those that others look up: ``name("laws", law_cv="cv")``."""
+        self.column_names |= {name: (table, column) for name, column in columns.items()}
 
     def cells(self) -> Iterator[Cell]:
         """Yield every declared cell of the book."""

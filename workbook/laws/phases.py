@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from engine.laws.base import Array
 from engine.motion import Motion
 from workbook.book.declare import Quantity, calc
+from workbook.book.rows import filled
 from workbook.laws import sampling
 from workbook.laws.stack import CODES
-
-Array = NDArray[np.float64]
 
 LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
 CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
@@ -33,12 +32,12 @@ def kinds(laws: Sequence[str], lifts: Sequence[float], rows: int) -> list[str]:
         "dwell" if law == "DWL" or lift == 0 else "rise" if lift > 0 else "return"
         for law, lift in zip(laws, lifts, strict=True)
     ]
-    return used + ["spare"] * (rows - len(used))
+    return filled(used, rows, "spare")
 
 
 def law_numbers(laws: Sequence[str], rows: int) -> list[int]:
     """Return the number of each phase's law, with the spare rows filled up."""
-    return [CODES.index(law) + 1 for law in laws] + [1] * (rows - len(laws))
+    return filled([CODES.index(law) + 1 for law in laws], rows, 1)
 
 
 def located(

@@ -7,16 +7,13 @@ as on it, so that rounding never decides which side of a jump is shown; ξ = 1 b
 
 from __future__ import annotations
 
+from itertools import accumulate
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from engine.laws import Law
-from engine.laws.base import BREAK_TOLERANCE
+from engine.laws import Law, Piece
+from engine.laws.base import Array
+from engine.laws.table import located
 from workbook.book.declare import Quantity, calc
-
-Array = NDArray[np.float64]
 
 FIND = "=MATCH(2*{law}+MIN([{xi}]+break_tolerance,1-break_tolerance),piece_key,1)"
 LOCAL = "=[{xi}]-INDEX(piece_xi,[{q}])"
@@ -39,49 +36,34 @@ JERK = (
 )
 
 
+Located = tuple[Array, Array, Array]
+"""row of the piece (from 1), u from its begin, and the argument ωu + φ of its sine, of each sample"""
+
+
 class Pieces:
-    """The stacked pieces as the sheets expect to find them: first row, ξ_k, ω, φ of each law, by number."""
+    """The stacked pieces as the sheets expect to find them: the pieces of each law, by number."""
 
-    def __init__(
-        self, starts: dict[int, list[float]], omegas: dict[int, list[float]], phis: dict[int, list[float]]
-    ) -> None:
-        self.starts, self.omegas, self.phis = starts, omegas, phis
-        self.offsets: dict[int, int] = {}
-        total = 0
-        for number, rows in starts.items():
-            self.offsets[number] = total
-            total += len(rows)
+    def __init__(self, pieces: dict[int, list[Piece]]) -> None:
+        self.pieces = pieces
+        before = accumulate((len(rows) for rows in pieces.values()), initial=1)
+        self.first = dict(zip(pieces, before, strict=False))
 
-    def locate(self, number: int, xi: Array) -> tuple[Array, Array, Array]:
+    def locate(self, number: int, xi: Array) -> Located:
         """Return piece row (from 1), local abscissa u and sine argument ωu + φ of samples of one law."""
-        starts = np.array(self.starts[number])
-        k = np.searchsorted(starts, np.minimum(xi + BREAK_TOLERANCE, 1 - BREAK_TOLERANCE), side="right") - 1
-        u = xi - starts[k]
-        return (
-            (self.offsets[number] + k + 1).astype(float),
-            u,
-            np.array(self.omegas[number])[k] * u + np.array(self.phis[number])[k],
-        )
+        place = located(self.pieces[number], xi)
+        return (self.first[number] + place.piece).astype(float), place.u, place.angle
 
 
-def finding(law: str, xi: str, located: tuple[Array, Array, Array], suffix: str = "") -> list[Quantity]:
+def finding(law: str, xi: str, at: Located, suffix: str = "") -> list[Quantity]:
     """Return the workings that find the piece of each sample: row, local abscissa, sine argument."""
-    row, u, x = located
+    row, u, x = at
     names = {"law": law, "xi": xi, "q": f"q{suffix}", "u": f"u{suffix}", "x": f"x{suffix}"}
     return [
-        calc(
-            names["q"],
-            "piece row",
-            "q",
-            "",
-            FIND.format(**names),
-            row,
-            format="0",
-            source="last key not above the sample's",
-        ),
+        calc(names["q"], "piece row", "q", "",
+             FIND.format(**names), row, format="0", source="last key not above the sample's"),
         calc(names["u"], "within piece", "u", "", LOCAL.format(**names), u, source="ξ − ξ_k"),
         calc(names["x"], "sine argument", "x", "rad", ARGUMENT.format(**names), x, source="ωu + φ"),
-    ]
+    ]  # fmt: skip
 
 
 def shape(law: Law, xi: Array, derivatives: str = "svaj", suffix: str = "", role: Any = calc) -> list[Quantity]:

@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import groupby
 
-from engine.laws import Law
+from engine.laws import Law, Piece
+from engine.laws.table import Carried, carried, key
+from workbook.book.chart import in_scope
 from workbook.entries.machine import Sizes
-from workbook.laws.entries import Piece
-from workbook.laws.page import piece_values
-from workbook.laws.pages import PAGES
+from workbook.laws.registry import FAMILIES
 from workbook.laws.sampling import Pieces
 
-CODES = ("DWL", *(page.code for page in PAGES), "OWN")
+CODES = tuple(family.code for family in FAMILIES)
+"""the laws of a book in the order of their numbers, from 1"""
 
 
 @dataclass(frozen=True)
 class Row:
-    """One row of the stack: law, number of the piece, entries of the piece, carried position and velocity."""
+    """One row of the stack: law, its number, number of the piece, formulas of its entries, and each column's value."""
 
     law: str
     number: int
     k: int
+    piece: Piece
+    formulas: dict[str, str]
     xi: float
     d: float
     c0: float
@@ -34,57 +38,39 @@ class Row:
     v: float
     ds: float
     dv: float
-
-    @property
-    def ps(self) -> float:
-        """P/ω², the amplitude of the position's sine."""
-        return self.P / self.omega**2 if self.omega > 0 else 0.0
-
-    @property
-    def pv(self) -> float:
-        """P/ω, the amplitude of the velocity's cosine."""
-        return self.P / self.omega if self.omega > 0 else 0.0
+    ps: float
+    pv: float
+    s0: float
+    s1: float
+    key: float
 
 
-def stacked(library: dict[str, Law], own: list[Piece], sizes: Sizes) -> list[Row]:
-    """Return the rows of the stack: Dwell, the laws with a page, then the own law with its spare rows."""
-    rows = [row("DWL", 1, 1, library["DWL"], 0.0, (1.0, *(0.0,) * 7))]
-    for page in PAGES:
-        values = piece_values(page, library[page.code])
-        number = CODES.index(page.code) + 1
-        for k, xi in enumerate(values["xi"]):
-            entries = (
-                values["d"][k],
-                values["c0"][k],
-                values["c1"][k],
-                0.0,
-                0.0,
-                values["P"][k],
-                values["omega"][k],
-                values["phi"][k],
-            )
-            rows.append(row(page.code, number, k + 1, library[page.code], xi, entries))
-    reached = 0.0
-    for k in range(sizes.pieces):
-        p = own[k] if k < len(own) else Piece(duration=0.0)
-        entries = (p.duration, p.c0, p.c1, p.c2, p.c3, p.amplitude, p.omega, p.phase)
-        rows.append(row("OWN", len(CODES), k + 1, library["OWN"], reached, entries))
-        reached += p.duration
+def stacked(library: dict[str, Law], sizes: Sizes) -> list[Row]:
+    """Return the rows of the stack: the pieces of each law in the order of their numbers."""
+    rows = []
+    for number, family in enumerate(FAMILIES, 1):
+        law = library[family.code]
+        found = family.page.stacked(law, sizes.pieces)
+        places = carried(law, [one.piece for one in found])
+        for k, (one, place) in enumerate(zip(found, places, strict=True), 1):
+            formulas = {name: in_scope(text, f"{family.code}_") for name, text in one.formulas.items()}
+            rows.append(row(family.code, number, k, formulas, place))
     return rows
 
 
-def row(code: str, number: int, k: int, law: Law, xi: float, entries: tuple[float, ...]) -> Row:
-    """Return one row; what is carried and gained are differences of the law's own closed forms."""
-    begin, end = law.evaluate(min(xi, 1.0)), law.evaluate(min(xi + entries[0], 1.0))
-    d, c0, c1, c2, c3, amplitude, omega, phi = entries
-    gains = (end.s - begin.s, end.v - begin.v)
-    return Row(code, number, k, xi, d, c0, c1, c2, c3, amplitude, omega, phi, begin.s, begin.v, *gains)
+def row(law: str, number: int, k: int, formulas: dict[str, str], place: Carried) -> Row:
+    """Return the row of a piece at its place."""
+    piece = place.piece
+    c0, c1, c2, c3 = piece.c
+    return Row(
+        law, number, k, piece, formulas, place.begin, piece.duration, c0, c1, c2, c3,
+        piece.amplitude, piece.omega, piece.phase, place.s, place.v, place.ds, place.dv,
+        place.position_sine, place.velocity_cosine, place.position_constant, place.position_slope,
+        key(number, place.begin),
+    )  # fmt: skip
 
 
 def locator(rows: list[Row]) -> Pieces:
     """Return the stack as the sampled tables search it."""
-
-    def column(name: str) -> dict[int, list[float]]:
-        return {n: [getattr(r, name) for r in rows if r.number == n] for n in range(1, len(CODES) + 1)}
-
-    return Pieces(column("xi"), column("omega"), column("phi"))
+    found = groupby(rows, key=lambda row: row.number)
+    return Pieces({number: [row.piece for row in group] for number, group in found})

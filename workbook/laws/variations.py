@@ -2,39 +2,59 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
-LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
-DURATIONS = (
-    (0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13),
-    (0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0),
-    (0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2),
-    (0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0),
-    (0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1),
-    (0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25),
-)
-OWN = (
-    [{"duration": 1.0, "c1": 60.0, "c2": -180.0, "c3": 120.0}],
-    [
-        {"duration": 0.4, "c0": 3.0, "c1": 1.5, "c2": -2.0, "c3": 0.7, "amplitude": 1.2, "omega": 7.0, "phase": 0.4},
-        {"duration": 0.35, "c0": -1.0, "amplitude": 2.0, "omega": 3.0, "phase": 1.1},
-        {"duration": 0.25, "c0": -2.0, "c2": 4.0},
-    ],
-    [
-        {"duration": 0.5, "amplitude": 6.5, "omega": 6.0},
-        {"duration": 0.5, "amplitude": -6.0, "omega": 6.5, "phase": 0.1},
-    ],
-)
+from workbook.entries.machine import Machine
+from workbook.laws.registry import FAMILIES, FAMILY, RISING
+
+SIX = 6
+"""variations of a template, unless its laws need more to have their turn"""
+MOST = 120
+"""turns after which a law that has not come never will"""
+
+
+def law_for(turn: int, without: str = "") -> str:
+    """Return the law that moves whose turn it is: one after the other, round and round; ``without`` a law, if any."""
+    codes = [code for code in RISING if code != without]
+    return codes[turn % len(codes)]
+
+
+def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return six variations of a machine's description, or as many more as give every law that moves its turn.
+
+    ``varied(description, turn)`` makes the one of a turn, counted from 0, with laws by :func:`law_for`.
+    Raises LookupError, with the laws that never come.
+    """
+    made: list[dict[str, Any]] = []
+    missing = set(RISING)
+    while missing or len(made) < SIX:
+        if len(made) == MOST:
+            raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
+        made.append(varied(machine.model_dump(), len(made)))
+        missing -= laws_in(made[-1])
+    return made
+
+
+def laws_in(description: Any) -> set[str]:
+    """Return the codes of the laws that a description's phases and tools name."""
+    if isinstance(description, dict):
+        return set().union(*(laws_in(value) for name, value in description.items() if name != "laws"))
+    if isinstance(description, list):
+        return set().union(*(laws_in(value) for value in description))
+    return {description} if isinstance(description, str) and description in RISING else set()
 
 
 def vary_laws(laws: dict[str, Any], k: int, scale: Any, room: int) -> None:
     """Give every law other parameters: asymmetric, with zero stages, of several pieces."""
-    for code in LAWS[:-1]:
-        laws[code]["lift"] *= -next(scale) if k % 2 else next(scale)
-        laws[code]["time"] *= next(scale)
-    laws["TVP"].update(rise_end=0.15 + 0.07 * k, fall_start=0.6 + 0.05 * k)
-    laws["MTP"]["durations"] = list(DURATIONS[k])
-    laws["OWN"]["pieces"] = own_pieces(k, room)
+    for family in FAMILIES:
+        if family.page.has_sheet:
+            entry = laws[family.code]
+            entry["lift"] *= -next(scale) if k % 2 else next(scale)
+            entry["time"] *= next(scale)
+    for family in FAMILIES:
+        if family.page.entries:
+            laws[family.code].update(family.page.variation(k, room))
 
 
 def factors(k: int) -> Any:
@@ -47,5 +67,4 @@ def factors(k: int) -> Any:
 
 def own_pieces(k: int, room: int) -> list[dict[str, Any]]:
     """Return pieces of an own law; with little room, the one of a single piece."""
-    pieces = OWN[k % 3]
-    return pieces if len(pieces) <= room else OWN[0]
+    return list(FAMILY["OWN"].page.variation(k, room)["pieces"])

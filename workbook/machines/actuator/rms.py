@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from engine.laws import ConstantAcceleration, Cubic, Cycloidal, Law, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.laws import Law
+from engine.laws.base import Shapes
 from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.laws.library import OwnLaw
+from workbook.laws.shapes import shapes_table
 from workbook.laws.stack import CODES
 from workbook.machines.actuator.flow import NEAR, Flow, Sized, Squares, hinge
 
@@ -169,8 +171,8 @@ class Row:
         if self.direction:
             self.level, self.slope = self.flow.level, self.flow.slope
         self.peak = self.per * (-k.ca_min if self.sign > 0 else k.ca_max)
-        column = 1 if self.sign > 0 else 0
-        self.flat, self.sine, self.ramp = (pair[column] for pair in shape(law))
+        shares = law.shapes() or Shapes()
+        self.flat, self.sine, self.ramp = shares.down if self.sign > 0 else shares.up
 
     def hinge(self, r: int, power: int) -> float:
         """Return N1 or N2 at the turn in row ``r`` of the flow."""
@@ -262,49 +264,9 @@ def fronts(machine: Sized, one: Flow) -> list[float]:
     return [m.on_shaft(k) / m.ratio_to(k) ** 2 * m.ratio * f for k, f in zip(shafts, one.first, strict=True)]
 
 
-def shape(law: Law) -> tuple[tuple[float, float], ...]:
-    """Return the shares of time that a law accelerates and brakes: at constant a, on quarter sines, on a straight line."""
-    none = (0.0, 0.0)
-    if isinstance(law, ConstantAcceleration):
-        return (0.5, 0.5), none, none
-    if isinstance(law, TrapezoidalVelocity):
-        return (law.rise_end, 1 - law.fall_start), none, none
-    if isinstance(law, Cycloidal):
-        return none, (0.5, 0.5), none
-    if isinstance(law, Cubic):
-        return none, none, (0.5, 0.5)
-    if isinstance(law, ModifiedTrapezoidal):
-        d = law.durations
-        return (d[1], d[5]), (d[0] + d[2], d[4] + d[6]), none
-    return none, none, none
-
-
 def shapes(sheet: Sheet, library: dict[str, Law]) -> None:
-    """Declare for each law the shares of its time on stages of each kind."""
-    formulas = {
-        "ACS": ("[ACS_pieces.d.1]", "[ACS_pieces.d.2]", "0", "0", "0", "0"),
-        "TVP": ("TVP_av", "1-TVP_aw", "0", "0", "0", "0"),
-        "CIC": ("0", "0", "1/2", "1/2", "0", "0"),
-        "CUB": ("0", "0", "0", "0", "1/2", "1/2"),
-        "MTP": ("MTP_d2", "MTP_d6", "MTP_d1+MTP_d3", "MTP_d5+MTP_d7", "0", "0"),
-    }
-    values = [[x for pair in shape(library[code]) for x in pair] for code in CODES]
-    names = [(kind, side) for kind in ("flat", "sine", "ramp") for side in ("up", "down")]
-    words = {
-        "flat": "constant",
-        "sine": "quarter sine",
-        "ramp": "straight line",
-        "up": "accelerating",
-        "down": "braking",
-    }
+    """Declare for each law the shares of its time on stages of each shape."""
     sheet.heading(
         "Workings: stages of the laws", "Shares of a law's time; the own law is summed from its samples instead."
     )
-    sheet.table(
-        "shapes", "Laws, in the order of the sheet Laws", len(CODES),
-        constant("law", "law", "", "", list(CODES)),
-        *(calc(f"{kind}_{side}", f"{words[kind]}, {words[side]}", "", "", ["=" + formulas.get(code,
-            ("0",) * 6)[j] for code in CODES],
-               [row[j] for row in values])
-          for j, (kind, side) in enumerate(names)),
-    )  # fmt: skip
+    shapes_table(sheet, library)

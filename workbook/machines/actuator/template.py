@@ -11,7 +11,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import LAWS, factors, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.laws.variations import own_pieces as own
 from workbook.machines.actuator.cycle import cascade, cycle_sheet
 from workbook.machines.actuator.entries import ActuatorSizing
@@ -79,11 +79,12 @@ def declare(machine: Machine) -> Book:
 
 def variants(machine: Machine) -> list[Machine]:
     """Return six machines of the same layout: every mechanism, both methods, each check, power turning round."""
-    return [ActuatorSizing.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
+    return [ActuatorSizing.model_validate(data) for data in variations(machine, varied)]
 
 
-def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return the ``k``-th variation of a description."""
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn."""
+    k = turn % SIX
     sizes, entry, scale = data["sizes"], data["actuator"], factors(k)
     vary_laws(data["laws"], k, scale, sizes["pieces"])
     entry |= {
@@ -92,7 +93,7 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
         "holding": "brake" if k % 3 == 1 else "motor",
         "output": {"turns": 0.05 + 0.03 * k, "diameter": 80.0 + 13 * k, "efficiency": 0.55 + 0.07 * k},
         "gears": [gear(k, i) for i in range((k + 1) % 3 if k else sizes["gears"])],
-        "phases": phases(k, sizes["phases"]),
+        "phases": phases(turn, sizes["phases"]),
     }  # fmt: skip
     data["laws"]["OWN"]["pieces"] = own_pieces(k, sizes["pieces"], entry["phases"])
     entry["parts"] = parts(k, sizes["rotors"], len(entry["gears"]))
@@ -117,12 +118,13 @@ def gear(k: int, i: int) -> dict[str, Any]:
     return {"name": f"gear {i + 1}", "ratio": 2.5 + i + 0.4 * k, "efficiency": 0.7 + 0.04 * k - 0.02 * i}
 
 
-def phases(k: int, room: int) -> list[dict[str, Any]]:
+def phases(turn: int, room: int) -> list[dict[str, Any]]:
     """Return phases up to the table's last row in turn, with laws and directions of every kind."""
-    made = []
-    laws = ("OWN",) if k == 2 else LAWS if k % 3 == 0 else LAWS[:-1]
+    made: list[dict[str, Any]] = []
+    k = turn % SIX
+    without = "" if k % 3 == 0 else "OWN"
     for i in range(room if k == 0 else min(room, (24, 6, 6, 2, 6, 6)[k])):
-        law = "DWL" if (i + k) % 4 == 1 and k != 2 else laws[(k + i) % len(laws)]
+        law = "OWN" if k == 2 else "DWL" if (i + k) % 4 == 1 else law_for(turn + i, without)
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (60.0 + 17 * i) * (-1) ** (i + k)
         made.append({"law": law, "lift": lift, "duration": (0.2 + 0.17 * ((i * 5 + k) % 4)) / (3 if k == 1 else 1)})
     return made

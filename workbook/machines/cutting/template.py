@@ -52,7 +52,10 @@ def declare(machine: Machine) -> Book:
         ],
     )  # fmt: skip
     timing_sheet(book, reference, shelf.stack)
-    book.name_columns(book.blocks["axes"], "axis")
+    book.name(
+        "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_travel="travel",
+        axis_low="low", axis_high="high", axis_v="v", axis_a="a",
+    )  # fmt: skip
     drive_sheet(book, reference)
     selection_sheet(book, LOAD, choosing(reference))
     shelf.sheets(book)

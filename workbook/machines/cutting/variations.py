@@ -6,25 +6,26 @@ from __future__ import annotations
 from typing import Any
 
 from workbook.entries.machine import Machine
-from workbook.laws.variations import LAWS, factors, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.selection.variations import vary_selection
 
 
 def variants(machine: Machine) -> list[Machine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
-    return [CuttingMachine.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
+    return [CuttingMachine.model_validate(data) for data in variations(machine, varied)]
 
 
-def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return the ``k``-th variation of a description: numbers scaled each by its own factor, choices turned."""
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn: numbers scaled each by its own factor, choices turned."""
+    k = turn % SIX
     timing, drive, sizes = data["timing"], data["drive"], data["sizes"]
     scale = factors(k)
     vary_laws(data["laws"], k, scale, sizes["pieces"])
     timing["rate"] *= next(scale)
     for i, axis in enumerate(timing["axes"]):
         axis["closes"] = "feed" if (i + k) % 2 else "position"
-        axis["phases"] = phases(i, k, sizes["phases"])
+        axis["phases"] = phases(i, turn, sizes["phases"])
     drive["axis"] = timing["axes"][k % 3]["name"]
     drive["resists"] = "moving" if k % 2 else "always"
     for entry in ("rate", "force", "radius"):
@@ -35,8 +36,9 @@ def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
     return data
 
 
-def phases(axis: int, k: int, room: int) -> list[dict[str, Any]]:
+def phases(axis: int, turn: int, room: int) -> list[dict[str, Any]]:
     """Return phases that fill the cycle, up to the table's last row in turn, with laws and lifts of every kind."""
+    k = turn % SIX
     count = room if k == 0 else min(room, 2 + (axis + k) % 5)
     step = 360.0 / count
     edges = [0.0, *((i + 0.1 * ((i + k) % 3)) * step for i in range(1, count)), 360.0]
@@ -44,7 +46,7 @@ def phases(axis: int, k: int, room: int) -> list[dict[str, Any]]:
     for i in range(count):
         dwell = (i + axis) % 4 == 3
         lift = 0.0 if dwell else (40.0 + 11 * axis + 3 * i) * (-1) ** (i + k)
-        law = "DWL" if dwell else LAWS[(axis + k + i) % 6]
+        law = "DWL" if dwell else law_for(axis + turn + i)
         made.append({"start": edges[i], "stop": edges[i + 1], "lift": lift, "law": law})
     return made
 

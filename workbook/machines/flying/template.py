@@ -10,7 +10,7 @@ from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
 from workbook.entries.units import RPM
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import LAWS, factors, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.flying.cycle import cycle_sheet
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
@@ -71,14 +71,15 @@ def declare(machine: Machine) -> Book:
 
 def variants(machine: Machine) -> list[Machine]:
     """Return six machines of the same layout: every law, drum and saw, each case, each limit exceeded."""
-    return [FlyingCutter.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
+    return [FlyingCutter.model_validate(data) for data in variations(machine, varied)]
 
 
-def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return the ``k``-th variation of a description."""
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn."""
+    k = turn % SIX
     entries, scale = data["cutter"], factors(k)
     vary_laws(data["laws"], k, scale, data["sizes"]["pieces"])
-    law = LAWS[(k + 4) % 6]
+    law = law_for(turn + 4)
     if law == "OWN":
         data["laws"]["OWN"]["pieces"] = RISING
     drum, saw, load = entries["drum"], entries["saw"], entries["load"]

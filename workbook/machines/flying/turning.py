@@ -9,21 +9,12 @@ from engine.laws.base import Array
 from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.entries.units import MM
 from workbook.laws import sampling
+from workbook.laws.shapes import fastest_formulas
 from workbook.laws.stack import CODES
 from workbook.machines.flying.entries import REST
 from workbook.machines.flying.view import NEAR, Flying, fastest
 
 HALVINGS = 30  # the position at a turning point is known to the square of what this leaves
-
-PEAKS = {
-    "DWL": "=0",
-    "ACS": "=1/2",
-    "TVP": "=TVP_av",
-    "CIC": "=1/2",
-    "CUB": "=1/2",
-    "MTP": "=MTP_d1+MTP_d2+MTP_d3",
-    "OWN": "=MIN([own_fast.at])",
-}
 
 
 def turning_sheet(book: Book, machine: Flying, pieces: sampling.Pieces) -> None:
@@ -43,7 +34,7 @@ def peaks(sheet: Sheet, machine: Flying) -> None:
         "fastest", "The laws by number", len(CODES),
         constant("code", "law", "", "", list(CODES)),
         calc("at", "abscissa", "ξ_v", "",
-             [PEAKS[code] for code in CODES], [fastest(machine.library[c]) if c != "DWL" else 0.0 for c in CODES]),
+             fastest_formulas(), [fastest(machine.library[c]) if c != "DWL" else 0.0 for c in CODES]),
     )  # fmt: skip
 
 
@@ -122,7 +113,7 @@ def own_peak(sheet: Sheet, machine: Flying) -> None:
              "=IF(INDEX([own_samples.v],[k])>=fly_own_top-check_zero,INDEX([own_samples.xi],[k]),1)",
              np.where(v >= v.max() - REST, xi, 1.0), source="1: not here"),
         calc("back", "the wrong way", "Δv", "",
-             ("=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.last],INDEX([own_samples.v],"
+             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{CODES.index('OWN') + 1}],INDEX([own_samples.v],"
               "[k]-1)-INDEX([own_samples.v],[k]),INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
              source="slower before the peak, faster after it"),
     )  # fmt: skip

@@ -8,7 +8,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, Quantity, result
 from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import LAWS, factors, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.overlap.cycle import cycle_sheets
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
@@ -55,31 +55,32 @@ def in_short(view: Overlapping) -> list[Quantity]:
 
 def variants(machine: Machine) -> list[Machine]:
     """Return six machines of the same layout: every law, angles chosen and found, each limit, collisions."""
-    return [IndexingOverlap.model_validate(varied(machine.model_dump(), k)) for k in range(6)]
+    return [IndexingOverlap.model_validate(data) for data in variations(machine, varied)]
 
 
-def varied(data: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return the ``k``-th variation of a description."""
-    entries = data["overlap"]
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn."""
+    k, entries = turn % SIX, data["overlap"]
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
     entries["rate"] = 1700.0 + 310 * k
     entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"] |= {"law": LAWS[k], "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k}
+    entries["transfer"] |= {"law": law_for(turn), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k}
     for i, tool in enumerate(entries["tools"]):
-        vary_tool(tool, (k + i) % 6, i)
+        vary_tool(tool, turn + i, i)
     codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
     if "OWN" in codes:
         data["laws"]["OWN"]["pieces"] = RISING
     return data
 
 
-def vary_tool(tool: dict[str, Any], k: int, i: int) -> None:
+def vary_tool(tool: dict[str, Any], turn: int, i: int) -> None:
     """Give the ``i``-th tool, from 0, the entries of a variation, and strokes that no other tool has."""
+    k = turn % SIX
     chosen = (None, (107.0, None), (None, 88.0), (200.0, 70.0), None, (130.0, 140.0))[k]
     tool["angle_in"], tool["angle_out"] = chosen or (None, None)
     tool |= {
-        "law_in": LAWS[(k + i + 2) % 6],
-        "law_out": LAWS[(k + i + 5) % 6],
+        "law_in": law_for(turn + i + 2),
+        "law_out": law_for(turn + i + 5),
         "stroke": 40.0 + 7 * k + 3 * i,
         "dwell": (60.0, 85.0, 0.0, 33.0, 71.0, 50.0)[k],
     }

@@ -1,0 +1,215 @@
+"""What the page of a family of laws states, so that everything else need not know the family.
+
+``@`` in names and formulas stands for the law's name in the book and an underscore, as in :meth:`Sheet.scoped`:
+``@av`` is the cell ``TVP_av`` of the law TVP, ``[@pieces.d.1]`` the first duration in its table ``TVP_pieces``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from engine.laws import Entry, Law, Piece
+from engine.laws.entry import IncompleteError
+from workbook.book.declare import Quantity
+from workbook.entries.types import Model, Number, Positive
+
+COEFFICIENTS = (
+    ("cv", "Velocity coefficient", "C_v"),
+    ("ca_max", "Acceleration coefficient", "C_a+"),
+    ("ca_min", "Deceleration coefficient", "C_a−"),
+    ("ca_rms", "RMS acceleration coefficient", "C_a,rms"),
+    ("cj", "Jerk coefficient", "C_j"),
+    ("va_max", "Largest v·a, when driving", "max(v·a)"),
+    ("va_min", "Lowest v·a, when braking", "min(v·a)"),
+)
+ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
+"""the columns of a table of pieces"""
+
+
+class LawSheet(Model):
+    """The rise that a law's own sheet shows in dimensional form."""
+
+    lift: Number = 100.0  # mm
+    time: Positive = 0.5  # s
+
+
+class Parameter(NamedTuple):
+    """A number that an engineer enters for a law: its cell, and its place in the law's entries."""
+
+    name: str
+    label: str
+    symbol: str
+    key: str
+    """the entry, as in ``rise_end`` or ``durations.0``"""
+    short: str
+    """the label above it in the functions' table of parameters"""
+    source: str = ""
+
+
+class LawCheck(NamedTuple):
+    """A check of a law's parameters."""
+
+    name: str
+    label: str
+    condition: str
+
+
+@dataclass(frozen=True)
+class PieceRow:
+    """One piece as written in the books: a(u) = c0 + c1 u + P sin(ωu + φ), a formula for each entry."""
+
+    name: str
+    equation: str
+    d: str
+    c0: str = "=0"
+    c1: str = "=0"
+    c2: str = "=0"
+    c3: str = "=0"
+    P: str = "=0"
+    omega: str = "=0"
+    phi: str = "=0"
+
+
+class ShapeFormulas(NamedTuple):
+    """The cells' side of :class:`engine.laws.base.Shapes`: a formula for each share of time."""
+
+    flat_up: str = "=0"
+    flat_down: str = "=0"
+    sine_up: str = "=0"
+    sine_down: str = "=0"
+    ramp_up: str = "=0"
+    ramp_down: str = "=0"
+
+
+class Stacked(NamedTuple):
+    """A row of the stack of all laws' pieces: the engine's piece, and the cells' formula of each of :data:`ENTRIES`."""
+
+    piece: Piece
+    formulas: dict[str, str]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Page:
+    """A family of laws with a sheet of its own; the families without derive from it and say what differs.
+
+    ``made`` makes the engine's law of what is entered (None where nothing is). ``fastest`` is the formula of the
+    first ξ at which v is largest. ``variations`` are other parameters, asymmetric and with stages of no duration:
+    templates' variations and tests take them in turn.
+    """
+
+    title: str
+    source: str
+    entries: type[Model] | None = LawSheet
+    made: Callable[[Any], Law]
+    pieces: tuple[PieceRow, ...]
+    coefficients: Mapping[str, tuple[str, str]]
+    """formula of each coefficient, and the equation in words"""
+    fastest: str
+    shapes: ShapeFormulas
+    parameters: tuple[Parameter, ...] = ()
+    variations: tuple[Mapping[str, Any], ...] = ()
+    constants: tuple[Quantity, ...] = ()
+    workings: Callable[[Any], list[Quantity]] = lambda law: []
+    checks: tuple[LawCheck, ...] = ()
+    has_sheet: bool = True
+    """whether its formulas stand in cells of its own, which other sheets refer to"""
+    samples: str = "@samples"
+    """the table of its samples; a law without stands still"""
+
+    def law(self, entered: Any, intervals: int) -> Law:
+        """Return the engine's law; one without closed coefficients has those of a table of ``intervals``."""
+        return self.made(entered)
+
+    def law_of(self, numbers: Sequence[float]) -> Law:
+        """Return the engine's law of its parameters in a row, as the functions MOTION.* take them."""
+        return self.made(self.entered(numbers))
+
+    def entered(self, numbers: Sequence[float]) -> Any:
+        """Return the entries with these parameters, which stand in the order of :attr:`parameters`."""
+        data: dict[str, Any] = {}
+        for parameter, number in zip(self.parameters, numbers, strict=True):
+            field, _, index = parameter.key.partition(".")
+            if index:
+                data.setdefault(field, []).append(number)
+            else:
+                data[field] = number
+        return self.entries.model_validate(data) if self.entries else None
+
+    def numbers(self, entered: Any) -> list[float]:
+        """Return the parameters that are entered, in a row."""
+        return [value_at(entered, parameter.key) for parameter in self.parameters]
+
+    def variation(self, k: int, room: int) -> dict[str, Any]:
+        """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""
+        return dict(self.variations[k % len(self.variations)]) if self.variations else {}
+
+    def name_formula(self, entry: Entry) -> str:
+        """Return the formula of the law's name in words."""
+        return f'="{entry.name}"'
+
+    def name_entered(self, entry: Entry, entered: Any) -> str:
+        """Return the law's name in words."""
+        return entry.name
+
+    def coefficient(self, name: str) -> str:
+        """Return the formula by which other sheets have a coefficient."""
+        return f"=@{name}" if self.has_sheet else self.coefficients[name][0]
+
+    def end(self, derivative: str, at: str) -> str:
+        """Return the formula of s, v or a at an end of the law: at its ``first`` or ``last`` sample."""
+        return f"=[{self.samples}.{derivative}.{at}]" if self.samples else "=0"
+
+    def stacked(self, law: Law, room: int) -> list[Stacked]:
+        """Return the rows of the stack for a law of the family."""
+        return [
+            Stacked(piece, {name: self._entry(name, k) for name in ENTRIES})
+            for k, piece in enumerate(law.as_pieces(), 1)
+        ]
+
+    def _entry(self, name: str, k: int) -> str:
+        """Return the formula of an entry of the ``k``-th piece, from 1."""
+        shown = self.has_sheet and name in self.columns
+        return f"=[@pieces.{name}.{k}]" if shown else str(getattr(self.pieces[k - 1], name))
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The entries that its table of pieces shows: all but c2 and c3, and these where a piece has them."""
+        shown = (name for name in ("c2", "c3") if any(getattr(row, name) != "=0" for row in self.pieces))
+        return ("d", "c0", "c1", *shown, "P", "omega", "phi")
+
+    def require_complete(self, entry: Entry) -> None:
+        """Raise IncompleteError, naming the law and what its page leaves out or has too much of."""
+        examples = entry.examples
+        wrong = [name for name, *_ in COEFFICIENTS if name not in self.coefficients]
+        if any(len(law.as_pieces()) != len(self.pieces) for law in examples):
+            wrong.append(f"pieces as many as the engine's {len(examples[0].as_pieces())}")
+        if any(law.shapes() is None for law in examples):
+            wrong.append("shapes that the engine knows too")
+        wrong += [f"the parameter {key}" for key in self._keys() ^ {p.key for p in self.parameters}]
+        wrong += [f"variations of {key}" for key in self._fields() if any(key not in v for v in self.variations)]
+        if self.parameters and len(self.variations) < 2:
+            wrong.append("two variations or more")
+        if wrong:
+            raise IncompleteError(f"the page of {entry.code} lacks {', '.join(wrong)}")
+
+    def _fields(self) -> list[str]:
+        """Return the entries of the family that are parameters of the law."""
+        return [name for name in self.entries.model_fields if name not in LawSheet.model_fields] if self.entries else []
+
+    def _keys(self) -> set[str]:
+        """Return the key of each number in these entries."""
+        default = self.entries() if self.entries else None
+        found = set()
+        for name in self._fields():
+            value = getattr(default, name)
+            found |= {f"{name}.{i}" for i in range(len(value))} if isinstance(value, list) else {name}
+        return found
+
+
+def value_at(entered: Any, key: str) -> float:
+    """Return the number at a key such as ``durations.0``."""
+    field, _, index = key.partition(".")
+    value = getattr(entered, field)
+    return float(value[int(index)]) if index else float(value)

@@ -1,0 +1,17 @@
+"""Rest: no sheet of its own, and nothing to enter."""
+
+from engine.laws import Dwell
+from workbook.laws.family import COEFFICIENTS, Page, PieceRow, ShapeFormulas
+
+PAGE = Page(
+    title="Dwell",
+    source="S3, function motionlaw",
+    entries=None,
+    made=lambda entered: Dwell(),
+    has_sheet=False,
+    samples="",
+    pieces=(PieceRow("rest", "s = 0", "=1"),),
+    coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS},
+    fastest="=0",
+    shapes=ShapeFormulas(),
+)

@@ -1,0 +1,65 @@
+"""Trapezoidal velocity with two break points."""
+
+from typing import Annotated, Self
+
+from pydantic import Field, model_validator
+
+from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+from workbook.entries.types import EntryError
+from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow, ShapeFormulas
+
+
+class BreakPoints(LawSheet):
+    """Break points of the trapezoidal velocity profile as shares of the rise: S1's α_v/α_s and α_w/α_s."""
+
+    rise_end: Annotated[float, Field(gt=0, le=1)] = TrapezoidalVelocity.rise_end
+    fall_start: Annotated[float, Field(ge=0, lt=1)] = TrapezoidalVelocity.fall_start
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Self:
+        if self.fall_start < self.rise_end:
+            raise EntryError(
+                "fall_start",
+                f"the second break point {self.fall_start:g} lies before the first; expected at "
+                f"least {self.rise_end:g}",
+            )
+        return self
+
+
+PAGE = Page(
+    title="Trapezoidal velocity",
+    source="S1, second and third slide of the asymmetric trapezoidal profile; S3, function TVP",
+    entries=BreakPoints,
+    made=lambda entered: TrapezoidalVelocity(entered.rise_end, entered.fall_start),
+    parameters=(
+        Parameter("@av", "End of the acceleration", "α_v", "rise_end", "end of acceleration",
+                  source="S1, asymmetric trapezoidal profile, as a share of α_s"),
+        Parameter("@aw", "Begin of the deceleration", "α_w", "fall_start", "start of deceleration",
+                  source="as a share of α_s; not before α_v"),
+    ),
+    variations=(
+        {"rise_end": 0.15, "fall_start": 0.6},
+        {"rise_end": 0.22, "fall_start": 0.65},
+        {"rise_end": 0.29, "fall_start": 0.7},
+        {"rise_end": 0.36, "fall_start": 0.75},
+        {"rise_end": 0.43, "fall_start": 0.8},
+        {"rise_end": 0.5, "fall_start": 0.85},
+    ),
+    checks=(LawCheck("@order", "the break points follow each other", "AND(@av>0,@av<=@aw,@aw<1)"),),
+    pieces=(
+        PieceRow("acceleration", "y'' = A, y' = Aα, y = ½Aα²", "=@av", c0="=@ca_max"),
+        PieceRow("uniform velocity", "y'' = 0, y' = Aα_v, y = Aα_v(α − α_v/2)", "=@aw-@av"),
+        PieceRow("deceleration", "y'' = −B, y' = Aα_v − B(α − α_w)", "=1-@aw", c0="=@ca_min"),
+    ),
+    coefficients={
+        "cv": ("=@ca_max*@av", "A α_v"),
+        "ca_max": ("=2/(@av*(1-@av+@aw))", "A = 2h / (α_v (α_s − α_v + α_w))"),
+        "ca_min": ("=-2/((1-@aw)*(1-@av+@aw))", "−B = −2h / ((α_s − α_w)(α_s − α_v + α_w))"),
+        "ca_rms": ("=SQRT(@av*@ca_max^2+(1-@aw)*@ca_min^2)", "√(α_v A² + (1 − α_w) B²)"),
+        "cj": ('="∞"', "the acceleration jumps"),
+        "va_max": ("=@cv*@ca_max", "at α_v"),
+        "va_min": ("=@cv*@ca_min", "at α_w"),
+    },
+    fastest="=@av",
+    shapes=ShapeFormulas(flat_up="=@av", flat_down="=1-@aw"),
+)  # fmt: skip

@@ -1,0 +1,44 @@
+"""The families of laws that a workbook knows: those of the engine's registry, each with its page."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import NamedTuple
+
+from engine.laws import Entry
+from engine.laws.entry import IncompleteError
+from engine.laws.registry import MODULES, entry_of
+from workbook.laws.family import Page
+
+
+class Family(NamedTuple):
+    """A family of laws: what the engine knows of it, and its page."""
+
+    entry: Entry
+    page: Page
+
+    @property
+    def code(self) -> str:
+        """The code of three letters."""
+        return self.entry.code
+
+
+def family_of(module: str) -> Family:
+    """Return the family of a name in the registry; raise IncompleteError for a page that is missing or lacks something."""
+    entry, place = entry_of(module), f"workbook.laws.pages.{module}"
+    try:
+        page = getattr(import_module(place), "PAGE", None)
+    except ModuleNotFoundError as error:
+        if error.name != place:
+            raise
+        page = None
+    if not isinstance(page, Page):
+        raise IncompleteError(f"workbook/laws/pages/{module}.py has no PAGE for the law {entry.code}")
+    page.require_complete(entry)
+    return Family(entry, page)
+
+
+FAMILIES: tuple[Family, ...] = tuple(family_of(module) for module in MODULES)
+FAMILY: dict[str, Family] = {family.code: family for family in FAMILIES}
+RISING: tuple[str, ...] = tuple(family.code for family in FAMILIES if family.entry.rises)
+"""codes of the laws that move, in the order of their numbers"""
