@@ -57,6 +57,8 @@ def _sine_power(sine: Sine, duration: float, v0: float) -> list[float]:
     """Return where 2g cos²x − k cos x = g, x = ωu + φ, with v = k − g cos x and a = P sin x, g = P/ω."""
     p, w, phi = sine
     g = p / w
+    if g == 0.0:
+        return []
     k = v0 + g * math.cos(phi)
     root = math.hypot(k, math.sqrt(8.0) * g)
     far = (k + math.copysign(root, k)) / (4.0 * g)
