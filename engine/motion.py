@@ -60,6 +60,11 @@ class Phase:
         if isinstance(self.law, Dwell) and self.lift != 0.0:
             raise ValueError(f"lift is {self.lift:g} in a dwell; expected 0")
 
+    @property
+    def scale(self) -> float:
+        """What the law's s is multiplied by: the lift, h."""
+        return self.lift
+
 
 @dataclass(frozen=True)
 class Junction:
@@ -162,8 +167,8 @@ class Motion:
         for k in np.unique(index):
             here, phase = index == k, self.phases[k]
             values = phase.law.evaluate(xi[here])
-            per = phase.lift / phase.duration
-            table[0, here] = self._begins[k] + phase.lift * values.s
+            per = phase.scale / phase.duration
+            table[0, here] = self._begins[k] + phase.scale * values.s
             table[1, here] = per * values.v
             table[2, here] = per / phase.duration * values.a
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
@@ -181,15 +186,15 @@ class Motion:
 
     def _junction(self, before: int, after: int) -> Junction:
         one, other = self.phases[before], self.phases[after]
-        y_end = float(self._begins[before]) + one.lift * one.law.end.s
-        y_begin = float(self._begins[after]) + other.lift * other.law.start.s
+        y_end = float(self._begins[before]) + one.scale * one.law.end.s
+        y_begin = float(self._begins[after]) + other.scale * other.law.start.s
         return Junction(
             x=float(self.edges[before + 1]),
             before=before,
             after=after,
             jump_y=y_begin - y_end if after > before else y_end - y_begin,
-            jump_v=other.lift * other.law.start.v / other.duration - one.lift * one.law.end.v / one.duration,
-            jump_a=other.lift * other.law.start.a / other.duration**2 - one.lift * one.law.end.a / one.duration**2,
+            jump_v=other.scale * other.law.start.v / other.duration - one.scale * one.law.end.v / one.duration,
+            jump_a=other.scale * other.law.start.a / other.duration**2 - one.scale * one.law.end.a / one.duration**2,
         )
 
     def _locate(self, x: Array) -> NDArray[np.intp]:

@@ -78,6 +78,11 @@ class EndedLaw(Law):
         require_ends(self, ends, self.takes)
         return self._with(ends)
 
+    def opened(self, begin: bool, end: bool) -> EndedLaw:
+        """Return the law where nothing precedes it (``begin``) or follows it (``end``): most laws rest there."""
+        del begin, end
+        return self
+
     def _with(self, ends: Ends) -> Self:
         return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -144,3 +145,22 @@ def square_integral(piece: Piece) -> float:
     u = (np.arange(parts)[:, None] + (NODES + 1.0) / 2.0).ravel() * width
     a = gains(u, np.array(piece.row)[:, None])[2]
     return float(np.tile(WEIGHTS, parts) @ (a * a)) * width / 2.0
+
+
+class Extremes(NamedTuple):
+    """Lowest and largest v, a and j; of j where a does not jump."""
+
+    v: tuple[float, float]
+    a: tuple[float, float]
+    j: tuple[float, float]
+
+
+def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
+    """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
+    found = []
+    for piece in pieces:
+        if piece.duration > 0.0:
+            found.append(_extremes(piece, v0))
+            v0 = float(found[-1][0][-1])
+    v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
+    return Extremes(*((float(x.min()), float(x.max())) for x in (v, a, j)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -50,6 +50,11 @@ class Spline(EndedLaw):
             if slope is not None:
                 require_finite(**{f"the {name} slope": slope})
         object.__setattr__(self, "points", points)
+
+    def opened(self, begin: bool, end: bool) -> Spline:
+        """Return the spline with natural ends where nothing precedes or follows it, and no slope is entered."""
+        free = [self.natural[k] or (open_ and self.slopes[k] is None) for k, open_ in enumerate((begin, end))]
+        return replace(self, natural=(free[0], free[1]))
 
     @property
     def own_acceleration(self) -> tuple[bool, bool]:
