@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from engine.laws import Dwell, Law
+from engine.laws import Dwell
 from engine.laws.ends import EndedLaw, EndError, Ends, between, kind
 from engine.laws.straight_line import StraightLine
 from engine.motion import Motion, Phase
@@ -137,10 +137,13 @@ def _straight_kinds(constant: float) -> tuple[str, str]:
 
 def _kinds(phase: Phase, sides: tuple[_Side, _Side]) -> tuple[str, str]:
     """Return the kinds of what is asked for at both ends; where nothing settles it, of what the law has there."""
-    law: Law = phase.law
-    scale = law.coefficients
+    law, d = phase.law, phase.duration
+    size = law.coefficients
     begin, end = (
-        kind(side.asked.v, side.asked.a) if side.settled else kind(at.v / (scale.cv or 1.0), at.a / (scale.ca or 1.0))
-        for side, at in zip(sides, (law.start, law.end), strict=True)
+        kind(v / (size.cv or 1.0), a / (size.ca or 1.0))
+        for v, a in (
+            (side.asked.v * d, side.asked.a * d**2) if side.settled else at[1:3]
+            for side, at in zip(sides, (law.start, law.end), strict=True)
+        )
     )
     return begin, end

@@ -20,15 +20,11 @@ JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
-def stationary(piece: Piece, v0: float) -> list[float]:
-    """Return abscissae within the piece, entered with velocity ``v0``, where v, a, j or v·a is stationary.
-
-    Those of v, a and j by the ladder of derivatives, which misses none; in no order.
-    """
+def stationary(piece: Piece) -> list[float]:
+    """Return where v, a or j of a piece is stationary, by the ladder of derivatives, which misses none; in no order."""
     a = acceleration(piece)
     j = a.derivative()
-    found = [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
-    return found + stationary_power(piece, v0)
+    return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
 
 
 def acceleration(piece: Piece) -> Curve:
@@ -108,7 +104,7 @@ def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a
     lasting = [piece for piece in pieces if piece.duration > 0.0]
     found = []
     for piece in lasting:
-        found.append(_extremes(piece, v0))
+        found.append(_extremes(piece, v0, stationary(piece) + stationary_power(piece, v0)))
         v0 = float(found[-1][0][-1])
     v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
     accelerations = [values[1] for values in found]
@@ -123,9 +119,9 @@ def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a
     )
 
 
-def _extremes(piece: Piece, v0: float) -> tuple[Array, Array, Array]:
-    """Return v, a, j at the begin of a piece, where v, a, j or v·a is stationary, and at its end."""
-    u = np.array([0.0, *stationary(piece, v0), piece.duration])
+def _extremes(piece: Piece, v0: float, inside: Sequence[float]) -> tuple[Array, Array, Array]:
+    """Return v, a, j at the begin of a piece, at places inside it, and at its end."""
+    u = np.array([0.0, *inside, piece.duration])
     _, v, a, j = gains(u, np.array(piece.row)[:, None])
     return v0 + v, a, j
 
@@ -160,7 +156,7 @@ def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
     found = []
     for piece in pieces:
         if piece.duration > 0.0:
-            found.append(_extremes(piece, v0))
+            found.append(_extremes(piece, v0, stationary(piece)))
             v0 = float(found[-1][0][-1])
     v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
     return Extremes(*((float(x.min()), float(x.max())) for x in (v, a, j)))
