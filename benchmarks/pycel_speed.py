@@ -8,12 +8,13 @@ those that they need; both routes parse, compile and evaluate.
 
 from __future__ import annotations
 
+import io
 import sys
 import time
 from collections.abc import Callable
 from itertools import chain, zip_longest
 
-from openpyxl import Workbook
+from openpyxl import Workbook, load_workbook
 from pycel import ExcelCompiler
 from pycel.excelwrapper import ExcelOpxWrapperNoData
 from rich.console import Console
@@ -23,7 +24,8 @@ from workbook.book.address import Address
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.witness import PycelModel
-from workbook.writing.write import to_workbook
+from workbook.writing import archive
+from workbook.writing.write import parts
 
 
 class Wrapper(ExcelOpxWrapperNoData):
@@ -43,7 +45,8 @@ def book(cycle: int, law: int) -> Workbook:
     template = TEMPLATES["cutting-machine"]
     machine = read_machine(template.description)
     sizes = machine.sizes.model_copy(update={"cycle": cycle, "law": law, "own_law": law})
-    return to_workbook(template.declare(machine.model_copy(update={"sizes": sizes})), template.model)
+    declared = template.declare(machine.model_copy(update={"sizes": sizes}))
+    return load_workbook(io.BytesIO(archive.zipped(parts(declared, template.model))))
 
 
 def timed(work: Callable[[], object]) -> float:

@@ -10,8 +10,7 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from engine.pairing import Motors, Reducers, rank, usable
-from engine.selection import Task
+from engine.choice import Motors, Reducers, Task, rank, usable
 
 MOTORS = REDUCERS = 1000
 ROUNDS = 25
@@ -26,10 +25,10 @@ def catalogues() -> tuple[Motors, Reducers]:
     inertia = 6e-5 * rated**1.6 * rng.lognormal(0.0, 0.3, MOTORS)
     names = tuple(f"M{k}" for k in range(MOTORS))
     motors = Motors(names, inertia, rated, 3.0 * rated, rng.uniform(200.0, 630.0, MOTORS), 2.0 * rated**0.8, rated)
-    ratio = 1.0 / np.geomspace(1.0, 100.0, REDUCERS)
+    reduction = np.geomspace(1.0, 100.0, REDUCERS)
     names = tuple(f"R{k}" for k in range(REDUCERS))
     efficiency, own = rng.uniform(0.9, 0.98, REDUCERS), rng.lognormal(-10.0, 0.5, REDUCERS)
-    return motors, Reducers(names, ratio, efficiency, own, np.array(630.0), np.array(np.inf), 1.0 / ratio, 1.0 / ratio)
+    return motors, Reducers(names, reduction, efficiency, own, np.array(630.0), np.array(np.inf), reduction, reduction)
 
 
 def best_times(tasks: dict[str, Callable[[], object]]) -> dict[str, float]:
@@ -45,7 +44,7 @@ def best_times(tasks: dict[str, Callable[[], object]]) -> dict[str, float]:
 
 def main() -> None:
     """Print the ratios."""
-    task = Task.inertial(inertia=0.05, acceleration_rms=120.0, max_speed=30.0)
+    task = Task(acceleration_rms=120.0, torque_rms=6.0, power_rate_mean=720.0, max_speed=30.0)  # 0.05 kg m², inert
     motors, reducers = catalogues()
     one, other, out = np.full(MOTORS * REDUCERS, 1.5), np.full(MOTORS * REDUCERS, 2.5), np.empty(MOTORS * REDUCERS)
     steps: dict[str, Callable[[], object]] = {UNIT: lambda: np.multiply(one, other, out=out)}

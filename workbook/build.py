@@ -12,14 +12,15 @@ from workbook.collector import collector_paused, swept_between
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
-from workbook.reading.catalogue import read_motors, read_reducers
 from workbook.reading.entries import Entries, checked, read_machine, template_named, write_machine
 from workbook.reading.files import open_book
+from workbook.selection.catalogue_files import read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
+from workbook.witnesses import by_cell
 from workbook.writing.same import same_book
-from workbook.writing.write import refuse_existing, replace, save, to_workbook
+from workbook.writing.write import refuse_existing, replace, save
 
 READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
 
@@ -29,8 +30,7 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
     with collector_paused():
-        book = template.declare(machine)
-        save(to_workbook(book, template.model), book, path, overwrite)
+        save(template.declare(machine), template.model, path, overwrite)
 
 
 def described(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:
@@ -75,7 +75,7 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
 def inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
     file = open_book(path)
-    entries = Entries(file)
+    entries = Entries(file, by_cell().values)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
     return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)

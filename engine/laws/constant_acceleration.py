@@ -51,5 +51,5 @@ ENTRY = Entry(
         },
     ),
     example=ConstantAcceleration,
-    others=(ConstantAcceleration(0.3), ConstantAcceleration(0.6, Ends(1.0, 0.4, -0.2))),
+    beyond=(ConstantAcceleration(0.3), ConstantAcceleration(0.6, Ends(1.0, 0.4, -0.2))),
 )

@@ -45,5 +45,5 @@ ENTRY = Entry(
         },
     ),
     example=Cubic,
-    others=(Cubic(0.3),),
+    beyond=(Cubic(0.3),),
 )

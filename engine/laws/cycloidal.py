@@ -36,7 +36,7 @@ class Cycloidal(PulseLaw):
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return either half sine; with λ = ½ between rests, one full sine, a = 2π sin 2πu."""
-        if self == Cycloidal():
+        if self.share == 0.5 and self.ends == REST:
             return (Piece(1.0, amplitude=math.tau, omega=math.tau),)
         return super().as_pieces()
 
@@ -59,5 +59,5 @@ ENTRY = Entry(
         },
     ),
     example=Cycloidal,
-    others=(Cycloidal(0.3), Cycloidal(0.6, Ends(1.0, 0.8, -0.3))),
+    beyond=(Cycloidal(0.3), Cycloidal(0.6, Ends(1.0, 0.8, -0.3))),
 )

@@ -29,7 +29,7 @@ class Claims:
     end: tuple[float, float] = (1.0, 0.0)
 
     def __post_init__(self) -> None:
-        _require("its claims", "the coefficient", (f.name for f in fields(Coefficients)), self.coefficients)
+        _require("claims", "the coefficient", (f.name for f in fields(Coefficients)), self.coefficients)
 
 
 @dataclass(frozen=True)
@@ -49,12 +49,17 @@ class Entry:
     others: tuple[Law, ...] = ()
     """the law with other parameters, stages of no duration among them: breaks, pieces, shapes and coefficients are
     measured at these too"""
+    beyond: tuple[Law, ...] = ()
+    """the law between prescribed ends, and with parameters that its page does not enter: measured by the engine's
+    tests alone"""
 
     def __post_init__(self) -> None:
         law, example = self.law, self.example()
         _require(law.__name__, "the constant", ("code", "name"), dir(law))
         parameters = [f.name for f in fields(law)]  # type: ignore[arg-type]
-        changed = [p for p in parameters if any(getattr(o, p) != getattr(example, p) for o in self.others)]
+        changed = [
+            p for p in parameters if any(getattr(o, p) != getattr(example, p) for o in (*self.others, *self.beyond))
+        ]
         _require(law.__name__, "among its other examples one with another", parameters, changed)
 
     @property
@@ -78,6 +83,11 @@ class Entry:
         return (self.example(), *self.others)
 
     @property
+    def measured(self) -> tuple[Law, ...]:
+        """The law with every set of parameters and ends that is measured."""
+        return (*self.examples, *self.beyond)
+
+    @property
     def rises(self) -> bool:
         """Whether the law moves at all: every one but the dwell."""
         return self.claims.end != self.claims.start
@@ -86,4 +96,4 @@ class Entry:
 def _require(whose: str, what: str, wanted: Iterable[str], stated: Container[str]) -> None:
     """Raise IncompleteError, with the names that are wanted and not stated."""
     if missing := [name for name in wanted if name not in stated]:
-        raise IncompleteError(f"{whose} lacks {what} {', '.join(missing)}")
+        raise IncompleteError(f"{whose}: lacks {what} {', '.join(missing)}")

@@ -103,6 +103,8 @@ ENTRY = Entry(
     others=(
         HarmonicCombination(0.3),
         HarmonicCombination(0.6, "start"),
+    ),
+    beyond=(
         HarmonicCombination(0.4, "end", Ends(1.0, 0.7)),
         HarmonicCombination(0.4, "start", Ends(1.0, 0.1, 0.7)),
     ),

@@ -85,6 +85,6 @@ ENTRY = Entry(
         ModifiedSine(0.3),
         ModifiedSine(0.3, 0.25, 0.4),
         ModifiedSine(0.6, 0.0, 1.0),
-        ModifiedSine(0.4, ends=Ends(1.0, 2.0, -0.5)),
     ),
+    beyond=(ModifiedSine(0.4, ends=Ends(1.0, 2.0, -0.5)),),
 )

@@ -66,16 +66,14 @@ ENTRY = Entry(
         },
     ),
     example=ModifiedTrapezoidal,
-    others=(
-        *(
-            ModifiedTrapezoidal(durations)
-            for durations in (
-                (0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1),
-                (0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2),
-                (0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0),
-                (0.0, 0.0, 0.4, 0.1, 0.0, 0.5, 0.0),
-            )
-        ),
-        ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1), Ends(2.0, 1.0, -0.5)),
+    others=tuple(
+        ModifiedTrapezoidal(durations)
+        for durations in (
+            (0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1),
+            (0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2),
+            (0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0),
+            (0.0, 0.0, 0.4, 0.1, 0.0, 0.5, 0.0),
+        )
     ),
+    beyond=(ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1), Ends(2.0, 1.0, -0.5)),),
 )

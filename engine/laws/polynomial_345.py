@@ -45,5 +45,5 @@ ENTRY = Entry(
         },
     ),
     example=Polynomial345,
-    others=(Polynomial345(0.3),),
+    beyond=(Polynomial345(0.3),),
 )

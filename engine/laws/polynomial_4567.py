@@ -45,5 +45,5 @@ ENTRY = Entry(
         },
     ),
     example=Polynomial4567,
-    others=(Polynomial4567(0.3),),
+    beyond=(Polynomial4567(0.3),),
 )

@@ -6,10 +6,11 @@ import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from engine.laws.ladder import Curve, zeros
 from engine.laws.piece import Piece
+from engine.laws.piece_rules import backwards
 
 K = 2.0 / math.pi  # mean of a quarter sine
 QUARTER = math.pi / 2.0
@@ -80,6 +81,11 @@ class Pulse(ABC):
 
     @property
     @abstractmethod
+    def turned(self) -> Pulse:
+        """The pulse told from its inner end: p(1 − x)."""
+
+    @property
+    @abstractmethod
     def outer(self) -> float:
         """p(0), where the law begins or ends."""
 
@@ -111,6 +117,11 @@ class Edged(Pulse):
         shares = (self.rise, self.flat, self.fall)
         if not (min(shares) >= 0.0 and abs(sum(shares) - 1.0) <= SUM_TOLERANCE):
             raise ValueError(f"the shares of a pulse are {shares}; expected three, none negative, of sum 1")
+
+    @property
+    def turned(self) -> Self:
+        """The same with its edges exchanged."""
+        return type(self)(self.fall, self.flat, self.rise)
 
     @property
     def outer(self) -> float:
@@ -179,7 +190,7 @@ class SineEdged(Edged):
 
 
 def _quarter(d: float, phase: float) -> Piece:
-    return Piece(d, amplitude=1.0, omega=QUARTER / d, phase=phase) if d > 0.0 else Piece(0.0)
+    return Piece(d, amplitude=1.0, omega=QUARTER / d if d > 0.0 else 0.0, phase=phase)
 
 
 class HalfSine(SineEdged):
@@ -187,6 +198,11 @@ class HalfSine(SineEdged):
 
     def __init__(self) -> None:
         super().__init__(0.5, 0.0, 0.5)
+
+    @property
+    def turned(self) -> HalfSine:
+        """Itself."""
+        return self
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -237,9 +253,12 @@ class LinearEdged(Edged):
     @property
     def pieces(self) -> tuple[Piece, ...]:
         """A line up, a constant, a line down."""
-        up = Piece(self.rise, (0.0, 1.0 / self.rise, 0.0, 0.0)) if self.rise > 0.0 else Piece(0.0)
-        down = Piece(self.fall, (1.0, -1.0 / self.fall, 0.0, 0.0)) if self.fall > 0.0 else Piece(0.0)
-        return (up, Piece(self.flat, (1.0, 0.0, 0.0, 0.0)), down)
+        up, down = (1.0 / d if d > 0.0 else 0.0 for d in (self.rise, self.fall))
+        return (
+            Piece(self.rise, (0.0, up, 0.0, 0.0)),
+            Piece(self.flat, (1.0, 0.0, 0.0, 0.0)),
+            Piece(self.fall, (1.0, -down, 0.0, 0.0)),
+        )
 
 
 @dataclass(frozen=True)
@@ -287,6 +306,11 @@ class PolynomialPulse(Pulse):
     def pieces(self) -> tuple[Piece, ...]:
         """One polynomial."""
         return (Piece(1.0, self.c + (0.0,) * (4 - len(self.c))),)
+
+    @property
+    def turned(self) -> PolynomialPulse:
+        """Σ c_i (1 − x)ⁱ, in powers of x."""
+        return PolynomialPulse(tuple(-c for c in backwards(self.pieces[0]).c[: len(self.c)]))
 
     @property
     def outer(self) -> float:

@@ -12,7 +12,7 @@ from engine.laws.base import Array, Coefficients, Shapes
 from engine.laws.ends import EndedLaw
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import power_extremes
-from engine.laws.piece_rules import reversed_pieces, stretched
+from engine.laws.piece_rules import stretched
 from engine.laws.pulse import Pulse
 from engine.laws.stages import Staged, carried
 
@@ -99,8 +99,10 @@ class PulseLaw(EndedLaw):
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
-        rise, fall = self._pulses
-        pieces = (*rise, Piece(self.course.cruise), *reversed_pieces(fall))
+        c = self.course
+        rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
+        fall = [stretched(piece, -self.deceleration, c.fall_time) for piece in c.fall.turned.pieces]
+        pieces = (*rise, Piece(c.cruise), *fall)
         return pieces if self._stages is None else tuple(pieces[k] for k in self._stages)
 
     def shapes(self) -> Shapes | None:
@@ -113,16 +115,11 @@ class PulseLaw(EndedLaw):
         return Shapes(ups[0], downs[0], ups[1], downs[1], ups[2], downs[2])
 
     @cached_property
-    def _pulses(self) -> tuple[tuple[Piece, ...], tuple[Piece, ...]]:
-        """The pieces of either pulse in their heights and durations, each from its outer end."""
-        c = self.course
-        rise = tuple(stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces)
-        return rise, tuple(stretched(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces)
-
-    @cached_property
     def _staged(self) -> Staged:
         """The first pulse and the cruise from the begin, the second pulse backwards from the end."""
-        (rise, fall), c, e = self._pulses, self.course, self.ends
+        c, e = self.course, self.ends
+        rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
+        fall = [stretched(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
         travel = c.rise_time * (e.v0 + c.rise.lead * (self.top - e.v0))
         coast = carried([Piece(c.cruise)], 1.0, c.rise_time, travel, self.top)
         backwards = [*carried(fall, -1.0, c.rise_time + c.cruise + c.fall_time, e.stroke, e.v1)]

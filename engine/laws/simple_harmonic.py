@@ -54,5 +54,6 @@ ENTRY = Entry(
         },
     ),
     example=SimpleHarmonic,
-    others=(SimpleHarmonic(0.3), SimpleHarmonic(0.6, Ends(1.0, 0.3, 1.2))),
+    others=(SimpleHarmonic(0.3),),
+    beyond=(SimpleHarmonic(0.6, Ends(1.0, 0.3, 1.2)),),
 )

@@ -76,6 +76,6 @@ ENTRY = Entry(
     others=(
         SineConstantCosine(0.1, 0.6, 0.3),
         SineConstantCosine(0.2, 0.0, 0.6, 0.2, 0.4),
-        SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, Ends(1.0, -0.4, 0.9)),
     ),
+    beyond=(SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, Ends(1.0, -0.4, 0.9)),),
 )

@@ -51,5 +51,6 @@ ENTRY = Entry(
         },
     ),
     example=SineRamps,
-    others=(SineRamps(0.2, 0.7), SineRamps(0.4, 0.4), SineRamps(0.2, 0.7, Ends(1.0, 1.5, -0.3))),
+    others=(SineRamps(0.2, 0.7), SineRamps(0.4, 0.4)),
+    beyond=(SineRamps(0.2, 0.7, Ends(1.0, 1.5, -0.3)),),
 )

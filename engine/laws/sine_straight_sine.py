@@ -61,6 +61,6 @@ ENTRY = Entry(
     others=(
         SineStraightSine(0.3, 0.4),
         SineStraightSine(1.0),
-        SineStraightSine(0.3, 0.4, Ends(1.0, 0.5, 0.2)),
     ),
+    beyond=(SineStraightSine(0.3, 0.4, Ends(1.0, 0.5, 0.2)),),
 )

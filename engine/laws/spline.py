@@ -166,7 +166,7 @@ def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Ar
 
 
 EXAMPLE = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1.0, 1.0))
-WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.301, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
+WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
 
 ENTRY = Entry(
     law=Spline,
@@ -187,5 +187,6 @@ ENTRY = Entry(
         },
     ),
     example=lambda: Spline(EXAMPLE),
-    others=(Spline(EXAMPLE, (0.5, None), (False, True)), Spline(WAVE, ends=Ends(2.0, 1.0, -3.0))),
+    others=(Spline(WAVE),),
+    beyond=(Spline(EXAMPLE, (0.5, None), (False, True)), Spline(WAVE, ends=Ends(2.0, 1.0, -3.0))),
 )

@@ -39,16 +39,16 @@ def carried(pieces: Sequence[Piece], sign: float, edge: float, s: float, v: floa
     passed = 0.0
     for p in pieces:
         begin = edge + sign * passed
-        r = 1.0 / p.omega if p.amplitude else 0.0
+        amplitude, r = (p.amplitude, 1.0 / p.omega) if p.omega else (0.0, 0.0)
         ds, dv = gains_at(p, p.duration)
         yield Stage(
             begin=begin if sign > 0.0 else begin - p.duration,
             sign=sign,
             origin=-sign * begin,
-            s0=s + sign * p.amplitude * r * r * np.sin(p.phase),
-            v0=v + p.amplitude * r * np.cos(p.phase),
+            s0=s + sign * amplitude * r * r * np.sin(p.phase),
+            v0=v + amplitude * r * np.cos(p.phase),
             c=p.c,
-            amplitude=p.amplitude,
+            amplitude=amplitude,
             r=r,
             phase=p.phase,
         )

@@ -71,6 +71,6 @@ ENTRY = Entry(
         TrapezoidByShare(0.3),
         TrapezoidByShare(0.5, "end"),
         TrapezoidByShare(0.3, "start", 0.7),
-        TrapezoidByShare(0.4, ends=Ends(1.0, 0.6, 1.1)),
     ),
+    beyond=(TrapezoidByShare(0.4, ends=Ends(1.0, 0.6, 1.1)),),
 )

@@ -67,10 +67,6 @@ ENTRY = Entry(
         },
     ),
     example=TrapezoidalVelocity,
-    others=(
-        TrapezoidalVelocity(0.1, 0.7),
-        TrapezoidalVelocity(0.45, 0.45),
-        TrapezoidalVelocity(0.001, 0.98),
-        TrapezoidalVelocity(0.2, 0.7, Ends(0.5, 1.0, 0.3)),
-    ),
+    others=(TrapezoidalVelocity(0.1, 0.7), TrapezoidalVelocity(0.45, 0.45), TrapezoidalVelocity(0.02, 0.98)),
+    beyond=(TrapezoidalVelocity(0.2, 0.7, Ends(0.5, 1.0, 0.3)),),
 )

@@ -2,6 +2,7 @@
 
 import pkgutil
 from importlib import import_module
+from itertools import pairwise
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from engine.laws import Entry
 from engine.laws.piece import gains
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
+SHARE = np.linspace(0.02, 0.98, 13)
 COEFFICIENTS = ("cv", "ca_max", "ca_min", "ca_rms", "cj", "va_max", "va_min")
 
 
@@ -22,13 +24,13 @@ def _entries():
 ENTRIES = _entries()
 """of every module in engine/laws that has one: those without a page are measured too"""
 
-EXAMPLES = tuple((f"{entry.code} {k}", law) for entry in ENTRIES for k, law in enumerate(entry.examples))
+EXAMPLES = tuple((f"{entry.code} {k}", law) for entry in ENTRIES for k, law in enumerate(entry.measured))
 
 
 def stages(law):
     """Begin and end of each stage that lasts."""
     edges = [0.0, *law.breaks, 1.0]
-    return [(begin, end) for begin, end in zip(edges, edges[1:], strict=False) if end > begin]
+    return [(begin, end) for begin, end in pairwise(edges) if end > begin]
 
 
 def integrals(law):
@@ -39,11 +41,11 @@ def integrals(law):
         yield begin, end, [float(half * WEIGHTS @ values) for values in (at.v, at.a, at.j, at.a**2)]
 
 
-def carried(law, share=np.linspace(0.02, 0.98, 13)):
+def carried(law):
     """ξ within each piece of a law, with s, v, a and j carried on from its start piece by piece."""
     begin, s, v = 0.0, law.start.s, law.start.v
     for piece in law.as_pieces():
-        u = np.append(piece.duration * share, piece.duration)
+        u = np.append(piece.duration * SHARE, piece.duration)
         ds, dv, a, j = gains(u, np.array(piece.row)[:, None])
         values = s + v * u + ds, v + dv, a, j
         if piece.duration > 0:

@@ -1,12 +1,31 @@
-"""Every law of the engine keeps what it claims: ends, continuity, coefficients, names."""
+"""Every law of the engine keeps what it claims: ends, continuity, coefficients, breaks, pieces, shapes, names."""
 
 import math
+from dataclasses import fields, replace
+from itertools import accumulate
 
 import numpy as np
 import pytest
 
-from engine.laws import CATALOGUE, UnknownLawError, law
+from engine.laws import (
+    CATALOGUE,
+    Claims,
+    ConstantAcceleration,
+    Cubic,
+    Cycloidal,
+    Entry,
+    ModifiedTrapezoidal,
+    Piece,
+    TrapezoidalVelocity,
+    UnknownLawError,
+    law,
+)
+from engine.laws.base import Law, Shapes
+from engine.laws.entry import IncompleteError
+from engine.laws.modified_trapezoidal import CLASSIC
+from engine.laws.registry import by_name, entry_of
 from tests.engine.families import ENTRIES
+from tests.engine.measured import complaints
 
 N = 240_000  # twelfths of the time are samples
 LAWS = pytest.mark.parametrize("entry", ENTRIES, ids=lambda e: e.code)
@@ -111,8 +130,10 @@ def test_the_documents_names_are_known():
 
 
 def test_no_name_means_two_laws():
-    names = [name.casefold() for entry in ENTRIES for name in set(map(str.casefold, entry.names))]
-    assert len(names) == len(set(names))
+    entry = CATALOGUE[1]
+    assert by_name(ENTRIES)["acs"] is entry
+    with pytest.raises(ValueError, match="names two laws: ConstantAcceleration and Cubic"):
+        by_name([entry, replace(law_entry("CUB"), aliases=("Parabolic",))])
 
 
 def test_an_unknown_name_is_met_with_the_known_ones():
@@ -123,3 +144,124 @@ def test_an_unknown_name_is_met_with_the_known_ones():
 def test_parameters_reach_the_law():
     assert law("tvp", rise_end=0.2, fall_start=0.7).rise_end == 0.2
     assert law("ModTVP", durations=[0, 0.5, 0, 0, 0, 0.5, 0]).durations == (0, 0.5, 0, 0, 0, 0.5, 0)
+
+
+def law_entry(code):
+    return next(entry for entry in CATALOGUE if entry.code == code)
+
+
+@LAWS
+def test_breaks_pieces_shapes_and_coefficients_are_those_of_the_closed_form(entry):
+    assert complaints(entry) == []
+
+
+class NoBreaks(ConstantAcceleration):
+    breaks = ()
+
+
+class ABreakTooFew(TrapezoidalVelocity):
+    @property
+    def breaks(self):
+        return (self.rise_end,)
+
+
+class BreaksOfTheDefault(ModifiedTrapezoidal):
+    @property
+    def breaks(self):
+        return tuple(accumulate(CLASSIC[:6]))
+
+
+class ABreakAtTheWrongPlace(TrapezoidalVelocity):
+    @property
+    def breaks(self):
+        return self.rise_end, self.fall_start + 1e-6
+
+
+class AHigherPiece(Cycloidal):
+    def as_pieces(self):
+        (piece,) = super().as_pieces()
+        return (replace(piece, amplitude=piece.amplitude * (1 + 1e-10)),)
+
+
+class APieceTooShort(ModifiedTrapezoidal):
+    def as_pieces(self):
+        first, second, *others = super().as_pieces()
+        moved = first.duration * 1e-9
+        return (
+            replace(first, duration=first.duration - moved), replace(second, duration=second.duration + moved), *others
+        )  # fmt: skip
+
+
+class ASineForALine(Cubic):
+    def as_pieces(self):
+        return (Piece(1.0, amplitude=6.0, omega=math.pi, phase=math.pi / 2),)
+
+
+class NoShapes(Cycloidal):
+    def shapes(self):
+        return Shapes()
+
+
+class ConstantsForSines(ModifiedTrapezoidal):
+    def shapes(self):
+        share = super().shapes()
+        return Shapes(flat_up=sum(share.up), flat_down=sum(share.down))
+
+
+class SidesChanged(TrapezoidalVelocity):
+    def shapes(self):
+        share = super().shapes()
+        return Shapes(flat_up=share.flat_down, flat_down=share.flat_up)
+
+
+class AGreaterCoefficient(ModifiedTrapezoidal):
+    def _coefficients(self):
+        found = super()._coefficients()
+        return replace(found, va_max=found.va_max * (1 + 1e-5))
+
+
+WRONG = {
+    "breaks": (NoBreaks, ABreakTooFew, BreaksOfTheDefault, ABreakAtTheWrongPlace),
+    "pieces": (AHigherPiece, APieceTooShort, ASineForALine),
+    "shapes": (NoShapes, ConstantsForSines, SidesChanged),
+    "coefficients": (AGreaterCoefficient,),
+}
+
+
+@pytest.mark.parametrize(("what", "wrong"), [(what, one) for what, all_of in WRONG.items() for one in all_of])
+def test_a_law_registered_with_wrong_figures_is_caught_by_name(what, wrong):
+    entry = law_entry(wrong.code)
+    others = tuple(wrong(*(getattr(one, f.name) for f in fields(one))) for one in entry.others)
+    found = complaints(replace(entry, law=wrong, example=wrong, others=others))
+    assert any(f"{wrong.__name__}" in words and f": {what}: " in words for words in found), found
+
+
+class Unsaid(Law):
+    """A law that leaves out what every law must state."""
+
+    code, name = "XYZ", "Unsaid"
+
+    def _block(self, xi):
+        return 0.0, 0.0, 0.0, 0.0
+
+    def _coefficients(self):
+        return ConstantAcceleration().coefficients
+
+
+@pytest.mark.parametrize(
+    ("registered", "named"),
+    [
+        (lambda: Entry(Unsaid, (), "", law_entry("DWL").claims, Unsaid), "Unsaid .*as_pieces.*breaks.*shapes"),
+        (lambda: replace(law_entry("TVP"), others=(), beyond=()), "TrapezoidalVelocity: lacks .* rise_end, fall_start"),
+        (
+            lambda: replace(law_entry("TVP"), others=(TrapezoidalVelocity(0.2),), beyond=()),
+            "TrapezoidalVelocity: lacks among its other examples one with another fall_start",
+        ),
+        (lambda: Claims(1, 1, {"cv": "2"}), "claims: lacks the coefficient ca_max, ca_min"),
+        (lambda: entry_of("crossings"), "engine/laws/crossings.py has no ENTRY"),
+        (lambda: entry_of("missing_law"), "missing_law"),
+    ],
+)
+def test_what_a_law_leaves_out_is_named_when_it_is_registered(registered, named):
+    with pytest.raises((IncompleteError, TypeError, ModuleNotFoundError), match=named):
+        registered()

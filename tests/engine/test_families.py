@@ -340,7 +340,7 @@ def test_of_all_motions_between_two_velocities_the_cubic_has_the_least_square(v0
     expected = 12 * (stroke - (v0 + v1) / 2) ** 2 + (v1 - v0) ** 2
     assert cubic.coefficients.ca_rms**2 == pytest.approx(expected, rel=1e-9, abs=1e-9)
     for law in (ModifiedSine(), TrapezoidalVelocity(), SCurve(), Cycloidal()):
-        assert law.between(Ends(stroke, v0, v1)).coefficients.ca_rms**2 >= expected * (1 - 1e-9) - 1e-9
+        assert law.between(Ends(stroke, v0, v1)).coefficients.ca_rms ** 2 >= expected * (1 - 1e-9) - 1e-9
 
 
 @pytest.mark.parametrize("family", [Cubic, Polynomial345, Polynomial4567])

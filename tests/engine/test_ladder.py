@@ -1,6 +1,7 @@
 """Zeros of polynomials with sines: none is missed, however near to another; extremes of pieces that hang on it."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -46,7 +47,7 @@ def test_a_polynomial_with_a_sine_changes_its_sign_where_samples_do_and_nowhere_
     f = Curve(tuple(c), (sine,))
     found = [0.0, *zeros(f, 1.0), 1.0]
     size = sum(map(abs, c)) + abs(sine[0]) + 1e-300
-    for low, high in zip(found, found[1:], strict=False):
+    for low, high in pairwise(found):
         inside = [f(low + (high - low) * k / 40) for k in range(1, 40)]
         assert min(inside) >= -1e-9 * size or max(inside) <= 1e-9 * size
     for root in found[1:-1]:

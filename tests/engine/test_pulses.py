@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from engine.laws.piece import Piece, gains
 from engine.laws.piece_extremes import extremes_of, power_extremes
-from engine.laws.piece_rules import backwards, stretched
+from engine.laws.piece_rules import backwards, reversed_pieces, stretched
 from engine.laws.pulse import (
     CONSTANT,
     CYCLOIDAL,
@@ -128,3 +128,15 @@ def test_a_stretched_piece():
     assert gains(3 * u, other)[2] == pytest.approx(-2 * gains(u, row)[2], abs=1e-12)
     with pytest.raises(ValueError, match="expected more than 0"):
         stretched(SINES, 1.0, 0.0)
+
+
+@given(pulses)
+def test_a_pulse_turned_is_told_from_its_inner_end(pulse):
+    """The pieces of −p(1 − x) are those of the pulse, each and all backwards."""
+    back = [piece for piece in reversed_pieces(pulse.pieces) if piece.duration]
+    turned = [piece for piece in pulse.turned.pieces if piece.duration]
+    assert [piece.duration for piece in turned] == pytest.approx([piece.duration for piece in back])
+    for one, other in zip(turned, back, strict=True):
+        u = one.duration * np.linspace(0, 1, 21)
+        p, expected = (gains(u, np.array(piece.row)[:, None])[2] for piece in (one, other))
+        assert p == pytest.approx(-expected, abs=1e-12)

@@ -34,7 +34,9 @@ def many(n, seed=4):
 def test_a_tridiagonal_system_against_a_dense_one(rows):
     below, diagonal, above, right = np.array(rows).T
     dense = np.diag(diagonal) + np.diag(below[1:], -1) + np.diag(above[:-1], 1)
-    assert tridiagonal(below[1:], diagonal, above[:-1], right) == pytest.approx(np.linalg.solve(dense, right), abs=1e-12)
+    assert tridiagonal(below[1:], diagonal, above[:-1], right) == pytest.approx(
+        np.linalg.solve(dense, right), abs=1e-12
+    )
 
 
 def dense_moments(law, v0, v1):

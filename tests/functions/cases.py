@@ -6,10 +6,11 @@ import random
 import numpy as np
 
 from engine.drive import Inertia, reflected_inertia
-from engine.laws import Piece, PieceLaw, law
 from engine.laws.inverse import inverse
 from engine.motion import Motion, Phase
 from tests.functions.case import NUM, Case
+from workbook.functions.declared import CODES, OWN_WIDTH
+from workbook.laws.registry import FAMILY
 
 SEED = 20261121
 EPSILON = 2.3e-16
@@ -28,30 +29,57 @@ STANDS_BETWEEN = tuple((d, c, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0) for d, c in zip(
     (0.1875, 0.1875, 0.25, 0.1875, 0.1875), (14.0, -14.0, 0.0, 14.0, -14.0), strict=True))  # fmt: skip
 
 
+MORE = {
+    "TVP": [(pair,) for pair in ((0.5, 0.5), (0.1, 0.7), (1e-3, 0.999))],
+    "MTP": [(durations,) for durations in (CLASSIC, *ZERO_STAGES)],
+    "OWN": [POLYNOMIAL_345, HARMONIC, STANDS_BETWEEN],
+}
+"""parameters of laws at their limits, beside those of their pages"""
+
+
 def engine_law(code, p):
     """The engine's law of a code with its parameters, given as the functions take them."""
-    flat = [v or 0.0 for row in p for v in row] if isinstance(p, tuple) else []
-    match code:
-        case "TVP":
-            return law(code, rise_end=flat[0], fall_start=flat[1])
-        case "MTP":
-            return law(code, durations=tuple(flat))
-        case "OWN":
-            return PieceLaw([Piece(d, tuple(c), *sine) for d, *c, sine in ((r[0], *r[1:5], r[5:]) for r in p)])
-    return law(code)
+    numbers = [v or 0.0 for row in p for v in row] if isinstance(p, tuple) else []
+    return FAMILY[code].page.law_of(numbers)
+
+
+def known(code):
+    """Parameters of a law as the functions take them: as delivered, and others; 0 for a law that takes none."""
+    page = FAMILY[code].page
+    if page.entries is None:
+        return [0]
+    entered = [page.entries(), *(page.entries.model_validate(one) for one in page.variations)]
+    rows = [rowed(code, page.numbers(one)) for one in entered]
+    return [0] if not rows[0] else [*rows, *MORE.get(code, [])]
+
+
+def rowed(code, numbers):
+    """Numbers of a law in rows of a range: one row, or of the own law a row a piece."""
+    width = OWN_WIDTH if code == "OWN" else len(numbers)
+    return tuple(tuple(numbers[i : i + width]) for i in range(0, len(numbers), width or 1))
+
+
+def drawn(code, draw):
+    """Random parameters of a law: its own way where it has one, else between two sets that are known."""
+    if code == "OWN":
+        return own_law(draw)
+    if code == "TVP":
+        return (tuple(sorted(draw.uniform(0.01, 0.99) for _ in range(2))),)
+    if code == "MTP":
+        weights = [draw.random() * (draw.random() > 0.2) + (k in (1, 5)) * 0.05 for k in range(7)]
+        return (tuple(w / sum(weights) for w in weights),)
+    (one,), (other,) = draw.sample(known(code), 2)
+    share = draw.random()
+    return (tuple(share * a + (1.0 - share) * b for a, b in zip(one, other, strict=True)),)
 
 
 def parameters(draw):
     """Laws with parameters in plenty: the known ones, with stages of zero duration, and random ones."""
-    yield from ((code, 0) for code in ("DWL", "ACS", "CIC", "CUB"))
-    yield from (("TVP", (pair,)) for pair in ((1 / 3, 2 / 3), (0.5, 0.5), (0.1, 0.7), (1e-3, 0.999)))
-    yield from (("TVP", (tuple(sorted(draw.uniform(0.01, 0.99) for _ in range(2))),)) for _ in range(4))
-    yield from (("MTP", (durations,)) for durations in (CLASSIC, *ZERO_STAGES))
-    for _ in range(8):
-        weights = [draw.random() * (draw.random() > 0.2) + (k in (1, 5)) * 0.05 for k in range(7)]
-        yield "MTP", (tuple(w / sum(weights) for w in weights),)
-    yield from (("OWN", rows) for rows in (POLYNOMIAL_345, HARMONIC, STANDS_BETWEEN))
-    yield from (("OWN", own_law(draw)) for _ in range(5))
+    for code in CODES:
+        taken = known(code)
+        yield from ((code, p) for p in taken)
+        if taken != [0]:
+            yield from ((code, drawn(code, draw)) for _ in range(5))
 
 
 def own_law(draw):
@@ -65,15 +93,8 @@ def own_law(draw):
 
 
 def breaks(code, p):
-    """Begins of the law's stages, as a spreadsheet sums them up."""
-    match code:
-        case "TVP":
-            return list(p[0])
-        case "MTP":
-            return [float(x) for x in np.cumsum(p[0])[:-1]]
-        case "OWN":
-            return [float(x) for x in np.cumsum([row[0] for row in p])[:-1]]
-    return [0.5]
+    """Begins of the law's stages, as a spreadsheet sums them up; of a law of one stage, its middle."""
+    return list(engine_law(code, p).breaks) or [0.5]
 
 
 def abscissae(code, p, draw):
@@ -114,7 +135,8 @@ def inverses(code, p, one, draw):
 
 
 def of_phases(draw):
-    for phases in (exercise(), *(random_phases(draw) for _ in range(10))):
+    alone = ([(code, 3.0, 0.0 if code == "DWL" else -7.0, known(code)[-1])] for code in CODES)
+    for phases in (exercise(), *alone, *(random_phases(draw) for _ in range(10))):
         motion = Motion([Phase(engine_law(code, p), lift, duration) for code, duration, lift, p in phases])
         table = wide([row(*phase, draw) for phase in phases])
         edges = [float(x) for x in motion.edges]

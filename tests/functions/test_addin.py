@@ -11,14 +11,14 @@ import pytest
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.formula import ArrayFormula
 
-from engine.laws import CATALOGUE, law
+from engine.laws import law
 from tests.functions.calc import Calc
 from tests.functions.case import NUM, VALUE, Case, read, write
-from tests.functions.cases import CLASSIC, engine_law, value_cases
+from tests.functions.cases import CLASSIC, engine_law, known, value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions import oxt
 from workbook.functions.addin.motion_functions import library
-from workbook.functions.declared import FUNCTIONS, OWN_WIDTH, PARAMETERS
+from workbook.functions.declared import CODES, FUNCTIONS, OWN_WIDTH, PARAMETERS
 from workbook.template import FOLDER
 
 OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has
@@ -226,9 +226,18 @@ def test_the_types_were_made_from_what_is_declared():
     assert (oxt.PACKAGE / "motion.idl").read_text(encoding="utf-8") == oxt.idl()
 
 
-def test_every_law_of_the_library_is_declared():
-    assert {*PARAMETERS, "OWN"} == {entry.code for entry in CATALOGUE}
-    assert (library.PARAMETERS, library.OWN_WIDTH) == (PARAMETERS, OWN_WIDTH)
+@pytest.mark.parametrize("code", CODES)
+def test_the_add_in_knows_the_law(code):
+    assert code == "OWN" or library.PARAMETERS.get(code) == PARAMETERS[code], f"{code} is not in the add-in's library"
+    for p in known(code):
+        made, one = engine_law(code, p), library.law(code, p if isinstance(p, tuple) else ())
+        for xi in (0.0, 0.07, 0.3, 0.5, 0.81, 1.0):
+            assert one.at(xi) == pytest.approx(made.evaluate(xi), rel=1e-12, abs=1e-12), (code, p, xi)
+
+
+def test_the_add_in_knows_no_other_law():
+    assert {*library.PARAMETERS, "OWN"} == {*CODES}
+    assert library.OWN_WIDTH == OWN_WIDTH
 
 
 def test_the_same_bytes_each_time(add_in, tmp_path):

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 from tests.functions import lambdas
 from workbook.cli import app
 from workbook.functions import publish
-from workbook.functions.declared import FUNCTIONS
+from workbook.functions.declared import CODES, FUNCTIONS
 from workbook.functions.names import definitions
 from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE
@@ -55,7 +55,7 @@ def without_empty_cells(path, made):
     return made
 
 
-@pytest.mark.parametrize("law", ["DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN"])
+@pytest.mark.parametrize("law", CODES)
 def test_the_names_compute_what_the_page_shows(law, tmp_path):
     shown = EXAMPLE.model_copy(update={"law": law, "xi": 0.625})
     publish.write_book(tmp_path / "page.xlsx", shown)

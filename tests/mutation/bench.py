@@ -11,6 +11,7 @@ from openpyxl import Workbook
 from openpyxl.workbook.defined_name import DefinedName
 
 from tests.mutation.mutants import Mutant, Orchard
+from tests.workbook.cells import opened
 from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.book.formula import Area, Formula
@@ -23,7 +24,6 @@ from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template
 from workbook.witnesses.pycel.calculation import Calculation
 from workbook.witnesses.pycel.witness import PycelModel
-from workbook.writing.write import to_workbook
 
 SMALL = {"cycle": 24, "law": 8, "own_law": 8}
 
@@ -72,7 +72,7 @@ class Bench:
     def __init__(self, template: Template, machine: Machine) -> None:
         self.template, self.machine = replace(template, declare=remembered(template.declare)), machine
         self.declared = self.template.declare(machine)
-        self.workbook = to_workbook(self.declared, template.model)
+        self.workbook = opened(self.declared, template.model)
         self.file = BookFile(Path(f"{template.name}.xlsx"), self.workbook, find_places(self.workbook))
         self.match = Match(self.file, self.declared)
         self.pairs = {pair.address: pair for pair in self.match.pairs}

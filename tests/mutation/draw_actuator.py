@@ -3,9 +3,10 @@
 import random
 from typing import Any, get_args
 
+from tests.laws import MOVING
 from tests.mutation.draw_overlap import rising
 from tests.mutation.draw_selection import vary_selection
-from tests.mutation.machines import LAWS, vary_laws
+from tests.mutation.machines import vary_laws
 from workbook.machines.actuator.entries import Kind
 
 
@@ -31,7 +32,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
 
 def phase(drawn: random.Random) -> dict[str, Any]:
     """Return a rise, a return, a dwell, or a law that lifts nothing."""
-    law = drawn.choice((*LAWS, "DWL"))
+    law = drawn.choice((*MOVING, "DWL"))
     lift = 0.0 if law == "DWL" or drawn.random() < 0.1 else drawn.uniform(-400, 400)
     return {"law": law, "lift": lift, "duration": drawn.uniform(0.1, 2)}
 

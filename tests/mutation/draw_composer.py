@@ -3,7 +3,8 @@
 import random
 from typing import Any
 
-from tests.mutation.machines import LAWS, vary_laws
+from tests.laws import MOVING
+from tests.mutation.machines import vary_laws
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
@@ -24,7 +25,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
 
 def phase(drawn: random.Random, size: float) -> dict[str, Any]:
     """Return a phase of any law, at times without a lift."""
-    law = drawn.choice((*LAWS, "DWL"))
+    law = drawn.choice((*MOVING, "DWL"))
     lift = 0.0 if law == "DWL" else drawn.choice((0.0, drawn.uniform(-size, size), drawn.uniform(-size, size)))
     return {"law": law, "lift": lift, "duration": 10 ** drawn.uniform(-1, 2)}
 

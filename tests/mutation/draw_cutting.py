@@ -4,8 +4,9 @@ import random
 from itertools import pairwise
 from typing import Any
 
+from tests.laws import MOVING
 from tests.mutation.draw_selection import vary_selection
-from tests.mutation.machines import LAWS, shares, vary_laws
+from tests.mutation.machines import shares, vary_laws
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
@@ -32,7 +33,7 @@ def phases(drawn: random.Random, room: int) -> list[dict[str, Any]]:
     edges[-1] = 360.0
     made = []
     for start, stop in pairwise(edges):
-        law = drawn.choice((*LAWS, "DWL"))
+        law = drawn.choice((*MOVING, "DWL"))
         lift = 0.0 if law == "DWL" else drawn.choice((0.0, drawn.uniform(-200, 200), drawn.uniform(-200, 200)))
         made.append({"start": start, "stop": stop, "lift": lift, "law": law})
     return made

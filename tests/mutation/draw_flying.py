@@ -4,15 +4,16 @@ import random
 from math import pi, radians
 from typing import Any
 
+from tests.laws import MOVING
 from tests.mutation.draw_selection import vary_selection
-from tests.mutation.machines import LAWS, vary_laws
+from tests.mutation.machines import vary_laws
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     """Return a description with every entry drawn anew; a law of little speed makes it one that is refused."""
     entries = data["cutter"]
     vary_laws(data["laws"], drawn, data["sizes"]["pieces"])
-    law = drawn.choice(LAWS)
+    law = drawn.choice(MOVING)
     if law == "OWN":
         data["laws"]["OWN"]["pieces"] = hump(drawn)
     vary_selection(data["selection"], data["sizes"], drawn)

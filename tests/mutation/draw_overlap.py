@@ -3,14 +3,15 @@
 import random
 from typing import Any
 
-from tests.mutation.machines import LAWS, vary_laws
+from tests.laws import MOVING
+from tests.mutation.machines import vary_laws
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     """Return a description with every entry drawn anew; it may be one that a machine refuses."""
     entries = data["overlap"]
     vary_laws(data["laws"], drawn, data["sizes"]["pieces"])
-    codes = [drawn.choice(LAWS) for _ in range(1 + 2 * len(entries["tools"]))]
+    codes = [drawn.choice(MOVING) for _ in range(1 + 2 * len(entries["tools"]))]
     if "OWN" in codes:
         data["laws"]["OWN"]["pieces"] = rising(drawn)
     entries.update(rate=drawn.uniform(100, 9000), view=drawn.choice((0.0, 360.0, drawn.uniform(0, 360))))

@@ -10,10 +10,10 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from tests.laws import PAGED, blended
 from workbook.entries.machine import Machine
 from workbook.templates import MODULES
 
-LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 TRIES = 200
 
 
@@ -36,8 +36,8 @@ def machine(given: Machine, drawn: random.Random) -> Machine:
 
 def vary_laws(laws: dict[str, Any], drawn: random.Random, room: int) -> None:
     """Draw the parameters of every law."""
-    for code in LAWS[:-1]:
-        laws[code].update(lift=drawn.uniform(-300, 300), time=drawn.uniform(0.05, 3))
+    for code in PAGED:
+        laws[code].update(lift=drawn.uniform(-300, 300), time=drawn.uniform(0.05, 3), **blended(code, drawn))
     low, high = sorted((drawn.uniform(0.02, 0.98), drawn.uniform(0.02, 0.98)))
     laws["TVP"].update(rise_end=low, fall_start=drawn.choice((low, high)))
     laws["MTP"]["durations"] = stages(drawn)

@@ -8,18 +8,11 @@ from math import pi, radians, sqrt
 import numpy as np
 import pytest
 
-from engine.drive import Motor
+from engine.choice import Task
+from engine.choice.ratios import accelerating_factor, ratio_curves, ratio_ranges, rms_torque
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal, ModifiedTrapezoidal
-from engine.selection import (
-    Task,
-    accelerating_factor,
-    curves_against_load,
-    flying_load_factor,
-    ratio_ranges,
-    ratio_spread,
-    rms_torque,
-)
+from tests.engine.tasks import inertial_task
 
 RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02
 DRUM = rotary_drum(3, RADIUS, radians(30))
@@ -74,8 +67,9 @@ def test_the_saw_s_motor_has_no_mean_speed():
 
 def test_equation_19_is_13_in_17():
     cut = Cut(DRUM, SHORT, LINE, Cycloidal())
-    beta = flying_load_factor(INERTIA, RADIUS, LINE, pi * sqrt(2), L0, SHORT, LT)
-    assert cut.load_factor(INERTIA) == pytest.approx(float(beta), rel=1e-12)
+    shape = (L0 - SHORT) ** 2 / (SHORT * (SHORT - LT) ** 3)
+    beta = 4 * INERTIA * (pi * sqrt(2) * LINE**2 / RADIUS) ** 2 * shape
+    assert cut.load_factor(INERTIA) == pytest.approx(beta, rel=1e-12)
     assert cut.load_factor(INERTIA) == pytest.approx(4 * INERTIA * cut.rms_angular_acceleration**2, rel=1e-14)
 
 
@@ -84,13 +78,13 @@ def test_beta_grows_with_the_fourth_power_of_the_line_speed():
     assert two / one == pytest.approx(16.0, rel=1e-12)
 
 
-def inertial_task():
+def task_of_the_drum():
     cut = Cut(DRUM, SHORT, LINE, Cycloidal())
-    return Task.inertial(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
+    return inertial_task(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
 
 
 def test_equations_15_and_17_agree_for_an_inertial_load():
-    task = inertial_task()
+    task = task_of_the_drum()
     assert task.load_factor == pytest.approx(4 * INERTIA * task.acceleration_rms**2, rel=1e-14)
 
 
@@ -112,25 +106,28 @@ def test_equation_16_bounds_the_same_motors():
 
 
 def test_equations_18_and_20_with_their_roots():
-    task = inertial_task()
-    motor = Motor(inertia=1.2e-3, rated_torque=sqrt(3.0 * task.load_factor * 1.2e-3))
-    found = ratio_ranges(task, motor.rated_torque, motor.inertia, 600.0)
+    task, inertia = task_of_the_drum(), 1.2e-3
+    found = ratio_ranges(task, sqrt(3.0 * task.load_factor * inertia), inertia, 600.0)
     assert found.accelerating_factor / task.load_factor == pytest.approx(3.0, rel=1e-12)
-    spread = float(found.tau_max - found.tau_min)
-    assert spread == pytest.approx(2 * sqrt(1.2e-3 / INERTIA) * sqrt(2.0), rel=1e-12)
-    assert ratio_spread(1.2e-3, INERTIA, 3.0) == pytest.approx(spread, rel=1e-12)
-    assert found.tau_opt == pytest.approx(sqrt(1.2e-3 / INERTIA), rel=1e-12)
+    optimum = sqrt(inertia / INERTIA)
+    assert found.tau_max == pytest.approx(optimum * (sqrt(3.0) + sqrt(2.0)), rel=1e-12)
+    assert found.tau_min == pytest.approx(optimum * (sqrt(3.0) - sqrt(2.0)), rel=1e-12)
+    assert found.tau_max - found.tau_min == pytest.approx(2 * optimum * sqrt(2.0), rel=1e-12)
+    assert found.tau_opt == pytest.approx(optimum, rel=1e-12)
 
 
-def test_figure_12_closes_where_beta_reaches_alpha():
-    motor = Motor(inertia=1e-3, rated_torque=4.0)
+def test_figure_12_is_18_and_closes_where_beta_reaches_alpha():
     alpha = float(accelerating_factor(4.0, 1e-3))
-    curves = curves_against_load(motor, INERTIA, np.array([0.25, 0.5, 1.0, 1.1]) * alpha)
-    assert np.diff(curves.tau_max[:3] - curves.tau_min[:3]).max() < 0.0
-    assert curves.tau_min[2] == pytest.approx(curves.tau_max[2], rel=1e-7)
-    assert np.isnan(curves.tau_max[3])
-    ranges = ratio_ranges(Task.inertial(INERTIA, sqrt(0.25 * alpha / 4 / INERTIA), 1.0), 4.0, 1e-3, 600.0)
-    assert (curves.tau_min[0], curves.tau_max[0]) == pytest.approx((ranges.tau_min, ranges.tau_max), rel=1e-12)
+    task = inertial_task(INERTIA, sqrt(0.05 * alpha / 4 / INERTIA), 1.0)
+    curves = ratio_curves(task, 4.0, 1e-3, 1.0, 40, (0.001, 0.1))
+    k, optimum = alpha / curves.load_factor, sqrt(1e-3 / INERTIA)
+    assert k[[0, -1]] == pytest.approx([20.0, 1.0], rel=1e-12)
+    spread = np.sqrt(np.maximum(k - 1.0, 0.0))
+    assert curves.tau_max == pytest.approx(optimum * (np.sqrt(k) + spread), rel=1e-7)
+    assert curves.tau_min == pytest.approx(optimum * (np.sqrt(k) - spread), rel=1e-7)
+    assert curves.tau_opt == pytest.approx(np.full(40, optimum), rel=1e-12)
+    assert np.diff(curves.tau_max - curves.tau_min).max() < 0.0
+    assert curves.tau_min[-1] == pytest.approx(curves.tau_max[-1], rel=1e-12)
 
 
 @pytest.mark.parametrize("efficiency", [1.0, 0.8, 0.5])

@@ -12,6 +12,7 @@ from engine.actuator import Sizing
 from engine.laws import TrapezoidalVelocity
 from engine.mechanism import Part, Slide, Stage, conveyor, cylinder, gear_train, lead_screw
 from engine.motion import Phase
+from tests.laws import MOVING
 from tests.mutation.draw_actuator import varied
 from tests.workbook.cells import computed
 from workbook.build import build, inputs
@@ -26,7 +27,6 @@ from workbook.templates import TEMPLATES
 TEMPLATE = TEMPLATES["actuator-sizing"]
 CONVEYOR = TEMPLATE.description.with_name("actuator-sizing-conveyor.toml")
 SMALL = {"cycle": 24, "law": 8, "own_law": 8, "motors": 5, "reducers": 5}
-LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 
 
 def entries(path=TEMPLATE.description, **changed):
@@ -140,7 +140,7 @@ def test_a_train_of_two_gears():
     assert value("act_peak") == pytest.approx(Sizing(train, phases, 1e-4).peak_torque, rel=1e-12)
 
 
-@pytest.mark.parametrize("law", [code for code in LAWS if code != "OWN"])
+@pytest.mark.parametrize("law", [code for code in MOVING if code != "OWN"])
 @pytest.mark.parametrize("slope", [35.0, -35.0])
 def test_rms_in_closed_form_where_power_turns_round_within_the_law(law, slope):
     """The cells split a law where its load gives power back; the engine integrates; fine samples are nearly so."""

@@ -306,10 +306,3 @@ def test_program_ends_with_2(arguments, tmp_path):
     assert "Traceback" not in run.stderr
     assert arguments[-1] in run.stdout + run.stderr
     assert not list(tmp_path.iterdir())
-
-
-def test_tables_too_large_to_be_computed(refused, layout, tmp_path):
-    path = tmp_path / "large.toml"
-    path.write_text(write_machine(layout).replace("cycle = 12\n", "cycle = 3000\n"), encoding="utf-8")
-    said = refused("build", path)
-    assert "too large to be computed; give smaller tables ([sizes])" in " ".join(said.split())

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from tests.laws import MOVING
 from tests.workbook.cells import computed
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
@@ -79,7 +80,7 @@ def test_s1_torque_at_the_roller_shaft(law, dw, highest, lowest):
     assert value("drive_speed") == pytest.approx(320.685, abs=5e-4)
 
 
-@pytest.mark.parametrize("law", ["ACS", "TVP", "CIC", "CUB", "MTP", "OWN"])
+@pytest.mark.parametrize("law", MOVING)
 def test_pycel_agrees_with_the_engine_in_every_cell(law, tmp_path, build_book):
     machine = described(cycle=72, law=20, own_law=20)
     for axis in range(3):

@@ -6,7 +6,8 @@ import pytest
 
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal
-from engine.selection import Task
+from tests.engine.tasks import sampled_task
+from tests.laws import MOVING
 from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
@@ -18,7 +19,6 @@ from workbook.templates import TEMPLATES
 TEMPLATE = TEMPLATES["flying-cutter"]
 SAW = TEMPLATE.description.with_name("flying-cutter-saw.toml")
 SMALL = {"cycle": 24, "law": 8, "own_law": 8, "lengths": 6}
-LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02  # of the committed drum
 L0, LT = 2 * pi / 3 * RADIUS, pi / 6 * RADIUS
 LIMIT = (2 * L0 - LT) * 1e3  # mm: S5's limit length of a law with C_v = 2
@@ -103,7 +103,7 @@ def test_the_torque_over_the_cycle_has_the_mean_squares_of_the_cells():
     machine = entries(load__torque=3.0)
     machine["sizes"]["cycle"] = 240
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
-    task = Task.of_samples(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
+    task = sampled_task(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
     assert value("fly_dw_rms") == pytest.approx(task.acceleration_rms, rel=1e-5)
     assert value("fly_torque_rms") == pytest.approx(task.torque_rms, rel=1e-5)
     assert value("fly_mean") == pytest.approx(task.power_rate_mean, rel=1e-4)
@@ -129,7 +129,7 @@ def test_lengths_are_the_cuts_of_each_length():
     assert {"keeps on", "waits"} == set(value("lengths", "does"))
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", MOVING)
 def test_the_stroke_of_a_saw_is_exact_with_every_law(law):
     machine = entries(SAW, law=law)
     machine["laws"]["OWN"]["pieces"] = RISING
@@ -157,7 +157,7 @@ def test_the_saw_has_no_mean_speed_and_needs_its_stroke():
     assert flying_saw(0.5, 0.04 / (2 * pi)).radius * 1e3 == pytest.approx(value("fly_r"), rel=1e-12)
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", MOVING)
 @pytest.mark.parametrize("length", [180.0, 900.0])
 def test_pycel_agrees_with_the_engine_in_every_cell(law, length, tmp_path, build_book):
     machine = entries(law=law, product_length=length)
@@ -179,7 +179,7 @@ def test_the_variations_show_every_case_and_fail_every_limit():
         return {book.blocks[name].quantities[0].value for book in books}
 
     assert shown("fly_kind") == {"drum", "saw"}
-    assert shown("fly_law") == set(LAWS)
+    assert shown("fly_law") == set(MOVING)
     assert shown("fly_case") == {"faster", "in step", "slower"}
     assert shown("fly_does") == {"keeps on", "waits", "reverses"}
     for limit in ("speed", "acceleration", "stroke"):
@@ -202,7 +202,7 @@ def test_what_goes_in_comes_out(tmp_path):
         ({"drum__tools": 2.5}, "tools.*found 2.5; expected a whole number"),
         ({"drum__tool_angle": 120.0}, "tool_angle.*in step over 120°; expected less than the 120° between them"),
         ({"load__inertia": 0.0}, "inertia.*neither an inertia nor a mass"),
-        ({"law": "DWL"}, "law.*found 'DWL'; expected ACS, TVP, CIC, CUB, MTP or OWN"),
+        ({"law": "DWL"}, "law.*found 'DWL'; expected ACS, TVP, .* or OWN"),
         ({"kind": "knife"}, "kind.*found 'knife'; expected drum or saw"),
         ({"line_speed": 0.0}, "line_speed.*expected a number greater than 0"),
     ],

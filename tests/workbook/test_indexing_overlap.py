@@ -3,6 +3,7 @@
 import pytest
 
 from engine.laws.inverse import inverse
+from tests.laws import MOVING
 from tests.workbook.cells import computed
 from workbook.build import build, inputs
 from workbook.errors import InputError
@@ -15,7 +16,6 @@ from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["indexing-overlap"]
 SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}
-LAWS = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 
 
 def entries(**changed):
@@ -93,7 +93,7 @@ def test_parts_that_collide_fail_the_book():
     assert value("stands", "says") == ["COLLISION"]
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", MOVING)
 def test_any_law_is_inverted_to_1e_9(law):
     machine = described(transfer__law=law, tool__law_in=law, tool__law_out=law)
     value, engine = computed(TEMPLATE, machine), laws(machine.laws, 8)[law]
@@ -169,7 +169,7 @@ def test_what_goes_in_comes_out(tmp_path):
         ({"tool__dwell": 215.0}, r"dwell.*transfer \(150°\) and dwell \(215°\) leave the tool no angle"),
         ({"passage__allowance": 55.0}, "allowance.*an allowance of 55° leaves the tool no angle"),
         ({"tool__angle_in": 150.0}, "angle_in.*way in, dwell and way out take"),
-        ({"transfer__law": "DWL"}, "law.*found 'DWL'; expected ACS, TVP, CIC, CUB, MTP or OWN"),
+        ({"transfer__law": "DWL"}, "law.*found 'DWL'; expected ACS, TVP, .* or OWN"),
         ({"passage__split": 1.0}, "split.*found 1.0; expected a number greater than 0 and less than 1"),
     ],
 )

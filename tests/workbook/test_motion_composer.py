@@ -6,6 +6,7 @@ import random
 import openpyxl
 import pytest
 
+from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.test_random_inputs import durations, piece, shares
 from workbook.build import build, committed, inputs, stale_templates
@@ -193,7 +194,7 @@ def test_what_goes_in_comes_out(path, tmp_path):
 # --- Against the engine ---------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("law", ["ACS", "TVP", "CIC", "CUB", "MTP", "OWN"])
+@pytest.mark.parametrize("law", MOVING)
 def test_verify_agrees_with_each_law(law, tmp_path):
     phases = [phase(law, 20.0, 40.0), phase("DWL", 0.0, 15.0), phase(law, -20.0, 65.0)]
     build(with_motion(described(cycle=48), phases=phases), tmp_path / "book.xlsx")
@@ -231,7 +232,7 @@ def drawn(dice):
     size = 10 ** dice.uniform(-4, 3)
     phases = []
     for _ in range(dice.choice((1, 2, 5, 24))):
-        law = dice.choice(("DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN"))
+        law = dice.choice(("DWL", *MOVING))
         lift = 0.0 if law == "DWL" else dice.choice((0.0, dice.uniform(-size, size), dice.uniform(-size, size)))
         phases.append(phase(law, lift, 10 ** dice.uniform(-2, 2)))
     cycle = dice.choice(("closes", "open"))

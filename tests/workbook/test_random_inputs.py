@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis.strategies import integers
 
+from tests.laws import MOVING, PAGED, blended
 from tests.workbook.cells import disagreeing
 from workbook.build import build, inputs
 from workbook.machines.cutting.entries import CuttingMachine
@@ -20,7 +21,6 @@ from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["cutting-machine"]
-MOVING = ("ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 SIZES = {"cycle": 24, "law": 8, "own_law": 8, "phases": 8, "rotors": 6, "pieces": 8}
 
 
@@ -71,8 +71,8 @@ def machine(seed):
     dice = random.Random(seed)
     first = dice.uniform(0.01, 0.9)
     laws = {
-        code: {"lift": dice.uniform(-300, 300), "time": dice.uniform(0.01, 3)}
-        for code in ("ACS", "TVP", "CIC", "CUB", "MTP")
+        code: {"lift": dice.uniform(-300, 300), "time": dice.uniform(0.01, 3), **blended(code, random.Random(seed))}
+        for code in PAGED
     }
     laws["TVP"] |= {"rise_end": first, "fall_start": first if seed % 7 == 0 else dice.uniform(first, 0.99)}
     laws["MTP"]["durations"] = durations(dice)

@@ -9,8 +9,9 @@ import pytest
 import tomli_w
 from typer.testing import CliRunner
 
-from engine.pairing import rank
-from engine.selection import Task, accelerating_factor
+from engine.choice import rank
+from engine.choice.ratios import accelerating_factor
+from tests.engine.tasks import sampled_task
 from tests.mutation import draw_cutting
 from tests.mutation.draw_selection import vary_selection
 from tests.workbook.cells import computed
@@ -21,8 +22,8 @@ from workbook.judging.verify import verify
 from workbook.laws.shelf import LawShelf
 from workbook.machines.cutting.template import choosing
 from workbook.machines.cutting.view import Cutting
-from workbook.reading.catalogue import MOTOR_COLUMNS, REDUCER_COLUMNS, read_motors, read_reducers
 from workbook.reading.entries import read_machine
+from workbook.selection.catalogue_files import MOTOR_COLUMNS, REDUCER_COLUMNS, read_motors, read_reducers
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.witness import PycelModel
@@ -153,10 +154,9 @@ def test_equals_are_ranked_in_the_order_of_the_tables():
 def test_the_ranking_is_the_engines():
     given = machine(criterion="inertia match")
     looked = view(given)
-    task = looked.asked.task
     strong = [b for b in given.selection.reducers if b.max_torque >= looked.torque_needed]
     assert [b.name for b in strong] == ["i 5", "i 8"]
-    found = rank(task, looked.motors, looked._some_reducers(np.flatnonzero(looked.strong)), "inertia match")
+    found = rank(looked.task, looked.motors, looked.reducers, "inertia match", output_torque=looked.torque_needed)
     value = computed(TEMPLATE, given)
     assert value("sel_count") == len(found) > 0
     assert value("ranking", "match")[: len(found)] == pytest.approx(found.mismatch.tolist(), rel=1e-12)
@@ -378,8 +378,8 @@ def test_figure_12_closes_at_alpha_and_goes_through_the_range_at_the_present_loa
 
 def test_the_exact_task_is_near_that_of_the_samples():
     looked = view(machine())
-    s, exact = looked.samples, looked.asked.task
-    sampled = Task.of_samples(s.time, s.speed, s.acceleration, s.torque)
+    s, exact = looked.load, looked.task
+    sampled = sampled_task(s.time, s.speed, s.acceleration, s.torque)
     assert sampled.acceleration_rms == pytest.approx(exact.acceleration_rms, rel=5e-3)
     assert sampled.torque_rms == pytest.approx(exact.torque_rms, rel=5e-3)
     assert sampled.power_rate_mean == pytest.approx(exact.power_rate_mean, rel=1e-2)

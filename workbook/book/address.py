@@ -1,4 +1,4 @@
-"""Where a cell is: sheet, row, column."""
+"""Where a cell is: sheet, row, column; and where a block of cells is."""
 
 from __future__ import annotations
 
@@ -33,3 +33,17 @@ class Address(NamedTuple):
             raise ValueError(f"{text!r}: no sheet is named")
         row, column = coordinate_to_tuple(cell.replace("$", ""))
         return cls(name, row, column)
+
+
+class Place(NamedTuple):
+    """Where a block lies in a file."""
+
+    sheet: str
+    row: int
+    column: int
+    rows: int
+    columns: int
+
+    def cell(self, i: int, j: int) -> Address:
+        """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0."""
+        return Address(self.sheet, self.row + i, self.column + j)

@@ -258,6 +258,13 @@ class Book:
         block = self.blocks[table]
         return f"{quote_sheetname(block.sheet.title)}!{block.reference(column)}"
 
+    def values(self, text: str) -> list[Any]:
+        """Return what the cells of ``[table.column]`` hold, or what the engine has for them."""
+        table, column = text.strip("[]").split(".")
+        block = self.blocks[table]
+        quantity = next(q for q in block.quantities if q.name == column)
+        return as_rows(quantity.value, block.size, text)
+
     def names(self) -> Iterator[tuple[str, str]]:
         """Yield every defined name with what it refers to: the blocks, then the named columns."""
         for block in self.blocks.values():

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from openpyxl.utils import column_index_from_string
 
-from workbook.book.address import Address
+from workbook.book.address import Address, Place
 
 LONGEST = 8_192  # characters of a formula; Excel's limit
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
@@ -24,16 +24,17 @@ MOST_CELLS = 200_000  # of one range: what is larger is refused
 _SHEET = r"(?:'(?:[^']|'')++'|[\w.]++)!"
 _CELL = r"\$?[A-Za-z]{1,3}\$?[0-9]{1,7}"
 _END = r"(?![\w.(!\\?\[])"
+# one scan: what is repeated is never given back, and a token that none of these is ends it
 TOKEN = re.compile(
     rf"""
     (?P<function>[^\W\d][\w.]*+\()
     |(?P<text>"(?:[^"]|"")*+")
     |(?P<reference>(?:{_SHEET})?{_CELL}(?::(?:{_SHEET})?{_CELL})?{_END})
-    |(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?(?![\w.:!]))
-    |(?P<lines>(?:{_SHEET})?(?:\$?[A-Za-z]{{1,3}}:\$?[A-Za-z]{{1,3}}|\$?[0-9]+:\$?[0-9]+){_END})
+    |(?P<number>(?:[0-9]++\.?[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?+(?![\w.:!]))
+    |(?P<lines>(?:{_SHEET})?(?:\$?[A-Za-z]{{1,3}}:\$?[A-Za-z]{{1,3}}|\$?[0-9]++:\$?[0-9]++){_END})
     |(?P<error>(?:{_SHEET})?\#(?:N/A|VALUE!|REF!|DIV/0!|NUM!|NAME\?|NULL!))
     |(?P<name>(?:{_SHEET})?[^\W\d][\w.\\?]*+)
-    |(?P<space>\s+)
+    |(?P<space>\s++)
     |(?P<other>[^-+*/^&=<>(),;%{{}}])
     """,
     re.VERBOSE,
@@ -66,6 +67,11 @@ class Area(NamedTuple):
         return (self.bottom - self.top + 1) * (self.right - self.left + 1)
 
     @property
+    def columns(self) -> range:
+        """The numbers of the columns."""
+        return range(self.left, self.right + 1)
+
+    @property
     def first(self) -> Address:
         """The upper left cell."""
         return Address(self.sheet, self.top, self.left)
@@ -78,8 +84,7 @@ class Area(NamedTuple):
 
     def cells(self) -> list[Address]:
         """Return the cells, row by row."""
-        columns = range(self.left, self.right + 1)
-        return [Address(self.sheet, r, c) for r in range(self.top, self.bottom + 1) for c in columns]
+        return [Address(self.sheet, r, c) for r in range(self.top, self.bottom + 1) for c in self.columns]
 
     def holds(self, cell: Address) -> bool:
         """Whether a cell lies within."""
@@ -219,6 +224,12 @@ def column(letters: str) -> int:
 def functions_of(shape: str) -> frozenset[str]:
     """Return the names of the functions that a shape calls."""
     return frozenset(FUNCTION.findall(shape))
+
+
+def area_of(place: Place) -> Area:
+    """Return a place as an area of formulas."""
+    bottom, right = place.row + place.rows - 1, place.column + place.columns - 1
+    return Area(place.sheet, place.row, place.column, bottom, right, place.rows == place.columns == 1)
 
 
 def dummy(number: int, argument: Area | str) -> str:

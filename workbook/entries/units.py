@@ -11,6 +11,7 @@ MM = 1e-3  # m
 DEGREE = pi / 180  # rad
 RPM = tau / 60  # rad/s
 PER_MINUTE = 1 / 60  # 1/s
+PER_RPM = 1 / RPM  # s/rad: of a slope over speed
 
 Real = TypeVar("Real", float, Array)
 

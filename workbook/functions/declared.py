@@ -28,11 +28,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
-NAMESPACE = "MOTION"
-PARAMETERS = {"DWL": 0, "ACS": 0, "TVP": 2, "CIC": 0, "CUB": 0, "MTP": 7}
-"""Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
-OWN_WIDTH = 8
+from engine.laws.entry import IncompleteError
+from workbook.laws.family import ENTRIES
+from workbook.laws.registry import FAMILIES
 
+NAMESPACE = "MOTION"
 Kind = Literal["code", "number", "cells", "table"]
 
 
@@ -71,13 +71,45 @@ class Function:
         return f"{NAMESPACE}.{self.key}"
 
 
+CODES = tuple(family.code for family in FAMILIES)
+PARAMETERS = {family.code: len(family.page.parameters) for family in FAMILIES if family.code != "OWN"}
+"""Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
+OWN_WIDTH = len(ENTRIES)
+TAKES = {
+    "TVP": Text(
+        "end of acceleration, start of deceleration",
+        "fine dell'accelerazione, inizio della decelerazione",
+        "Ende der Beschleunigung, Beginn der Verzögerung",
+    ),
+    "MTP": Text("seven durations", "sette durate", "sieben Dauern"),
+    "OWN": Text(
+        "a row a piece (duration, c0, c1, c2, c3, P, ω, φ)",
+        "una riga per tratto (durata, c0, c1, c2, c3, P, ω, φ)",
+        "eine Zeile je Abschnitt (Dauer, c0, c1, c2, c3, P, ω, φ)",
+    ),
+}
+"""What a law takes, of those that take anything."""
+if wrong := TAKES.keys() ^ {"OWN", *(code for code, count in PARAMETERS.items() if count)}:
+    raise IncompleteError(f"TAKES lacks words for the parameters of {', '.join(wrong)}, or has some for a law of none")
+
+
+def spelled(last: str) -> str:
+    """Return the codes of the laws, the last after a language's word for or."""
+    return f"{', '.join(CODES[:-1])} {last} {CODES[-1]}"
+
+
+def taken(language: str) -> str:
+    """Return what each law takes, in a language."""
+    return "; ".join(f"{code}: {getattr(words, language)}" for code, words in TAKES.items())
+
+
 LAW = Argument(
     "code",
     Text("law", "legge", "Gesetz"),
     Text(
-        "Code of the motion law: DWL, ACS, TVP, CIC, CUB, MTP or OWN",
-        "Codice della legge di moto: DWL, ACS, TVP, CIC, CUB, MTP o OWN",
-        "Kürzel des Bewegungsgesetzes: DWL, ACS, TVP, CIC, CUB, MTP oder OWN",
+        f"Code of the motion law: {spelled('or')}",
+        f"Codice della legge di moto: {spelled('o')}",
+        f"Kürzel des Bewegungsgesetzes: {spelled('oder')}",
     ),
 )
 XI = Argument(
@@ -102,12 +134,9 @@ P = Argument(
     "cells",
     Text("parameters", "parametri", "Parameter"),
     Text(
-        "Range of the law's parameters. TVP: end of acceleration, start of deceleration; MTP: seven durations; "
-        "OWN: a row a piece (duration, c0, c1, c2, c3, P, ω, φ); else 0",
-        "Intervallo dei parametri della legge. TVP: fine dell'accelerazione, inizio della decelerazione; MTP: sette "
-        "durate; OWN: una riga per tratto (durata, c0, c1, c2, c3, P, ω, φ); altrimenti 0",
-        "Bereich mit den Parametern des Gesetzes. TVP: Ende der Beschleunigung, Beginn der Verzögerung; MTP: sieben "
-        "Dauern; OWN: eine Zeile je Abschnitt (Dauer, c0, c1, c2, c3, P, ω, φ); sonst 0",
+        f"Range of the law's parameters. {taken('en')}; else 0",
+        f"Intervallo dei parametri della legge. {taken('it')}; altrimenti 0",
+        f"Bereich mit den Parametern des Gesetzes. {taken('de')}; sonst 0",
     ),
 )
 X = Argument(

@@ -8,14 +8,22 @@ from typing import Any
 from engine.laws.inverse import inverse
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Sheet, Text, calc, constant, given, result
-from workbook.functions.declared import FUNCTIONS, Argument
+from workbook.book.rows import filled
+from workbook.functions.declared import FUNCTIONS, TAKES, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
+from workbook.laws.family import value_at
+from workbook.laws.registry import FAMILIES
 
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
-TVP = "[tvp.rise_end]:[tvp.fall_start]"
-MTP = "[mtp.d1]:[mtp.d7]"
-OWN = "[own.duration.first]:[own.phase.last]"
-P = f'IF({LAW}="TVP",{TVP},IF({LAW}="MTP",{MTP},IF({LAW}="OWN",{OWN},0)))'
+RANGES = {
+    family.code: f"[{family.code}.{names[0]}]:[{family.code}.{names[-1]}]"
+    for family in FAMILIES
+    if (names := [parameter.column for parameter in family.page.parameters])
+}
+"""where the parameters of each law stand that takes any, a table a law"""
+RANGES["OWN"] = "[OWN.duration.first]:[OWN.phase.last]"
+CHOSEN = "".join(f'IF({LAW}="{code}",{cells},' for code, cells in RANGES.items())
+P = f"{CHOSEN}0{''.join(')' for _ in RANGES)}"
 PHASES = f"[phases.law.first]:[phases.p{WIDTH}.last]"
 ARGUMENTS = {
     "law": LAW, "xi": XI, "s": S, "x": X, "parameters": P, "phases": PHASES, "inertias": "[shafts.inertia]",
@@ -70,27 +78,22 @@ def entries(sheet: Sheet, shown: Shown) -> None:
 
 def parameters(sheet: Sheet, shown: Shown) -> None:
     """Declare the parameters of the laws that take any."""
-    laws, pieces = shown.laws, shown.pieces
+    laws, pieces = shown.laws, shown.laws.OWN.pieces
     sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
-    sheet.table(
-        "tvp", "TVP: shares of the rise time", 1,
-        given("rise_end", "end of acceleration", "", "", [laws.TVP.rise_end], "laws.TVP.rise_end"),
-        given("fall_start", "start of deceleration", "", "", [laws.TVP.fall_start], "laws.TVP.fall_start"),
-    )  # fmt: skip
-    sheet.table("mtp", "MTP: seven durations, of sum 1", 1, *(
-        given(f"d{i}", f"stage {i}", "", "", [d], "laws.MTP.durations.*", format="0.0000")
-        for i, d in enumerate(laws.MTP.durations, 1)
-    ))  # fmt: skip
+    for family in (family for family in FAMILIES if family.page.parameters):
+        code, entered = family.code, getattr(laws, family.code)
+        sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
+            given(one.column, one.short, "", "",
+                  [value_at(entered, one.key)], f"laws.{code}.{one.key}", format="0.0000")
+            for one in family.page.parameters
+        ))  # fmt: skip
     rows = len(pieces) + EMPTY_PIECES
-    sheet.table("own", "OWN: a row a piece of a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(
-        given(name, words, "", "", column(pieces, i, rows), f"laws.OWN.pieces.*.{name}", format="General")
-        for i, (name, words) in enumerate(PIECE.items())
+    sheet.table("OWN", "OWN: a row a piece of a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(
+        given(name, words, "", "",
+              filled([getattr(piece, name) for piece in pieces], rows, None), f"laws.OWN.pieces.*.{name}",
+              format="General")
+        for name, words in PIECE.items()
     ))  # fmt: skip
-
-
-def column(rows: list[list[Any]], i: int, size: int) -> list[Any]:
-    """Return a column of a table, filled up with empty cells."""
-    return [row[i] if i < len(row) else None for row in rows] + [None] * (size - len(rows))
 
 
 def functions(sheet: Sheet, shown: Shown) -> None:
@@ -137,16 +140,20 @@ def curve(title: str, x: str, y: str, x_axis: str, y_axis: str, table: str) -> C
 def motion(sheet: Sheet, shown: Shown) -> None:
     """Declare the table of phases, and the charts of the motion."""
     rows = len(shown.phases) + EMPTY_PHASES
-    phases = [[p.law, p.duration, p.lift, *p.p] for p in shown.phases]
+    phases = shown.phases
+    p = [filled(phase.p, WIDTH, None) for phase in phases]
     sheet.heading("A motion of phases", "Empty rows at the end are left out; what a law does not take may stay empty.")
     sheet.note("OWN takes its pieces side by side, each as in its table above; a wider table has room for more.")
     sheet.table(
         "phases", "Phases", rows,
-        given("law", "law", "", "", column(phases, 0, rows), "phases.*.law", align="center"),
-        given("duration", "duration", "", "", column(phases, 1, rows), "phases.*.duration", format="General"),
-        given("lift", "lift", "", "", column(phases, 2, rows), "phases.*.lift", format="General"),
-        *(given(f"p{i}", f"parameter {i}", "", "", column(phases, 2 + i, rows), "phases.*.p.*", format="General")
-          for i in range(1, WIDTH + 1)),
+        given("law", "law", "", "", filled([one.law for one in phases], rows, None), "phases.*.law", align="center"),
+        given("duration", "duration", "", "",
+              filled([one.duration for one in phases], rows, None), "phases.*.duration", format="General"),
+        given("lift", "lift", "", "",
+              filled([one.lift for one in phases], rows, None), "phases.*.lift", format="General"),
+        *(given(f"p{i}", f"parameter {i}", "", "",
+                filled(values, rows, None), "phases.*.p.*", format="General")
+          for i, values in enumerate(zip(*p, strict=True), 1)),
     )  # fmt: skip
     sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=13)
 

@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-import io
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from openpyxl import Workbook
-from openpyxl.utils import get_column_letter
 from openpyxl.workbook.defined_name import DefinedName
 
-from workbook.book.declare import Book
 from workbook.functions.declared import NAMESPACE
 from workbook.functions.names import definitions
 from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE, Shown
 from workbook.template import FOLDER
-from workbook.writing import archive, dynamic
+from workbook.writing import dynamic
 from workbook.writing.same import same_book
-from workbook.writing.write import replace, spell_out, to_workbook
+from workbook.writing.write import pack, parts
 
 NOTE = 255  # characters of the comment that Excel shows beside a name
 HEAD = """\
@@ -34,34 +30,13 @@ The names that begin with _ are called by the others: take them all.
 
 def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
     """Write the workbook with the names and the page that shows them, replacing what is there."""
-    book = declare(shown)
-    workbook = to_workbook(book, Shown)
-    name_functions(workbook)
-    spell_out(workbook)
-    draft = io.BytesIO()
-    workbook.save(draft)
-    parts = dynamic.completed(archive.unzipped(draft.getvalue()), results(book), f"{NAMESPACE}.")
-    abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
-    replace(path, lambda beside: archive.pack(parts, beside, abouts))
+    pack(dynamic.completed(parts(declare(shown), Shown, names(), f"{NAMESPACE}.")), path)
 
 
-def name_functions(workbook: Workbook) -> None:
-    """Give a workbook the functions as its only names: a copied sheet then brings along nothing else."""
-    workbook.defined_names.clear()
+def names() -> Iterator[DefinedName]:
+    """Yield the functions as the only names of a workbook: a copied sheet then brings along nothing else."""
     for one in definitions():
-        workbook.defined_names[one.name] = DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored)
-
-
-def results(book: Book) -> dict[str, dict[str, object]]:
-    """Return the engine's values of the formula cells, by part and cell."""
-    found: dict[str, dict[str, object]] = {}
-    for number, sheet in enumerate(book.sheets, 1):
-        cells = found.setdefault(f"xl/worksheets/sheet{number}.xml", {})
-        for block in sheet.blocks:
-            for cell in block.cells():
-                if cell.quantity.formula is not None:
-                    cells[f"{get_column_letter(cell.column)}{cell.row}"] = cell.expected
-    return found
+        yield DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored)
 
 
 def write_text(path: Path) -> None:

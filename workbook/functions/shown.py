@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cached_property
-from itertools import chain
 from typing import Annotated
 
 import numpy as np
@@ -11,11 +10,12 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from engine.drive import Inertia, reflected_inertia
-from engine.laws import Law, Piece, PieceLaw, law
+from engine.laws import Law
 from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase
 from workbook.entries.types import Model, NotNegative, Number, Positive, Share
 from workbook.laws.entries import LawCode, Laws
+from workbook.laws.registry import FAMILY
 
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2
@@ -33,7 +33,7 @@ class ShownPhase(Model):
     @property
     def made(self) -> Phase:
         """The engine's phase."""
-        return Phase(made(self.law, self.p), self.lift, self.duration)
+        return Phase(FAMILY[self.law].page.law_of(self.p), self.lift, self.duration)
 
 
 class Shaft(Model):
@@ -65,22 +65,12 @@ class Shown(Model):
     @cached_property
     def one(self) -> Law:
         """The law that is chosen."""
-        return made(self.law, self.parameters)
+        return FAMILY[self.law].page.law_of(self.parameters)
 
     @property
     def parameters(self) -> list[float]:
         """The numbers that the chosen law takes, piece after piece those of the own law."""
-        laws = self.laws
-        return {
-            "TVP": [laws.TVP.rise_end, laws.TVP.fall_start],
-            "MTP": laws.MTP.durations,
-            "OWN": list(chain.from_iterable(self.pieces)),
-        }.get(self.law, [])
-
-    @property
-    def pieces(self) -> list[list[float]]:
-        """The rows of the own law."""
-        return [[float(v) for v in piece.model_dump().values()] for piece in self.laws.OWN.pieces]
+        return FAMILY[self.law].page.numbers(getattr(self.laws, self.law, None))
 
     @cached_property
     def xis(self) -> NDArray[np.float64]:
@@ -117,19 +107,6 @@ class Shown(Model):
         """The root mean square of the profile."""
         value, duration = np.array([(one.value, one.duration) for one in self.profile]).T
         return float(np.sqrt(value**2 @ duration / duration.sum()))
-
-
-def made(code: str, numbers: list[float]) -> Law:
-    """Return the engine's law of a code with its parameters in a row."""
-    match code:
-        case "TVP":
-            return law(code, rise_end=numbers[0], fall_start=numbers[1])
-        case "MTP":
-            return law(code, durations=tuple(numbers))
-        case "OWN":
-            rows = np.array(numbers).reshape(-1, 8).tolist()
-            return PieceLaw([Piece(d, (a, b, c, e), *sine) for d, a, b, c, e, *sine in rows])
-    return law(code)
 
 
 EXAMPLE = Shown(

@@ -12,46 +12,14 @@ from workbook.book.address import Address
 from workbook.entries.rules import field_at
 from workbook.judging.matching import Match
 from workbook.judging.names import misled
+from workbook.reading.contents import Contents
 from workbook.reading.files import find_places
-from workbook.witnesses.pycel.witness import PycelModel
 
-ALLOWED = frozenset(
-    [
-        "IF",
-        "AND",
-        "OR",
-        "NOT",
-        "MIN",
-        "MAX",
-        "ABS",
-        "SIGN",
-        "SQRT",
-        "SIN",
-        "COS",
-        "TAN",
-        "ATAN2",
-        "PI",
-        "EXP",
-        "LN",
-        "LOG10",
-        "POWER",
-        "INT",
-        "ROUND",
-        "SUM",
-        "SUMPRODUCT",
-        "AVERAGE",
-        "COUNT",
-        "COUNTIF",
-        "INDEX",
-        "MATCH",
-        "CHOOSE",
-        "LARGE",
-        "SMALL",
-        "ISNUMBER",
-        "RADIANS",
-        "DEGREES",
-    ]
-)
+ALLOWED = frozenset([
+    "IF", "AND", "OR", "NOT", "MIN", "MAX", "ABS", "SIGN", "SQRT", "SIN", "COS",
+    "TAN", "ATAN2", "PI", "EXP", "LN", "LOG10", "POWER", "INT", "ROUND", "SUM", "SUMPRODUCT",
+    "AVERAGE", "COUNT", "COUNTIF", "INDEX", "MATCH", "CHOOSE", "LARGE", "SMALL", "ISNUMBER", "RADIANS", "DEGREES",
+])  # fmt: skip
 VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
 
 
@@ -65,20 +33,20 @@ class Remark(NamedTuple):
     expected: str
 
 
-def audit(match: Match, model: PycelModel, template: type[BaseModel], calls: Container[Address]) -> Iterator[Remark]:
+def audit(match: Match, template: type[BaseModel], calls: Container[Address]) -> Iterator[Remark]:
     """Yield what is wrong with formulas, names and inputs of a matched workbook; ``calls`` may call MOTION.*."""
-    yield from functions(model, calls)
+    yield from functions(match.file.contents, calls)
     yield from broken_names(match.file.workbook)
     for found in misled(match):
         yield Remark(
             found.place.sheet, found.place.cell(0, 0).a1, "name", f"{found.name}: {found.found}", found.expected
         )
-    yield from unread_inputs(match, model, template)
+    yield from unread_inputs(match, template)
 
 
-def functions(model: PycelModel, calls: Container[Address]) -> Iterator[Remark]:
+def functions(contents: Contents, calls: Container[Address]) -> Iterator[Remark]:
     """Yield cells that use a function which not every spreadsheet program has, or which is volatile."""
-    for address, formula in model.formulas.items():
+    for address, formula in contents.formulas.items():
         for name in sorted(formula.functions - ALLOWED):
             if address in calls and name not in VOLATILE:
                 continue
@@ -94,11 +62,11 @@ def broken_names(workbook: Workbook) -> Iterator[Remark]:
             yield Remark("", name, "name", str(defined.attr_text), "a name that leads to cells")
 
 
-def unread_inputs(match: Match, model: PycelModel, template: type[BaseModel]) -> Iterator[Remark]:
+def unread_inputs(match: Match, template: type[BaseModel]) -> Iterator[Remark]:
     """Yield inputs that no formula reads; texts that only describe are left out."""
-    for pair in match.pairs:
+    inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
+    read = match.file.contents.read([pair.address for pair in inputs])
+    for pair in inputs:
         q = pair.cell.quantity
-        if q.role != "input" or pair.held is None or model.reads(pair.address):
-            continue
-        if field_at(template, q.key)[0] is not str or q.choices:
+        if pair.address not in read and (field_at(template, q.key)[0] is not str or q.choices):
             yield Remark(pair.address.sheet, pair.address.a1, "unread", str(pair.held), "an input that a formula reads")

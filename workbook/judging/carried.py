@@ -6,7 +6,6 @@ from workbook.book.declare import Book
 from workbook.judging.matching import Match
 from workbook.judging.verify import Report, structure
 from workbook.reading.files import BookFile
-from workbook.witnesses.witness import formula_cells
 
 MOST = 3  # cells that a line names
 
@@ -24,7 +23,7 @@ def not_carried(file: BookFile, declared: Book, template: str) -> list[str]:
         if found.kind != "missing":
             edited.setdefault(found.sheet, []).append(found.cell)
     added: dict[str, list[str]] = {}
-    for address in formula_cells(file.workbook):
+    for address in file.contents.formula_cells:
         if address.sheet in ours and address not in match.addresses:
             added.setdefault(address.sheet, []).append(address.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]

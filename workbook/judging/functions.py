@@ -9,15 +9,15 @@ from openpyxl import Workbook
 from workbook.book.address import Address
 from workbook.functions.declared import FUNCTIONS, NAMESPACE
 from workbook.functions.names import definitions, meaning
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.reading.contents import Contents
 
 OURS = frozenset(function.name for function in FUNCTIONS)
 SHOWN = 5  # cells or names that a note lists
 
 
-def calling(model: PycelModel, declared: Container[Address]) -> set[Address]:
+def calling(contents: Contents, declared: Container[Address]) -> set[Address]:
     """Return the cells outside of what is declared that call the functions: no witness but the add-in can."""
-    return {a for a, formula in model.formulas.items() if a not in declared and formula.functions & OURS}
+    return {a for a, formula in contents.formulas.items() if a not in declared and formula.functions & OURS}
 
 
 def notes(workbook: Workbook, calls: Collection[Address]) -> Iterator[str]:

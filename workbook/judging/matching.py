@@ -8,11 +8,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from workbook.book.address import Address
+from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Cell, Quantity, as_rows
-from workbook.book.formula import Area, Formula, FormulaError, read
-from workbook.reading.files import BookFile, Place, find_places
-from workbook.witnesses.pycel.witness import area_of
+from workbook.book.formula import Area, Formula, FormulaError, area_of, read
+from workbook.reading.files import BookFile, find_places
 
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
+from workbook.book.address import Place
 from workbook.book.declare import FIRST, Block
 from workbook.judging.matching import Match
-from workbook.reading.files import Place
 
 
 class Misled(NamedTuple):

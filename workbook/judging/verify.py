@@ -20,8 +20,8 @@ from workbook.judging.matching import Match, Pair, Right
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import Template
-from workbook.witnesses import WITNESSES
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses import WITNESSES, by_cell
+from workbook.witnesses.witness import CellWitness, Model, Witness
 
 LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
 SHARE = 3  # of shorter tables and single cells, every cell at one in so many of the other inputs
@@ -111,7 +111,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     if unknown:
         raise ReadError(f"no witness is named {unknown[0]!r}; expected {', '.join(WITNESSES)}")
     file = open_book(path)
-    entries = Entries(file)
+    entries = Entries(file, by_cell().values)
     report = Report(path, entries.template.name, notes=list(file.notes))
     machine = entries.machine()
     if entries.computed:
@@ -129,21 +129,23 @@ def judge(
     ``shapes`` false leaves the text of formulas aside, so that values alone must tell.
     """
     match = Match(file, template.declare(machine))
-    model = PycelModel(file.workbook)
     suspects = structure(match, report, shapes)
-    calls = calling(model, match.declared_at)
+    calls = calling(file.contents, match.declared_at)
     report.notes += notes(file.workbook, calls)
-    for remark in audit(match, model, template.model, calls):
+    for remark in audit(match, template.model, calls):
         report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
-    computed = values(match, model, report, witnesses)
+    asked: list[Witness] = [WITNESSES[name]() for name in witnesses]
+    single = next((w for w in asked if isinstance(w, CellWitness)), None) or by_cell()
+    model = single.model(file)
+    computed = values(match, asked, single, model, report)
     error_values(match, model, computed, report, calls)
     try:
         variants = template.variants(machine)
     except ValidationError:  # numbers so large that no neighbour of theirs is one
         report.notes.append("the values entered leave no room for other ones: compared at these alone")
     else:
-        elsewhere(match, model, variants, template, report, suspects)
-    report.unmatched = sorted(str(a) for a in model.formulas if a not in match.declared_at)
+        elsewhere(match, single.name, model, variants, template, report, suspects)
+    report.unmatched = sorted(str(a) for a in file.contents.formulas if a not in match.declared_at)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
 
 
@@ -170,50 +172,54 @@ def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]
     return suspects
 
 
-def values(match: Match, model: PycelModel, report: Report, witnesses: Sequence[str]) -> dict[Address, Any]:
-    """Compare what each witness computes at the values entered; return what the first that answered computes."""
+def values(
+    match: Match, asked: Sequence[Witness], single: CellWitness, model: Model, report: Report
+) -> dict[Address, Any]:  # fmt: skip
+    """Compare what each witness computes at the values entered; return what the first that answered computes.
+
+    ``model`` is what the witness ``single`` has of the file already.
+    """
     answer: dict[Address, Any] = {}
-    for name in witnesses:
-        witness = WITNESSES[name]()
-        ran = Ran(name, witness.version())
+    for witness in asked:
+        ran = Ran(witness.name, witness.version())
         report.witnesses.append(ran)
         if ran.absent:
-            report.findings.append(Finding("", name, "witness", "absent", "a witness that is on this machine"))
+            report.findings.append(Finding("", ran.name, "witness", "absent", "a witness that is on this machine"))
             continue
         try:
-            computed = model.evaluate() if name == "pycel" else witness.values(match.file)
+            computed = model.evaluate() if witness is single else witness.values(match.file)
         except WitnessError as error:
             ran.why = str(error)
-            report.findings.append(Finding("", name, "witness", str(error), "values to compare"))
+            report.findings.append(Finding("", ran.name, "witness", str(error), "values to compare"))
             continue
-        ran.compared = compared(match, model, computed, report, name)
+        ran.compared = compared(match, model, computed, report, ran.name)
         answer = answer or computed
     report.compared = max((w.compared for w in report.witnesses), default=0)
     return answer
 
 
-def error_values(
-    match: Match, model: PycelModel, computed: dict[Address, Any], report: Report, calls: set[Address]
-) -> None:
+def error_values(match: Match, model: Model, computed: dict[Address, Any], report: Report, calls: set[Address]) -> None:
     """Enter the error values of cells that belong to nothing declared: constants, and the engineer's own formulas.
 
     A witness that does not know MOTION.* gives #NAME? in ``calls``, and in what follows from these.
     """
-    for address, value in {**model.constants, **computed}.items():
+    contents = match.file.contents
+    for address, value in {**contents.constants, **computed}.items():
         if not is_error(value) or value not in ERRORS or address in match.declared_at:
             continue
-        follows = calls and address in model.formulas and address not in model.problems
+        follows = calls and address in contents.formulas and address not in model.problems
         if not (value == "#NAME?" and (address in calls or follows)):
             report.findings.append(Finding(address.sheet, address.a1, "error", value, "no error value"))
 
 
-def compared(match: Match, model: PycelModel, computed: dict[Address, Any], report: Report, by: str) -> int:
+def compared(match: Match, model: Model, computed: dict[Address, Any], report: Report, by: str) -> int:
     """Compare one witness's values; tell the cells at fault from those that only follow them. Return how many."""
     count, wrong = 0, []
+    formulas = set(match.file.contents.formula_cells)
     first = by == report.witnesses[0].name
     right = Right(match, match.declared)
     for pair in match.pairs:
-        if not pair.declared_formula or (pair.address not in model.formulas and pair.address not in model.problems):
+        if not pair.declared_formula or pair.address not in formulas:
             continue
         count += 1
         value = computed.get(pair.address)
@@ -234,14 +240,15 @@ def compared(match: Match, model: PycelModel, computed: dict[Address, Any], repo
     return count
 
 
-def faults(model: PycelModel, right: Right, wrong: set[Address]) -> set[Address]:
+def faults(model: Model, right: Right, wrong: set[Address]) -> set[Address]:
     """Return the cells that are wrong even when all that they refer to is right."""
     computed = model.each(wrong, right.get)
     return {a for a, value in computed.items() if not difference(value, right.get(a), right.peak(a)) <= TOLERANCE}
 
 
 def elsewhere(
-    match: Match, model: PycelModel, machines: list[Machine], template: Template, report: Report, suspects: set[Address]
+    match: Match, by: str, model: Model, machines: list[Machine], template: Template, report: Report,
+    suspects: set[Address],
 ) -> None:  # fmt: skip
     """Compare at other inputs, each cell with the right values around it.
 
@@ -250,15 +257,15 @@ def elsewhere(
     if any(place is None for _, place in match.misfits):
         return
     known = {(f.sheet, f.cell) for f in report.findings}
-    pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in model.formulas}
+    pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in match.file.contents.formulas}
     for k, (machine, turn) in enumerate(zip(machines, turns(pairs, suspects, len(machines)), strict=True), 1):
         right = Right(match, template.declare(machine))
         for a, value in model.each(turn, right.get).items():
             deviation = difference(value, right.get(a), right.peak(a))
             if not deviation <= TOLERANCE and (a.sheet, a.a1) not in known:
                 known.add((a.sheet, a.a1))
-                by = f"pycel, at variation {k} of the inputs"
-                report.add(pairs[a], "value", value, right.get(a), deviation, by)
+                where = f"{by}, at variation {k} of the inputs"
+                report.add(pairs[a], "value", value, right.get(a), deviation, where)
 
 
 def turns(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:

@@ -47,6 +47,11 @@ class Parameter(NamedTuple):
     """the label above it in the functions' table of parameters"""
     source: str = ""
 
+    @property
+    def column(self) -> str:
+        """The name of its column in that table."""
+        return self.name.removeprefix("@")
+
 
 class LawCheck(NamedTuple):
     """A check of a law's parameters."""

@@ -11,16 +11,18 @@ from typing import Any
 import tomli_w
 from pydantic import BaseModel, ValidationError
 
+from workbook.book.address import Place
 from workbook.book.declare import Block, Quantity
 from workbook.entries import rules
 from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
-from workbook.reading.files import BookFile, Place
+from workbook.reading.contents import Cells
+from workbook.reading.files import BookFile
 from workbook.templates import TEMPLATES, Template
-from workbook.witnesses.pycel.witness import PycelModel
 
 Where = Callable[[str], str]
+Evaluate = Callable[[BookFile], Cells]  # gives the value of every formula cell
 LONGEST = 60  # characters that a message repeats of what was found
 
 
@@ -92,10 +94,12 @@ def shown(value: Any) -> str:
 
 
 class Entries:
-    """The input cells of a workbook as a machine description."""
+    """The input cells of a workbook as a machine description; inputs that hold a formula are given to ``evaluate``."""
 
-    def __init__(self, file: BookFile) -> None:
+    def __init__(self, file: BookFile, evaluate: Evaluate) -> None:
         self.file = file
+        self._evaluate = evaluate
+        self._values: Cells | None = None
         self.cells: dict[str, str] = {}
         self.computed: list[str] = []
         self.template = self._template()
@@ -105,7 +109,6 @@ class Entries:
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": type(default.sizes)(**small)}))
-        self._formulas: PycelModel | None = None
         for block in layout.blocks.values():
             self._read_block(block)
 
@@ -159,9 +162,9 @@ class Entries:
         value = self.file.value(place.cell(i, j))
         if isinstance(value, str) and value.startswith("="):
             self.computed.append(str(place.cell(i, j)))
-            if self._formulas is None:
-                self._formulas = PycelModel(self.file.workbook)
-            return self._formulas.evaluate().get(place.cell(i, j))
+            if self._values is None:
+                self._values = self._evaluate(self.file)
+            return self._values.get(place.cell(i, j))
         return value
 
     def _where(self, key: str) -> str:

@@ -8,34 +8,21 @@ from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import openpyxl
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
 from openpyxl.utils.cell import range_boundaries
 
-from workbook.book.address import Address
+from workbook.book.address import Address, Place
 from workbook.errors import ReadError
+from workbook.reading.contents import Contents
 from workbook.reading.guard import guard
 from workbook.reading.scan import LAST_COLUMN, LAST_ROW, SAVE_AS
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
-
-
-class Place(NamedTuple):
-    """Where a block lies in a file."""
-
-    sheet: str
-    row: int
-    column: int
-    rows: int
-    columns: int
-
-    def cell(self, i: int, j: int) -> Address:
-        """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0."""
-        return Address(self.sheet, self.row + i, self.column + j)
 
 
 @dataclass
@@ -51,6 +38,11 @@ class BookFile:
         """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty."""
         cell = self._sheets[address.sheet].get((address.row, address.column))
         return None if cell is None else cell.value
+
+    @cached_property
+    def contents(self) -> Contents:
+        """The constants and formulas of all cells, the formulas taken apart."""
+        return Contents(self.workbook)
 
     @cached_property
     def _sheets(self) -> dict[str, dict[tuple[int, int], Cell | MergedCell]]:

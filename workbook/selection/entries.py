@@ -7,13 +7,13 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from engine.choice import Criterion
 from workbook.entries.machine import Sizes
 from workbook.entries.types import EntryError, Model, Positive
-from workbook.reading.catalogue import committed_motors, committed_reducers
 from workbook.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
+from workbook.selection.catalogue_files import committed_motors, committed_reducers
 
 MOST_PRODUCTS = 100  # rows of a catalogue
-Criterion = Literal["margin", "inertia match", "size", "cost"]
 
 
 class Selection(Model):

@@ -6,7 +6,7 @@ from workbook.witnesses.formualizer import Formualizer
 from workbook.witnesses.libreoffice import LibreOffice
 from workbook.witnesses.pycel.witness import Pycel
 from workbook.witnesses.saved import Saved
-from workbook.witnesses.witness import Witness
+from workbook.witnesses.witness import CellWitness, Witness
 
 WITNESSES: dict[str, Callable[[], Witness]] = {
     "pycel": Pycel,
@@ -14,3 +14,8 @@ WITNESSES: dict[str, Callable[[], Witness]] = {
     "libreoffice": LibreOffice,
     "saved": Saved,
 }
+
+
+def by_cell() -> CellWitness:
+    """Return the first witness that evaluates each cell by itself too."""
+    return next(w for w in (make() for make in WITNESSES.values()) if isinstance(w, CellWitness))

@@ -1,7 +1,7 @@
 """The parts of a workbook file as Excel itself writes them, and the same bytes each time.
 
-openpyxl leaves four things that Excel mends in silence when it saves: the time of day, charts without alternative
-text, texts inside the cells instead of in one shared table, and fonts whose elements are out of order.
+openpyxl leaves three things that Excel mends in silence when it saves: the time of day, charts without alternative
+text, and fonts whose elements are out of order.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ import io
 import re
 import zipfile
 from html import escape
-from pathlib import Path
 from xml.etree import ElementTree
 
 EPOCH = (2020, 1, 1, 0, 0, 0)  # written into the file instead of the time of day
@@ -19,25 +18,41 @@ FONT_ORDER = (
     "b", "i", "strike", "condense", "extend", "outline", "shadow", "u", "vertAlign",
     "sz", "color", "name", "family", "charset", "scheme",
 )  # fmt: skip
-INLINE = re.compile(rb't="inlineStr"><is>(<t[ >].*?</t>)</is>', re.DOTALL)
-STRINGS = "xl/sharedStrings.xml"
-STRINGS_TYPE = (
-    b'<Override PartName="/xl/sharedStrings.xml" '
-    b'ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.sharedStrings+xml" />'
+SHEET_DATA = re.compile(rb"<sheetData ?/>|<sheetData>.*?</sheetData>", re.DOTALL)
+DIMENSION = re.compile(rb'(?<=<dimension ref=")[^"]*')
+TYPE = (
+    '<Override PartName="/xl/{}.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.{}+xml"/>'
 )
-STRINGS_LINK = (
-    b'<Relationship Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/sharedStrings" '
-    b'Target="sharedStrings.xml" Id="strings" />'
+LINK = (
+    '<Relationship Id="{0}" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/{1}" '
+    'Target="{0}.xml"/>'
 )
 
 
-def pack(parts: dict[str, bytes], path: Path, abouts: list[tuple[str, str]]) -> None:
-    """Write the parts of a file to ``path``; ``abouts`` are title and alternative text of each chart, in order."""
-    dated(parts)
-    described(parts, abouts)
-    shared(parts)
-    parts["xl/styles.xml"] = ordered(parts["xl/styles.xml"])
-    path.write_bytes(zipped(parts, zipfile.ZIP_DEFLATED))
+def with_cells(sheet: bytes, span: str, data: str) -> bytes:
+    """Return the part of a sheet with these cells instead of its own."""
+    return SHEET_DATA.sub(lambda _: data.encode(), DIMENSION.sub(span.encode(), sheet, count=1), count=1)
+
+
+def completed(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, str]]) -> dict[str, bytes]:
+    """Return the parts as Excel writes them; ``abouts`` are title and alternative text of each chart, in order."""
+    made = dict(parts)
+    dated(made)
+    described(made, abouts)
+    made["xl/styles.xml"] = ordered(made["xl/styles.xml"])
+    return added(made, "sharedStrings", strings)
+
+
+def added(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -> dict[str, bytes]:
+    """Return the parts with one more of the workbook, of this name and kind of relationship."""
+    made = parts | {f"xl/{name}.xml": part}
+    for where, entry in (
+        ("[Content_Types].xml", TYPE.format(name, kind or name)),
+        ("xl/_rels/workbook.xml.rels", LINK.format(name, kind or name)),
+    ):
+        body, _, end = made[where].rpartition(b"</")
+        made[where] = body + entry.encode() + b"</" + end
+    return made
 
 
 def zipped(parts: dict[str, bytes], method: int = zipfile.ZIP_STORED) -> bytes:
@@ -53,19 +68,6 @@ def unzipped(data: bytes) -> dict[str, bytes]:
     """Return the parts of an archive by name."""
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         return {info.filename: archive.read(info) for info in archive.infolist()}
-
-
-def respelled(parts: dict[str, bytes], pattern: bytes, spellings: dict[str, str]) -> dict[str, bytes]:
-    """Return the parts with other spellings, on the sheets, of what ``pattern`` finds."""
-    table = {old.encode(): new.encode() for old, new in spellings.items()}
-
-    def spelled(found: re.Match[bytes]) -> bytes:
-        return table.get(found[0], found[0])
-
-    return {
-        name: re.sub(pattern, spelled, part) if name.startswith("xl/worksheets/sheet") else part
-        for name, part in parts.items()
-    }
 
 
 def dated(parts: dict[str, bytes]) -> None:
@@ -85,28 +87,6 @@ def described(parts: dict[str, bytes], abouts: list[tuple[str, str]]) -> None:
 def description(title: str, about: str) -> bytes:
     """Return the name and description attributes of a chart."""
     return f'name="{escape(title)}" descr="{escape(about)}"'.encode()
-
-
-def shared(parts: dict[str, bytes]) -> None:
-    """Move the texts of the cells into the table of shared strings."""
-    numbers: dict[bytes, int] = {}
-    count = 0
-
-    def number(found: re.Match[bytes]) -> bytes:
-        nonlocal count
-        count += 1
-        return b't="s"><v>%d</v>' % numbers.setdefault(found[1], len(numbers))
-
-    for name, part in parts.items():
-        if name.startswith("xl/worksheets/sheet"):
-            parts[name] = INLINE.sub(number, part)
-    texts = b"".join(b"<si>%s</si>" % text for text in numbers)
-    parts[STRINGS] = b'<sst xmlns="%s" count="%d" uniqueCount="%d">%s</sst>' % (
-        MAIN.encode(), count, len(numbers), texts,
-    )  # fmt: skip
-    for name, entry in (("[Content_Types].xml", STRINGS_TYPE), ("xl/_rels/workbook.xml.rels", STRINGS_LINK)):
-        body, _, end = parts[name].rpartition(b"</")
-        parts[name] = body + entry + b"</" + end
 
 
 def ordered(styles: bytes) -> bytes:

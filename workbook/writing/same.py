@@ -1,7 +1,7 @@
 """Whether two workbook files are the same, part by part.
 
-Everything must be equal to the byte, but for the cached results of formulas: another machine's sine may round
-the last digit differently, so these may differ by a few units in the last place.
+Everything must be equal to the byte, but for the saved results of formulas and the points of charts: another machine's
+sine may round the last digit differently, so these may differ by a few units in the last place.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import zipfile
 from itertools import zip_longest
 from pathlib import Path
 
-CACHED = re.compile(rb"(</f>|<f[^>]*/>)<v>([^<]*)</v>")
+CACHED = re.compile(rb'(</f>|<pt idx="\d+">)<v>([^<]*)</v>')
 LAST_PLACES = 1e-12
 
 

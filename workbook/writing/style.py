@@ -6,7 +6,6 @@ from functools import cache
 from typing import Any
 
 from openpyxl import Workbook
-from openpyxl.cell import Cell
 from openpyxl.formatting.rule import Rule
 from openpyxl.styles import Alignment, Font, PatternFill, Protection
 from openpyxl.styles.differential import DifferentialStyle
@@ -56,7 +55,7 @@ TEXT_STYLES: dict[str, dict[str, Any]] = {
 
 
 class Styles:
-    """Cell styles of one workbook, each made once on a scratch cell and then copied by reference."""
+    """Cell styles of one workbook, each made once on a scratch cell, by their numbers in the file."""
 
     def __init__(self, workbook: Workbook) -> None:
         self._scratch = workbook.create_sheet("scratch")
@@ -68,27 +67,22 @@ class Styles:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
-    def _quantity(self, role: str, number_format: str, align: str) -> Any:
+    def _quantity(self, role: str, number_format: str, align: str) -> int:
         cell = self._scratch.cell(1, 1)
         cell.style = CELL_STYLES[role]  # first: it resets number format and protection
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
         cell.alignment = Alignment(horizontal=align)
-        return cell._style
+        return int(cell.style_id)
 
-    def _text(self, kind: str) -> Any:
+    def _text(self, kind: str) -> int:
         cell = self._scratch.cell(1, 1)
         settings = TEXT_STYLES[kind]
         cell.style = settings.get("style", "Normal")
         for attribute in ("font", "fill", "alignment"):
             if attribute in settings:
                 setattr(cell, attribute, settings[attribute])
-        return cell._style
-
-
-def apply(cell: Cell, style: Any) -> None:
-    """Give ``cell`` a style array that this workbook already holds."""
-    setattr(cell, "_style", style)  # noqa: B010 - openpyxl copies a style by this attribute; its stubs hide it
+        return int(cell.style_id)
 
 
 def alignment(q: Quantity, value: Any, table: bool) -> str:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import io
 import os
 import tempfile
-from collections.abc import Callable
+import zipfile
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
-import formualizer
 from openpyxl import Workbook
 from openpyxl.utils import get_column_letter, quote_sheetname
 from openpyxl.workbook.defined_name import DefinedName
@@ -23,32 +23,63 @@ from pydantic import BaseModel
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.entries import rules
 from workbook.errors import WriteError
-from workbook.writing import archive, charts, style
+from workbook.writing import archive, caches, charts, style
+from workbook.writing.cells import Cells, Strings
 
 WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
-NAME, RANGE = rb"\b[a-z]+_\w+", rb"\b[A-Za-z]\w*!\$[A-Z]+\$\d+:\$[A-Z]+\$\d+"
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
-def to_workbook(book: Book, model: type[BaseModel]) -> Workbook:
-    """Return ``book`` as an openpyxl workbook without cached values."""
+def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False) -> None:
+    """Save a book, each formula with its value: beside the target first, then renamed onto it.
+
+    Raises WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written.
+    """
+    refuse_existing(path, overwrite)
+    pack(parts(book, model), path)
+
+
+def parts(
+    book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = ""
+) -> dict[str, bytes]:
+    """Return the parts of the file: openpyxl writes all but the cells and the values that charts keep.
+
+    ``names`` are defined instead of the book's own; a formula that holds ``dynamic`` is marked as a dynamic array.
+    """
+    strings = Strings()
+    cells = {sheet.title: Cells(strings, dynamic) for sheet in book.sheets}
+    workbook = framed(book, model, cells)
+    if names is None:
+        names = (DefinedName(name, attr_text=target) for name, target in book.names())
+    workbook.defined_names.update({defined.name: defined for defined in names})
+    draft = io.BytesIO()
+    workbook.save(draft)
+    made = archive.unzipped(draft.getvalue())
+    for number, page in enumerate(cells.values(), 1):
+        name = f"xl/worksheets/sheet{number}.xml"
+        made[name] = archive.with_cells(made[name], page.span(), page.part())
+    made |= caches.filled({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
+    abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
+    return archive.completed(made, strings.part(), abouts)
+
+
+def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workbook:
+    """Put the cells of each sheet into ``cells``; return the workbook around them: styles, rules, charts, pages."""
     workbook = Workbook()
     workbook.remove(workbook.worksheets[0])
     sheets = {sheet.title: workbook.create_sheet(sheet.title) for sheet in book.sheets}
     styles = style.Styles(workbook)
     for sheet in book.sheets:
-        page = sheets[sheet.title]
-        write_texts(sheet, page, styles)
+        page, content = sheets[sheet.title], cells[sheet.title]
+        write_texts(sheet, page, content, styles)
         for block in sheet.blocks:
-            write_block(block, page, styles)
+            write_block(block, page, content, styles)
             validate(block, page, model)
         for chart, row, column, width, height in sheet.charts:
             page.add_chart(charts.draw(chart, book, *size(column, width, height)), f"{get_column_letter(column)}{row}")
         set_up_page(sheet, page)
-    for name, target in book.names():
-        workbook.defined_names[name] = DefinedName(name, attr_text=target)
     styles.close()
     workbook.properties.title = book.title
     workbook.properties.creator = "motionbook"
@@ -62,33 +93,33 @@ def size(column: int, columns: int, rows: int) -> tuple[float, float]:
     return characters * CM_PER_CHARACTER, rows * CM_PER_ROW
 
 
-def write_texts(sheet: Sheet, page: Worksheet, styles: style.Styles) -> None:
+def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Styles) -> None:
     """Write titles, labels and headers."""
     for text in sheet.texts:
-        cell = page.cell(text.row, text.column, text.text or None)
-        style.apply(cell, styles.text(text.style))
+        cells.put(text.row, text.column, styles.text(text.style), text.text or None)
         if text.link:
             target = f"{quote_sheetname(text.link)}!A1"
-            cell.hyperlink = Hyperlink(cell.coordinate, location=target, tooltip=f"Go to {text.link}")
+            page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
         if text.style == "equation":
-            page.row_dimensions[text.row].height = 44
+            cells.heights[text.row] = 44
         elif text.style == "header":
-            height = 32 if len(text.text) < 24 else 47
-            page.row_dimensions[text.row].height = max(height, page.row_dimensions[text.row].height or 0)
+            cells.heights[text.row] = max(32 if len(text.text) < 24 else 47, cells.heights.get(text.row, 0))
 
 
-def write_block(block: Block, page: Worksheet, styles: style.Styles) -> None:
+def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles) -> None:
     """Write the cells of one block, each column in one style."""
-    formats: dict[str, Any] = {}
+    looks: dict[str, int] = {}
     for q in block.quantities:
         values = q.value if q.format or not hasattr(q.value, "__len__") or isinstance(q.value, str) else list(q.value)
         sample = peak(values) if isinstance(values, list) else values
-        formats[q.name] = styles.quantity(
+        looks[q.name] = styles.quantity(
             q.role, style.number_format(q, sample), style.alignment(q, sample, block.is_table)
         )
-    for q, _, row, column, content in (c[1:6] for c in block.cells()):
-        cell = page.cell(row, column, content)
-        style.apply(cell, formats[q.name])
+    for _, q, _, row, column, content, value in block.cells():
+        if q.formula is None:
+            cells.put(row, column, looks[q.name], content)
+        else:
+            cells.put_formula(row, column, looks[q.name], content, value)
     for q in block.quantities:
         if q.role == "check":
             style.mark_checks(page, block.reference(q.name).replace("$", ""))
@@ -128,45 +159,13 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
 
 
-def save(workbook: Workbook, book: Book, path: Path, overwrite: bool = False) -> None:
-    """Save with cached values filled in: beside the target first, then renamed onto it.
+def pack(parts: dict[str, bytes], path: Path) -> None:
+    """Write the parts as one file, as :func:`replace` does."""
 
-    Raises WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written, or where the book
-    is too large to be computed.
-    """
-    refuse_existing(path, overwrite)
+    def written(beside: Path) -> None:
+        beside.write_bytes(archive.zipped(parts, zipfile.ZIP_DEFLATED))
 
-    spell_out(workbook)
-    draft = io.BytesIO()
-    workbook.save(draft)
-    try:
-        filled = recalculated(archive.unzipped(draft.getvalue()), book)
-    except (OSError, ValueError) as error:  # formualizer takes 100,000 formulas, and files of a certain size
-        raise WriteError(f"{path}: too large to be computed; give smaller tables ([sizes]): {error}") from error
-    abouts = [(chart.title, chart.about) for s in book.sheets for chart, *_ in s.charts]
-    replace(path, lambda beside: archive.pack(filled, beside, abouts))
-
-
-def recalculated(parts: dict[str, bytes], book: Book) -> dict[str, bytes]:
-    """Return the parts with the result of every formula filled in.
-
-    formualizer looks up the name of a column anew for each cell, which takes three times as long as all else: it is
-    given ranges instead, in a spelling that the book has nowhere else (a sheet's title without quotes).
-    """
-    ranges = {name: target.replace("'", "") for name, target in book.names() if name in book.column_names}
-    plain = {name: target for name, target in ranges.items() if target.partition("!")[0].isidentifier()}
-    draft = archive.zipped(archive.respelled(parts, NAME, plain))
-    filled = archive.unzipped(formualizer.recalculate_xlsx_bytes(draft)["bytes"])
-    return archive.respelled(filled, RANGE, {target: name for name, target in plain.items()})
-
-
-def spell_out(workbook: Workbook) -> None:
-    """Have numbers written with all their digits: openpyxl writes 16, and some numbers need 17 to come back."""
-    for page in workbook.worksheets:
-        for cell in getattr(page, "_cells").values():  # noqa: B009 - every cell that there is; iter_rows would add more
-            number = cell.value
-            if isinstance(number, float) and float(f"{number:.16g}") != number:
-                cell._value = repr(number)  # its type remains that of a number
+    replace(path, written)
 
 
 def refuse_existing(path: Path, overwrite: bool) -> None:

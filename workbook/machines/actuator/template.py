@@ -7,6 +7,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
@@ -22,7 +23,7 @@ from workbook.machines.actuator.sheet import actuator_sheet
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.variations import vary_selection
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 KINDS = ("rotary table", "conveyor", "rack and pinion", "belt", "lead screw", "gear train")
@@ -168,8 +169,8 @@ def choosing(view: Sized, given: ActuatorSizing) -> Choosing:
     direction = np.array([m.direction for m in view.moves])[motion.phase_index(t)]
     load = cascade(view, at.y2, direction, np.ones(len(t))).pop().value
     torque, product, grown = (view.total(name) / motion.total for name in Squares._fields)
-    asked = Asked(sqrt(grown), sqrt(torque), product, view.sizing.max_speed)
-    samples = Samples(t, i * at.y1, i * at.y2, np.asarray(load))
+    asked = Task.of_figures(sqrt(grown), sqrt(torque), product, view.sizing.max_speed)
+    samples = LoadSamples(t, i * at.y1, i * at.y2, np.asarray(load))
     return Choosing(given.selection, given.sizes, asked, samples)
 
 

@@ -7,6 +7,7 @@ from typing import cast
 
 import numpy as np
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
@@ -18,7 +19,7 @@ from workbook.machines.cutting.variations import variants
 from workbook.machines.cutting.view import Cutting
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 LOAD = LoadCells(
@@ -68,9 +69,9 @@ def choosing(reference: Cutting) -> Choosing:
     lossless = rms_lossless(reference)
     dw = lossless["acceleration"]
     torque = sqrt((load.inertia * dw) ** 2 + load.torque**2 * lossless["share"])
-    asked = Asked(dw, torque, load.inertia * dw**2, float(np.abs(points["w"]).max()))
+    asked = Task.of_figures(dw, torque, load.inertia * dw**2, float(np.abs(points["w"]).max()))
     time = reference.angles / 360 * 60 / given.drive.rate
-    samples = Samples(time, points["w"], points["dw"], points["total"])
+    samples = LoadSamples(time, points["w"], points["dw"], points["total"])
     return Choosing(given.selection, given.sizes, asked, samples)
 
 

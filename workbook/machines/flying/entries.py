@@ -14,7 +14,7 @@ from engine.laws.sections import velocity_extremes
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
 from workbook.entries.units import MM
-from workbook.laws.entries import Laws
+from workbook.laws.entries import Laws, RiseCode
 from workbook.laws.library import laws
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
@@ -22,7 +22,6 @@ DRUM = "drum"
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LONGER = 1.001  # times the tool length, the shortest product: the tool needs time to get back
 LEAST_CV = 1.001  # below, no product is too long to keep moving
-RiseCode = Literal["ACS", "TVP", "CIC", "CUB", "MTP", "OWN"]
 
 
 class DrumEntry(Model):

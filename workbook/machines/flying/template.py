@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, cast
 
+from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
@@ -20,7 +21,7 @@ from workbook.machines.flying.view import Flying
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.variations import vary_selection
-from workbook.selection.view import Asked, Choosing, Samples
+from workbook.selection.view import Choosing
 from workbook.template import Template, finish
 
 RISING = [
@@ -123,8 +124,8 @@ def choosing(view: Flying, given: FlyingCutter) -> Choosing:
     """Return the choice of motor and reducer for the load at the tool's shaft."""
     at, r, load, asked = view.samples, view.tool.radius, view.load, view.asked(view.cut)
     dw = at.acceleration / r
-    samples = Samples(view.times, at.speed / r, dw, load.torque + load.inertia * dw)
-    need = Asked(asked.acceleration, asked.torque, asked.mean, view.cut.max_angular_speed)
+    samples = LoadSamples(view.times, at.speed / r, dw, load.torque + load.inertia * dw)
+    need = Task.of_figures(asked.acceleration, asked.torque, asked.mean, view.cut.max_angular_speed)
     return Choosing(given.selection, given.sizes, need, samples)
 
 

@@ -8,13 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from engine.choice import Task
 from engine.drive import Load
 from engine.flying import Beyond, Cut, Tool, ToolMotion, flying_saw, rotary_drum
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.sections import velocity_peak
 from engine.motion import Phase
-from engine.selection import Task
 from workbook.entries.units import MM, PER_MINUTE, RPM
 from workbook.laws.library import OwnLaw
 from workbook.machines.flying.entries import DRUM, REST, CutterEntry, FlyingCutter

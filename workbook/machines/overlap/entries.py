@@ -10,11 +10,11 @@ from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.inverse import is_monotone
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive, Text
+from workbook.laws.entries import RiseCode
 from workbook.laws.library import laws
 
 MOST_TOOLS = 6
 TURN = 360.0
-RiseCode = Literal["ACS", "TVP", "CIC", "CUB", "MTP", "OWN"]
 LEAST = 0.01  # degrees: no cam moves in less
 PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
 

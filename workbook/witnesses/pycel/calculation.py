@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from functools import cached_property
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from pycel.excelutil import AddressRange
 
 from workbook.book.address import Address
+from workbook.book.columns import Moved, Moving, Pattern
 from workbook.book.formula import Area, Formula, FormulaError, bounded
-from workbook.witnesses.pycel.columns import Moved, Moving, Pattern
+from workbook.reading.contents import entered
 from workbook.witnesses.pycel.compiled import Compiled, compiled
 from workbook.witnesses.pycel.numbering import Numbering
 from workbook.witnesses.pycel.order import ordered
-from workbook.witnesses.pycel.steps import FormulaStep, RangeStep, entered, rows_of
+from workbook.witnesses.pycel.steps import FormulaStep, RangeStep, rows_of
+from workbook.witnesses.witness import Found
 
 Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
-Found = Callable[[Address, Any], Any]  # what is found in a cell; else what a cell without a formula holds
 CYCLE = "#CYCLE!"
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
 
@@ -41,7 +41,6 @@ class Calculation:
         self._areas: dict[int, Area] = {}
         self._followed: dict[int, list[Followed]] = {}  # of a pattern, by its identity
         self._range_cells = 0
-        self._unjoined: list[Formula | Moved] = []
         for address, value in self._constants.items():
             self._numbers.cell(address, value)
         self._formulas = {self._numbers.cell(address): address for address in formulas}
@@ -55,16 +54,6 @@ class Calculation:
     def order(self) -> list[Address]:
         """The formula cells, each after what it needs."""
         return [self._formulas[number] for number in self._order if number in self._formulas]
-
-    def reads(self, address: Address) -> bool:
-        """Whether some formula refers to a cell, also one that cannot be evaluated."""
-        areas = (a for formula in self._unjoined for a in formula.arguments if isinstance(a, Area))
-        number = self._numbers.column(address.sheet, address.column).get(address.row)
-        return number in self._read or any(area.holds(address) for area in areas)
-
-    @cached_property
-    def _read(self) -> set[int]:
-        return {number for step in self._steps.values() for number in step.sources}
 
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> dict[Address, Any]:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
@@ -117,7 +106,6 @@ class Calculation:
         except FormulaError as error:
             self._numbers.values[number] = error.value
             self.problems[address] = str(error)
-            self._unjoined.append(formula)
 
     def _sources(self, call: Compiled, formula: Formula | Moved) -> list[int]:
         if call.addresses:

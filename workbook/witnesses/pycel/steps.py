@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from datetime import date, datetime, time, timedelta
 from typing import Any
 
-from openpyxl.utils.datetime import WINDOWS_EPOCH, to_excel
 from pycel.excelutil import EMPTY, list_like
 
 from workbook.witnesses.pycel.compiled import Compiled, arguments
@@ -65,14 +63,3 @@ def held(result: Any) -> Any:
     if kind is bool:
         return result
     return held(result[0]) if list_like(result) else held(result.item())
-
-
-def entered(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:
-    """Return what a cell without a formula holds as formulas see it: dates and times are numbers."""
-    if value is None or type(value) in (float, int, bool, str):
-        return value
-    if isinstance(value, date | datetime | time | timedelta):
-        return float(to_excel(value, epoch))  # type: ignore[no-untyped-call]
-    if hasattr(value, "item"):
-        return entered(value.item())  # a number of NumPy's
-    return float(value) if hasattr(value, "__float__") else str(value)

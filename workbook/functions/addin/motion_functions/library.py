@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Sequence
+from typing import Callable, Sequence
 
 from .law import Law, end_of
 from .piece import Piece
@@ -17,7 +17,6 @@ from .refused import NUM, VALUE, Refused
 
 SUM_TOLERANCE = 1e-9  # of the durations of a law
 OWN_WIDTH = 8
-PARAMETERS = {"DWL": 0, "ACS": 0, "TVP": 2, "CIC": 0, "CUB": 0, "MTP": 7}
 
 Rows = Sequence[Sequence[float]]
 
@@ -27,21 +26,13 @@ def law(code: str, parameters: tuple[tuple[float, ...], ...]) -> Law:
     """Return the law of a code in capitals; refuses what is no code, too many or few parameters, impossible ones."""
     if code == "OWN":
         return own(parameters)
-    count = PARAMETERS.get(code)
-    if count is None:
+    if code not in LAWS:
         raise Refused(VALUE)
+    count, made = LAWS[code]
     p = [value for row in parameters for value in row]
     if count and len(p) != count:
         raise Refused(VALUE)
-    if code == "DWL":
-        return Law([Piece(1.0)])
-    if code == "CUB":
-        return Law([Piece(1.0, 6.0, -12.0)])
-    if code == "ACS":
-        return seven_stages(0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0)
-    if code == "CIC":
-        return seven_stages(0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25)
-    return trapezoidal(*p) if code == "TVP" else modified_trapezoidal(p)
+    return made(*p[:count])
 
 
 def trapezoidal(rise_end: float, fall_start: float) -> Law:
@@ -51,7 +42,7 @@ def trapezoidal(rise_end: float, fall_start: float) -> Law:
     return seven_stages(0.0, rise_end, 0.0, fall_start - rise_end, 0.0, 1.0 - fall_start, 0.0)
 
 
-def modified_trapezoidal(durations: Sequence[float]) -> Law:
+def modified_trapezoidal(*durations: float) -> Law:
     """Return the modified trapezoidal law of seven durations."""
     complete = abs(sum(durations) - 1.0) <= SUM_TOLERANCE
     if min(durations) < 0.0 or not complete or not sum(durations[:3]) or not sum(durations[4:]):
@@ -93,3 +84,15 @@ def own(rows: Rows) -> Law:
     if min(durations) < 0.0 or abs(sum(durations) - 1.0) > SUM_TOLERANCE:
         raise Refused(NUM)
     return Law([Piece(*row) for row in rows])
+
+
+LAWS: dict[str, tuple[int, Callable[..., Law]]] = {
+    "DWL": (0, lambda: Law([Piece(1.0)])),
+    "ACS": (0, lambda: seven_stages(0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0)),
+    "TVP": (2, trapezoidal),
+    "CIC": (0, lambda: seven_stages(0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25)),
+    "CUB": (0, lambda: Law([Piece(1.0, 6.0, -12.0)])),
+    "MTP": (7, modified_trapezoidal),
+}
+"""how many parameters each law takes, and what makes it of them; the own law beside them takes rows of pieces"""
+PARAMETERS = {code: count for code, (count, _) in LAWS.items()}

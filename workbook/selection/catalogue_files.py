@@ -17,7 +17,7 @@ from workbook.errors import InputError, ReadError
 from workbook.selection.catalogue import MotorRow, ReducerRow
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
-FOLDER = Path(workbook.__file__).parent.parent / "templates"
+FOLDER = Path(workbook.__file__).parent.parent.joinpath("templates")
 MOTORS, REDUCERS = "motors.csv", "reducers.csv"
 TEXTS = ("name", "source")
 MOTOR_COLUMNS = {
@@ -58,13 +58,13 @@ def read_reducers(path: Path) -> list[ReducerRow]:
 @cache
 def committed_motors() -> list[MotorRow]:
     """Return the motors that come with the templates."""
-    return read_motors(FOLDER / MOTORS)
+    return read_motors(FOLDER.joinpath(MOTORS))
 
 
 @cache
 def committed_reducers() -> list[ReducerRow]:
     """Return the reducers that come with the templates."""
-    return read_reducers(FOLDER / REDUCERS)
+    return read_reducers(FOLDER.joinpath(REDUCERS))
 
 
 def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Row]:

@@ -1,0 +1,126 @@
+"""What is said of a law, measured at its closed form: breaks, pieces, shapes, coefficients, the place of its peak.
+
+Each function returns what disagrees, in words; nothing where all is true.
+"""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from engine.laws import PieceLaw
+from engine.laws.sections import breaks, integral, roots, velocity_peak
+
+DEGREE = 40
+SMOOTH = 1e-9  # of a column's peak: so near does a polynomial of DEGREE come to what is smooth within a stage
+SAME = 1e-12
+NEAR_ENDS = 1e-9  # of a stage, by which samples keep off its ends
+LEVELS = (0.0, 0.2, 0.5, 0.8, 0.97)
+
+
+def within(law, share):
+    """ξ at shares of every stage, a row a stage, a hair off its ends."""
+    edges = breaks(law)
+    inside = NEAR_ENDS + (1.0 - 2.0 * NEAR_ENDS) * share
+    return edges[:-1, None] + np.diff(edges)[:, None] * inside
+
+
+def peaks(law):
+    """The greatest |s|, |v|, |a|, |j| of a law."""
+    return [max(float(np.abs(values).max()), 1e-3) for values in law.evaluate(within(law, np.linspace(0, 1, 501)))]
+
+
+def wrong_breaks(law):
+    """Stages within which s, v, a or j is not smooth: a break is missing there, or stands elsewhere."""
+    nodes, between = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1)), np.linspace(-1, 1, 211)
+    edges, found = breaks(law), []
+    known, asked = law.evaluate(within(law, (nodes + 1) / 2)), law.evaluate(within(law, (between + 1) / 2))
+    for name, peak, at_nodes, values in zip("svaj", peaks(law), known, asked, strict=True):
+        for (a, b), one, other in zip(pairwise(edges), at_nodes, values, strict=True):
+            off = np.abs(chebyshev.chebval(between, chebyshev.chebfit(nodes, one, DEGREE)) - other).max() / peak
+            if off > SMOOTH:
+                found.append(f"breaks: {name} is not smooth from {a:.6g} to {b:.6g}, by {off:.1e}")
+    return found
+
+
+def wrong_pieces(law):
+    """Where the pieces of a law, carried on from its first velocity, are another law."""
+    xi = np.union1d(within(law, np.linspace(0, 1, 101)).ravel(), np.linspace(0, 1, 1001))
+    made, found = PieceLaw(law.as_pieces()).evaluate(xi), []
+    made = made._replace(s=made.s + law.start.v * xi, v=made.v + law.start.v)
+    for name, peak, one, other in zip("svaj", peaks(law), law.evaluate(xi), made, strict=True):
+        off = np.abs(one - other) / peak
+        if off.max() > 10 * SAME:
+            found.append(f"pieces: {name} at {xi[off.argmax()]:.6g} is off by {off.max():.1e}")
+    return found
+
+
+def beyond(shares, level, power):
+    """∫((a − level)+)^power of stages of a unit acceleration with these shares of time, in closed form."""
+    flat, sine, ramp = shares
+    angle, rest = math.acos(level), 1.0 - level
+    quarter = (
+        math.sin(angle) - level * angle if power == 1 else angle * (0.5 + level**2) - 1.5 * level * math.sin(angle)
+    )
+    return flat * rest**power + sine * 2.0 / math.pi * quarter + ramp * rest ** (power + 1) / (power + 1)
+
+
+def wrong_shapes(law):
+    """Levels of acceleration beyond which a law spends not what its shapes say."""
+    shapes, k = law.shapes(), law.coefficients
+    if shapes is None:
+        return []
+    found, edges = [], breaks(law)
+    for side, shares, peak in (("up", shapes.up, k.ca_max), ("down", shapes.down, k.ca_min)):
+        for level in LEVELS:
+
+            def above(xi, peak=peak, level=level):
+                return law.a(xi) / peak - level if peak else 0.0 * xi
+
+            parts = np.union1d(edges, roots(above, edges))
+            for power in (1, 2):
+                measured = integral(lambda xi, n=power, f=above: np.maximum(f(xi), 0.0) ** n, parts)
+                stated = beyond(shares, level, power)
+                if abs(measured - stated) > 1e-10:
+                    found.append(f"shapes: {side}, beyond {level:g} of the peak: {stated:.9g}, measured {measured:.9g}")
+    return found
+
+
+def coefficients(law):
+    """The coefficients of a law's closed form, from its stages and the zeros of its derivatives within them."""
+    edges = breaks(law)
+    at = law.evaluate(within(law, np.linspace(0, 1, 2001)))
+    turns = [roots(f, edges) for f in (law.a, law.j, lambda xi: law.a(xi) ** 2 + law.v(xi) * law.j(xi))]
+    more = law.evaluate(np.concatenate([*turns, [0.5]]))
+    v, a, j = (np.concatenate([x.ravel(), y]) for x, y in zip(at[1:], more[1:], strict=True))
+    steps = np.abs(np.concatenate([[0.0], at.a[:, -1]]) - np.concatenate([at.a[:, 0], [0.0]]))
+    return {
+        "cv": np.abs(v).max(), "ca_max": a.max(), "ca_min": a.min(),
+        "ca_rms": math.sqrt(integral(lambda xi: law.a(xi) ** 2, edges)),
+        "cj": math.inf if steps.max() > 1e-6 * max(np.abs(a).max(), 1e-3) else np.abs(j).max(),
+        "va_max": (v * a).max(), "va_min": (v * a).min(),
+    }  # fmt: skip
+
+
+def wrong_coefficients(law):
+    """Coefficients that are not those of the closed form."""
+    stated = law.coefficients
+    return [
+        f"coefficients: {name} is {getattr(stated, name):.9g}, measured {value:.9g}"
+        for name, value in coefficients(law).items()
+        if getattr(stated, name) != value and abs(getattr(stated, name) - value) > 1e-6 * max(1.0, abs(value))
+    ]
+
+
+def wrong_peak(law):
+    """Whether the law is anywhere faster than where the engine finds it fastest."""
+    greatest = law.v(within(law, np.linspace(0, 1, 2001))).max()
+    found = law.v(velocity_peak(law))
+    return [] if found >= greatest * (1 - SAME) else [f"breaks: v is {found:.9g} at its peak, {greatest:.9g} elsewhere"]
+
+
+def complaints(entry):
+    """All that is said of a law, and is not so, at every set of parameters."""
+    measures = (wrong_breaks, wrong_pieces, wrong_shapes, wrong_coefficients, wrong_peak)
+    return [f"{entry.code} {law}: {words}" for law in entry.examples for measure in measures for words in measure(law)]

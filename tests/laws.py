@@ -1,0 +1,25 @@
+"""Random parameters of any registered law, for machines that no engineer would build."""
+
+from typing import Any
+
+from workbook.laws.registry import FAMILIES, FAMILY, RISING
+
+MOVING = RISING
+PAGED = tuple(family.code for family in FAMILIES if family.page.has_sheet)
+
+
+def blended(code: str, dice: Any) -> dict[str, Any]:
+    """Return parameters between two variations of a law's page, or one of the two; none of a law without."""
+    found = FAMILY[code].page.variations
+    if not found:
+        return {}
+    one, other = dice.sample(found, 2)
+    share = dice.choice((0.0, dice.random()))
+    return {name: between(one[name], other[name], share) for name in one}
+
+
+def between(one: Any, other: Any, share: float) -> Any:
+    """Return a number between two, or a list of such."""
+    if isinstance(one, list):
+        return [between(a, b, share) for a, b in zip(one, other, strict=True)]
+    return (1.0 - share) * one + share * other

@@ -1,0 +1,92 @@
+"""The reader of formulas: what it says of a text, in time that grows as the text does."""
+
+from collections.abc import Callable
+from time import perf_counter
+
+import pytest
+
+from workbook.book.address import Address
+from workbook.book.formula import LONGEST, TOKEN, Area, FormulaError, read
+from workbook.reading.contents import Contents
+
+SHORT, TIMES = 2**12, 2**5  # characters, and how many times as many
+LINEAR = TIMES * 8  # the square would be 1,024 times the work
+
+
+def area(name: str, sheet: str) -> Area:
+    return Area(name.rstrip("!"), 1, 1, 1, 1, single=True)
+
+
+def scan(text: str) -> None:
+    for token in TOKEN.finditer(text):
+        if token.lastgroup == "other":
+            return
+
+
+def seconds(task: Callable[[], object]) -> float:
+    def once() -> float:
+        begin = perf_counter()
+        task()
+        return perf_counter() - begin
+
+    return min(once() for _ in range(5))
+
+
+LONG_TOKENS = {
+    "a number that is none": lambda n: "1" * n + "a",
+    "a decimal that is none": lambda n: "1" * (n // 2) + "." + "1" * (n // 2) + "a",
+    "an exponent that is none": lambda n: "1E" + "1" * n + "a",
+    "a sheet that is none": lambda n: "a" * n + "!",
+    "a quotation without end": lambda n: "'" * (n | 1),
+    "a text without end": lambda n: '"' * (n | 1),
+    "whole rows that are none": lambda n: "1:" + "1" * n + "a",
+    "spaces": lambda n: " " * n,
+    "a word": lambda n: "A" * n,
+    "a function without end": lambda n: "A." * (n // 2),
+    "references": lambda n: "$A$1:B2+" * (n // 8),
+    "many functions": lambda n: "A(" * (n // 2),
+}
+
+
+@pytest.mark.parametrize("text", LONG_TOKENS.values(), ids=LONG_TOKENS)
+def test_the_scan_of_a_formula_grows_as_its_length(text: Callable[[int], str]) -> None:
+    short, long = text(SHORT), text(SHORT * TIMES)
+    assert seconds(lambda: scan(long)) < LINEAR * max(seconds(lambda: scan(short)), 1e-5)
+
+
+def test_a_formula_longer_than_excel_takes_is_refused() -> None:
+    with pytest.raises(FormulaError, match="longer than"):
+        read(f"={'1' * LONGEST}", "Sheet", area)
+
+
+@pytest.mark.parametrize(
+    ("text", "shape"),
+    [
+        ("007", "=7"),
+        ("1.5E+3", "=1500.0"),
+        (".5", "=0.5"),
+        ("1.", "=1.0"),
+        ("2e-3*A1", "=0.002*A1"),
+        ("1E5", "=100000.0"),
+    ],
+)
+def test_numbers_are_read_as_they_were(text: str, shape: str) -> None:
+    assert read(f"={text}", "Sheet", area).shape == shape
+
+
+@pytest.mark.parametrize("text", ["1a", "1.2.3", "1E", "1e+", "1.5E+x", "1_000"])
+def test_what_is_no_number_is_refused(text: str) -> None:
+    with pytest.raises(FormulaError):
+        read(f"={text}", "Sheet", area)
+
+
+def test_what_formulas_read_is_told_without_evaluating_them() -> None:
+    from openpyxl import Workbook
+
+    workbook = Workbook()
+    sheet = workbook.active
+    for row in range(2, 6):
+        sheet[f"A{row}"], sheet[f"B{row}"] = row, f"=A{row}+SUM(C$2:C{row})+$E$1"
+    sheet["F1"] = "=foo("
+    asked = [Address.parse(a1, sheet.title) for a1 in ("A2", "A5", "A6", "C2", "C5", "C6", "D2", "E1", "F1")]
+    assert {a.a1 for a in Contents(workbook).read(asked)} == {"A2", "A5", "C2", "C5", "E1"}

@@ -1,0 +1,136 @@
+"""What the cells of a workbook hold: constants, and formulas taken apart once, for all who ask."""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Collection, Container, Iterator, Mapping
+from datetime import date, datetime, time, timedelta
+from typing import Any
+
+from openpyxl import Workbook
+from openpyxl.cell.cell import Cell, MergedCell
+from openpyxl.utils.datetime import WINDOWS_EPOCH, to_excel
+from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.formula import ArrayFormula
+
+from workbook.book.address import Address
+from workbook.book.columns import Formulas, Moved, Moving, Pattern
+from workbook.book.formula import REFERENCE, Area, Formula, FormulaError, anchored, reference
+
+Cells = dict[Address, Any]
+
+
+class Contents:
+    """A workbook's cells, read once; ``workbook`` is loaded with formulas, and never asked for cached values.
+
+    ``problems`` says in a line why a formula cannot be taken apart; ``failed`` has the error value that it stands for.
+    """
+
+    def __init__(self, workbook: Workbook) -> None:
+        self.constants: Cells = {}
+        self.formulas: dict[Address, Formula | Moved] = {}
+        self.failed: Cells = {}
+        self.problems: dict[Address, str] = {}
+        self._titles = {title.casefold(): title for title in workbook.sheetnames}
+        self._names = names_of(workbook)
+        self._epoch = workbook.epoch
+        for sheet in workbook.worksheets:
+            formulas = Formulas(sheet.title, self.area)
+            # the cells that the file has: its dimensions may be absurd, and iter_rows() would make all of them
+            for (row, column), cell in sheet._cells.items():
+                self._take(Address(sheet.title, row, column), cell, formulas)
+
+    @property
+    def formula_cells(self) -> list[Address]:
+        """The addresses of all formula cells, those included that cannot be taken apart."""
+        return [*self.formulas, *self.failed]
+
+    def read(self, cells: Collection[Address]) -> set[Address]:
+        """Return those of ``cells`` to which some formula refers, also one that cannot be evaluated."""
+        wanted: dict[tuple[str, int], list[int]] = {}
+        for sheet, row, column in sorted(cells):
+            wanted.setdefault((sheet, column), []).append(row)
+        return {cell for area in self._areas(wanted) for cell in within(area, wanted)}
+
+    def _areas(self, wanted: Container[tuple[str, int]]) -> set[Area]:
+        """Return the areas that formulas refer to, those left out that lie in none of the columns ``wanted``."""
+        rows: dict[int, list[int]] = {}
+        patterns: dict[int, Pattern] = {}
+        areas: set[Area] = set()
+        for formula in self.formulas.values():
+            if isinstance(formula, Moved):
+                patterns[id(formula.pattern)] = formula.pattern
+                rows.setdefault(id(formula.pattern), []).append(formula.row)
+            else:
+                areas |= {a for a in formula.arguments if isinstance(a, Area)}
+        for key, pattern in patterns.items():
+            for a in pattern.arguments:
+                if isinstance(a, Area):
+                    areas.add(a)
+                elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
+                    areas |= {a.at(row) for row in rows[key]}
+        return areas
+
+    def area(self, name: str, sheet: str) -> Area:
+        """Resolve a defined name, the sheet's own before the workbook's; or ``title!`` to the sheet of that title."""
+        if name.endswith("!"):
+            title = self._titles.get(name[:-1].casefold())
+            if title is None:
+                kind = "is in another file" if "[" in name else "is no sheet of this workbook"
+                raise FormulaError("#REF!", f"{name[:-1]} {kind}")
+            return Area(title, 1, 1, 1, 1, single=True)
+        key = name.casefold()
+        text = self._names.get((sheet.casefold(), key), self._names.get((None, key)))
+        if text is None or not REFERENCE.fullmatch(text):
+            raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
+        if anchored(text) not in ("$c$r", "$c$r:$c$r"):
+            raise FormulaError("#NAME?", f"the name {name} moves with the cell that uses it")
+        area = reference(text, sheet, self.area)
+        return area._replace(single=area.size == 1)
+
+    def _take(self, address: Address, cell: Cell | MergedCell, formulas: Formulas) -> None:
+        if cell.data_type != "f":
+            if cell.value is not None:
+                self.constants[address] = entered(cell.value, self._epoch)
+            return
+        value = cell.value
+        if isinstance(value, ArrayFormula) and value.ref == address.a1:
+            value = value.text  # arrays are computed in every formula, and of a result the first cell is taken
+        try:
+            if not isinstance(value, str):
+                raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
+            self.formulas[address] = formulas.read(value, address.row)
+        except FormulaError as error:
+            self.failed[address] = error.value
+            self.problems[address] = str(error)
+
+
+def within(area: Area, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+    """Yield the cells of an area that are among ``wanted``, the sorted rows of each column of a sheet."""
+    for column in area.columns:
+        rows = wanted.get((area.sheet, column))
+        for row in rows[bisect_left(rows, area.top) : bisect_right(rows, area.bottom)] if rows else ():
+            yield Address(area.sheet, row, column)
+
+
+def names_of(workbook: Workbook) -> dict[tuple[str | None, str], str]:
+    """Return the texts of all defined names by sheet (None for the workbook's) and name, case-folded."""
+
+    def texts(scope: str | None, names: Mapping[str, DefinedName]) -> dict[tuple[str | None, str], str]:
+        return {(scope, name.casefold()): str(n.attr_text).removeprefix("=") for name, n in names.items()}
+
+    found = texts(None, workbook.defined_names)
+    for sheet in workbook.worksheets:
+        found |= texts(sheet.title.casefold(), sheet.defined_names)
+    return found
+
+
+def entered(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:
+    """Return what a cell without a formula holds as formulas see it: dates and times are numbers."""
+    if value is None or type(value) in (float, int, bool, str):
+        return value
+    if isinstance(value, date | datetime | time | timedelta):
+        return float(to_excel(value, epoch))  # type: ignore[no-untyped-call]
+    if hasattr(value, "item"):
+        return entered(value.item())  # a number of NumPy's
+    return float(value) if hasattr(value, "__float__") else str(value)
