@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
-from engine.laws.pulse import CONSTANT
+from engine.laws.polynomial_pulse import CONSTANT
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
 

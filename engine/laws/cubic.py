@@ -9,7 +9,7 @@ from engine.laws.ended_polynomial import EndedCubic
 from engine.laws.entry import Claims, Entry
 from engine.laws.piece import Piece
 from engine.laws.polynomial_law import HalvedPolynomial
-from engine.laws.pulse import LINE_DOWN
+from engine.laws.polynomial_pulse import LINE_DOWN
 
 
 @dataclass(frozen=True)

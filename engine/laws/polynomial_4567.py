@@ -9,7 +9,7 @@ from engine.laws.ended_polynomial import EndedSeptic
 from engine.laws.entry import Claims, Entry
 from engine.laws.piece import Piece
 from engine.laws.polynomial_law import HalvedPolynomial
-from engine.laws.pulse import HALF_4567
+from engine.laws.polynomial_pulse import HALF_4567
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
 from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomial_345 import Polynomial345
 from engine.laws.polynomial_4567 import Polynomial4567
-from engine.laws.pulse import PolynomialPulse
+from engine.laws.polynomial_pulse import PolynomialPulse
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.s_curve import SCurve
 from engine.laws.simple_harmonic import SimpleHarmonic

@@ -10,16 +10,8 @@ from hypothesis import strategies as st
 from engine.laws.piece import Piece, gains
 from engine.laws.piece_extremes import extremes_of, power_extremes
 from engine.laws.piece_rules import backwards, reversed_pieces, stretched
-from engine.laws.pulse import (
-    CONSTANT,
-    CYCLOIDAL,
-    HALF_345,
-    HALF_4567,
-    LINE_DOWN,
-    LinearEdged,
-    PolynomialPulse,
-    SineEdged,
-)
+from engine.laws.polynomial_pulse import CONSTANT, HALF_345, HALF_4567, LINE_DOWN, PolynomialPulse
+from engine.laws.pulse import CYCLOIDAL, LinearEdged, SineEdged
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
 QUARTIC = PolynomialPulse((0.0, 4.0, -4.0))
