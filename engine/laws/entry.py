@@ -28,9 +28,6 @@ class Claims:
     start: tuple[float, float] = (0.0, 0.0)  # s, v
     end: tuple[float, float] = (1.0, 0.0)
 
-    def __post_init__(self) -> None:
-        _require("claims", "the coefficient", (f.name for f in fields(Coefficients)), self.coefficients)
-
 
 @dataclass(frozen=True)
 class Entry:
@@ -56,6 +53,7 @@ class Entry:
     def __post_init__(self) -> None:
         law, example = self.law, self.example()
         _require(law.__name__, "the constant", ("code", "name"), dir(law))
+        _require(law.__name__, "the claim of", (f.name for f in fields(Coefficients)), self.claims.coefficients)
         parameters = [f.name for f in fields(law)]  # type: ignore[arg-type]
         changed = [
             p for p in parameters if any(getattr(o, p) != getattr(example, p) for o in (*self.others, *self.beyond))

@@ -257,7 +257,10 @@ class Unsaid(Law):
             lambda: replace(law_entry("TVP"), others=(TrapezoidalVelocity(0.2),), beyond=()),
             "TrapezoidalVelocity: lacks among its other examples one with another fall_start",
         ),
-        (lambda: Claims(1, 1, {"cv": "2"}), "claims: lacks the coefficient ca_max, ca_min"),
+        (
+            lambda: replace(law_entry("CUB"), claims=Claims(1, 1, {"cv": "2"})),
+            "Cubic: lacks the claim of ca_max, ca_min",
+        ),
         (lambda: entry_of("crossings"), "engine/laws/crossings.py has no ENTRY"),
         (lambda: entry_of("missing_law"), "missing_law"),
     ],
