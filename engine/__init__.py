@@ -1,25 +1,29 @@
 """The reference for machine motion: laws, motions, timing diagrams and drives in SI units, angles in rad."""
 
-from engine.drive import Drive, Inertia, Load, Motor, Transmission, reflected_inertia
+from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Sizing, Slide, Stage, reflected_inertia
 from engine.laws import CATALOGUE, Law, Piece, PieceLaw, law
 from engine.motion import Motion, Phase, motionlaw
 from engine.timing import Axis, Diagram, Movement, shaft_speed
 
 __all__ = [
     "CATALOGUE",
+    "KINDS",
     "Axis",
     "Diagram",
     "Drive",
-    "Inertia",
     "Law",
     "Load",
+    "Mechanism",
     "Motion",
     "Motor",
     "Movement",
+    "Part",
     "Phase",
     "Piece",
     "PieceLaw",
-    "Transmission",
+    "Sizing",
+    "Slide",
+    "Stage",
     "law",
     "motionlaw",
     "reflected_inertia",

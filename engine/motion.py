@@ -132,6 +132,11 @@ class Motion:
         return float(sum(p.lift for p in self.phases))
 
     @cached_property
+    def tolerance(self) -> float:
+        """A place this near to an edge counts as on it, in units of the abscissa."""
+        return EDGE_TOLERANCE * self.total
+
+    @cached_property
     def _begins(self) -> Array:
         """Position at the begin of each phase."""
         return self.position + np.cumsum([0.0, *(p.lift for p in self.phases[:-1])])
@@ -198,9 +203,8 @@ class Motion:
         )
 
     def _locate(self, x: Array) -> NDArray[np.intp]:
-        tolerance = EDGE_TOLERANCE * self.total
-        require_within("x", x, float(self.edges[0]), float(self.edges[-1]), tolerance)
-        found = np.searchsorted(self.edges, x + tolerance, side="right") - 1
+        require_within("x", x, float(self.edges[0]), float(self.edges[-1]), self.tolerance)
+        found = np.searchsorted(self.edges, x + self.tolerance, side="right") - 1
         return np.clip(found, 0, len(self.phases) - 1)
 
     def _share(self, x: Array, index: NDArray[np.intp]) -> Array:

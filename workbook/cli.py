@@ -17,6 +17,7 @@ from workbook.errors import MotionbookError
 from workbook.functions import oxt
 from workbook.judging import many
 from workbook.judging.many import AGREES, DISAGREES, UNREADABLE
+from workbook.judging.verify import ALL, present
 from workbook.reading.entries import write_machine
 from workbook.reports import console as show
 from workbook.reports import page as reports
@@ -24,8 +25,6 @@ from workbook.reports import summary
 from workbook.reports.junit import junit as junit_xml
 from workbook.templates import TEMPLATES
 from workbook.witnesses import WITNESSES
-
-ALL = "all"
 
 app = typer.Typer(
     no_args_is_help=True,
@@ -61,8 +60,10 @@ def witness_named(name: str) -> str:
 
 
 def chosen(names: list[str] | None) -> list[str]:
-    """Return the witnesses to ask, each once, in the order named."""
-    return list(WITNESSES) if names and ALL in names else list(dict.fromkeys(names or ["pycel"]))
+    """Return the witnesses to ask, each once, in the order named; raise WitnessError for one that is absent."""
+    found = list(dict.fromkeys(names or ["pycel"]))
+    present(found)
+    return found
 
 
 Machine = Annotated[
@@ -81,7 +82,8 @@ With = Annotated[
         "--with",
         metavar="|".join((*WITNESSES, ALL)),
         parser=witness_named,
-        help="Who evaluates the formulas, pycel unless told otherwise; may be given several times.",
+        help="Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that are "
+        "on this machine.",
     ),
 ]
 
@@ -118,13 +120,15 @@ def verify(
 
     Of a folder, and the folders in it, every workbook that motionbook built is verified. No workbook is written to.
 
-    Exit code 0: every cell agrees. 1: some do not. 2: a book cannot be read, or there is none to verify.
+    Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
+    be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
     reports.ready(report, (".html", ".htm"), force)
     reports.ready(junit, (".xml",), force)
+    asked = chosen(witnesses)
     targets, failed = many.find(books)
     with summary.progress(err, len(targets)) as done:
-        outcomes = many.verify_many(targets, chosen(witnesses), jobs, done) + failed
+        outcomes = many.verify_many(targets, asked, jobs, done) + failed
     summary.show(outcomes, out, err, as_json, alone=len(books) == 1 and not books[0].is_dir())
     when = datetime.now().astimezone()
     reports.write(report, lambda: reports.page(outcomes, when), force)

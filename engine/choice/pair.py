@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.choice.catalogue import Motors, Reducers
 from engine.choice.curve import TorqueCurve
 from engine.choice.ratios import best_ratio
 from engine.choice.task import Task
-from engine.drive import RETURNED, STANDSTILL, LimitCheck, OperatingPoints
+from engine.drivetrain import STANDSTILL, LimitCheck, OperatingPoints, Stage, direction
 from engine.laws.base import Array
 
 
@@ -59,6 +58,11 @@ class Pair:
         return float(self.reducers.efficiency[self.reducer])
 
     @property
+    def stage(self) -> Stage:
+        """The reducer in the chain from motor to load."""
+        return Stage("reducer", float(self.reducers.reduction[self.reducer]), self.efficiency)
+
+    @property
     def curve(self) -> TorqueCurve:
         """Largest torque of the motor against its speed."""
         return self.motors.curve(self.motor)
@@ -79,10 +83,10 @@ class Pair:
         """Return speed, torque and power of the motor over the cycle.
 
         T_M = (J_M + J_T) ω̇_L/τ + τ T*_L f, f = 1/η where the load is driven or stands, η where it drives.
-        Source: S5, step 7; f as in :class:`engine.drive.Drive`.
+        Source: S5, step 7; f as in :mod:`engine.drivetrain.losses`.
         """
         own = self.inertia / self.ratio * load.acceleration
-        torque = own + self.ratio * load.torque * np.where(_driven(load), 1.0 / self.efficiency, self.efficiency)
+        torque = own + self.stage.before(load.torque, direction(load.speed))
         speed = load.speed / self.ratio
         return OperatingPoints(speed, torque, torque * speed, load.time)
 
@@ -126,10 +130,6 @@ def square_steps(time: Array, torque: Array) -> Array:
 def reverses(points: OperatingPoints) -> bool:
     """Return whether the motor turns backwards at any time."""
     return bool(points.speed.min() < -STANDSTILL)
-
-
-def _driven(load: LoadSamples) -> NDArray[np.bool_]:
-    return np.asarray((load.torque * load.speed >= -RETURNED) | (np.abs(load.speed) < STANDSTILL))
 
 
 def _check(name: str, value: float, limit: float) -> LimitCheck:

@@ -9,7 +9,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from engine.drive import Load
+from engine.drivetrain import Load
+from engine.drivetrain.lossless import LosslessCycle, at_shaft
 from engine.motion import Phase
 
 AT_REST = 1e-9
@@ -54,7 +55,7 @@ class Task:
     def of_load(cls, load: Load, phases: Sequence[Phase], radius: float = 1.0) -> Task:
         """Return the task of a load over phases (m and s on a wheel of ``radius`` (m), or rad), exact by the laws.
 
-        ⟨ω̇²⟩ = Σ C_a,rms² (h/R)²/t³ / t_C; T*_L = C_r + J_tot ω̇, C_r as in :class:`engine.drive.Load`.
+        As :class:`engine.drivetrain.lossless.LosslessCycle` has them.
         For phases that begin and end at rest. Raises ValueError where one does not, or no phases are given.
         """
         if not phases or not (math.isfinite(radius) and radius > 0.0):
@@ -62,12 +63,9 @@ class Task:
         for k, phase in enumerate(phases, 1):
             if phase.lift != 0.0 and max(abs(phase.law.start.v), abs(phase.law.end.v)) > AT_REST:
                 raise ValueError(f"phase {k}: {phase.law.name} does not begin and end at rest")
-        cycle = math.fsum(p.duration for p in phases)
-        moving = cycle if load.resists == "always" else math.fsum(p.duration for p in phases if p.lift != 0.0)
-        square = math.fsum((p.law.coefficients.ca_rms * p.lift / radius) ** 2 / p.duration**3 for p in phases) / cycle
-        torque = math.sqrt(load.torque**2 * moving / cycle + load.inertia**2 * square)
+        asked = LosslessCycle(load, at_shaft(phases, 1.0 / radius))
         fastest = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in phases) / radius
-        return cls(math.sqrt(square), torque, load.inertia * square, fastest)
+        return cls(asked.acceleration, asked.torque, asked.product, fastest)
 
     @property
     def moves(self) -> bool:

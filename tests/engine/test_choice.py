@@ -14,7 +14,7 @@ from engine.choice.curve import TorqueCurve
 from engine.choice.pair import reverses, square_steps
 from engine.choice.pairs import counted_in, load_at_motor, sorting_keys
 from engine.choice.ratios import accelerating_factor, best_ratio, ratio_curves, ratio_ranges, rms_torque
-from engine.drive import Drive, Load, Motor, Transmission
+from engine.drivetrain import KINDS, Drive, Load, Stage, direction
 from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
 from tests.engine.tasks import sampled_task
@@ -298,12 +298,12 @@ def pair(motor=(1e-3, 9.0, 30.0, 600.0), reducer=(10.0, 1.0, 2e-4, 600.0, 80.0),
 
 @pytest.mark.parametrize("resists", ["always", "moving"])
 def test_task_of_a_load_is_that_of_its_samples(resists):
-    load = Load(0.05, 4.0, resists)
+    load = Load(0.05, 4.0) if resists == "always" else Load(0.05, friction=4.0)
     phases = [Phase(Cycloidal(), 0.2, 0.3), Phase(Dwell(), 0.0, 0.2), Phase(Cycloidal(), -0.2, 0.4)]
     time = np.linspace(0.0, 0.9, 90001)
     _, y1, y2 = Motion(phases).at(time)
     w, dw = y1 / 0.1, y2 / 0.1
-    sampled = sampled_task(time, w, dw, Drive(load, Transmission(1.0), Motor(0.0)).total_load_torque(w, dw))
+    sampled = sampled_task(time, w, dw, load.resisting(direction(w)) + 0.05 * dw)
     exact = Task.of_load(load, phases, radius=0.1)
     assert astuple(exact) == pytest.approx(astuple(sampled), rel=1e-4)
 
@@ -316,8 +316,8 @@ def test_rms_of_the_task_is_that_of_the_motor_over_the_cycle():
 def test_operating_points_are_those_of_the_drive_with_losses_both_ways():
     load = load_samples()
     found = pair(reducer=(10.0, 0.7, 2e-4, 600.0, 80.0)).points(load)
-    drive = Drive(Load(0.05, 4.0), Transmission(0.1, 0.7), Motor(1.2e-3))
-    assert found.torque == pytest.approx(drive.motor_torque(load.speed, load.acceleration), rel=1e-12)
+    drive = Drive(KINDS["gear train"].of(Load(0.05, 4.0), gears=[Stage("reducer", 10.0, 0.7)]), 1.2e-3)
+    assert found.torque == pytest.approx(drive.torque(load.acceleration, direction(load.speed)), rel=1e-12)
     assert found.power == pytest.approx(found.torque * found.speed)
 
 

@@ -5,7 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from engine.drive import Drive, Inertia, Load, Motor, Transmission, reflected_inertia, rms_lossless
+from engine.drivetrain import KINDS, Drive, Part, resisting
+from engine.drivetrain.chain import geared
+from engine.drivetrain.lossless import LosslessCycle, at_shaft
 from engine.laws import (
     ConstantAcceleration,
     Cubic,
@@ -129,8 +131,8 @@ def test_positions_over_the_cycle():
 
 def feeding_group():
     """Load at the roller shaft; S1 leaves motor and ratio open: J_m = 0, τ = 1."""
-    rotors = [Inertia("rollers", 4, 0.284), Inertia("fast shaft", 1, 0.007, 90 / 45)]
-    return Drive(Load(reflected_inertia(rotors), 500 * RADIUS), Transmission(1.0), Motor(0.0))
+    rotors = [Part("rollers", 0.284, count=4), Part("fast shaft", 0.007, speed_ratio=geared(90, 45))]
+    return Drive(KINDS["feed rollers"].of(resisting(500.0, "always"), RADIUS, parts=rotors), 0.0)
 
 
 def operating_points(law, n=3600):
@@ -138,12 +140,12 @@ def operating_points(law, n=3600):
     omega = shaft_speed(100 / 60)
     x = np.arange(n + 1) * (2 * np.pi / n)
     _, v, a = machine(law).axis("MC01").motion.at_speed(x, omega)
-    return feeding_group().operating_points(v / RADIUS, a / RADIUS, x / omega)
+    return feeding_group().operating_points(v, a, time=x / omega)
 
 
 def test_inertia_and_resisting_torque():
     """J_tot = 4 J1 + 4 J2 = 1.164 kg m², C_r = 67 Nm."""
-    load = feeding_group().load
+    load = feeding_group().mechanism.reduced
     assert load.inertia == pytest.approx(1.164, rel=1e-15)
     assert load.torque == pytest.approx(67.0, rel=1e-15)
 
@@ -177,6 +179,9 @@ def test_exact_rms_torque_over_the_cycle():
     """C_m,rms² = (J_tot ω̇_rms)² · 80/360 + C_r², as the rise takes what it gives back."""
     phases = [Phase(MTP, 0.3, 0.6 * 80 / 360), Phase(Dwell(), 0.0, 0.6 * 280 / 360)]
     inertial = 1.164 * MTP.coefficients.ca_rms * 0.3 / RADIUS / (0.6 * 80 / 360) ** 2
-    exact = rms_lossless(feeding_group(), phases, RADIUS)
+    group = feeding_group()
+    cycle = LosslessCycle(group.mechanism.reduced, at_shaft(phases, group.mechanism.ratio))
+    exact = cycle.rms_torque(group.effective_inertia(), 1.0)
+    assert cycle.torque == pytest.approx(exact, rel=1e-15)  # there is no motor
     assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
     assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)

@@ -8,10 +8,10 @@ from math import pi, radians
 
 import pytest
 
-from engine.actuator import Sizing, derating, motor_inertia, thirds
+from engine.drivetrain import KINDS, Part, Sizing, Slide, Stage, cylinder, derating, motor_inertia
 from engine.laws import Dwell
-from engine.mechanism import Slide, conveyor, cylinder, lead_screw
 from engine.motion import Phase
+from tests.engine.profiles import thirds
 
 STEEL = 7800.0
 PRINTED_G = 9.8 / 9.81  # the printed torques were worked out with g = 9.8
@@ -19,8 +19,8 @@ PRINTED_G = 9.8 / 9.81  # the printed torques were worked out with g = 9.8
 
 @pytest.fixture
 def screw():
-    load = Slide(mass=6, friction=0.1, slope=radians(10))
-    return lead_screw(500, cylinder(0.007, 0.5, STEEL), load, efficiency=0.45)
+    load = Slide(mass=6, friction=0.1, slope=radians(10)).load
+    return KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.007, 0.5, STEEL))])
 
 
 @pytest.fixture
@@ -31,8 +31,9 @@ def screw_sizing(screw):
 
 @pytest.fixture
 def belt():
-    load = Slide(mass=150, slope=radians(20))
-    return conveyor(0.15, cylinder(0.15, 1.0, STEEL), 10, load, reduction=50)
+    load = Slide(mass=150, slope=radians(20)).load
+    rollers = Part("rollers", cylinder(0.15, 1.0, STEEL), 1, 2)
+    return KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50)], parts=[rollers], belt=10)
 
 
 @pytest.fixture
@@ -45,20 +46,26 @@ def torques(sizing):
     return {part.name: part.torque for part in sizing.parts}
 
 
+def reflected(machine):
+    """The inertia of each part and of the load at the motor's shaft, as S4 has it."""
+    parts = {part.name: machine.at_motor(part.reflected, part.shaft, "document") for part in machine.parts}
+    return parts | {"load": machine.at_motor(machine.load.inertia, machine.last, "document")}
+
+
 def test_screw_inertias(screw, screw_sizing):
-    parts = {part.name: screw.reflected(part, losses=True) for part in screw.parts}
+    parts = reflected(screw)
     assert parts["screw"] == pytest.approx(1.47e-5, abs=5e-8)
     assert parts["screw"] == pytest.approx(1.470878e-5, abs=5e-12)
     assert parts["load"] == pytest.approx(1.35e-6, abs=5e-9)
     assert parts["load"] == pytest.approx(1.350949e-6, abs=5e-13)
-    assert screw.inertia(losses=True) == pytest.approx(1.605973e-5, abs=5e-12)
-    assert screw_sizing.total_inertia == pytest.approx(2e-5, abs=5e-7)
-    assert screw_sizing.total_inertia == pytest.approx(2.007466e-5, abs=5e-12)
+    assert screw.inertia("document") == pytest.approx(1.605973e-5, abs=5e-12)
+    assert screw_sizing.drive.total_inertia == pytest.approx(2e-5, abs=5e-7)
+    assert screw_sizing.drive.total_inertia == pytest.approx(2.007466e-5, abs=5e-12)
 
 
 def test_screw_resisting_torques(screw, screw_sizing):
-    friction = screw.rubbing / screw.ratio / screw.efficiency
-    weight = screw.steady / screw.ratio / screw.efficiency
+    friction = screw.driving(screw.load.friction)
+    weight = screw.driving(screw.load.torque)
     assert friction * PRINTED_G == pytest.approx(4.096e-3, abs=5e-7)
     assert friction == pytest.approx(4.100240e-3, abs=5e-9)
     assert weight * PRINTED_G == pytest.approx(7.22e-3, abs=5e-6)
@@ -90,21 +97,21 @@ def test_screw_by_the_physical_method_is_the_same_as_long_as_the_load_resists(sc
     physical = Sizing(screw, screw_sizing.phases, screw_sizing.motor_inertia, holding="brake")
     assert torques(physical)["uniform"] == pytest.approx(torques(screw_sizing)["uniform"], rel=1e-14)
     assert torques(physical)["accelerating"] == pytest.approx(torques(screw_sizing)["accelerating"], rel=1e-14)
-    slowed = (screw.steady + screw.rubbing - 6 * 1.44) / screw.ratio  # the load still resists while it slows
+    slowed = (screw.load.torque + screw.load.friction - 6 * 1.44) / screw.ratio  # the load still resists while it slows
     front = physical.motor_inertia + cylinder(0.007, 0.5, STEEL)
     assert torques(physical)["decelerating"] == pytest.approx(slowed / 0.45 - front * 1440 * pi, rel=1e-12)
 
 
 def test_conveyor_inertias(belt, belt_sizing):
-    parts = {part.name: belt.reflected(part, losses=True) for part in belt.parts}
+    parts = reflected(belt)
     assert parts["rollers"] == pytest.approx(4.96e-3, abs=5e-6)
     assert parts["rollers"] == pytest.approx(4.962146e-3, abs=5e-10)
     assert parts["belt"] == pytest.approx(9e-5, rel=1e-14)
     assert parts["load"] == pytest.approx(1.35e-3, rel=1e-14)
     assert belt.inertia() == pytest.approx(6.4e-3, abs=5e-5)
     assert belt.inertia() == pytest.approx(6.402146e-3, abs=5e-10)
-    assert belt_sizing.total_inertia == pytest.approx(0.0128, abs=5e-5)
-    assert belt_sizing.total_inertia == pytest.approx(0.01280429, abs=5e-9)
+    assert belt_sizing.drive.total_inertia == pytest.approx(0.0128, abs=5e-5)
+    assert belt_sizing.drive.total_inertia == pytest.approx(0.01280429, abs=5e-9)
 
 
 def test_conveyor_speeds(belt, belt_sizing):

@@ -3,14 +3,14 @@
 import math
 import random
 from itertools import pairwise
+from typing import get_args
 
 import numpy as np
 import openpyxl
 import pytest
 
-from engine.actuator import Sizing
+from engine.drivetrain import KINDS, Load, Part, Sizing, Slide, Stage, cylinder
 from engine.laws import TrapezoidalVelocity
-from engine.mechanism import Part, Slide, Stage, conveyor, cylinder, gear_train, lead_screw
 from engine.motion import Phase
 from tests.laws import MOVING
 from tests.mutation.draw_actuator import varied
@@ -19,8 +19,9 @@ from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.laws.library import laws
-from workbook.machines.actuator.flow import Sized
+from workbook.machines.actuator.entries import Kind
 from workbook.machines.actuator.printed import FIGURES
+from workbook.machines.actuator.view import Sized
 from workbook.reading.entries import checked, read_machine
 from workbook.templates import TEMPLATES
 
@@ -48,7 +49,7 @@ def described(path=TEMPLATE.description, **changed):
 def test_s4_lead_screw():
     """Printed figures with the tolerance of their digits; where S4 is misprinted or rounded, the exact ones only."""
     value = computed(TEMPLATE, described())
-    assert value("parts", "one")[0] == pytest.approx(1.47e-5, abs=5e-8)
+    assert value("act_parts", "one")[0] == pytest.approx(1.47e-5, abs=5e-8)
     assert value("act_jload") == pytest.approx(1.35e-6, abs=5e-9)
     assert value("act_jmach") == pytest.approx(1.605973e-5, abs=5e-12)  # printed 1.65e-5
     assert value("act_jtotal") == pytest.approx(2e-5, abs=5e-7)
@@ -69,7 +70,7 @@ def test_s4_lead_screw():
 def test_s4_conveyor():
     value = computed(TEMPLATE, described(CONVEYOR))
     light = 1.509848 * (1 - 9.8 / 9.81)  # S4 worked with g = 9.8
-    assert value("parts", "at_motor")[0] == pytest.approx(4.96e-3, abs=5e-6)
+    assert value("act_parts", "at_motor")[0] == pytest.approx(4.96e-3, abs=5e-6)
     assert value("act_jbelt") == pytest.approx(9e-5, rel=1e-12)
     assert value("act_jload") == pytest.approx(1.35e-3, rel=1e-12)
     assert value("act_jmach") == pytest.approx(6.4e-3, abs=5e-5)
@@ -92,18 +93,18 @@ def test_the_figures_called_exact_are_those_of_the_book_as_delivered(path, side)
 
 
 def test_the_description_is_the_engine_s_lead_screw():
-    load = Slide(6, 0.1, math.radians(10))
-    mechanism = lead_screw(500, cylinder(0.007, 0.5, 7800), load, efficiency=0.45)
+    load = Slide(6, 0.1, math.radians(10)).load
+    mechanism = KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.007, 0.5, 7800))])
     phases = [Phase(TrapezoidalVelocity(1 / 6, 5 / 6), 0.008, 0.2)]
     for method in ("document", "physical"):
         machine = described(method=method, phases=[{"law": "TVP", "lift": 8.0, "duration": 0.2}])
-        sizing = Sizing(mechanism, phases, mechanism.inertia(method == "document") / 4, method, "brake")
+        sizing = Sizing(mechanism, phases, mechanism.inertia(method) / 4, method, "brake")
         assert computed(TEMPLATE, machine)("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-12)
 
 
 def test_the_description_is_the_engine_s_conveyor():
-    load = Slide(150, 0.05, math.radians(20))
-    mechanism = conveyor(0.15, cylinder(0.15, 1.0, 7800), 10, load, reduction=50, efficiency=0.9)
+    load, rollers = Slide(150, 0.05, math.radians(20)).load, Part("rollers", cylinder(0.15, 1.0, 7800), 1, 2)
+    mechanism = KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50, 0.9)], parts=[rollers], belt=10)
     data = entries(CONVEYOR, load__friction=0.05, method="physical", holding="motor")
     data["actuator"]["gears"][0]["efficiency"] = 0.9
     machine = TEMPLATE.model.model_validate(data)
@@ -131,8 +132,8 @@ def test_a_train_of_two_gears():
         {"law": "MTP", "lift": -300.0, "duration": 0.3},
     ]
     machine = TEMPLATE.model.model_validate(data)
-    parts = [Part("a", 1e-4), Part("b", 1e-3, 1), Part("load", 0.05, 2)]
-    train = gear_train([Stage("first", 3.0, 0.8), Stage("second", 5.0, 0.7)], parts, 1.0, 0.5)
+    parts, gears = [Part("a", 1e-4), Part("b", 1e-3, 1)], [Stage("first", 3.0, 0.8), Stage("second", 5.0, 0.7)]
+    train = KINDS["gear train"].of(Load(0.05, 1.0, 0.5), gears=gears, parts=parts)
     phases = Sized(machine, laws(machine.laws, 8)).phases
     value = computed(TEMPLATE, machine)
     assert value("act_rms") == pytest.approx(Sizing(train, phases, 1e-4).rms_torque, rel=1e-11)
@@ -219,7 +220,7 @@ def test_pycel_agrees_at_each_variation(k, tmp_path, build_book):
 
 def test_the_variations_take_every_mechanism_and_fail_every_limit():
     machines = TEMPLATE.variants(described())
-    assert len({machine.actuator.mechanism for machine in machines}) == 6
+    assert {machine.actuator.mechanism for machine in machines} == set(get_args(Kind))
     books = [TEMPLATE.declare(machine) for machine in machines]
     failed = {q.name for book in books for _, q in book.checks if q.value == "FAIL"}
     assert {"act_ok_rms", "act_ok_peak", "act_ok_speed"} <= failed

@@ -1,4 +1,4 @@
-"""What a description says of a drive: rotating parts, load, motor and reducer."""
+"""What descriptions say of a drive: rotating parts, load, motor and reducer."""
 
 from __future__ import annotations
 
@@ -6,14 +6,39 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from engine.drivetrain import cylinder
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive, Text
+from workbook.entries.units import MM, si
+
+Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 
 
-class Rotor(Model):
-    """Rotating parts that turn alike: how many, the inertia of one, the teeth of the gear that drives them."""
+class MotorLimits(Model):
+    """What a motor can give."""
+
+    rated_torque: Positive  # Nm
+    peak_torque: Positive  # Nm
+    max_speed: Positive  # rpm
+
+
+class GearMotor(MotorLimits):
+    """A motor with its reducer."""
+
+    inertia: NotNegative  # kg m²
+    reduction: Positive  # ω_m/ω_r
+    efficiency: Annotated[float, Field(gt=0, le=1)] = 1.0
+
+
+class RotatingParts(Model):
+    """Rotating parts that turn alike, and how many."""
 
     name: Text
     count: NotNegative
+
+
+class GearedParts(RotatingParts):
+    """Rotating parts on a shaft, or geared to it: the inertia of one, the teeth of the gear that drives them."""
+
     inertia: NotNegative  # kg m²
     teeth_driver: Positive | None = None
     teeth_driven: Positive | None = None
@@ -26,24 +51,55 @@ class Rotor(Model):
         return self
 
 
-class Motor(Model):
-    """The motor and its reducer, as the drive sheet needs them."""
+class Gear(Model):
+    """A gear between the motor and the last element."""
 
-    inertia: NotNegative  # kg m²
-    rated_torque: Positive  # Nm
-    peak_torque: Positive  # Nm
-    max_speed: Positive  # rpm
-    reduction: Positive  # ω_m/ω_r
-    efficiency: Annotated[float, Field(gt=0, le=1)] = 1.0
+    name: Text
+    ratio: Positive  # speed before it over speed behind it
+    efficiency: Efficiency = 1.0
 
 
-class Drive(Model):
-    """The drive of one axis: load, rotors, motor."""
+class PlacedParts(RotatingParts):
+    """Rotating parts behind a number of gears: the inertia of one, or a cylinder."""
+
+    inertia: NotNegative | None = None  # kg m²
+    diameter: NotNegative | None = None  # mm
+    length: NotNegative | None = None  # mm
+    density: NotNegative | None = None  # kg/m³
+    bore: NotNegative | None = None  # mm
+    shaft: NotNegative = 0.0
+
+    @model_validator(mode="after")
+    def _one_or_the_other(self) -> Self:
+        size = {"diameter": self.diameter, "length": self.length, "density": self.density}
+        if self.inertia is None:
+            missing = next((name for name, value in size.items() if value is None), None)
+            if missing:
+                raise EntryError(missing, "empty; expected an inertia, or diameter, length and density")
+        elif any(value is not None for value in (*size.values(), self.bore)):
+            raise EntryError("inertia", "both an inertia and the size of a cylinder; expected one of them")
+        if self.bore and self.bore >= (self.diameter or 0.0):
+            raise EntryError("bore", f"the bore is {self.bore:g} mm; expected less than the diameter")
+        if self.shaft != int(self.shaft):
+            raise EntryError("shaft", f"found {self.shaft:g}; expected the number of gears before it")
+        return self
+
+    @property
+    def one(self) -> float:
+        """Inertia of one, kg m²."""
+        if self.inertia is not None:
+            return self.inertia
+        diameter, length, bore = (si(x or 0.0, MM) for x in (self.diameter, self.length, self.bore))
+        return cylinder(diameter / 2, length, self.density or 0.0, bore / 2)
+
+
+class RollerDrive(Model):
+    """The drive of one axis by rollers: load, rotating parts, motor."""
 
     rate: Positive  # pieces/min
     axis: str
     force: Number  # N
     radius: Positive  # m
     resists: Literal["always", "moving"] = "always"
-    rotors: Annotated[list[Rotor], Field(min_length=1)]
-    motor: Motor
+    rotors: Annotated[list[GearedParts], Field(min_length=1)]
+    motor: GearMotor

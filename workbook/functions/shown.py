@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from engine.drive import Inertia, reflected_inertia
+from engine.drivetrain import Part, reflected_inertia
 from engine.laws import Law
 from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase
@@ -100,7 +100,7 @@ class Shown(Model):
     @property
     def reduced(self) -> float:
         """The reflected inertia of the shafts."""
-        return reflected_inertia([Inertia("", 1.0, shaft.inertia, shaft.ratio) for shaft in self.shafts])
+        return reflected_inertia([Part("", shaft.inertia, speed_ratio=shaft.ratio) for shaft in self.shafts])
 
     @property
     def rms(self) -> float:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from workbook.book.declare import Book
 from workbook.judging.matching import Match
-from workbook.judging.verify import Report, structure
+from workbook.judging.report import Report
+from workbook.judging.structure import structure
 from workbook.reading.files import BookFile
 
 MOST = 3  # cells that a line names

@@ -20,14 +20,15 @@ from typing import Literal, NamedTuple
 
 from workbook.collector import collector_paused, swept_between
 from workbook.errors import MotionbookError
-from workbook.judging.verify import Report, verify
+from workbook.judging.report import Report
+from workbook.judging.verify import verify
 from workbook.reading.files import SUFFIXES
 
-AGREES, DISAGREES, UNREADABLE = 0, 1, 2
+AGREES, DISAGREES, UNREADABLE, FAILS = 0, 1, 2, 3
 MOST_JOBS = 61  # Windows waits for no more processes at once
 MOST_READ = 2**24  # bytes of a workbook's list of names
 
-Verdict = Literal["agrees", "disagrees", "unreadable", "no machine"]
+Verdict = Literal["agrees", "fails", "disagrees", "unreadable", "no machine"]
 
 
 class Target(NamedTuple):
@@ -50,11 +51,14 @@ class Outcome:
 
 
 def exit_code(outcomes: Iterable[Outcome]) -> int:
-    """Return 2 where a file cannot be read or none was verified, else 1 where one disagrees, else 0."""
+    """Return the gravest: 2 where a file cannot be read or none was verified, 1 where cells of one disagree.
+
+    Else 3 where the cells agree and a design is unfinished or fails its own checks, and 0 where none does.
+    """
     verdicts = {outcome.verdict for outcome in outcomes}
     if "unreadable" in verdicts or not verdicts - {"no machine"}:
         return UNREADABLE
-    return DISAGREES if "disagrees" in verdicts else AGREES
+    return DISAGREES if "disagrees" in verdicts else FAILS if "fails" in verdicts else AGREES
 
 
 def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
@@ -140,7 +144,7 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     except Exception as error:  # one strange file must not take the others' verdicts with it
         reason = f"{path}: verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
         return Outcome(path, "unreadable", reason=reason)
-    verdict: Verdict = "agrees" if report.agrees else "disagrees"
+    verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Cell, Quantity, as_rows
 from workbook.book.formula import Area, Formula, FormulaError, area_of, read
-from workbook.reading.files import BookFile, find_places
+from workbook.reading.files import BookFile, Words, find_places
 
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
 
@@ -36,8 +36,8 @@ class Pair(NamedTuple):
 
 
 def is_formula(content: Any) -> bool:
-    """Whether what a cell holds is a formula."""
-    return isinstance(content, str) and content.startswith("=")
+    """Whether what a cell holds is a formula; a text that looks like one is none."""
+    return isinstance(content, str) and content.startswith("=") and not isinstance(content, Words)
 
 
 class Misfit(NamedTuple):

@@ -31,6 +31,8 @@ class Contents:
         self.formulas: dict[Address, Formula | Moved] = {}
         self.failed: Cells = {}
         self.problems: dict[Address, str] = {}
+        self.errors: set[Address] = set()  # of the constants: error values, which no text is
+        self.arrays: dict[Address, str] = {}  # the text of a formula over several cells, or of another kind, in each
         self._titles = {title.casefold(): title for title in workbook.sheetnames}
         self._names = names_of(workbook)
         self._epoch = workbook.epoch
@@ -92,17 +94,31 @@ class Contents:
         if cell.data_type != "f":
             if cell.value is not None:
                 self.constants[address] = entered(cell.value, self._epoch)
+                if cell.data_type == "e":
+                    self.errors.add(address)
             return
         value = cell.value
         if isinstance(value, ArrayFormula) and value.ref == address.a1:
-            value = value.text  # arrays are computed in every formula, and of a result the first cell is taken
+            # arrays are computed in every formula, and of a result the first cell is taken
+            value = self.arrays[address] = str(value.text)
         try:
             if not isinstance(value, str):
+                self._spread(address, value)
                 raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
             self.formulas[address] = formulas.read(value, address.row)
         except FormulaError as error:
             self.failed[address] = error.value
             self.problems[address] = str(error)
+
+    def _spread(self, address: Address, value: Any) -> None:
+        """Enter the text of a formula that fills several cells."""
+        text = f"{{{getattr(value, 'text', None) or '=TABLE()'}}}"
+        self.arrays[address] = text
+        try:
+            area = reference(str(value.ref), address.sheet, self.area)
+        except FormulaError:
+            return
+        self.arrays |= dict.fromkeys(area.cells(), text)
 
 
 def within(area: Area, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:

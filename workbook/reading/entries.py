@@ -18,7 +18,7 @@ from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
 from workbook.reading.contents import Cells
-from workbook.reading.files import BookFile
+from workbook.reading.files import BookFile, Words
 from workbook.templates import TEMPLATES, Template
 
 Where = Callable[[str], str]
@@ -160,7 +160,7 @@ class Entries:
 
     def _entered(self, place: Place, i: int, j: int) -> Any:
         value = self.file.value(place.cell(i, j))
-        if isinstance(value, str) and value.startswith("="):
+        if isinstance(value, str) and value.startswith("=") and not isinstance(value, Words):
             self.computed.append(str(place.cell(i, j)))
             if self._values is None:
                 self._values = self._evaluate(self.file)

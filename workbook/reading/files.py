@@ -6,6 +6,7 @@ import io
 import warnings
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
+from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -17,27 +18,58 @@ from openpyxl.utils.cell import range_boundaries
 
 from workbook.book.address import Address, Place
 from workbook.errors import ReadError
-from workbook.reading.contents import Contents
+from workbook.reading.contents import Cells, Contents, entered
 from workbook.reading.guard import guard
-from workbook.reading.scan import LAST_COLUMN, LAST_ROW, SAVE_AS
+from workbook.reading.refusal import SAVE_AS
+from workbook.reading.rows import LAST_COLUMN, LAST_ROW
+from workbook.reading.saved import saved_values, undated
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
 
 
+BUILT = datetime(2020, 1, 1)
+
+
+class Words(str):
+    """A text that looks like a formula, and that no program computes."""
+
+    __slots__ = ()
+
+
 @dataclass
 class BookFile:
-    """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside."""
+    """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside.
+
+    ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that.
+    """
 
     path: Path
     workbook: Workbook
     places: dict[str, Place]
     notes: list[str] = field(default_factory=list)
+    saved: Cells = field(default_factory=dict)
 
     def value(self, address: Address) -> Any:
-        """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty."""
-        cell = self._sheets[address.sheet].get((address.row, address.column))
-        return None if cell is None else cell.value
+        """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty.
+
+        A text that looks like a formula is a :class:`Words`; an array formula stands in braces, in all its cells.
+        """
+        cell = self.cell(address)
+        if cell is None:
+            return None
+        if isinstance(cell.value, str) and cell.data_type != "f" and cell.value.startswith("="):
+            return Words(cell.value)
+        return self.contents.arrays.get(address, entered(cell.value, self.workbook.epoch))
+
+    @property
+    def as_built(self) -> bool:
+        """Whether no program has saved the file since it was built: then its saved values are no evidence."""
+        return bool(self.workbook.properties.modified == BUILT)
+
+    def cell(self, address: Address) -> Cell | MergedCell | None:
+        """Return a cell, with its looks; None for one that the file does not have."""
+        return self._sheets[address.sheet].get((address.row, address.column))
 
     @cached_property
     def contents(self) -> Contents:
@@ -64,11 +96,12 @@ def open_book(path: Path) -> BookFile:
         raise ReadError(f"{path}: this is a device or a pipe; expected a workbook")
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
-    notes = guard(path)
+    inspected = guard(path)
     workbook = parsed(path)
+    undated(workbook, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
-    return BookFile(path, workbook, find_places(workbook), notes)
+    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved_values(path, inspected))
 
 
 def parsed(path: Path) -> Workbook:

@@ -11,11 +11,16 @@ import zipfile
 import zlib
 from collections import Counter
 from copy import copy
+from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
 
 from workbook.errors import ReadError
-from workbook.reading.scan import SAVE_AS, Count, Refusal, Scan, shown
+from workbook.reading.count import Count
+from workbook.reading.package import needed, package
+from workbook.reading.refusal import SAVE_AS, Refusal, shown
+from workbook.reading.rows import Rows, Saved
+from workbook.reading.scan import Scan
 
 MEGABYTE = 1_000_000
 MOST_PACKED = 60 * MEGABYTE  # of the file
@@ -32,10 +37,24 @@ NOTES = {
 }
 
 
-def guard(path: Path) -> list[str]:
-    """Check a file before it is parsed; return what an engineer should know of it.
+@dataclass(frozen=True)
+class Inspected:
+    """What is known of a file before it is parsed.
 
-    Raises ReadError, in one line, where it is no zip of XML or is larger than a workbook may be.
+    That is what an engineer should know of it, what the formula cells of each sheet were saved with, by row and
+    column, the numbers in other cells as they are written, and the part with the texts that several cells share.
+    """
+
+    notes: list[str]
+    saved: dict[str, dict[tuple[int, int], Saved]]
+    numbers: dict[str, dict[tuple[int, int], str]]
+    strings: str
+
+
+def guard(path: Path) -> Inspected:
+    """Check a file before it is parsed.
+
+    Raises ReadError, in one line, where it is no zip of XML, is larger than a workbook may be, or has two readings.
     """
     try:
         with path.open("rb") as file:
@@ -49,21 +68,42 @@ def guard(path: Path) -> list[str]:
         raise ReadError(f"{path}: damaged: {said}; expected a workbook; {SAVE_AS}") from error
 
 
-def inspect(file: IO[bytes], size: int) -> list[str]:
+def inspect(file: IO[bytes], size: int) -> Inspected:
     """Check an open file; raise Refusal for what cannot be a workbook of this kind."""
     if size > MOST_PACKED:
         raise Refusal(f"{size:,} bytes; a workbook of at most {MOST_PACKED:,} bytes is expected")
     refuse_other_kinds(file)
     with zipfile.ZipFile(file) as archive:
-        parts = archive.infolist()
-        refuse_odd_parts(parts, size)
-        count = Count()
-        for part in parts:
-            data = unpacked(archive, part)
-            if is_xml(part.filename, data):
-                Scan(part.filename, count).read(data)
-    names = [part.filename for part in parts]
-    return [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)]
+        infos = archive.infolist()
+        refuse_odd_parts(infos, size)
+        rows, parts = scanned(archive, infos)
+    names = [info.filename for info in infos]
+    found = package(parts, names)
+    for title, part in found.sheets.items():
+        if part not in rows:
+            raise Refusal(f"its sheet {shown(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
+    notes = [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)]
+    held = {title: rows[part] for title, part in found.sheets.items()}
+    saved, numbers = ({t: r.saved for t, r in held.items()}, {t: r.numbers for t, r in held.items()})
+    return Inspected(notes, saved, numbers, found.strings)
+
+
+def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dict[str, Rows], dict[str, bytes]]:
+    """Read every part once; return the rows of the worksheets, and the parts that say which part is what."""
+    count = Count()
+    rows: dict[str, Rows] = {}
+    parts: dict[str, bytes] = {}
+    for info in infos:
+        data = unpacked(archive, info)
+        if not is_xml(info.filename, data):
+            continue
+        scan = Scan(info.filename, count)
+        scan.read(data)
+        if scan.rows is not None:
+            rows[info.filename] = scan.rows
+        if needed(info.filename):
+            parts[info.filename] = data
+    return rows, parts
 
 
 def refuse_other_kinds(file: IO[bytes]) -> None:

@@ -10,8 +10,8 @@ from rich.markup import escape
 from rich.table import Table
 
 from engine.laws import CATALOGUE
-from workbook.judging.verify import Finding, Report
-from workbook.reports.page import legal, where
+from workbook.judging.report import Finding, Ran, Report
+from workbook.reports.page import legal, own_verdict, where
 
 MOST = 40  # findings that the terminal shows; --json has them all
 
@@ -29,21 +29,42 @@ def report_data(report: Report) -> dict[str, Any]:
         "file": str(report.path),
         "template": report.template,
         "agrees": report.agrees,
+        "declared": report.declared,
         "compared": report.compared,
-        "witnesses": [
-            {"name": w.name, "version": w.version, "absent": w.absent, "compared": w.compared} for w in report.witnesses
-        ],
+        "checks": checks_data(report),
+        "witnesses": [witness_data(w) for w in report.witnesses],
         "deviations": report.deviations,
         "findings": [finding_data(f) for f in report.findings],
+        "notices": [finding_data(f) for f in report.notices],
         "unmatched": report.unmatched,
         "notes": report.notes,
     }
 
 
+def checks_data(report: Report) -> dict[str, Any]:
+    """Return the machine's own verdict as JSON's object."""
+    failing = [{"sheet": c.sheet, "cell": c.cell, "what": c.what, "found": c.found} for c in report.failing]
+    return {"holds": report.holds, "all": len(report.checks), "failing": failing, "unfinished": report.unfinished}
+
+
+def witness_data(w: Ran) -> dict[str, Any]:
+    """Return what came of a witness as JSON's object."""
+    counts = {"compared": w.compared, "at_fault": w.at_fault, "unfinished": w.unfinished}
+    return {"name": w.name, "version": w.version, "absent": w.absent, **counts, "why": w.why}
+
+
 def finding_data(f: Finding) -> dict[str, Any]:
     """Return a finding as JSON's object."""
     values = {"computed": plain(f.computed), "expected": plain(f.expected)}
-    return {"sheet": f.sheet, "cell": f.cell, "kind": f.kind, **values, "what": f.what, "witness": f.witness}
+    return {
+        "sheet": f.sheet,
+        "cell": f.cell,
+        "kind": f.kind,
+        **values,
+        "what": f.what,
+        "witness": f.witness,
+        "why": f.why,
+    }
 
 
 def show_report(report: Report, console: Console) -> None:
@@ -57,16 +78,39 @@ def show_report(report: Report, console: Console) -> None:
     console.print(sheets)
     if report.findings:
         show_findings(report, console)
+    if report.notices:
+        show_notices(report, console)
     lines = [f"Note: {note}" for note in report.notes]
     if report.unmatched:
         first = ", ".join(report.unmatched[:8]) + (" …" if len(report.unmatched) > 8 else "")
         lines.append(
             f"Not compared, as nothing generated stands there: {len(report.unmatched)} formula cells ({first})"
         )
-    verdict = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
-    lines.append(f"{report.compared:,} formula cells compared by {report.witness}: {verdict}.")
+    lines += verdict(report)
     for line in lines:
         console.print(legal(line), markup=False, highlight=False)
+
+
+def verdict(report: Report) -> list[str]:
+    """Return in lines what came of the cells, of the witnesses that were not asked, and of the machine's own checks."""
+    said = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
+    lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
+    lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {said}.")
+    lines += [f"FAIL  {c.sheet}!{c.cell}  {c.what}" for c in report.failing[:MOST]]
+    if len(report.failing) > MOST:
+        lines.append(f"… and {len(report.failing) - MOST} more")
+    return [*lines, f"The machine's own checks: {own_verdict(report)}."]
+
+
+def show_notices(report: Report, console: Console) -> None:
+    """Print as a table what is reworded or gone, and misleads nobody."""
+    table = Table("Cell", "What", "Found", "Expected", title="Notices: reworded or gone, but misleading nobody",
+                  title_justify="left")  # fmt: skip
+    for f in report.notices[:MOST]:
+        table.add_row(*(shown(text) for text in (where(f), f.what, figure(f.computed), figure(f.expected))))
+    console.print(table)
+    if len(report.notices) > MOST:
+        console.print(f"… and {len(report.notices) - MOST} more; --json lists them all")
 
 
 def show_findings(report: Report, console: Console) -> None:
@@ -76,7 +120,8 @@ def show_findings(report: Report, console: Console) -> None:
     if len(report.witnesses) > 1:
         table.add_column("By")
     for f in report.findings[:MOST]:
-        row = (where(f), f.what, f.kind, figure(f.computed), figure(f.expected), f.witness)
+        computed = f"{figure(f.computed)} ({f.why})" if f.why else figure(f.computed)
+        row = (where(f), f.what, f.kind, computed, figure(f.expected), f.witness)
         table.add_row(*(shown(text) for text in row[: len(table.columns)]))
     console.print(table)
     if len(report.findings) > MOST:

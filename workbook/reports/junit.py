@@ -7,8 +7,10 @@ from datetime import UTC, datetime
 from xml.etree.ElementTree import Element, indent, tostring
 
 from workbook.judging.many import Outcome
-from workbook.judging.verify import Finding, Report
-from workbook.reports.page import by_sheet, e, exact, where, witness
+from workbook.judging.report import Finding, Report
+from workbook.reports.page import by_sheet, e, exact, own_verdict, told, where, witness
+
+DESIGN = "the machine's own checks"
 
 
 def junit(outcomes: Sequence[Outcome], when: datetime) -> str:
@@ -25,6 +27,7 @@ def suite(outcome: Outcome, when: datetime) -> Element:
     name = str(outcome.path)
     if outcome.report:
         cases = [case(name, sheet, found) for sheet, found in by_sheet(outcome.report).items()]
+        cases.append(design(name, outcome.report))
         known = [properties(outcome.sha256, outcome.report)]
     else:
         cases = [testcase(name, "open", unopened(outcome))]
@@ -53,6 +56,14 @@ def case(book: str, sheet: str, found: Sequence[Finding]) -> Element:
     return testcase(book, sheet, e("failure", lines, message=line(found[0]) + more, type=found[0].kind))
 
 
+def design(book: str, report: Report) -> Element:
+    """Return the case of the machine itself: failed where its own checks are."""
+    if report.holds:
+        return testcase(book, DESIGN)
+    lines = "\n".join(f"{c.sheet}!{c.cell} ({c.what}): {c.found}" for c in report.failing)
+    return testcase(book, DESIGN, e("failure", lines, message=own_verdict(report), type="design"))
+
+
 def testcase(book: str, name: str, *result: Element) -> Element:
     """Return a case; the classname lets a server list the sheets below their workbook."""
     return e("testcase", *result, classname=book, name=name, time="0")
@@ -62,13 +73,14 @@ def line(finding: Finding) -> str:
     """Return a finding in one line."""
     what = f" ({finding.what})" if finding.what else ""
     by = f" [{finding.witness}]" if finding.witness else ""
-    found, expected = exact(finding.computed), exact(finding.expected)
+    found, expected = told(finding), exact(finding.expected)
     return f"{where(finding)}{what}: {finding.kind}: found {found}, expected {expected}{by}"
 
 
 def properties(sha256: str, report: Report) -> Element:
     """Return what was verified, and by what."""
-    known = {"sha256": sha256, "template": report.template, "compared": str(report.compared)}
+    known = {"sha256": sha256, "template": report.template, "declared": str(report.declared)}
+    known |= {"compared": str(report.compared), "checks": own_verdict(report)}
     known |= {f"witness {ran.name}": witness(ran) for ran in report.witnesses}
     return e("properties", *(e("property", name=name, value=value) for name, value in known.items()))
 

@@ -16,21 +16,30 @@ from workbook.build import write_text
 from workbook.errors import WriteError
 from workbook.judging.compare import TOLERANCE
 from workbook.judging.many import Outcome
-from workbook.judging.verify import Finding, Ran, Report
+from workbook.judging.report import Finding, Ran, Report
 from workbook.writing.write import refuse_existing, replace
 
-VERDICTS = {"agrees": "Agrees", "disagrees": "Disagrees", "unreadable": "Cannot be read", "no machine": "Skipped"}
+VERDICTS = {
+    "agrees": "Agrees",
+    "fails": "Agrees; the design fails",
+    "disagrees": "Disagrees",
+    "unreadable": "Cannot be read",
+    "no machine": "Skipped",
+}
 KINDS = {
     "missing": "a cell or block that should be there is not",
     "replaced": "a value stands where a formula should",
     "formula": "the formula is not the one that was generated",
     "changed": "a text or constant is not as generated",
     "name": "a defined name does not lead where it should",
+    "setting": "a setting by which the program shows other values than the formulas have",
     "function": "a function that the witnesses do not agree on, or a volatile one",
     "unread": "an input that no formula reads",
     "error": "the formula gives an error value",
     "value": "the formula gives another value than the engine",
     "follows": "the cell is right in itself, but refers to one that is not",
+    "saved": "the value that the file was saved with, and shows on opening, is not what the cell computes",
+    "shown": "what is displayed tells another number, quantity or verdict than the cell has",
     "witness": "a witness did not give its values",
 }
 ELSEWHERE = "(no sheet)"
@@ -53,7 +62,7 @@ a, .value { overflow-wrap: anywhere; }
 th.number, td.number { text-align: right; white-space: nowrap; padding-right: 1.4rem; }
 code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .92em; }
 .verdict { display: inline-block; font-weight: 600; padding: .1rem .6rem; border: 1.5px solid; border-radius: 3px; }
-.agrees { color: #14612f; } .disagrees, .unreadable { color: #a31515; } .not-ours { color: #555; }
+.agrees { color: #14612f; } .disagrees, .unreadable, .fails { color: #a31515; } .not-ours { color: #555; }
 .quiet { color: #555; font-size: .92em; }
 @media print {
   @page { margin: 16mm 14mm; }
@@ -109,7 +118,8 @@ def section(outcome: Outcome, name: str) -> list[Element]:
     if outcome.report is None:
         return head + [e("p", line) for line in outcome.reason.splitlines()]
     report = outcome.report
-    return [*head, facts(outcome, report), *sheets(report), *findings(report), *remarks(report)]
+    found = (*checks(report), *sheets(report), *findings(report), *notices(report), *remarks(report))
+    return [*head, facts(outcome, report), *found]
 
 
 def facts(outcome: Outcome, report: Report) -> Element:
@@ -119,8 +129,10 @@ def facts(outcome: Outcome, report: Report) -> Element:
         ("SHA-256", e("code", outcome.sha256)),
         ("Template", report.template),
         *(("Witness", witness(ran)) for ran in report.witnesses),
+        ("Formula cells declared", f"{report.declared:,}"),
         ("Formula cells compared", f"{report.compared:,}"),
         ("Findings", str(len(report.findings))),
+        ("The machine's own checks", own_verdict(report)),
     ]
     return e("table", e("tbody", *(e("tr", e("th", k, scope="row"), e("td", v)) for k, v in known)), css="facts")
 
@@ -129,7 +141,38 @@ def witness(ran: Ran) -> str:
     """Return in words what came of a witness."""
     if ran.absent:
         return f"{ran.name}: absent from this machine, not asked"
-    return f"{ran.name} {ran.version}: {ran.why or f'{ran.compared:,} cells compared'}"
+    return f"{ran.name} {ran.version}: {ran.why or counted(ran)}"
+
+
+def counted(ran: Ran) -> str:
+    """Return in words what came of the declared formula cells; each is counted once."""
+    counts = ((ran.at_fault, "at fault"), (ran.unfinished, "unfinished"))
+    return ", ".join([f"{ran.compared:,} cells compared", *(f"{n:,} {words}" for n, words in counts if n)])
+
+
+def own_verdict(report: Report) -> str:
+    """Return in words what the machine's own checks say."""
+    failing = len(report.failing)
+    said = f"{failing} of {len(report.checks)} FAIL" if failing else f"all {len(report.checks)} OK"
+    return f"{said}, {report.unfinished:,} cells unfinished" if report.unfinished else said
+
+
+def checks(report: Report) -> list[Element]:
+    """Return the table of the machine's own checks that do not hold."""
+    rows: list[list[Content]] = [
+        [e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found] for c in report.failing
+    ]
+    return [e("h3", "The machine's own checks that fail"), table(("Cell", "Check", "Says"), rows, ())] if rows else []
+
+
+def notices(report: Report) -> list[Element]:
+    """Return the table of what is reworded or gone, and misleads nobody."""
+    if not report.notices:
+        return []
+    headings = ("Cell", "What", "Found", "Expected")
+    rows: list[list[Content]] = [[where(f), f.what, exact(f.computed), exact(f.expected)] for f in report.notices]
+    return [e("h3", f"Notices ({len(report.notices):,}): reworded or gone, but misleading nobody"),
+            table(headings, rows, ())]  # fmt: skip
 
 
 def sheets(report: Report) -> list[Element]:
@@ -153,7 +196,10 @@ def by_sheet(report: Report) -> dict[str, list[Finding]]:
 def findings(report: Report) -> list[Element]:
     """Return the table of all findings, worst first, and what their kinds mean."""
     if not report.findings:
-        return [e("h3", "Findings"), e("p", "None: every formula cell computes what the engine computes.")]
+        return [
+            e("h3", "Findings"),
+            e("p", "None: every formula cell computes what the engine computes, and shows it."),
+        ]
     headings = ("Cell", "Kind", "What", "Found", "Expected", "Deviation", "By")
     meanings = "; ".join(f"{kind}: {KINDS[kind]}" for kind in dict.fromkeys(f.kind for f in report.findings))
     return [
@@ -166,8 +212,13 @@ def findings(report: Report) -> list[Element]:
 def row(finding: Finding) -> list[Content]:
     """Return what the table says of a finding."""
     cell, kind = e("span", where(finding), css="cell"), e("span", finding.kind, css="kind")
-    found, expected = (e("span", exact(value), css="value") for value in (finding.computed, finding.expected))
+    found, expected = (e("span", text, css="value") for text in (told(finding), exact(finding.expected)))
     return [cell, kind, finding.what, found, expected, deviation(finding.deviation), finding.witness]
+
+
+def told(finding: Finding) -> str:
+    """Return what was found, and why it could not be evaluated."""
+    return f"{exact(finding.computed)} ({finding.why})" if finding.why else exact(finding.computed)
 
 
 def where(finding: Finding) -> str:

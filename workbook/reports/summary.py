@@ -20,17 +20,19 @@ from workbook.reports.page import legal
 WORST = 3  # findings of each workbook that the terminal shows
 WORDS = {
     "agrees": "agrees",
+    "fails": "agrees, DESIGN FAILS",
     "disagrees": "DISAGREES",
     "unreadable": "CANNOT BE READ",
     "no machine": "skipped, no machine",
 }
 SUMS = {
     "agrees": "agree",
+    "fails": "agree and fail their own checks",
     "disagrees": "disagree",
     "unreadable": "cannot be read",
     "no machine": "skipped (no machine)",
 }
-COLOURS = {"agrees": "green", "disagrees": "red", "unreadable": "red", "no machine": "dim"}
+COLOURS = {"agrees": "green", "fails": "red", "disagrees": "red", "unreadable": "red", "no machine": "dim"}
 
 
 @contextmanager
@@ -84,8 +86,11 @@ def worst(outcome: Outcome) -> list[str]:
     """Return why a workbook cannot be read, or the worst of its findings, in lines."""
     if outcome.verdict == "unreadable":
         return outcome.reason.splitlines()
-    found = outcome.report.findings if outcome.report else []
-    lines = [f"{outcome.path}: {line(finding)}" for finding in found[:WORST]]
+    if outcome.report is None:
+        return []
+    found = [line(finding) for finding in outcome.report.findings]
+    found += [f"{c.sheet}!{c.cell} ({c.what}): {c.found}" for c in outcome.report.failing]
+    lines = [f"{outcome.path}: {text}" for text in found[:WORST]]
     more = len(found) - WORST
     return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines
 
@@ -95,9 +100,8 @@ def sums(outcomes: Sequence[Outcome]) -> str:
     compared = sum(o.report.compared for o in outcomes if o.report)
     count = {verdict: sum(o.verdict == verdict for o in outcomes) for verdict in WORDS}
     said = [f"{count[verdict]} {words}" for verdict, words in SUMS.items() if count[verdict]]
-    return (
-        f"{compared:,} formula cells compared in {count['agrees'] + count['disagrees']} workbooks: {', '.join(said)}."
-    )
+    verified = sum(outcome.report is not None for outcome in outcomes)
+    return f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(said)}."
 
 
 def summary_json(outcomes: Sequence[Outcome]) -> str:

@@ -131,7 +131,8 @@ def parse(
         if len(cells) > len(head):
             faults.append(f"{where}: {len(cells)} cells; expected {len(head)}, as in the head")
             continue
-        given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in zip(head, cells)}  # noqa: B905 - cells at the end may be missing
+        filled = zip(head, cells, strict=False)  # cells at the end may be missing
+        given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
         try:
             yield model.model_validate({entry: cell for entry, cell in given.items() if cell is not None})
         except ValidationError as error:

@@ -8,9 +8,11 @@ from numpy.typing import NDArray
 from engine.choice.curve import Outline
 from engine.choice.pair import reverses, square_steps
 from engine.choice.ratios import ratio_curves
+from engine.drivetrain import direction
 from engine.laws.base import Array
 from workbook.book.declare import Sheet, calc, constant, result
 from workbook.book.rows import filled
+from workbook.drive import losses
 from workbook.entries.units import RPM, shown
 from workbook.selection.load import LoadCells
 from workbook.selection.view import Choosing
@@ -132,8 +134,8 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
                "=IF(sel_moves=1,INDEX([motors.tau_opt],MAX(1,sel_m)),[reducers.tau.1])",
                drawn(x.tau_opt)),
         result("tau_max", "largest ratio", "τ_max", "",
-               ("=IF(sel_moves=1,SQRT(INDEX([motors.inertia],MAX(1,sel_m)))*([wide]+[root])*sel_eta/(2*sel_trms*[pace]),"
-                "[reducers.tau.1])"),
+               ("=IF(sel_moves=1,SQRT(INDEX([motors.inertia],MAX(1,sel_m)))*([wide]+[root])*sel_eta"
+                "/(2*sel_trms*[pace]),[reducers.tau.1])"),
                drawn(x.tau_max)),
     )  # fmt: skip
     sheet.table(
@@ -174,13 +176,14 @@ def cycle(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
         constant("k", "sample", "", "", list(range(1, len(s.time) + 1))),
         calc("time", "time", "t", "s", f"=INDEX({load.time},[k])", s.time),
         calc("w", "speed of the load", "ω_L", "rad/s", f"=INDEX({load.speed},[k])", s.speed),
+        calc("dir", "direction", "", "", f"={losses.direction('[w]')}", direction(s.speed), format="0"),
         calc("load", "load torque", "T*_L", "Nm", f"=INDEX({load.torque},[k])", s.torque),
         result("rpm", "motor speed", "n_M", "rpm",
                "=IF(sel_found=1,[w]/sel_tau*60/(2*PI()),0)",
                shown(p.speed, RPM), source="ω_L/τ"),
         result("torque", "motor torque", "T_M", "Nm",
                (f"=IF(sel_found=1,sel_j/sel_tau*INDEX({load.acceleration},[k])+sel_tau*[load]"
-                "*IF(OR(ABS([w])<sel_still,[load]*[w]+sel_returned>=0),1/sel_er,sel_er),0)"),
+                f"*{losses.loss_factor('[load]', '[dir]', 'sel_er')},0)"),
                p.torque, source="J ω̇/τ + τ T*/η, braking τ T* η"),
         calc("part", "adds to the mean square", "", "Nm² s",
              "=IF([k]=1,0,([torque]^2+[torque-1]^2)/2*([time]-[time-1]))",

@@ -32,9 +32,10 @@ def selection_sheet(book: Book, load: LoadCells, view: Choosing) -> Sheet:
     ranking(sheet, view)
     charts(sheet, view)
     catalogues(sheet, view)
-    workings(sheet, view)
-    pairs(sheet, view)
-    curves(sheet, load, view)
+    with sheet.scoped("sel_"):
+        workings(sheet, view)
+        pairs(sheet, view)
+        curves(sheet, load, view)
     sheet.print_columns = 20
     return sheet
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from engine.choice import LoadSamples, Motors, Pair, Pairs, Reducers, Task, rank, usable
 from engine.choice.pairs import LoadAtMotor, counted_in, load_at_motor, sorting_keys
 from engine.choice.ratios import Ranges, ratio_ranges, rms_torque
-from engine.drive import LimitCheck, OperatingPoints
+from engine.drivetrain import LimitCheck, OperatingPoints
 from engine.laws.base import Array
 from workbook.entries.units import RPM, si
 from workbook.selection.catalogue import MotorRow, ReducerRow

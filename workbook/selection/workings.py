@@ -6,8 +6,8 @@ from typing import NamedTuple, get_args
 
 from engine.choice.pairs import Criterion
 from engine.choice.task import NOTHING
-from engine.drive import RETURNED, STANDSTILL
 from workbook.book.declare import Sheet, calc, constant
+from workbook.drive import losses
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.view import PLACES, STEP, Choosing
 
@@ -128,10 +128,8 @@ def constants(sheet: Sheet, view: Choosing) -> None:
         constant("sel_places", "Decimals in which scores are compared", "", "",
                  PLACES, format="0", source="equal to an engineer, equal in the ranking"),
         constant("sel_step", "By which a pair ranks behind an equal one above it", "", "", STEP, format="0E+00"),
-        constant("sel_still", "Slower than this counts as standing", "ω_0", "rad/s",
-                 STANDSTILL, format="0E+00", source="at the load's shaft"),
-        constant("sel_returned", "A load that gives back less counts as driven", "P_0", "W",
-                 RETURNED, format="0E+00", source="at the load's shaft; rounding never decides the losses"),
+        losses.standstill(),
+        losses.nearly(),
         constant("sel_off", "Where charts hide what is not drawn", "", "",
                  OFF, format="0", source="left of their edge"),
     )  # fmt: skip

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from importlib.metadata import version
 from typing import Any
 
@@ -18,6 +17,7 @@ class Formualizer:
     """Evaluates a copy of the file, and reads the results back."""
 
     name = "formualizer"
+    kept = False
 
     def version(self) -> str | None:
         """Return the version of the package."""
@@ -29,4 +29,4 @@ class Formualizer:
             filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]
         except Exception as error:
             raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
-        return cached_values(io.BytesIO(filled), file)
+        return cached_values(filled, file)

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -60,20 +61,25 @@ def convert(source: Path, kind: str, folder: Path) -> Path:
     return made
 
 
+@cache
+def version_of(soffice: str) -> str:
+    """Return the version of a LibreOffice."""
+    environment = os.environ | {"HOME": tempfile.gettempdir()} if sys.platform != "win32" else None
+    said = subprocess.run([soffice, "--version"], capture_output=True, text=True, check=False, env=environment)
+    found = re.search(r"\d+(\.\d+)+", said.stdout)
+    return found.group() if found else "unknown version"
+
+
 class LibreOffice:
     """Recalculates a copy of the file, and reads the results back."""
 
     name = "libreoffice"
+    kept = False
 
     def version(self) -> str | None:
         """Return LibreOffice's own version, or None where it is absent."""
         soffice = program()
-        if soffice is None:
-            return None
-        environment = os.environ | {"HOME": tempfile.gettempdir()} if sys.platform != "win32" else None
-        said = subprocess.run([soffice, "--version"], capture_output=True, text=True, check=False, env=environment)
-        found = re.search(r"\d+(\.\d+)+", said.stdout)
-        return found.group() if found else "unknown version"
+        return None if soffice is None else version_of(soffice)
 
     def values(self, file: BookFile) -> dict[Address, Any]:
         """Return the value of every formula cell."""
@@ -82,4 +88,4 @@ class LibreOffice:
             shutil.copyfile(file.path, source)
             made = Path(folder) / "made"
             made.mkdir()
-            return cached_values(convert(source, "xlsx", made), file)
+            return cached_values(convert(source, "xlsx", made).read_bytes(), file)

@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from workbook.book.address import Address
 from workbook.errors import WitnessError
+from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.witness import cached_values
 
 
 class Saved:
     """Reads the results that stand in the file."""
 
     name = "saved"
+    kept = True
 
     def version(self) -> str | None:
         """Return what the witness reads; it has no program of its own."""
         return "values in the file"
 
-    def values(self, file: BookFile) -> dict[Address, Any]:
+    def values(self, file: BookFile) -> Cells:
         """Return the saved value of every formula cell; raise WitnessError where the file has none."""
-        values = cached_values(file.path, file)
-        if values and all(value is None for value in values.values()):
+        if all(value is None for value in file.saved.values()):
             raise WitnessError("the file holds no saved values; open it in Excel or LibreOffice and save it")
-        return values
+        return file.saved

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable, Iterable, Mapping
-from pathlib import Path
-from typing import IO, Any, Protocol, runtime_checkable
-
-import openpyxl
-from openpyxl.cell.cell import Cell, MergedCell
+from typing import Any, Protocol, runtime_checkable
 
 from workbook.book.address import Address
+from workbook.errors import WitnessError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
+from workbook.reading.refusal import Refusal
+from workbook.reading.saved import values_within
 
 Found = Callable[[Address, Any], Any]  # what is found in a cell; else what a cell without a formula holds
 
 
 class Witness(Protocol):
-    """One way to evaluate a workbook, independent of the others."""
+    """One way to evaluate a workbook, independent of the others; one that only kept values is always asked."""
 
     name: str
+    kept: bool
 
     def version(self) -> str | None:
         """Return the version of the program that evaluates, or None where it is not on this machine."""
@@ -50,14 +51,10 @@ class CellWitness(Witness, Protocol):
         """Return the formulas of a file."""
 
 
-def cached_values(path: Path | IO[bytes], file: BookFile) -> dict[Address, Any]:
+def cached_values(data: bytes, file: BookFile) -> Cells:
     """Return what another copy of the file holds as results of the formula cells of ``file``."""
-    held = {sheet.title: sheet._cells for sheet in openpyxl.load_workbook(path, data_only=True).worksheets}
-    return {a: result_of(held[a.sheet].get((a.row, a.column))) for a in file.contents.formula_cells}
-
-
-def result_of(cell: Cell | MergedCell | None) -> Any:
-    """Return what a cell holds; an empty text is a result too, which openpyxl reads as nothing."""
-    if cell is None:
-        return None
-    return "" if cell.value is None and cell.data_type == "str" else cell.value
+    try:
+        held = values_within(io.BytesIO(data), len(data))
+    except Refusal as refusal:
+        raise WitnessError(f"what it wrote cannot be read: {refusal}") from None
+    return {a: held.get(a) for a in file.contents.formula_cells}

@@ -6,27 +6,18 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from engine.drivetrain import KINDS
 from engine.laws.inverse import is_monotone
-from engine.mechanism import cylinder
+from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
-from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive, Text
-from workbook.entries.units import MM
+from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
 from workbook.laws.library import laws
 from workbook.machines.composer.entries import ComposedPhase
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
-KINDS = {
-    "lead screw": ("screw", True, False),
-    "conveyor": ("roller", True, True),
-    "rack and pinion": ("pinion", True, False),
-    "belt": ("pulley", True, True),
-    "rotary table": ("table", False, False),
-    "gear train": ("last gear", False, False),
-}
-"""each mechanism's last element, whether its load travels, whether a belt moves with it"""
+"""of the engine's mechanisms, those that an actuator can have"""
 
-Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]  # °C
 
 
@@ -36,50 +27,6 @@ class Output(Model):
     turns: Positive | None = None  # rev/mm
     diameter: Positive | None = None  # mm
     efficiency: Efficiency
-
-
-class Gear(Model):
-    """A gear between the motor and the last element."""
-
-    name: Text
-    ratio: Positive  # speed before it over speed behind it
-    efficiency: Efficiency = 1.0
-
-
-class RotatingPart(Model):
-    """Equal rotating parts: the inertia of one, or a cylinder; behind how many of the gears it turns."""
-
-    name: Text
-    count: NotNegative
-    inertia: NotNegative | None = None  # kg m²
-    diameter: NotNegative | None = None  # mm
-    length: NotNegative | None = None  # mm
-    density: NotNegative | None = None  # kg/m³
-    bore: NotNegative | None = None  # mm
-    shaft: NotNegative = 0.0
-
-    @model_validator(mode="after")
-    def _one_or_the_other(self) -> Self:
-        size = {"diameter": self.diameter, "length": self.length, "density": self.density}
-        if self.inertia is None:
-            missing = next((name for name, value in size.items() if value is None), None)
-            if missing:
-                raise EntryError(missing, "empty; expected an inertia, or diameter, length and density")
-        elif any(value is not None for value in (*size.values(), self.bore)):
-            raise EntryError("inertia", "both an inertia and the size of a cylinder; expected one of them")
-        if self.bore and self.bore >= (self.diameter or 0.0):
-            raise EntryError("bore", f"the bore is {self.bore:g} mm; expected less than the diameter")
-        if self.shaft != int(self.shaft):
-            raise EntryError("shaft", f"found {self.shaft:g}; expected the number of gears before it")
-        return self
-
-    @property
-    def one(self) -> float:
-        """Inertia of one, kg m²."""
-        if self.inertia is not None:
-            return self.inertia
-        sizes = [(x or 0.0) * MM for x in (self.diameter, self.length, self.bore)]
-        return cylinder(sizes[0] / 2, sizes[1], self.density or 0.0, sizes[2] / 2)
 
 
 class ActuatorLoad(Model):
@@ -96,14 +43,11 @@ class ActuatorLoad(Model):
     friction_torque: NotNegative = 0.0  # Nm
 
 
-class ActuatorMotor(Model):
+class ActuatorMotor(MotorLimits):
     """The motor: its inertia, entered or by a ratio; its limits; where it works."""
 
     inertia: NotNegative | None = None  # kg m²; empty: by the ratio
     inertia_ratio: Positive | None = None  # J_machine / J_m
-    rated_torque: Positive  # Nm
-    peak_torque: Positive  # Nm
-    max_speed: Positive  # rpm
     temperature: Temperature
     rated_at: Temperature
     limit: Temperature
@@ -126,18 +70,18 @@ class ActuatorEntry(Model):
     holding: Literal["motor", "brake"] = "motor"
     output: Output
     gears: list[Gear] = Field(default_factory=list)
-    parts: list[RotatingPart] = Field(default_factory=list)
+    parts: list[PlacedParts] = Field(default_factory=list)
     load: ActuatorLoad = ActuatorLoad()
     phases: Annotated[list[ComposedPhase], Field(min_length=1)]  # lifts in mm or degrees, durations in s
     motor: ActuatorMotor
 
     @model_validator(mode="after")
     def _element(self) -> Self:
-        element, travels, _ = KINDS[self.mechanism]
+        kind = KINDS[self.mechanism]
         if self.mechanism == "lead screw" and self.output.turns is None:
             raise EntryError("output.turns", "empty; a lead screw needs its turns per mm")
-        if self.mechanism != "lead screw" and travels and self.output.diameter is None:
-            raise EntryError("output.diameter", f"empty; a {self.mechanism} needs the diameter of its {element}")
+        if self.mechanism != "lead screw" and kind.travels and self.output.diameter is None:
+            raise EntryError("output.diameter", f"empty; a {self.mechanism} needs the diameter of its {kind.element}")
         return self
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from workbook.book.declare import Book, calc, constant
-from workbook.machines.actuator.flow import Sized
+from workbook.machines.actuator.view import Sized
 
 
 class Printed(NamedTuple):
@@ -60,7 +60,7 @@ def printed_sheet(book: Book, machine: Sized) -> None:
         constant("unit", "unit", "", "", [f.unit or NONE for f in FIGURES]),
         calc("here", "this book", "", "",
              [f"={f.cell}" for f in FIGURES], engine, format="[<0.001]0.0000E+00;0.00000",
-             scale=machine.torque_scale * 1e-6),
+             scale=machine.sides.least_torque),
         constant("screw", "lead screw, printed", "", "", [f.screw for f in FIGURES], format="General"),
         constant("screw_exact", "lead screw, exact", "", "", [f.exact[0] for f in FIGURES], format="General"),
         constant("conveyor", "conveyor, printed", "", "", [f.conveyor for f in FIGURES], format="General"),
@@ -72,13 +72,11 @@ def printed_sheet(book: Book, machine: Sized) -> None:
 
 def values(machine: Sized) -> list[float]:
     """Return the engine's figures in the order of the table."""
-    m, s = machine.mechanism, machine.sizing
-    per = 1 / m.ratio / m.efficiency
-    load = next(p for p in m.parts if p.name == "load" and p.shaft == len(m.stages))
-    first = machine.part_torques[:3]
+    m, s, load = machine.mechanism, machine.sizing, machine.load
+    method = machine.drive.method
     return [
-        m.reflected(load, machine.documented), m.inertia(machine.documented), s.total_inertia,
-        m.rubbing * per, m.steady * per, (m.rubbing + m.steady) * per,
-        s.max_speed / m.ratio, s.max_speed, s.max_acceleration,
-        first[0], first[1], first[2], machine.rms_torque, machine.derating,
+        m.at_motor(load.inertia, m.last, method), m.inertia(method), machine.drive.total_inertia,
+        m.driving(load.friction), m.driving(load.torque), m.driving(float(load.resisting(1.0))),
+        s.load_speed, s.max_speed, s.max_acceleration, *machine.part_torques[0],
+        machine.rms_torque, machine.derating,
     ]  # fmt: skip

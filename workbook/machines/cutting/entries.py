@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from workbook.drive.entries import Drive
+from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
 from workbook.entries.types import ANGLE_TOLERANCE, PLAIN, Angle, EntryError, Model, Number, Positive, Text
 from workbook.laws.entries import LawCode
@@ -72,7 +72,7 @@ class CuttingMachine(Machine):
 
     template: Literal["cutting-machine"] = "cutting-machine"
     timing: Timing
-    drive: Drive
+    drive: RollerDrive
     selection: Selection = Selection()
     sizes: SelectionSizes = SelectionSizes()
 

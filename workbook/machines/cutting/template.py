@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import sqrt
 from typing import cast
 
 import numpy as np
@@ -12,7 +11,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.cutting.drive import drive_sheet, operating, rms_lossless
+from workbook.machines.cutting.drive import drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.machines.cutting.timing import timing_sheet
 from workbook.machines.cutting.variations import variants
@@ -65,13 +64,9 @@ def declare(machine: Machine) -> Book:
 
 def choosing(reference: Cutting) -> Choosing:
     """Return the choice of motor and reducer for the load at the roller shaft, exact by the laws where they are."""
-    given, load, points = reference.machine, reference.drive.load, operating(reference)
-    lossless = rms_lossless(reference)
-    dw = lossless["acceleration"]
-    torque = sqrt((load.inertia * dw) ** 2 + load.torque**2 * lossless["share"])
-    asked = Task.of_figures(dw, torque, load.inertia * dw**2, float(np.abs(points["w"]).max()))
-    time = reference.angles / 360 * 60 / given.drive.rate
-    samples = LoadSamples(time, points["w"], points["dw"], points["total"])
+    given, exact, points = reference.machine, reference.asked, reference.samples
+    asked = Task.of_figures(exact.acceleration, exact.torque, exact.product, float(np.abs(points.speed).max()))
+    samples = LoadSamples(reference.times, points.speed, points.acceleration, points.load)
     return Choosing(given.selection, given.sizes, asked, samples)
 
 

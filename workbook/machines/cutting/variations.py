@@ -63,10 +63,10 @@ def rotors(k: int, room: int) -> list[dict[str, Any]]:
 
 def motor(given: dict[str, Any], k: int, scale: Any) -> dict[str, Any]:
     """Return another motor: in half of the variations one that each check refuses, once without inertia."""
-    made = {name: value * next(scale) for name, value in given.items()}
+    limits = ("rated_torque", "peak_torque", "max_speed")
+    made = {name: given[name] * next(scale) for name in ("inertia", *limits, "reduction")}
     made["efficiency"] = 0.6 + 0.05 * k
     made["inertia"] = 0.0 if k == 4 else made["inertia"] + 0.001
-    limits = ("rated_torque", "peak_torque", "max_speed")
     for i, name in enumerate(limits):
         made[name] = 1e-3 * (1 + i) if (k + i) % 2 else 1e6 * (1 + i)
     return made

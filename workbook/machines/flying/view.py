@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.choice import Task
-from engine.drive import Load
+from engine.drivetrain import Load
 from engine.flying import Beyond, Cut, Tool, ToolMotion, flying_saw, rotary_drum
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
@@ -76,7 +76,7 @@ class Flying:
         self.tool, self.law = tool_of(self.given), library[self.given.law]
         self.line = self.given.line_speed * PER_MINUTE
         load = self.given.load
-        self.load = Load(load.inertia + load.mass * self.tool.radius**2, load.torque, "always")
+        self.load = Load(load.inertia + load.mass * self.tool.radius**2, load.torque)
         self.cut = self.of(self.given.product_length)
 
     @property

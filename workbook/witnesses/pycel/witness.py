@@ -66,6 +66,7 @@ class Pycel:
     """The witness of that name."""
 
     name = "pycel"
+    kept = False
 
     def version(self) -> str | None:
         """Return pycel's version and Python's, on which it rests."""

@@ -1,0 +1,45 @@
+"""One chain from a motor to its load: stages and parts on shafts, loads, losses by the direction of power, cycles.
+
+chain      stages, parts on shafts, what hangs on the last one; the torque at each shaft
+loads      masses on guides, resisting forces, cylinders
+kinds      the mechanisms: lead screw, conveyor, rack and pinion, belt, rotary table, gear train, feed rollers
+losses     which way power flows, and what a stage loses of it
+drive      a motor on a mechanism: torque, speed and power for any motion of the load
+motor      its limits, operating points, derating
+cycle      phases of the load's motion: torque in each part, peak, exact RMS
+lossless   mean squares in closed form, where nothing is lost
+flow, squares   mean squares by phase where power turns round
+magnitudes      what rounding errors are measured by
+"""
+
+from engine.drivetrain.chain import Load, Mechanism, Part, Stage, reflected_inertia
+from engine.drivetrain.cycle import Sizing
+from engine.drivetrain.drive import Drive, motor_inertia
+from engine.drivetrain.kinds import KINDS, Kind
+from engine.drivetrain.loads import Slide, cylinder, resisting
+from engine.drivetrain.losses import NEAR, STANDSTILL, direction, loss_factor
+from engine.drivetrain.motor import LimitCheck, Motor, OperatingPoints, derating
+
+__all__ = [
+    "KINDS",
+    "NEAR",
+    "STANDSTILL",
+    "Drive",
+    "Kind",
+    "LimitCheck",
+    "Load",
+    "Mechanism",
+    "Motor",
+    "OperatingPoints",
+    "Part",
+    "Sizing",
+    "Slide",
+    "Stage",
+    "cylinder",
+    "derating",
+    "direction",
+    "loss_factor",
+    "motor_inertia",
+    "reflected_inertia",
+    "resisting",
+]

@@ -1,0 +1,202 @@
+"""A cycle of moves behind a drive: torque in each part of it, peak and RMS torque, exact and not from samples."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from engine.drivetrain.chain import Mechanism
+from engine.drivetrain.drive import Drive, Holding
+from engine.drivetrain.losses import Method
+from engine.drivetrain.motor import Motor, OperatingPoints, Reserve, reserve
+from engine.laws.base import Array
+from engine.laws.inverse import is_monotone
+from engine.laws.sections import breaks, integral, roots
+from engine.motion import Motion, Phase
+
+
+@dataclass(frozen=True)
+class Move:
+    """A phase as it is for the drive: its direction, speed and accelerations of the load, in m (or rad) and s."""
+
+    phase: Phase
+
+    @property
+    def direction(self) -> float:
+        """1 forward, −1 backward, 0 for a dwell."""
+        return float(np.sign(self.phase.lift))
+
+    @property
+    def per(self) -> float:
+        """h/t², the acceleration where the law's a is 1."""
+        return self.phase.lift / self.phase.duration**2
+
+    @property
+    def speed(self) -> float:
+        """Largest speed, C_v |h|/t."""
+        return self.phase.law.coefficients.cv * abs(self.phase.lift) / self.phase.duration
+
+    @property
+    def acceleration(self) -> float:
+        """Largest acceleration, C_a |h|/t²."""
+        return self.phase.law.coefficients.ca * abs(self.per)
+
+    @property
+    def mean_square(self) -> float:
+        """Mean of a², (C_a,rms h/t²)²."""
+        return (self.phase.law.coefficients.ca_rms * self.per) ** 2
+
+    @property
+    def square(self) -> float:
+        """∫a² dt = C_a,rms² h²/t³."""
+        return (self.phase.law.coefficients.ca_rms * self.phase.lift) ** 2 / self.phase.duration**3
+
+    @property
+    def gained(self) -> float:
+        """∫a dt, the speed that it ends with less that it begins with."""
+        return (self.phase.law.end.v - self.phase.law.start.v) * self.phase.lift / self.phase.duration
+
+    @property
+    def extremes(self) -> tuple[float, float, float]:
+        """Accelerations in its three parts: at the law's largest a, at none, and at its lowest a."""
+        k = self.phase.law.coefficients
+        return k.ca_max * self.per, 0.0, k.ca_min * self.per
+
+
+class CyclePart(NamedTuple):
+    """A part of a phase and the torque (Nm) in it: the extreme one, where it varies."""
+
+    phase: int
+    name: Literal["accelerating", "uniform", "decelerating", "dwell"]
+    torque: float
+
+
+@dataclass(frozen=True)
+class Sizing:
+    """A mechanism, the phases of its load's motion (m or rad, in s), and the inertia of the motor (kg m²).
+
+    ``method`` and ``holding`` as in :class:`engine.drivetrain.drive.Drive`.
+    Raises ValueError for no phases, a negative inertia, or a law that moves backwards.
+    """
+
+    mechanism: Mechanism
+    phases: Sequence[Phase]
+    motor_inertia: float
+    method: Method = "physical"
+    holding: Holding = "motor"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "phases", tuple(self.phases))
+        _ = self.drive  # which refuses what cannot be
+        if not self.phases:
+            raise ValueError("no phases are given; expected at least one")
+        for k, phase in enumerate(self.phases, 1):
+            if not is_monotone(phase.law):
+                raise ValueError(f"phase {k}: {phase.law.name} moves backwards; expected a law that does not")
+
+    @cached_property
+    def drive(self) -> Drive:
+        """The motor on the mechanism."""
+        return Drive(self.mechanism, self.motor_inertia, self.method, self.holding)
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The load's motion over time (s)."""
+        return Motion(self.phases)
+
+    @cached_property
+    def moves(self) -> tuple[Move, ...]:
+        """The phases as they are for the drive."""
+        return tuple(Move(phase) for phase in self.phases)
+
+    @property
+    def load_speed(self) -> float:
+        """Largest speed of the load (m/s or rad/s)."""
+        return max(move.speed for move in self.moves)
+
+    @property
+    def max_speed(self) -> float:
+        """Largest speed of the motor (rad/s)."""
+        return self.mechanism.ratio * self.load_speed
+
+    @property
+    def max_acceleration(self) -> float:
+        """Largest acceleration of the motor (rad/s²)."""
+        return self.mechanism.ratio * max(move.acceleration for move in self.moves)
+
+    def parts_of(self, k: int) -> tuple[CyclePart, ...]:
+        """Return the torque in each part of a phase: at the law's extremes of acceleration, and without any."""
+        move = self.moves[k]
+        if move.direction == 0.0:
+            return (CyclePart(k, "dwell", self.drive.held_torque),)
+        up, level, down = self.drive.torque(move.extremes, move.direction)
+        named = (("accelerating", up), ("uniform", level), ("decelerating", down))
+        return tuple(CyclePart(k, name, float(torque)) for name, torque in named)  # type: ignore[arg-type]
+
+    @property
+    def parts(self) -> tuple[CyclePart, ...]:
+        """The torque in each part of the cycle."""
+        return tuple(part for k in range(len(self.phases)) for part in self.parts_of(k))
+
+    @property
+    def peak_torque(self) -> float:
+        """max |T_m| (Nm), exact."""
+        return max(abs(part.torque) for part in self.parts)
+
+    @cached_property
+    def rms_torque(self) -> float:
+        """sqrt(∫T_m² dt / t) over the cycle (Nm), exact: not from samples. Source: S4, T_RMS."""
+        return math.sqrt(math.fsum(self._square(move) for move in self.moves) / self.motion.total)
+
+    def _square(self, move: Move) -> float:
+        """Return ∫T_m² dt of a phase."""
+        if move.direction == 0.0:
+            return self.drive.held_torque**2 * move.phase.duration
+        lossless = self.method == "document" or all(s.efficiency == 1.0 for s in self.mechanism.stages)
+        return self._square_affine(move) if lossless else self._square_by_stages(move)
+
+    def _square_affine(self, move: Move) -> float:
+        """Return ∫T_m² dt where T_m = A a + B: A² ∫a² + 2AB ∫a + B² t, from the law's coefficients."""
+        level, raised = self.drive.torque([0.0, 1.0], move.direction)
+        slope = raised - level
+        mixed = 2.0 * slope * level * move.gained
+        return float(slope**2 * move.square + mixed + level**2 * move.phase.duration)
+
+    def _square_by_stages(self, move: Move) -> float:
+        """Return ∫T_m² dt, split where the flow of power through a stage turns round."""
+        law, per, sign = move.phase.law, move.per, move.direction
+
+        def behind(stage: int) -> Callable[[Array], Array]:
+            return lambda xi: self.drive.torques(per * law.a(xi), sign)[stage]
+
+        edges = breaks(law)
+        turns = [roots(behind(k), edges) for k in range(1, self.mechanism.last + 1)]
+        sections = np.unique(np.concatenate([edges, *turns]))
+        return move.phase.duration * integral(lambda xi: self.drive.torque(per * law.a(xi), sign) ** 2, sections)
+
+    def going(self, time: ArrayLike) -> Array:
+        """Return the direction of the motion at times of the cycle (s): that of the phase, also at its ends.
+
+        Raises ValueError outside the cycle.
+        """
+        directions = np.array([move.direction for move in self.moves])
+        return np.asarray(directions[self.motion.phase_index(np.asarray(time, dtype=np.float64))])
+
+    def operating_points(self, time: ArrayLike) -> OperatingPoints:
+        """Return speed, torque and power of the motor at times of the cycle (s). Raises ValueError outside it."""
+        at = np.asarray(time, dtype=np.float64)
+        values = self.motion.at(at)
+        return self.drive.operating_points(values.y1, values.y2, self.going(at), at)
+
+    def reserve(self, motor: Motor) -> Reserve:
+        """Return RMS torque, peak torque and speed against the motor's limits.
+
+        The motor's own inertia is not taken from ``motor``: see ``motor_inertia``.
+        """
+        return reserve(motor, self.rms_torque, self.peak_torque, self.max_speed)

@@ -1,0 +1,79 @@
+"""Loads: masses on guides, cylinders. SI units."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from engine.drivetrain.chain import Load, require_not_negative
+from engine.laws.base import require_finite
+
+GRAVITY = 9.81
+"""m/s², the value of S4"""
+
+Resists = Literal["always", "moving"]
+
+
+@dataclass(frozen=True)
+class Slide:
+    """A mass (kg) on a guide: friction coefficient μ, slope (rad, rising with positive travel), process force (N).
+
+    The force acts against positive travel, always. Raises ValueError for a negative mass or μ, or a slope
+    beyond a right angle.
+    """
+
+    mass: float
+    friction: float = 0.0
+    slope: float = 0.0
+    force: float = 0.0
+
+    def __post_init__(self) -> None:
+        require_not_negative("load", mass=self.mass, friction=self.friction)
+        require_finite(slope=self.slope, force=self.force)
+        if abs(self.slope) > math.pi / 2 + 1e-12:
+            raise ValueError(f"slope is {math.degrees(self.slope):g} degrees; expected −90 to 90")
+
+    @property
+    def steady(self) -> float:
+        """F + m g sin θ (N): acts in one direction, also at rest."""
+        return self.force + self.mass * GRAVITY * math.sin(self.slope)
+
+    @property
+    def rubbing(self) -> float:
+        """μ m g cos θ (N): opposes the motion."""
+        return self.friction * self.mass * GRAVITY * abs(math.cos(self.slope))
+
+    @property
+    def load(self) -> Load:
+        """The load at the end of a chain."""
+        return Load(self.mass, self.steady, self.rubbing)
+
+
+def resisting(force: float, resists: Resists) -> Load:
+    """Return a load without mass of a force F_r (N), or a torque (Nm).
+
+    ``always``: it acts in one direction, also at rest, like a weight. ``moving``: it opposes the motion, and is
+    zero at standstill, like friction. Raises ValueError for another word. Source: S1, 'Feeding group'.
+    """
+    if resists not in ("always", "moving"):
+        raise ValueError(f"resists is {resists!r}; expected 'always' or 'moving'")
+    return Load(0.0, force) if resists == "always" else Load(0.0, friction=force)
+
+
+def masses(one: float, count: float = 1.0) -> float:
+    """Return the mass (kg) of ``count`` equal ones."""
+    return one * count
+
+
+def cylinder(radius: float, length: float, density: float, bore: float = 0.0) -> float:
+    """Return the inertia of a solid or hollow cylinder about its axis, ½ ρ π (R⁴ − r⁴) L, in kg m².
+
+    ``radius``, ``length`` and ``bore`` (the inner radius) in m, ``density`` in kg/m³.
+    Raises ValueError for a negative quantity, or a bore that is not smaller than the radius.
+    Source: S4, problem 1, 'a. J_leadscrew'.
+    """
+    require_not_negative("cylinder", radius=radius, length=length, density=density, bore=bore)
+    if bore > 0.0 and bore >= radius:
+        raise ValueError(f"cylinder: bore is {bore:g} m; expected less than the radius, {radius:g} m")
+    return 0.5 * density * math.pi * (radius**4 - bore**4) * length

@@ -1,0 +1,49 @@
+"""The rule of losses: which way power flows through a stage, and what its efficiency does to the torque."""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from engine.laws.base import Array
+
+Method = Literal["physical", "document"]
+"""losses that help to brake, or S4's way: always against the motor"""
+
+STANDSTILL = 1e-9
+"""rad/s (m/s of a load that travels); a slower shaft counts as standing"""
+
+NEAR = 1e-9
+"""Nm (N at a load that travels); a load that drives with less counts as driven, or rounding would choose the side"""
+
+
+def direction(speed: ArrayLike) -> Array:
+    """Return 1 for a shaft that turns forward, −1 backward, 0 for one that stands."""
+    w = np.asarray(speed, dtype=np.float64)
+    return np.where(np.abs(w) < STANDSTILL, 0.0, np.sign(w))
+
+
+def gives_back(torque: ArrayLike, direction: ArrayLike) -> NDArray[np.bool_]:
+    """Return whether what is behind a stage drives it: a torque (Nm, or N) against the direction of motion.
+
+    ``torque`` is what it must be driven with, ``direction`` 1, −1, or 0 at rest, where nothing flows back.
+    """
+    return np.asarray(np.asarray(torque) * np.asarray(direction) < -NEAR)
+
+
+def loss_factor(torque: ArrayLike, direction: ArrayLike, efficiency: float, method: Method = "physical") -> Array:
+    """Return f, by which a stage multiplies the torque behind it: 1/η where power flows to the load, η where back.
+
+    With the document's method 1/η always. Source: S1, 'Feeding group', last equation, where f = 1; S4, problem 1,
+    where inertia and torque behind the screw are over η; S5, step 7.
+    """
+    back = gives_back(torque, direction) & (method == "physical")
+    return np.where(back, efficiency, 1.0 / efficiency)
+
+
+def require_method(method: str) -> None:
+    """Raise ValueError for a word that is no way of counting losses."""
+    if method not in get_args(Method):
+        raise ValueError(f"method is {method!r}; expected 'physical' or 'document'")

@@ -1,0 +1,86 @@
+"""A load over phases that begin and end at rest, without losses: mean squares in closed form, from C_a,rms."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from engine.drivetrain.chain import Load
+from engine.drivetrain.cycle import Move
+from engine.motion import Phase
+
+
+def at_shaft(phases: Sequence[Phase], ratio: float, speed: float = 1.0) -> list[Phase]:
+    """Return the phases of a load as those of a shaft in time (rad, in s).
+
+    ``ratio`` is the speed of the shaft over that of the load (rad/m or 1), ``speed`` that of the abscissa (1/s).
+    """
+    return [Phase(p.law, p.lift * ratio, p.duration / speed) for p in phases]
+
+
+@dataclass(frozen=True)
+class LosslessCycle:
+    """A load on a shaft, and phases of the shaft's motion (rad, in s).
+
+    The speed gained over a phase counts as none: where a phase does not begin and end at rest, the speed jumps, and
+    no torque could follow. Raises ValueError for no phases.
+    """
+
+    load: Load
+    phases: Sequence[Phase]
+
+    def __post_init__(self) -> None:
+        if not self.phases:
+            raise ValueError("no phases are given; expected at least one")
+
+    @cached_property
+    def time(self) -> float:
+        """Time of the cycle (s)."""
+        return math.fsum(p.duration for p in self.phases)
+
+    @property
+    def shares(self) -> list[float]:
+        """Share of the cycle that each phase takes."""
+        return [p.duration / self.time for p in self.phases]
+
+    @property
+    def moving_shares(self) -> list[float]:
+        """Share of the cycle that each phase moves in: none for a dwell."""
+        return [share if p.lift else 0.0 for share, p in zip(self.shares, self.phases, strict=True)]
+
+    @property
+    def moving(self) -> float:
+        """Share of the cycle in motion."""
+        return math.fsum(self.moving_shares)
+
+    @cached_property
+    def acceleration(self) -> float:
+        """ω̇_rms (rad/s²): sqrt(Σ C_a,rms² h²/t³ / t_c)."""
+        return math.sqrt(math.fsum(Move(p).square for p in self.phases) / self.time)
+
+    @property
+    def resisting_square(self) -> float:
+        """Mean square of what resists (N² m²): in a movement the torque and the friction, at rest the torque."""
+        moves = [Move(p) for p in self.phases]
+        held = [float(self.load.resisting(move.direction)) ** 2 for move in moves]
+        return math.fsum(share * square for share, square in zip(self.shares, held, strict=True))
+
+    @property
+    def torque(self) -> float:
+        """T*_rms (Nm), T* = T + J ω̇: sqrt((J ω̇_rms)² + ⟨T²⟩)."""
+        return self.rms_torque(self.load.inertia, 1.0)
+
+    @property
+    def product(self) -> float:
+        """⟨ω̇ T*⟩ = J ω̇_rms² (Nm rad/s²)."""
+        return self.load.inertia * self.acceleration**2
+
+    def rms_torque(self, inertia: float, transmission: float) -> float:
+        """Return the RMS torque (Nm) in front of a reducer of ratio τ: sqrt((J_m/τ + τ J)² ω̇_rms² + τ² ⟨T²⟩).
+
+        ``inertia`` is the motor's torque per ω̇ of the shaft, J_m/τ + τ J (kg m²): see
+        :meth:`engine.drivetrain.drive.Drive.effective_inertia`. Source: S1, 'Feeding group', last equation, squared.
+        """
+        return math.sqrt((inertia * self.acceleration) ** 2 + transmission**2 * self.resisting_square)

@@ -1,0 +1,166 @@
+"""The motor: its limits, where a cycle brings it, what its surroundings leave of it. SI units."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.drivetrain.chain import require_not_negative
+from engine.drivetrain.losses import STANDSTILL
+from engine.laws.base import Array
+
+RATED_AT = 25.0
+"""°C at which a motor's rated torque holds in S4"""
+
+WINDING_LIMIT = 175.0
+"""°C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm"""
+
+CORNERS = ((0, -1), (1, -1), (1, 1), (0, 1), (0, -1))
+"""of the limits in the plane of speed and torque: whether at the largest speed; above or below"""
+
+
+@dataclass(frozen=True)
+class Motor:
+    """Inertia (kg m²), rated and peak torque (Nm) and largest speed (rad/s); no limit is given by infinity.
+
+    Raises ValueError for a negative inertia or a limit that is not above 0.
+    """
+
+    inertia: float
+    rated_torque: float = math.inf
+    peak_torque: float = math.inf
+    max_speed: float = math.inf
+
+    def __post_init__(self) -> None:
+        require_not_negative("motor", inertia=self.inertia)
+        for name in ("rated_torque", "peak_torque", "max_speed"):
+            if not getattr(self, name) > 0.0:
+                raise ValueError(f"motor: {name} is {getattr(self, name):g}; expected more than 0")
+
+    def derated(self, share: float) -> Motor:
+        """Return the motor with a share of its rated torque left: see :func:`derating`."""
+        return replace(self, rated_torque=self.rated_torque * share)
+
+    def corners(self, lowest_speed: float) -> Corners:
+        """Return the limits as a line round the plane of speed and torque, from the lower left corner.
+
+        It begins at speed 0, or on the other side too where ``lowest_speed`` (rad/s) says that the motor turns
+        backward.
+        """
+        left = -self.max_speed if lowest_speed < -STANDSTILL else 0.0
+        right, up = np.array(CORNERS, dtype=np.float64).T
+        speed = np.where(right > 0.0, self.max_speed, left)
+        return Corners(right > 0.0, speed, up * self.peak_torque, up * self.rated_torque)
+
+
+class Corners(NamedTuple):
+    """A motor's limits in the plane of speed (rad/s) and torque (Nm): arrays of shape (5,).
+
+    ``right`` says of each corner whether it is at the largest speed.
+    """
+
+    right: NDArray[np.bool_]
+    speed: Array
+    peak: Array
+    rated: Array
+
+
+@dataclass(frozen=True)
+class OperatingPoints:
+    """Speed (rad/s), torque (Nm) and power (W) at the motor shaft, sample by sample.
+
+    ``time`` (s) of each sample, or None for equal steps.
+    """
+
+    speed: Array
+    torque: Array
+    power: Array
+    time: Array | None = field(default=None)
+
+    @property
+    def peak_torque(self) -> float:
+        """max |C_m|"""
+        return float(np.abs(self.torque).max())
+
+    @property
+    def highest_torque(self) -> float:
+        """Largest C_m, with its sign."""
+        return float(self.torque.max())
+
+    @property
+    def lowest_torque(self) -> float:
+        """Lowest C_m, with its sign."""
+        return float(self.torque.min())
+
+    @property
+    def highest_power(self) -> float:
+        """Largest power, driving."""
+        return float(self.power.max())
+
+    @property
+    def lowest_power(self) -> float:
+        """Lowest power, negative where the load drives the motor."""
+        return float(self.power.min())
+
+    @property
+    def max_speed(self) -> float:
+        """max |ω_m|"""
+        return float(np.abs(self.speed).max())
+
+    @property
+    def rms_torque(self) -> float:
+        """sqrt(∫C_m² dt / t), by the trapezoidal rule on the samples."""
+        time = np.arange(len(self.torque), dtype=np.float64) if self.time is None else self.time
+        return math.sqrt(float(np.trapezoid(self.torque**2, time)) / float(time[-1] - time[0]))
+
+
+class LimitCheck(NamedTuple):
+    """A quantity against the motor's limit, in the limit's unit."""
+
+    name: str
+    value: float
+    limit: float
+    ok: bool
+
+    @property
+    def reserve(self) -> float:
+        """The limit over the quantity; 0 where nothing is asked for."""
+        return self.limit / self.value if self.value else 0.0
+
+
+class Reserve(NamedTuple):
+    """What a cycle asks of a motor against its limits."""
+
+    rms_torque: LimitCheck
+    peak_torque: LimitCheck
+    speed: LimitCheck
+
+
+def reserve(motor: Motor, rms_torque: float, peak_torque: float, speed: float) -> Reserve:
+    """Return RMS torque (Nm), peak torque (Nm) and speed (rad/s), each against the motor's limit."""
+    found = (
+        ("RMS torque", rms_torque, motor.rated_torque),
+        ("peak torque", peak_torque, motor.peak_torque),
+        ("speed", speed, motor.max_speed),
+    )
+    return Reserve(*(LimitCheck(name, value, limit, value <= limit) for name, value, limit in found))
+
+
+def derating(temperature: float, limit: float = WINDING_LIMIT, rated_at: float = RATED_AT) -> float:
+    """Return the share of its rated torque that a motor can give at a temperature (°C) of its surroundings.
+
+    sqrt((T_max − T)/(T_max − T_rated)), and no more than 1 where it is colder: 0.9661 at 35 °C.
+    Raises ValueError unless both temperatures are below ``limit`` (T_max). Source: S4, problem 2, last lines.
+    """
+    if not max(temperature, rated_at) < limit:
+        raise ValueError(f"{temperature:g} °C, rated at {rated_at:g} °C; expected less than the limit, {limit:g} °C")
+    return min(1.0, math.sqrt((limit - temperature) / (limit - rated_at)))
+
+
+def rated_torque_needed(rms_torque: float, derated: float) -> float:
+    """Return the rated torque (Nm) that a motor must have, T_RMS over its derating; 0 where none of it is left."""
+    return rms_torque / derated if derated else 0.0

@@ -1,0 +1,39 @@
+"""The rule of losses in cells; the engine's is :mod:`engine.drivetrain.losses`."""
+
+from __future__ import annotations
+
+from engine.drivetrain import NEAR, STANDSTILL
+from workbook.book.declare import Quantity, constant
+
+
+def standstill() -> Quantity:
+    """Return the speed below which a shaft counts as standing: it decides the direction where only a speed is known."""
+    return constant("@still", "Slower than this counts as standing", "ω_0", "rad/s",
+                    STANDSTILL, format="0E+00", source="then nothing flows back")  # fmt: skip
+
+
+def nearly() -> Quantity:
+    """Return the torque with which a load must drive to count as driving."""
+    return constant("@near", "A load that drives with less counts as resisting", "R_0", "N or Nm",
+                    NEAR, format="0E+00", source="rounding never decides the losses")  # fmt: skip
+
+
+def direction(speed: str) -> str:
+    """Return the direction of a shaft, 1, −1 or 0, by its speed (rad/s)."""
+    return f"IF(ABS({speed})<@still,0,SIGN({speed}))"
+
+
+def drives(torque: str, direction: str) -> str:
+    """Return the condition that what is behind a stage drives it: a torque against the direction of motion."""
+    return f"{torque}*{direction}+@near<0"
+
+
+def loss_factor(torque: str, direction: str, efficiency: str, method: str = "") -> str:
+    """Return f of a stage: 1/η where the torque behind it resists its direction or it stands, η where it drives.
+
+    ``method`` is the cell of the choice how losses are counted, if the book has one.
+    """
+    back = drives(torque, direction)
+    if method:
+        back = f'AND({method}<>"document",{back})'
+    return f"IF({back},{efficiency},1/{efficiency})"

@@ -1,0 +1,70 @@
+"""The motor's limits in cells: entered, drawn in the plane of speed and torque, and held against a cycle.
+
+The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm) and ``@speed`` (rpm).
+"""
+
+from __future__ import annotations
+
+from engine.drivetrain.motor import CORNERS, Corners, Reserve
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Quantity, Sheet, calc, check, constant, given
+from workbook.drive.entries import MotorLimits
+from workbook.entries.units import RPM, shown
+
+RATED = "@motor_rated"
+
+
+def limits_given(motor: MotorLimits, key: str) -> list[Quantity]:
+    """Return the rows of a motor's limits, kept at ``key`` of the description."""
+    return [
+        given("@motor_rated", "Motor: rated torque", "T_N", "Nm", motor.rated_torque, f"{key}.rated_torque",
+              source="ours: the document leaves the motor open"),
+        given("@motor_peak", "Motor: peak torque", "T_max", "Nm", motor.peak_torque, f"{key}.peak_torque",
+              source="ours"),
+        given("@motor_nmax", "Motor: largest speed", "n_max", "rpm", motor.max_speed, f"{key}.max_speed",
+              format="0.0##", source="ours"),
+    ]  # fmt: skip
+
+
+def limit_checks(
+    reserve: Reserve, of: str = "", rated: str = RATED, words: str = "rated torque", note: str = ""
+) -> list[Quantity]:
+    """Return the checks of the RMS torque against the cell ``rated``, of the peak torque and of the speed."""
+
+    def label(text: str) -> str:
+        return f"{of}: {text}" if of else f"{text[0].upper()}{text[1:]}"
+
+    return [
+        check("@ok_rms", label(f"RMS torque within the {words}"), f"@rms<={rated}", reserve.rms_torque.ok, note),
+        check("@ok_peak", label("peak torque within the motor's"), "MAX(@tmax,0-@tmin)<=@motor_peak",
+              reserve.peak_torque.ok),
+        check("@ok_speed", label("speed within the motor's"), "@speed<=@motor_nmax", reserve.speed.ok),
+    ]  # fmt: skip
+
+
+def limits_table(sheet: Sheet, corners: Corners, backward: str, rated: str = RATED, *more: Quantity) -> None:
+    """Declare the corners of the limits as the charts draw them; ``backward`` says whether the motor turns so too."""
+    right, up = zip(*CORNERS, strict=True)
+    sheet.table(
+        "@limits", "Limits of the motor, as drawn in the charts", len(CORNERS),
+        constant("side", "right side", "", "", list(right)),
+        constant("up", "upper side", "", "", list(up)),
+        calc("rpm", "speed", "n", "rpm",
+             f"=IF([side]=1,@motor_nmax,IF({backward},0-@motor_nmax,0))", shown(corners.speed, RPM)),
+        calc("peak", "peak torque", "T_max", "Nm", "=[up]*@motor_peak", corners.peak),
+        calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{rated}", corners.rated),
+        *more,
+    )  # fmt: skip
+
+
+def plane(cycle: str, symbol: str, rated: str = "rated torque") -> Chart:
+    """Return the chart of torque against speed, from the table ``cycle``, within the motor's limits."""
+    lines = (
+        Series("operating points", f"[{cycle}.rpm]", f"[{cycle}.torque]"),
+        Series("peak torque and speed of the motor", "[@limits.rpm]", "[@limits.peak]", dashed=True),
+        Series(rated, "[@limits.rpm]", "[@limits.rated]", dashed=True),
+    )
+    return Chart(
+        "Torque against speed of the motor", "motor speed n_m [rpm]", f"motor torque {symbol} [Nm]", lines,
+        "Operating points of the motor over one cycle in the speed–torque plane, with the motor's limits",
+    )  # fmt: skip

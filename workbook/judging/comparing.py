@@ -1,0 +1,151 @@
+"""What each witness computes against what the engine says: at the values entered, and at variations of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from workbook.book.address import Address
+from workbook.book.declare import Book
+from workbook.errors import WitnessError
+from workbook.judging.compare import TOLERANCE, difference, is_error
+from workbook.judging.matching import Match, Pair, Right
+from workbook.judging.report import Finding, Ran, Report
+from workbook.reading.contents import Cells
+from workbook.witnesses.witness import CellWitness, Model, Witness
+
+LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
+SHARE = 3  # of shorter tables and single cells, every cell at one in so many of the other inputs
+NO_EVIDENCE = "as built: no evidence of its own"
+
+
+class Comparison:
+    """A matched file, what it should hold, and the one witness that evaluates each cell by itself."""
+
+    def __init__(self, match: Match, single: CellWitness, report: Report) -> None:
+        self.match, self.single, self.report = match, single, report
+        self.model: Model = single.model(match.file)
+        self.right = Right(match, match.declared)
+        formulas = set(match.file.contents.formula_cells)
+        self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
+        self.values: Cells = {}  # of the first witness that computed any
+        for pair in match.pairs:
+            if pair.declared_formula:
+                report.cells[pair.address.sheet] = report.cells.get(pair.address.sheet, 0) + 1
+
+    def ask(self, witness: Witness, required: bool) -> None:
+        """Compare what a witness says; one that was asked by name and cannot answer is a finding."""
+        ran = Ran(witness.name, witness.version())
+        self.report.witnesses.append(ran)
+        try:
+            values = self.model.evaluate() if witness is self.single else witness.values(self.match.file)
+        except WitnessError as error:
+            ran.why = str(error)
+            if required:
+                self.report.findings.append(Finding("", ran.name, "witness", str(error), "values to compare"))
+            return
+        if witness.kept:
+            self._kept(ran, values)
+        else:
+            self._computed(ran, values)
+
+    def _computed(self, ran: Ran, values: Cells) -> None:
+        """Tell the cells at fault from those that only follow them."""
+        wrong = self._wrong(values, first=not self.values)
+        at_fault = self._faults([pair.address for pair, _ in wrong])
+        problems: Mapping[Address, str] = self.model.problems if ran.name == self.single.name else {}
+        for pair, deviation in wrong:
+            value = values.get(pair.address)
+            kind = "error" if is_error(value) else "value"
+            own = pair.address in at_fault or not at_fault
+            why = problems.get(pair.address, "") or ("" if value is not None else "it could not be evaluated")
+            expected = pair.cell.expected
+            self.report.add(pair, kind if own else "follows", value, expected, deviation, ran.name, why)
+        self.values = self.values or values
+
+    def _kept(self, ran: Ran, values: Cells) -> None:
+        """Enter values that the file was saved with and that no longer are what its cells compute."""
+        if self.match.file.as_built:
+            ran.version = f"{ran.version}, {NO_EVIDENCE}"
+        for pair, deviation in self._wrong(values, first=False):
+            held, computed = values.get(pair.address), self.values.get(pair.address)
+            if not difference(held, computed, self.right.peak(pair.address)) <= TOLERANCE:
+                self.report.add(pair, "saved", held, pair.cell.expected, deviation, ran.name)
+
+    def _wrong(self, values: Cells, first: bool) -> list[tuple[Pair, float]]:
+        """Return the cells that are not what they should be, with their deviations."""
+        wrong = []
+        for address, pair in self.pairs.items():
+            expected = pair.cell.expected
+            if expected is None:  # unfinished
+                continue
+            deviation = difference(values.get(address), expected, self.right.peak(address))
+            if first and math.isfinite(deviation):
+                self.report.deviations[address.sheet] = max(self.report.deviations.get(address.sheet, 0.0), deviation)
+            if not deviation <= TOLERANCE:
+                wrong.append((pair, deviation))
+        return wrong
+
+    def _faults(self, wrong: list[Address]) -> set[Address]:
+        """Return the cells that are wrong even when all that they refer to is right."""
+        return {a for a, value in self.model.each(wrong, self.right.get).items() if differs(self.right, a, value)}
+
+    def elsewhere(self, books: Iterable[Book], number: int, suspects: set[Address]) -> None:
+        """Compare at a number of other inputs, each cell with the right values around it.
+
+        Formulas that are not the declared ones are evaluated at every variation, the others in turn.
+        """
+        if any(place is None for _, place in self.match.misfits):
+            return
+        known = {(f.sheet, f.cell) for f in self.report.findings}
+        readable = self.match.file.contents.formulas
+        pairs = {a: pair for a, pair in self.pairs.items() if a in readable}
+        for k, (book, turn) in enumerate(zip(books, turns(pairs, suspects, number), strict=True), 1):
+            right = Right(self.match, book)
+            by = f"{self.single.name}, at variation {k} of the inputs"
+            for a, value in self.model.each(turn, right.get).items():
+                if differs(right, a, value) and (a.sheet, a.a1) not in known:
+                    known.add((a.sheet, a.a1))
+                    expected = right.get(a)
+                    deviation = difference(value, expected, right.peak(a))
+                    self.report.add(pairs[a], "value", value, expected, deviation, by)
+
+
+def differs(right: Right, address: Address, value: Any) -> bool:
+    """Whether a value is not the engine's, where the engine has one."""
+    expected = right.get(address)
+    return expected is not None and not difference(value, expected, right.peak(address)) <= TOLERANCE
+
+
+def turns(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:
+    """Return the cells that are looked at in each variation."""
+    found: list[list[Address]] = [[] for _ in range(variations)]
+    for n, (address, pair) in enumerate(pairs.items()):
+        cell = pair.cell
+        if address in suspects:
+            every, first = 1, 0
+        elif cell.block.size < LONG:
+            every, first = SHARE, n % SHARE
+        else:
+            every, first = variations, cell.i // SPREAD % variations + (variations if cell.i % SPREAD else 0)
+        for turn in found[first::every]:
+            turn.append(address)
+    return found
+
+
+def count(match: Match, report: Report) -> None:
+    """Count each declared formula cell once for each witness that answered: compared, at fault, or unfinished."""
+    cells = {(p.address.sheet, p.address.a1): p for p in match.pairs if p.declared_formula}
+    blocks = match.declared.blocks.values()
+    report.declared = sum(block.size for block in blocks for q in block.quantities if q.formula is not None)
+    for ran in report.witnesses:
+        if not ran.answered:
+            continue
+        others = {w.name for w in report.witnesses} - {ran.name}
+        own = [f for f in report.findings if f.witness.partition(",")[0] not in others]
+        faulty = {(f.sheet, f.cell) for f in own} & cells.keys()
+        ran.at_fault = report.declared - len(cells) + len(faulty)
+        ran.unfinished = sum(p.cell.expected is None for at, p in cells.items() if at not in faulty)
+        ran.compared = report.declared - ran.at_fault - ran.unfinished
+    report.compared = max((w.compared for w in report.witnesses), default=0)

@@ -1,0 +1,132 @@
+"""What ``verify`` found in one workbook: findings, notices, counts, and the book's own verdict."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from workbook.book.address import Address
+from workbook.judging.matching import Pair
+
+ORDER = (
+    "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value", "follows",
+    "saved", "shown", "witness",
+)  # fmt: skip
+"""The kinds of findings, causes before what follows from them."""
+NOTICE = "notice"
+"""The kind of what is reworded or gone, and misleads nobody."""
+OK = "OK"
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One cell that is not what it should be; ``why`` it could not be evaluated, where that is known."""
+
+    sheet: str
+    cell: str
+    kind: str
+    computed: Any
+    expected: Any
+    what: str = ""
+    deviation: float = math.inf  # relative to the greatest value of the column
+    witness: str = ""
+    why: str = ""
+
+
+@dataclass
+class Ran:
+    """A witness that was asked: its version, and what came of the declared formula cells, or why it was not asked.
+
+    Each declared cell is counted once: it was compared and agrees, is at fault (by what this witness computes, or by
+    what the file holds), or is unfinished, as the engine has no value for it.
+    """
+
+    name: str
+    version: str | None
+    compared: int = 0
+    at_fault: int = 0
+    unfinished: int = 0
+    why: str = ""
+
+    @property
+    def absent(self) -> bool:
+        """Whether the witness is not on this machine."""
+        return self.version is None
+
+    @property
+    def answered(self) -> bool:
+        """Whether it was asked, and said what cells compute."""
+        return not (self.absent or self.why)
+
+
+@dataclass(frozen=True)
+class Check:
+    """A check of the machine's own: where it stands, what it is about, what it says; nothing where it says nothing."""
+
+    sheet: str
+    cell: str
+    what: str
+    found: str
+
+    @property
+    def holds(self) -> bool:
+        """Whether the check says OK."""
+        return self.found == OK
+
+
+@dataclass
+class Report:
+    """What ``verify`` found in one workbook; ``declared`` counts the formula cells that it should have."""
+
+    path: Path
+    template: str
+    compared: int = 0
+    declared: int = 0
+    findings: list[Finding] = field(default_factory=list)
+    notices: list[Finding] = field(default_factory=list)
+    checks: list[Check] = field(default_factory=list)
+    deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
+    cells: dict[str, int] = field(default_factory=dict)  # declared formula cells of each sheet
+    witnesses: list[Ran] = field(default_factory=list)
+    unmatched: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def agrees(self) -> bool:
+        """Whether every formula cell computes what the engine computes, and shows it."""
+        return not self.findings
+
+    @property
+    def failing(self) -> list[Check]:
+        """The machine's own checks that do not hold."""
+        return [check for check in self.checks if not check.holds]
+
+    @property
+    def unfinished(self) -> int:
+        """How many declared formula cells have no value, as the design is not finished."""
+        return max((w.unfinished for w in self.witnesses), default=0)
+
+    @property
+    def holds(self) -> bool:
+        """Whether the design is finished and passes its own checks."""
+        return not self.failing and not self.unfinished
+
+    @property
+    def witness(self) -> str:
+        """The witnesses that answered, with their versions."""
+        return ", ".join(f"{w.name} {w.version}" for w in self.witnesses if w.answered)
+
+    def add(
+        self, pair: Pair, kind: str, computed: Any, expected: Any, deviation: float = math.inf, by: str = "",
+        why: str = "",
+    ) -> None:  # fmt: skip
+        """Enter a finding on a declared cell."""
+        at = pair.address
+        self.findings.append(Finding(at.sheet, at.a1, kind, computed, expected, pair.what, deviation, by, why))
+
+    def say(self, at: Address, kind: str, found: Any, expected: Any, what: str) -> None:
+        """Enter a finding, or a notice, on what stands at an address."""
+        entry = Finding(at.sheet, at.a1, kind, found, expected, what)
+        (self.notices if kind == NOTICE else self.findings).append(entry)

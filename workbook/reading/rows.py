@@ -1,0 +1,210 @@
+"""The rows of a worksheet's part, met one by one: each cell once and of one reading, and what it was saved with.
+
+Where the standard leaves it to a reader what two formulas in a cell mean, or an element inside of a formula, readers
+differ, and a file could show one thing and be verified as another: such a part is refused.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import NamedTuple
+
+from openpyxl.utils import column_index_from_string
+
+from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, Count
+from workbook.reading.refusal import SAVE_AS, Refusal, shown
+
+MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
+KINDS = frozenset({"n", "s", "str", "b", "e", "inlineStr", "d"})
+FORMULAS = frozenset({"normal", "array", "shared", "dataTable"})
+IN_CELL = frozenset({"f", "v", "is", "extLst"})
+WITHIN = {"is": frozenset({"t", "r", "rPh", "phoneticPr"}), "r": frozenset({"rPr", "t"}), "rPh": frozenset({"t"})}
+FREE = frozenset({"extLst", "rPr"})  # what stands in these is no part of a text
+WRITTEN = {
+    "n": re.compile(r"\s*+[+-]?(?:[0-9]++\.?[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?\s*+"),
+    "s": re.compile(r"[0-9]+"),
+    "b": re.compile(r"[01]"),
+}
+CORNER = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
+PLAIN = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
+
+
+class Saved(NamedTuple):
+    """What a formula cell was saved with: the type of its value (``n``, ``str`` ...), and its text, if it has one."""
+
+    kind: str
+    text: str | None
+
+
+@lru_cache(maxsize=20_000)
+def column_number(letters: str) -> int:
+    """Return the number of a column."""
+    return column_index_from_string(letters.upper())
+
+
+def corner(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
+    """Return row and column of a cell; raise Refusal where a sheet has no such cell."""
+    found = rule.fullmatch(text)
+    if found is None:
+        raise Refusal(f"damaged: {shown(text)} stands where a cell is expected; {SAVE_AS}")
+    letters, digits = found.groups()
+    row, column = int(digits), column_number(letters)
+    if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
+        raise Refusal(f"holds a cell {shown(text)}; the last cell of a sheet is XFD1048576")
+    return row, column
+
+
+class Rows:
+    """What one worksheet holds, as expat tells it; by row and column: ``saved`` of the cells with a
+    formula, ``numbers`` as they are written in the others."""
+
+    def __init__(self, name: str, count: Count, prefix: str) -> None:
+        self.name, self.count, self.prefix = name, count, prefix
+        self.saved: dict[tuple[int, int], Saved] = {}
+        self.numbers: dict[tuple[int, int], str] = {}
+        self.met = False  # the element that all rows stand in
+        self.own = tuple(prefix + name for name in ("worksheet", "sheetData", "row", "c"))
+        self.row = self.column = self.last_row = self.last_column = self.cells = 0
+        self._rows: set[int] = set()
+        self._columns: set[int] = set()
+        self._path: list[str] = []  # the elements that are open within the row
+        self._met: list[str] = []  # those that the cell has, or the text that is open
+        self._kind = "n"
+        self._text: list[str] = []
+        self._length = 0
+        self._value: str | None = None
+        self._shared: str | None = None
+        self._lengths: dict[str, int] = {}  # of formulas that are shared, by their number
+
+    @property
+    def size(self) -> int:
+        """How many cells the rectangle around all cells has, or how many cells there are if these are more."""
+        return max(self.last_row * self.last_column, self.cells)
+
+    def begin(self, attributes: dict[str, str]) -> None:
+        """Begin a row, numbered or next to the one before."""
+        number = attributes.get("r")
+        self.count.in_row(1 + len(attributes))
+        try:
+            self.row = self.row + 1 if number is None else int(float(number))
+        except (ValueError, OverflowError):
+            raise Refusal(f"damaged: {self.name} has a row numbered {shown(number or '')}; {SAVE_AS}") from None
+        if self.row in self._rows:
+            raise self._damaged(f"the row {self.row} twice")
+        self._rows.add(self.row)
+        self._columns, self.column = set(), 0
+
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
+        """Begin an element within a row."""
+        path = self._path
+        self.count.in_row(1 + len(attributes))
+        if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
+            raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
+        name = tag.removeprefix(self.prefix)
+        if FREE.isdisjoint(path):
+            if ":" in name or any(key.startswith("xmlns") for key in attributes):
+                raise self._damaged(f"<{shown(tag)}> within a row")
+            if path:
+                self._in_cell(name, attributes)
+            elif name == "c":
+                self._cell(attributes)
+            elif name != "extLst":
+                raise self._damaged(f"<{name}> in a row")
+        elif tag in self.own or MAIN in attributes.values():
+            raise self._damaged(f"<{name}> inside of <{path[-1]}>")
+        path.append(name)
+        if len(path) > MOST_DEPTH:
+            raise Refusal(f"{self.name} is nested more than {MOST_DEPTH} deep")
+
+    def end(self, tag: str) -> None:
+        """End an element within a row."""
+        name = self._path.pop()
+        if len(self._path) == 1 and FREE.isdisjoint(self._path):
+            self._end_in_cell(name)
+        elif not self._path and name == "c":
+            self._end_cell()
+
+    def characters(self, text: str) -> None:
+        """Take the text of an element."""
+        if self._path and self._path[-1] in MOST_LONG and FREE.isdisjoint(self._path):
+            name = self._path[-1]
+            self._text.append(text)
+            self._length += len(text)
+            if self._length > MOST_LONG[name]:
+                raise Refusal(f"{self.name} holds a text of more than {MOST_LONG[name]:,} characters in one <{name}>")
+
+    def aside(self, *said: str) -> None:
+        """Refuse a comment within a row: some readers take what stands before it only."""
+        raise self._damaged("a comment within a row")
+
+    def _cell(self, attributes: dict[str, str]) -> None:
+        """Place a cell, named or next to the one before."""
+        at = attributes.get("r")
+        row, self.column = corner(at, PLAIN) if at else (self.row, self.column + 1)
+        if not (1 <= row <= LAST_ROW and self.column <= LAST_COLUMN):
+            raise Refusal(f"{self.name} reaches beyond the last cell of a sheet, XFD1048576")
+        if row != self.row:
+            raise self._damaged(f"the cell {shown(at or '')} in the row {self.row}")
+        if self.column in self._columns:
+            raise self._damaged(f"the cell {shown(at or '')} twice")
+        self._columns.add(self.column)
+        self.cells += 1
+        self.last_row, self.last_column = max(row, self.last_row), max(self.column, self.last_column)
+        self._kind, self._value, self._met = attributes.get("t", "n"), None, []
+        if self._kind not in KINDS or not attributes.get("s", "0").isdecimal():
+            raise self._damaged(f"a cell of an unknown kind, {shown(self._kind)}")
+
+    def _in_cell(self, name: str, attributes: dict[str, str]) -> None:
+        path, met = self._path, self._met
+        self._text, self._length = [], 0
+        if len(path) == 1:
+            if name not in IN_CELL or name in met:
+                raise self._damaged(f"<{name}> {'twice in a cell' if name in met else 'in a cell'}")
+            met.append(name)
+            if name == "f":
+                self._formula(attributes)
+        elif name not in WITHIN.get(path[-1], ()):
+            raise self._damaged(f"<{name}> inside of <{path[-1]}>")
+        elif len(path) == 2:
+            refuse_two_texts(name, met, self.name)
+
+    def _formula(self, attributes: dict[str, str]) -> None:
+        kind = attributes.get("t", "normal")
+        if kind not in FORMULAS:
+            raise self._damaged(f"a formula of an unknown kind, {shown(kind)}")
+        self._shared = attributes.get("si", "") if kind == "shared" else None
+        if self._shared is not None:
+            self.count.formula(self._lengths.get(self._shared, 0))
+
+    def _end_in_cell(self, name: str) -> None:
+        """Keep a value; count a formula, once more for each cell that shares it."""
+        if name == "v":
+            self._value = "".join(self._text)
+        elif name == "f":
+            self.count.formula(self._length)
+            if self._shared is not None and self._length:
+                if self._shared in self._lengths:
+                    raise self._damaged(f"two formulas to be shared under the number {shown(self._shared)}")
+                self._lengths[self._shared] = self._length
+        self._text, self._length = [], 0
+
+    def _end_cell(self) -> None:
+        rule = WRITTEN.get(self._kind)
+        if rule and self._value and not rule.fullmatch(self._value):
+            raise self._damaged(f"{shown(self._value)} as the value of a cell of the kind {self._kind!r}")
+        if "f" in self._met:
+            self.saved[self.row, self.column] = Saved(self._kind, self._value)
+        elif self._kind == "n" and self._value:
+            self.numbers[self.row, self.column] = self._value
+
+    def _damaged(self, what: str) -> Refusal:
+        return Refusal(f"damaged: {self.name} holds {what}; {SAVE_AS}")
+
+
+def refuse_two_texts(name: str, met: list[str], part: str) -> None:
+    """Refuse a text that is written twice, whole and in runs: readers take the one, the other, or both."""
+    if (name == "t" and ("t" in met or "r" in met)) or (name == "r" and "t" in met):
+        raise Refusal(f"damaged: {part} holds <{name}> in a text beside another; {SAVE_AS}")
+    met.append(name)
