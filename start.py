@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent
@@ -17,7 +18,9 @@ OVER_CORES = ("-n", "auto", "--dist", "worksteal")  # neighbours stay together: 
 OFFLINE = re.compile("(NewConnection|NameResolution|ConnectTimeout|ReadTimeout|Proxy)Error")
 USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook into the current folder
 {0} start.py COMMAND ...               any other motionbook command; COMMAND --help explains it
-{0} start.py test [PYTEST ARGUMENTS]   run the tests
+{0} start.py test --quick              tests in a minute: engine, printed figures, one book built and verified
+{0} start.py test [PYTEST ARGUMENTS]   the tests of every day, as CI runs them
+{0} start.py test --all [...]          and the long random and mutation runs, for a night
 {0} start.py check                     format, lint, types, import rule, templates up to date
 The first run sets motionbook up in the folder .venv beside start.py."""
 
@@ -72,6 +75,13 @@ def set_up(kind: str) -> None:
     STAMP.write_text(f"{wanted} {kind}", encoding="utf-8")
 
 
+def chosen(arguments: "list[str]") -> "list[str]":
+    """Return pytest's arguments: --quick and --all as it knows them, each night with a seed of its own."""
+    night = ["-m", "", time.strftime("--hypothesis-seed=%Y%m%d")]
+    tiers = {"--quick": ["-m", "quick"], "--all": night}
+    return tiers.get(arguments[0], arguments[:1]) + arguments[1:] if arguments else []
+
+
 def main(arguments: "list[str]") -> int:
     """Carry the arguments out; exit code 2 if the set-up fails, motionbook's code for what cannot be read."""
     command = arguments[0] if arguments else "--help"
@@ -82,7 +92,7 @@ def main(arguments: "list[str]") -> int:
         require(sys.version_info[:2])
         set_up("dev" if command in ("test", "check") else "run")
         if command == "test":
-            return subprocess.call([program("pytest"), *OVER_CORES, *arguments[1:]], cwd=ROOT)
+            return subprocess.call([program("pytest"), *OVER_CORES, *chosen(arguments[1:])], cwd=ROOT)
         if command == "check":
             failed = [job for job in CHECKS if subprocess.call([program(job.split()[0]), *job.split()[1:]], cwd=ROOT)]
             print("Failed: " + ", ".join(failed) if failed else "Every check passed.")

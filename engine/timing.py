@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from engine.laws import Law
-from engine.motion import Motion
+from engine.motion import Motion, Phase
 
 FULL_TURN = 2.0 * math.pi  # rad
 FILL_TOLERANCE = 1e-9  # of the cycle
-CLOSE_TOLERANCE = 1e-9  # of the largest lift, or of the largest y'
 
 
 def shaft_speed(rate: float) -> float:
@@ -35,13 +34,13 @@ class Axis:
 
     @property
     def closes(self) -> bool:
-        """Whether the cycle joins the next without a jump of velocity and, but for a feed, of position."""
-        wrap = self.motion.junctions()[-1]
-        phases = self.motion.phases
-        lift = max(abs(p.lift) for p in phases)
-        speed = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in phases)
-        at_rest = abs(wrap.jump_v) <= CLOSE_TOLERANCE * speed
-        return at_rest and (self.feed or abs(wrap.jump_y) <= CLOSE_TOLERANCE * lift)
+        """Whether the cycle comes back to where it began; a feed need not."""
+        return self.feed or self.motion.closes
+
+    def movements(self, speed: float) -> tuple[Movement, ...]:
+        """Return every phase that lifts, where the abscissa advances at ``speed``."""
+        found = enumerate(self.motion.phases)
+        return tuple(Movement(self.name, k, phase, speed) for k, phase in found if phase.lift != 0.0)
 
 
 @dataclass(frozen=True)
@@ -55,39 +54,34 @@ class Movement:
 
     axis: str
     phase: int
-    law: Law
-    lift: float
-    start: float
-    stop: float
+    of: Phase
     speed: float
     """of the abscissa, e.g. ω in rad/s"""
 
     @property
+    def law(self) -> Law:
+        """The law of the movement."""
+        return self.of.law
+
+    @property
+    def lift(self) -> float:
+        """h, negative for a return."""
+        return self.of.lift
+
+    @property
     def duration(self) -> float:
         """δ, in units of the abscissa."""
-        return self.stop - self.start
+        return self.of.duration
 
     @property
     def y1_max(self) -> float:
         """max |y'|"""
-        return self.law.coefficients.cv * abs(self.lift) / self.duration
+        return self.of.y1_max
 
     @property
     def y2_max(self) -> float:
         """max |y''|"""
-        return self.law.coefficients.ca * abs(self.lift) / self.duration**2
-
-    @property
-    def y2_highest(self) -> float:
-        """Largest y'', with its sign."""
-        k = self.law.coefficients
-        return (k.ca_max if self.lift >= 0.0 else k.ca_min) * self.lift / self.duration**2
-
-    @property
-    def y2_lowest(self) -> float:
-        """Lowest y'', with its sign."""
-        k = self.law.coefficients
-        return (k.ca_min if self.lift >= 0.0 else k.ca_max) * self.lift / self.duration**2
+        return self.of.y2_max
 
     @property
     def v_max(self) -> float:
@@ -102,7 +96,7 @@ class Movement:
     @property
     def a_rms(self) -> float:
         """Root of the mean of ÿ² over the movement."""
-        return self.law.coefficients.ca_rms * abs(self.lift) / self.duration**2 * self.speed**2
+        return self.of.y2_rms * self.speed**2
 
 
 class Diagram:
@@ -138,17 +132,4 @@ class Diagram:
         Raises ValueError unless the rate is finite and above 0.
         """
         speed = shaft_speed(rate) * (self.cycle / FULL_TURN)
-        return tuple(
-            Movement(
-                axis.name,
-                k,
-                phase.law,
-                phase.lift,
-                float(axis.motion.edges[k]),
-                float(axis.motion.edges[k + 1]),
-                speed,
-            )
-            for axis in self.axes
-            for k, phase in enumerate(axis.motion.phases)
-            if phase.lift != 0.0
-        )
+        return tuple(movement for axis in self.axes for movement in axis.movements(speed))

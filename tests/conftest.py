@@ -1,9 +1,39 @@
-"""Settings for all tests."""
+"""Settings for all tests: what is drawn at random, and which tests are the quick ones."""
+
+import gc
+from pathlib import Path
 
 from hypothesis import settings
 
 import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer it makes
+from tests import tiers
 
-# A test's verdict must not hang on the speed of the machine; all else stays as hypothesis chose it.
-settings.register_profile("untimed", settings.default, deadline=None)
-settings.load_profile("untimed")
+HERE = Path(__file__).parent
+QUICK = (HERE, HERE / "engine", HERE / "printed")  # folders; other quick tests carry the mark themselves
+
+# A test's verdict must not hang on the speed of the machine, nor, by day, on luck: the same examples each time.
+settings.register_profile("day", settings.default, deadline=None, derandomize=True)
+settings.register_profile("night", settings.default, deadline=None, max_examples=2000, print_blob=True)
+
+
+def pytest_configure(config):
+    given = config.getoption("--hypothesis-seed", None)
+    tiers.night = given or 0
+    settings.load_profile("day" if given is None else "night")
+
+
+def pytest_report_header(config):
+    given = config.getoption("--hypothesis-seed", None)
+    return "the examples of every day" if given is None else f"a night's examples; again: --hypothesis-seed={given}"
+
+
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if item.path.parent in QUICK:
+            item.add_marker("quick")
+
+
+def pytest_collection_finish():
+    """Search less often for garbage: the cells of a book live until its test ends."""
+    gc.freeze()
+    gc.set_threshold(100_000, 10, 10)

@@ -50,7 +50,8 @@ def test_no_tracked_text_names_a(pattern: re.Pattern[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "command", ["python3 start.py build", "python3 start.py test", "py start.py build", "py start.py test"]
+    "command",
+    [f"{python} start.py {rest}" for python in ("python3", "py") for rest in ("build", "test", "test --quick")],
 )
 def test_the_readme_gives_each_set_up_command(command: str) -> None:
     assert command in (ROOT / "README.md").read_text(encoding="utf-8")

@@ -2,6 +2,7 @@
 
 import ast
 import importlib.util
+import re
 import sys
 import venv
 from pathlib import Path
@@ -82,8 +83,28 @@ def test_an_old_python_gets_one_line_and_exit_code_2(
 @pytest.mark.parametrize("arguments", [[], ["--help"]])
 def test_usage_needs_no_set_up(start: ModuleType, arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert start.main(arguments) == 0
-    assert {"build", "test", "check"} <= set(capsys.readouterr().out.split())
+    assert {"build", "test", "check", "--quick", "--all"} <= set(capsys.readouterr().out.split())
     assert start.installed == []
+
+
+@pytest.mark.parametrize(
+    ("given", "passed"),
+    [
+        ([], []),
+        (["-k", "name", "tests/engine"], ["-k", "name", "tests/engine"]),
+        (["--quick"], ["-m", "quick"]),
+        (["--quick", "-x"], ["-m", "quick", "-x"]),
+    ],
+)
+def test_the_tiers_are_marks_of_pytest(start: ModuleType, given: list[str], passed: list[str]) -> None:
+    assert start.chosen(given) == passed
+
+
+def test_a_night_runs_all_with_a_seed_that_can_be_given_again(start: ModuleType) -> None:
+    *every, seed, again = start.chosen(["--all", "--hypothesis-seed=7"])
+    assert every == ["-m", ""]
+    assert re.fullmatch(r"--hypothesis-seed=20\d{6}", seed)
+    assert again == "--hypothesis-seed=7"  # pytest takes the last
 
 
 def test_a_missing_environment_is_made_and_a_finished_one_left_alone(start: ModuleType) -> None:

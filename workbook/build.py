@@ -12,7 +12,15 @@ from workbook.collector import collector_paused, swept_between
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
-from workbook.reading.entries import Entries, checked, read_machine, template_named, write_machine
+from workbook.reading.entries import (
+    Entries,
+    checked,
+    counted,
+    read_machine,
+    require_possible,
+    template_named,
+    write_machine,
+)
 from workbook.reading.files import open_book
 from workbook.selection.catalogue_files import read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Selection
@@ -26,9 +34,13 @@ READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_moto
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
-    """Write the workbook of ``machine``; raise WriteError where ``path`` exists or cannot be written."""
+    """Write the workbook of ``machine``; raise WriteError where ``path`` exists or cannot be written.
+
+    Raises InputError for a machine that the engine refuses.
+    """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
+    require_possible(template, machine, counted)
     with collector_paused():
         save(template.declare(machine), template.model, path, overwrite)
 

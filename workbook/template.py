@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Generic, TypeVar
 
 import workbook
 from workbook.book.about import contents
@@ -15,21 +16,26 @@ from workbook.entries.machine import Machine
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
 
 
+M = TypeVar("M", bound=Machine)
+
+
 @dataclass(frozen=True)
-class Template:
+class Template(Generic[M]):
     """A kind of machine: its description's model, the book declared from a description, variations to verify at.
 
     ``sizes`` tells for each entry of a description's ``sizes`` which block shows it, and by how many rows that
-    block is longer. ``laid_out`` gives a machine the layout that a file has by its defined names, where the number
-    of sheets depends on the description.
+    block is longer. ``check`` raises EntryError for entries that only the engine can refuse; what the entries refuse
+    by themselves, the model does. ``laid_out`` gives a machine the layout that a file has by its defined names,
+    where the number of sheets depends on the description.
     """
 
     name: str
-    model: type[Machine]
-    declare: Callable[[Machine], Book]
-    variants: Callable[[Machine], list[Machine]]
+    model: type[M]
+    declare: Callable[[M], Book]
+    variants: Callable[[M], list[M]]
     sizes: dict[str, tuple[str, int]]
-    laid_out: Callable[[Machine, Container[str]], Machine] = lambda machine, names: machine
+    check: Callable[[M], None] = lambda machine: None
+    laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
 
     @property
     def description(self) -> Path:

@@ -2,7 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 from importlib import import_module
+from typing import TypeAlias
 
+from workbook.entries.machine import Machine
 from workbook.template import Template
 
 MODULES = {
@@ -15,12 +17,16 @@ MODULES = {
 """where each template is declared, under workbook/machines/"""
 
 
-class Register(Mapping[str, Template]):
+AnyTemplate: TypeAlias = Template[Machine]
+"""a template as those see it who know it by its name only"""
+
+
+class Register(Mapping[str, AnyTemplate]):
     """The templates by name."""
 
-    def __getitem__(self, name: str) -> Template:
+    def __getitem__(self, name: str) -> AnyTemplate:
         """Return a template; raise KeyError where there is none of that name."""
-        template: Template = import_module(f"workbook.machines.{MODULES[name]}.template").TEMPLATE
+        template: AnyTemplate = import_module(f"workbook.machines.{MODULES[name]}.template").TEMPLATE
         return template
 
     def __iter__(self) -> Iterator[str]:
@@ -32,4 +38,4 @@ class Register(Mapping[str, Template]):
 
 TEMPLATES = Register()
 
-__all__ = ["TEMPLATES", "Template"]
+__all__ = ["TEMPLATES", "AnyTemplate", "Template"]

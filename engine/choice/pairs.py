@@ -129,8 +129,7 @@ def rank(
     if criterion not in get_args(Criterion):
         raise ValueError(f"criterion is {criterion!r}; expected one of {', '.join(get_args(Criterion))}")
     load = load_at_motor(task, reducers, output_torque)
-    found = usable(task, motors, reducers, output_torque)
-    motor, reducer, square = _with_figures(found, motors, reducers, criterion)
+    motor, reducer, square = _with_figures(usable(task, motors, reducers, output_torque), motors, reducers, criterion)
     score = _score(motors, reducers, load, criterion, motor, reducer, square)
     order = _lowest(score, best)
     motor, reducer, rms = motor[order], reducer[order], square[order]
@@ -171,7 +170,8 @@ def _score(
 
 
 def _mismatch(motors: Motors, reducers: Reducers, load: LoadAtMotor, motor: Index, reducer: Index) -> Array:
-    x = load.balancing[reducer] / (motors.inertia[motor] + reducers.inertia[reducer])
+    balancing = load.balancing[reducer]
+    x = balancing / (motors.inertia[motor] + reducers.inertia[reducer])
     return np.asarray(np.sqrt(np.maximum(x, 1.0 / x)))
 
 

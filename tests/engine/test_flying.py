@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.flying import Cut, Tool, flying_saw, rotary_drum, sweep_lengths
+from engine.flying import Cut, Tool, flying_saw, generalized_torque, rotary_drum, sizes
 from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
 
 DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
@@ -107,14 +107,89 @@ def test_angular_figures_are_those_of_the_radius():
     assert cut.max_angular_acceleration == pytest.approx(cut.max_acceleration / 0.1, rel=1e-14)
 
 
-def test_the_sweep_is_the_cut_of_each_length():
-    found = sweep_lengths(DRUM, np.linspace(0.12, 1.0, 12), 1.1, ASYMMETRIC, inertia=0.03)
-    cuts = [Cut(DRUM, length, 1.1, ASYMMETRIC) for length in np.linspace(0.12, 1.0, 12)]
-    assert found.displacement == pytest.approx([c.displacement for c in cuts])
-    assert found.highest_speed == pytest.approx([c.speed_range[1] for c in cuts])
-    assert found.max_acceleration == pytest.approx([c.max_acceleration for c in cuts])
-    assert found.load_factor == pytest.approx([c.load_factor(0.03) for c in cuts])
-    assert sweep_lengths(DRUM, [], 1.1, ASYMMETRIC, 0.03).length.shape == (0,)
+@settings(max_examples=40)
+@given(laws, lengths, beyond)
+def test_the_state_tells_the_speed(law, length, way):
+    """A second way to the speed: by part and law, as a sheet goes."""
+    cut = Cut(DRUM, length, 1.2, law, way)
+    time = np.linspace(0.0, cut.cycle_time, 2001)
+    part, waited, xi = cut.state(time)
+    moving = 1.2 + cut.superimposed / cut.moving_time * law.v(xi)
+    speed = np.select([part == 1, part == 2], [moving, 0.0], 1.2)
+    assert speed == pytest.approx(cut.at(time).speed, abs=1e-12)
+    assert waited.max() == pytest.approx(cut.waiting_time, abs=1e-12)
+    if not 0.0 < cut.waiting_time < 2e-3 * cut.cycle_time:  # as short a wait may lie between two samples
+        assert (2 in part) is cut.waits
+
+
+def test_at_both_ends_of_the_wait_the_drum_still_moves_by_its_law():
+    cut = Cut(DRUM, 1.4, 1.0, Cycloidal())
+    begin, end = cut.wait
+    assert list(cut.state([begin, (begin + end) / 2, end, cut.repositioning_time]).part) == [1, 2, 1, 3]
+    assert cut.at([begin, end]).speed == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+def test_a_peak_that_is_given_is_where_the_drum_waits():
+    """A law of uniform velocity has its peak anywhere in between; the position at the end is the same."""
+    early, late = (Cut(DRUM, 1.4, 1.0, TrapezoidalVelocity(0.3, 0.7), peak=peak) for peak in (None, 0.6))
+    assert (early.fastest, late.fastest) == (0.3, 0.6)
+    assert late.wait[0] == pytest.approx(2 * early.wait[0])
+    assert late.at(late.cycle_time).position == pytest.approx(early.at(early.cycle_time).position)
+
+
+@pytest.mark.parametrize("limits", [(50.0, 1e9), (1e9, 700.0)])
+@pytest.mark.parametrize("length", [0.15, 0.4, 1.2])
+def test_at_the_fastest_line_the_shaft_is_at_its_first_limit(limits, length):
+    cut = Cut(DRUM, length, 1.1, ASYMMETRIC)
+    there = Cut(DRUM, length, cut.fastest_line(*limits), ASYMMETRIC)
+    reached = there.max_angular_speed / limits[0], there.max_angular_acceleration / limits[1]
+    assert max(reached) == pytest.approx(1.0, rel=1e-12)
+
+
+def test_in_step_only_the_speed_limits_the_line():
+    cut = Cut(DRUM, DRUM.design_length, 1.1, Cycloidal())
+    assert cut.fastest_line(30.0, 1.0) == pytest.approx(30.0 * DRUM.radius)
+
+
+@settings(max_examples=40)
+@given(laws, st.floats(0.31, 3.0))
+def test_at_the_standing_velocity_the_saw_stands(law, length):
+    cut = Cut(SAW, length, 0.8, law)
+    assert 0.8 + cut.superimposed / cut.moving_time * cut.standing_velocity == pytest.approx(0.0, abs=1e-12)
+    xi = 0.4
+    assert cut.position_at(xi) == pytest.approx(float(cut.at(xi * cut.moving_time).position), abs=1e-12)
+
+
+def test_the_shaft_turns_by_the_radius():
+    cut = Cut(DRUM, 0.15, 1.0, Cycloidal())
+    motion = cut.at(np.linspace(0, cut.cycle_time, 11))
+    shaft = motion.at_shaft(DRUM.radius)
+    assert DRUM.angle(DRUM.design_length) == pytest.approx(2 * pi / 3)
+    assert shaft.angle[-1] == pytest.approx(2 * pi / 3, rel=1e-12)
+    assert shaft.speed[-1] * 0.1 == 1.0
+    assert np.abs(shaft.speed).max() <= cut.max_angular_speed * (1 + 1e-12)
+    assert cut.angular_speed_range == pytest.approx([v / 0.1 for v in cut.speed_range])
+
+
+def test_a_mass_in_step_with_the_tool_has_the_energy_of_its_inertia():
+    assert SAW.load_inertia(0.0, 7.0) * (0.8 / SAW.radius) ** 2 == pytest.approx(7.0 * 0.8**2)
+    assert SAW.load_inertia(0.3, 7.0) == pytest.approx(0.3 + SAW.load_inertia(0.0, 7.0))
+
+
+def test_the_torque_s_work_over_a_cycle_is_that_of_the_load_alone():
+    """What the inertia takes it gives back: the energy of a cycle is T_L times the angle."""
+    cut = Cut(DRUM, 0.2, 1.0, Cycloidal())
+    time = np.linspace(0, cut.cycle_time, 20_001)
+    shaft = cut.at(time).at_shaft(DRUM.radius)
+    torque = generalized_torque(3.0, 0.02, shaft.acceleration)
+    assert np.trapezoid(torque * shaft.speed, time) == pytest.approx(3.0 * shaft.angle[-1], rel=1e-6)
+
+
+def test_sizes_are_those_of_the_line_over_the_longest_length():
+    found = sizes(Cut(DRUM, 0.5, 2.0, Cycloidal()), 0.02, 3.0)
+    assert found[:6] == pytest.approx((0.5, 2.0, 8.0, 5.0, 20.0, 80.0))
+    assert found[6:] == pytest.approx((sqrt(1.6**2 + 9.0), 128.0))
+    assert sizes(Cut(DRUM, 0.15, 2.0, Cycloidal()), 0.02, 3.0).length == DRUM.design_length
 
 
 UNFINISHED = PieceLaw([Piece(1.0, (1.0, 0.0, 0.0, 0.0))])

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.joining import Fault, Rates, joined
 from engine.laws import Dwell, Piece, PieceLaw
 from engine.laws.constant_acceleration import ConstantAcceleration
 from engine.laws.cubic import Cubic
@@ -26,7 +25,8 @@ from engine.laws.spline import Spline
 from engine.laws.straight_line import StraightLine
 from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
 from engine.motion import Phase
-from engine.smoothness import phase_extremes, shortfalls
+from engine.motion.joining import Fault, Rates, joined
+from engine.motion.smoothness import phase_extremes, shortfalls
 
 OWN = PieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))])
 POINTS = Spline(((0.0, 0.0), (0.3, 0.6), (0.7, 0.4), (1.0, 1.0)))

@@ -203,3 +203,54 @@ def test_motionlaw_says_what_does_not_go_together(arguments, message):
 def test_motionlaw_refuses_an_unknown_law():
     with pytest.raises(UnknownLawError, match="'SPL'"):
         motionlaw(["Dwell", "SPL"], [0, 1], [1, 1], 10)
+
+
+THROWN = PieceLaw([Piece(1.0, (2.0, 0.0, 0.0, 0.0))])  # from rest to v = 2
+SHORT = PieceLaw([Piece(0.5, (2.0, 0.0, 0.0, 0.0)), Piece(0.5, (-2.0, 0.0, 0.0, 0.0))])  # s(1) = 1/2, at rest
+laws = st.sampled_from([ConstantAcceleration(), Cycloidal(), Cubic(), ModifiedTrapezoidal(), THROWN, SHORT])
+lifted = st.builds(Phase, laws, st.floats(-5, 5), st.floats(0.5, 3))
+
+
+@given(st.lists(lifted, min_size=1, max_size=4))
+def test_the_ends_of_each_phase_are_the_motion_s_limits_there(phases):
+    motion = Motion(phases, position=1.5)
+    for k, (begin, end) in enumerate(motion.ends):
+        assert begin == pytest.approx(motion.at(float(motion.edges[k])), abs=1e-12)
+        near = motion.at(float(motion.edges[k + 1]) - 1e-9 * motion.total)
+        assert end == pytest.approx(near, abs=1e-5)
+
+
+@given(st.lists(lifted, min_size=1, max_size=4))
+def test_peaks_and_rms_are_those_of_the_samples(phases):
+    motion, n = Motion(phases), 40_000
+    at = motion.at((np.arange(n) + 0.5) * motion.total / n)
+    assert motion.peaks.y1 == pytest.approx(np.abs(at.y1).max(), rel=1e-3, abs=1e-9)
+    assert motion.peaks.y2 == pytest.approx(np.abs(at.y2).max(), rel=1e-3, abs=1e-9)
+    assert motion.y2_rms == pytest.approx(math.sqrt(np.mean(at.y2**2)), rel=1e-3, abs=1e-9)
+
+
+def test_sizes_are_1_where_nothing_moves():
+    assert Motion([Phase(Dwell(), 0.0, 3.0)]).sizes == (1.0, 1.0, 1.0)
+    assert Motion([Phase(Cycloidal(), -6.0, 2.0), Phase(Cubic(), 1.0, 4.0)]).sizes == (6.0, 3.0, 1.5)
+
+
+def test_a_motion_that_comes_back_closes_and_says_its_gap_if_not():
+    assert Motion(RISE_AND_RETURN).closes
+    advanced = Motion(RISE_AND_RETURN[:3], position=7.0)
+    assert (advanced.closes, advanced.gap) == (False, 20.0)
+
+
+def test_a_law_that_stops_short_leaves_the_motion_incomplete():
+    phase = Phase(SHORT, 4.0, 1.0)
+    assert phase.lack == pytest.approx(2.0)
+    assert Motion(RISE_AND_RETURN).complete
+    assert not Motion([phase]).complete
+    assert Motion([phase]).gap == pytest.approx(2.0)
+
+
+def test_a_motion_that_is_thrown_into_a_dwell_is_not_smooth_and_one_that_ends_so_only_if_it_is_periodic():
+    thrown, dwell = Phase(THROWN, 1.0, 1.0), Phase(Dwell(), 0.0, 1.0)
+    assert Motion(RISE_AND_RETURN).smooth()
+    assert not Motion([thrown, dwell]).smooth(periodic=False)
+    assert Motion([dwell, thrown]).smooth(periodic=False)
+    assert not Motion([dwell, thrown]).smooth()

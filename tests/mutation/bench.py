@@ -78,8 +78,13 @@ class Bench:
         self.pairs = {pair.address: pair for pair in self.match.pairs}
         self.targets = dict(self.declared.names())
         self.model = PycelModel(self.workbook)
-        self.sets = [self.inputs(machine), *(self.inputs(m, assumed=True) for m in template.variants(machine))]
         self.orchard = Orchard(self.declared)
+
+    @cached_property
+    def sets(self) -> list[Inputs]:
+        """The sets of inputs at which ``verify`` looks."""
+        variations = self.template.variants(self.machine)
+        return [self.inputs(self.machine), *(self.inputs(m, assumed=True) for m in variations)]
 
     def inputs(self, machine: Machine, assumed: bool = False) -> Inputs:
         """Return a set of inputs from a machine of the same layout; ``assumed``: formula cells hold what they should.

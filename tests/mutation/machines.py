@@ -8,16 +8,16 @@ import random
 from importlib import import_module
 from typing import Any
 
-from pydantic import ValidationError
-
 from tests.laws import PAGED, blended
 from workbook.entries.machine import Machine
-from workbook.templates import MODULES
+from workbook.errors import InputError
+from workbook.reading.entries import checked
+from workbook.templates import MODULES, TEMPLATES
 
 TRIES = 200
 
 
-def machines(given: Machine, count: int, seed: int) -> list[Machine]:
+def machines(given: Machine, count: int, seed: int | str) -> list[Machine]:
     """Return machines with the sizes of ``given`` and other entries everywhere; the same for the same seed."""
     drawn = random.Random(seed)
     return [machine(given, drawn) for _ in range(count)]
@@ -28,8 +28,8 @@ def machine(given: Machine, drawn: random.Random) -> Machine:
     varied = import_module(f"tests.mutation.draw_{MODULES[given.template]}").varied
     for _ in range(TRIES):
         try:
-            return type(given).model_validate(varied(given.model_dump(), drawn))
-        except ValidationError as error:
+            return checked(TEMPLATES[given.template], varied(given.model_dump(), drawn), str)
+        except InputError as error:
             refused = error
     raise AssertionError(f"{TRIES} machines were drawn and none is valid; the last: {refused}")
 

@@ -205,7 +205,7 @@ class Orchard:
         """Yield every mutant of every cell."""
         return chain.from_iterable(map(self.mutator.of, chain.from_iterable(self.strata.values())))
 
-    def sample(self, size: int, seed: int) -> list[Mutant]:
+    def sample(self, size: int, seed: int | str) -> list[Mutant]:
         """Return ``size`` mutants, spread evenly over quantities and kinds of fault; one of each quantity comes first.
 
         Of a long column its first, second and last rows and one between are drawn from: three hundred equal rows

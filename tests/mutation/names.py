@@ -23,7 +23,7 @@ class Redirection:
         return ", ".join(f"{name} -> {target}" for name, target in self.targets.items())
 
 
-def swapped(bench: Bench, seed: int) -> Iterator[Redirection]:
+def swapped(bench: Bench, seed: int | str) -> Iterator[Redirection]:
     """Yield pairs of inputs whose names have changed places; their values differ."""
     drawn = random.Random(seed)
     names = bench.orchard.mutator.inputs
@@ -44,7 +44,7 @@ def columns(bench: Bench) -> list[str]:
     return [name for name in bench.declared.column_names if name in used]
 
 
-def shifted(bench: Bench, names: list[str], count: int, seed: int) -> Iterator[Redirection]:
+def shifted(bench: Bench, names: list[str], count: int, seed: int | str) -> Iterator[Redirection]:
     """Yield some of ``names``, each by a row or a column away, or a range's end moved."""
     drawn = random.Random(seed)
     for name in drawn.sample(names, min(count, len(names))):
@@ -63,7 +63,8 @@ def outcome(bench: Bench, redirection: Redirection) -> str:
     """Return what ``verify`` makes of the book: "agrees", "found", or "refused" with a word on the entries."""
     with redirected(bench, redirection):
         file = BookFile(bench.file.path, bench.workbook, find_places(bench.workbook))
-        with patch("workbook.judging.verify.open_book", return_value=file):
+        known = patch("workbook.reading.entries.TEMPLATES", {bench.template.name: bench.template})  # it remembers books
+        with known, patch("workbook.judging.verify.open_book", return_value=file):
             try:
                 return "agrees" if verify(bench.file.path).agrees else "found"
             except MotionbookError:

@@ -9,10 +9,12 @@ from tests.mutation.equivalence import Equivalence
 from tests.mutation.examine import Tally, examined, names_it_first
 from tests.mutation.machines import machines
 from tests.mutation.mutants import KINDS, Mutant
+from tests.tiers import seed
 from workbook.templates import TEMPLATES
 
 SEED, PARTS = 7, 3
 SAMPLE = 720  # mutants of a template: more than it has quantities
+MANY, RUNS = 6000, 10  # mutants of a template in a night, and the tests among which they are divided
 WHOLE = 2  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 
@@ -69,7 +71,7 @@ def test_verify_names_the_cell_first(name: str, kind: str) -> None:
 @every_template
 @pytest.mark.parametrize("kind", [k for k in KINDS if k not in ("anchor", "value")])
 def test_one_cell_evaluated_alone_tells_what_verify_reports_of_it(name: str, kind: str) -> None:
-    for mutant in of_kind(name, kind, WHOLE):
+    for mutant in of_kind(name, kind, 1):
         report = bench(name).verified(mutant, shapes=False)
         own = [f for f in report.findings if (f.sheet, f.cell) == (mutant.address.sheet, mutant.address.a1)]
         assert bool(own) == (bench(name).differs_at(mutant) is not None), str(mutant)
@@ -96,18 +98,23 @@ def test_no_rule_of_equivalence_holds_for_a_mutant_that_shows(name: str) -> None
 
 
 @every_template
-def test_the_book_itself_agrees_with_the_engine_at_random_machines(name: str) -> None:
-    """All cells from all others, nothing assumed: 3,000 formulas at 10 machines that nobody chose."""
-    here = bench(name)
-    for machine in machines(here.machine, 10, SEED):
-        at = here.inputs(machine)
-        wrong = [f"{a}: {at.cells[a]} for {at.expected[a]}" for a in at.expected if not here.agrees(a, at.cells[a], at)]
-        assert wrong == [], machine.model_dump_json()
-
-
-@every_template
 def test_the_book_is_as_it_was_after_a_mutant(name: str) -> None:
     here = bench(name)
     mutant = of_kind(name, "operator", 1)[0]
     here.verified(mutant)
     assert here.file.value(mutant.address) == mutant.original
+
+
+@every_template
+@pytest.mark.nightly
+@pytest.mark.parametrize("run", range(RUNS))
+def test_a_night_s_mutants_are_found_and_named_first(name: str, run: int) -> None:
+    """As ``python -m tests.mutation`` has it, with other mutants each night."""
+    here = bench(name)
+    mutants = here.orchard.sample(MANY, seed("mutants"))[run::RUNS]
+    elsewhere = [here.inputs(m) for m in machines(here.machine, 60, seed("machines"))]
+    tally = Tally(values_only=False, verdicts=list(examined(here, mutants, elsewhere)))
+    found = [v.mutant for v in tally.verdicts if v.found(values_only=False)]
+    tally.whole = [(m, names_it_first(here.verified(m), m)) for m in found[::25]]
+    assert [str(v.mutant) for v in tally.survivors] == []
+    assert [str(m) for m in tally.not_first] == []

@@ -1,12 +1,13 @@
 """`verify` finds names that lead elsewhere: whoever moves one changes what its cells are taken for."""
 
 from functools import cache
-from itertools import islice
+from itertools import chain, islice
 
 import pytest
 
 from tests.mutation.bench import Bench, sized
 from tests.mutation.names import blocks, columns, outcome, shifted, swapped
+from tests.tiers import seed
 from workbook.templates import TEMPLATES
 
 COUNT, SEED = 4, 3
@@ -55,3 +56,14 @@ def test_an_input_of_words_or_an_empty_one_whose_name_leads_elsewhere_is_found(n
     shifts = [r for seed in (SEED, SEED + 1) for r in shifted(here, wordy, 2 * COUNT, seed)]
     assert shifts
     assert [str(r) for r in shifts if outcome(here, r) == "agrees"] == []
+
+
+@every_template
+@pytest.mark.nightly
+def test_a_night_s_names_that_lead_elsewhere_are_found(name: str) -> None:
+    here, drawn = bench(name), seed("names")
+    faults = chain(
+        shifted(here, blocks(here), 100, drawn), shifted(here, columns(here), 60, drawn),
+        islice(swapped(here, drawn), 60),
+    )  # fmt: skip
+    assert [str(r) for r in faults if outcome(here, r) == "agrees"] == []

@@ -117,7 +117,7 @@ def test_movements_with_the_modified_trapezoidal_law(number, name, y1, y2, v, a)
 
 def test_the_cycles_close_the_feed_in_velocity():
     diagram = machine()
-    assert all(one.closes for one in diagram.axes)
+    assert all(one.closes and one.motion.smooth() for one in diagram.axes)
     assert diagram.axis("MC01").motion.junctions()[-1].jump_y == pytest.approx(0.3, rel=1e-15)
 
 

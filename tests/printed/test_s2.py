@@ -92,7 +92,7 @@ def test_the_margin_of_one_millimetre_is_what_stays_free():
     found = clearance(after, PASSAGE, np.linspace(0, 2 * np.pi, 721))
     assert found.minimum == pytest.approx(0.001, abs=1e-12)
     assert found.keeps_margin
-    assert found.free.min() >= found.minimum
+    assert found.free[found.allowed == PASSAGE.clearance].min() >= found.minimum
 
 
 def test_the_document_s_rounding_up_to_125_degrees_costs_some_of_the_margin():

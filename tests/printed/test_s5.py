@@ -65,22 +65,22 @@ def test_the_saw_s_motor_has_no_mean_speed():
     assert cut.reverses
 
 
+def task_of_the_drum(line=LINE):
+    cut = Cut(DRUM, SHORT, line, Cycloidal())
+    return inertial_task(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
+
+
 def test_equation_19_is_13_in_17():
     cut = Cut(DRUM, SHORT, LINE, Cycloidal())
     shape = (L0 - SHORT) ** 2 / (SHORT * (SHORT - LT) ** 3)
     beta = 4 * INERTIA * (pi * sqrt(2) * LINE**2 / RADIUS) ** 2 * shape
-    assert cut.load_factor(INERTIA) == pytest.approx(beta, rel=1e-12)
-    assert cut.load_factor(INERTIA) == pytest.approx(4 * INERTIA * cut.rms_angular_acceleration**2, rel=1e-14)
+    assert task_of_the_drum().load_factor == pytest.approx(beta, rel=1e-12)
+    assert task_of_the_drum().load_factor == pytest.approx(4 * INERTIA * cut.rms_angular_acceleration**2, rel=1e-14)
 
 
 def test_beta_grows_with_the_fourth_power_of_the_line_speed():
-    one, two = (Cut(DRUM, SHORT, v, Cycloidal()).load_factor(INERTIA) for v in (LINE, 2 * LINE))
+    one, two = (task_of_the_drum(line).load_factor for line in (LINE, 2 * LINE))
     assert two / one == pytest.approx(16.0, rel=1e-12)
-
-
-def task_of_the_drum():
-    cut = Cut(DRUM, SHORT, LINE, Cycloidal())
-    return inertial_task(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
 
 
 def test_equations_15_and_17_agree_for_an_inertial_load():

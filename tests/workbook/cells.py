@@ -5,9 +5,13 @@ from pathlib import Path
 
 import openpyxl
 
+from workbook.book.address import Address
+from workbook.judging.carried import not_carried
 from workbook.judging.compare import TOLERANCE, difference
-from workbook.judging.matching import Match, Right
+from workbook.judging.matching import Match, Right, is_formula
+from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
+from workbook.witnesses import by_cell
 from workbook.witnesses.pycel.witness import PycelModel
 from workbook.writing import archive
 from workbook.writing.write import parts
@@ -18,10 +22,43 @@ def opened(book, model):
     return openpyxl.load_workbook(io.BytesIO(archive.zipped(parts(book, model))))
 
 
+KEPT = 6  # layouts: a test file has a few, and those of other files may go
+
+
+class Layout:
+    """The formulas of a book, read once; other books of the same formulas differ in what their other cells hold."""
+
+    known: dict[tuple, "Layout"] = {}  # noqa: RUF012 - one memory for all
+
+    def __init__(self, template, book):
+        written = opened(book, template.model)
+        self.match = Match(BookFile(Path("book.xlsx"), written, find_places(written)), book)
+        self.model = PycelModel(written)
+
+    @classmethod
+    def of(cls, template, book, formulas):
+        """The layout of a book, made anew where no earlier book has the very same formulas, names and blocks."""
+        blocks = tuple((b.name, b.sheet.title, b.row, b.column, b.size) for b in book.blocks.values())
+        key = (template.name, tuple(formulas.items()), tuple(book.names()), blocks)
+        found = cls.known.pop(key, None) or cls(template, book)
+        cls.known[key] = found  # the latest is last
+        if len(cls.known) > KEPT:
+            del cls.known[next(iter(cls.known))]
+        return found
+
+
+def by_pycel(template, book):
+    """The layout of a book, and what pycel computes in each of its formula cells."""
+    held = {Address(c.block.sheet.title, c.row, c.column): c.content for c in book.cells()}
+    formulas = {address: content for address, content in held.items() if is_formula(content)}
+    layout = Layout.of(template, book, formulas)
+    return layout, layout.model.evaluate({a: content for a, content in held.items() if a not in formulas})
+
+
 def computed(template, machine):
     """What pycel computes in each block, by name: a value, or a list for a column of a table."""
     book = template.declare(machine)
-    values = PycelModel(opened(book, template.model)).evaluate()
+    _, values = by_pycel(template, book)
 
     def value(name, column=None):
         block = book.blocks[name]
@@ -32,16 +69,31 @@ def computed(template, machine):
     return value
 
 
-def by_pycel(written):
-    return PycelModel(written).evaluate()
+def disagreeing(template, machine):
+    """The formula cells in which pycel does not compute the engine's value; and how many formula cells there are."""
+    book = template.declare(machine)
+    layout, values = by_pycel(template, book)
+    return compared(layout.match, book, values)
 
 
-def disagreeing(template, machine, evaluate=by_pycel):
-    """The formula cells in which not the engine's value is computed; and how many formula cells there are."""
+def disagreeing_in(template, machine, evaluate):
+    """The same by another program, which is given the workbook as openpyxl reads it."""
     book = template.declare(machine)
     written = opened(book, template.model)
-    match = Match(BookFile(Path("book.xlsx"), written, find_places(written)), book)
-    values, right = evaluate(written), Right(match, book)
+    return compared(Match(BookFile(Path("book.xlsx"), written, find_places(written)), book), book, evaluate(written))
+
+
+def entered(template, machine):
+    """The machine that is read back from the cells of a machine's book, and in lines what of it is not carried over."""
+    written = opened(template.declare(machine), template.model)
+    file = BookFile(Path("book.xlsx"), written, find_places(written))
+    back = Entries(file, by_cell().values).machine()
+    return back, not_carried(file, template.declare(back), template.name)
+
+
+def compared(match, book, values):
+    """The formula cells whose value is not the engine's, in words; and how many formula cells there are."""
+    right = Right(match, book)
     pairs = [pair for pair in match.pairs if pair.declared_formula]
     wrong = [
         f"{pair.cell.block.name}.{pair.cell.quantity.name}[{pair.cell.i}]: {values[a]} for {right.get(a)}"

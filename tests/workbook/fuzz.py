@@ -1,8 +1,8 @@
 """Damaged workbooks, the same ones each time: a stream of mutations of a sound file.
 
-    python tests/workbook/fuzz.py BOOK.xlsx NUMBER DAMAGED.xlsx
+    python tests/workbook/fuzz.py BOOK.xlsx NUMBER DAMAGED.xlsx [SEED]
 
-writes one of them, to look into what a failing test names by its number.
+writes one of them, to look into what a failing test names by its number and, at night, its seed.
 """
 
 import io
@@ -12,7 +12,6 @@ import sys
 import zipfile
 from pathlib import Path
 
-SEED = 2026
 HEAVY = 4_000_000  # bytes of a part that is blown up
 TAG = re.compile(rb"<[^<>?!]+>")
 ATTRIBUTE = re.compile(rb'([\w:]+)="([^"]*)"')
@@ -36,9 +35,9 @@ FORMULAS = [
 ]  # fmt: skip
 
 
-def damaged(sound: bytes, number: int) -> bytes:
-    """Return the damaged file of that number."""
-    rng = random.Random(f"{SEED}-{number}")
+def damaged(sound: bytes, number: int, seed: object = 0) -> bytes:
+    """Return the damaged file of that number among those of a seed."""
+    rng = random.Random(f"{seed or 2026}-{number}")
     if rng.random() < 0.4:
         return rng.choice(ON_FILES)(rng, sound)
     parts = unpack(sound)
@@ -287,5 +286,5 @@ ON_XML = (
 )  # fmt: skip
 
 if __name__ == "__main__":
-    book, number, target = sys.argv[1:]
-    Path(target).write_bytes(damaged(Path(book).read_bytes(), int(number)))
+    book, number, target, *seed = sys.argv[1:]
+    Path(target).write_bytes(damaged(Path(book).read_bytes(), int(number), *seed))

@@ -2,6 +2,7 @@
 
 import subprocess
 import tempfile
+from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape
 
@@ -37,16 +38,26 @@ LOCALE = """<item oor:path="/org.openoffice.Setup/L10N"><prop oor:name="ooSetupS
 
 def edit(source, target, edits, locale="en-US"):
     """Carry out ``edits``, lines of Basic about ``book``, on an unprotected copy of ``source``, in a locale."""
-    with tempfile.TemporaryDirectory() as profile:
-        run = [program(), "--headless", "--norestore", f"-env:UserInstallation={Path(profile).as_uri()}"]
-        subprocess.run([*run, "--terminate_after_init"], capture_output=True, timeout=TIMEOUT)  # makes the profile
-        settings = Path(profile) / "user" / "registrymodifications.xcu"
-        written = settings.read_text(encoding="utf-8").replace("</oor:items>", LOCALE.format(locale=locale))
-        settings.write_text(written, encoding="utf-8")
-        module = Path(profile) / "user" / "basic" / "Standard" / "Module1.xba"
-        text = MACRO.format(edits="\n  ".join(edits))
-        module.write_text(MODULE.format(text=escape(text)), encoding="utf-8")
-        macro = f'macro:///Standard.Module1.Main("{source}","{target}")'
-        done = subprocess.run([*run, macro], capture_output=True, text=True, timeout=TIMEOUT)
+    user = Path(profile(locale).name)
+    module = user / "user" / "basic" / "Standard" / "Module1.xba"
+    text = MACRO.format(edits="\n  ".join(edits))
+    module.write_text(MODULE.format(text=escape(text)), encoding="utf-8")
+    macro = f'macro:///Standard.Module1.Main("{source}","{target}")'
+    done = subprocess.run([*started(user), macro], capture_output=True, text=True, timeout=TIMEOUT)
     assert target.exists(), done.stderr
     return target
+
+
+@cache
+def profile(locale):
+    """A profile of LibreOffice for this process, which takes as long to make as to open a book."""
+    made = tempfile.TemporaryDirectory()
+    subprocess.run([*started(made.name), "--terminate_after_init"], capture_output=True, timeout=TIMEOUT)
+    settings = Path(made.name) / "user" / "registrymodifications.xcu"
+    written = settings.read_text(encoding="utf-8").replace("</oor:items>", LOCALE.format(locale=locale))
+    settings.write_text(written, encoding="utf-8")
+    return made
+
+
+def started(folder):
+    return [program(), "--headless", "--norestore", f"-env:UserInstallation={Path(folder).as_uri()}"]

@@ -64,6 +64,15 @@ def book(layout, tmp_path_factory):
     return path
 
 
+@pytest.fixture(scope="module")
+def opened(book):
+    """The book in openpyxl, without its charts, which take half the time to save; each test leaves it as it was."""
+    workbook = openpyxl.load_workbook(book)
+    for sheet in workbook.worksheets:
+        sheet._charts = []
+    return workbook
+
+
 @pytest.fixture
 def small(layout, tmp_path):
     """A description whose book is quickly built."""
@@ -193,13 +202,15 @@ TRIED = [(name, "inputs") for name in CELLS] + [("empty", "verify"), ("empty", "
 
 
 @pytest.mark.parametrize(("name", "command"), TRIED)
-def test_cell_is_refused(name, command, refused, book, declared, tmp_path):
+def test_cell_is_refused(name, command, refused, opened, declared, tmp_path):
     block, quantity, row, value, parts = CELLS[name]
-    edited = openpyxl.load_workbook(book)
-    cell_of(edited, declared, block, quantity, row).value = value
-    edited.save(tmp_path / "edited.xlsx")
+    cell = cell_of(opened, declared, block, quantity, row)
+    right, form = cell.value, cell.number_format
+    cell.value = value
+    opened.save(tmp_path / "edited.xlsx")
+    cell.value, cell.number_format = right, form  # a date brings a format of its own
     said = refused(command, "edited.xlsx", *(["-o", "new.xlsx"] if command == "regenerate" else []))
-    told = cell_of(edited, declared, *TOLD_AT.get(name, (block, quantity, row)))
+    told = cell_of(opened, declared, *TOLD_AT.get(name, (block, quantity, row)))
     assert f"edited.xlsx: {told.parent.title}!{told.coordinate}" in " ".join(said.split())
     assert [part for part in parts if part not in said] == []
 
@@ -300,9 +311,13 @@ def test_book_open_elsewhere_is_refused(refused, monkeypatch, book, tmp_path):
 @pytest.mark.parametrize(
     "arguments", [["verify", "missing.xlsx"], ["build", "missing.toml"], ["nonsense"], ["build", "--speed"]]
 )
-def test_program_ends_with_2(arguments, tmp_path):
-    run = subprocess.run([sys.executable, "-m", "workbook", *arguments], cwd=tmp_path, capture_output=True, text=True)
-    assert run.returncode == 2
-    assert "Traceback" not in run.stderr
-    assert arguments[-1] in run.stdout + run.stderr
+def test_a_wrong_command_names_what_is_wrong(arguments, refused):
+    assert arguments[-1] in refused(*arguments)
+
+
+def test_the_program_ends_with_2(tmp_path):
+    command = [sys.executable, "-m", "workbook", "verify", "missing.xlsx"]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr == "missing.xlsx: there is no such file\n"
     assert not list(tmp_path.iterdir())

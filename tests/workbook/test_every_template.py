@@ -1,22 +1,27 @@
 """What holds of every template: random machines come back from their books, and books may be edited anyhow."""
 
 import random
+import tempfile
+from pathlib import Path
 
 import openpyxl
 import pytest
 
 from tests.mutation.bench import smaller
 from tests.mutation.machines import machine
+from tests.tiers import nights, seed
 from tests.workbook import office
+from tests.workbook.cells import disagreeing, entered
 from tests.workbook.test_real_edits import numbers
-from workbook.build import build, inputs
+from workbook.build import build, committed, inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.libreoffice import convert, program
+from workbook.witnesses.libreoffice import program
 
+DAY, MACHINES = 7, 16  # random machines of each layout, the same every day
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 
 
@@ -39,23 +44,52 @@ def test_every_formula_cell_has_an_engine_value(template):
     assert len(cells) > 10_000
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_a_random_machine_comes_back_from_its_book_and_its_description(layout, seed, tmp_path):
-    drawn, path, text = machine(layout, random.Random(seed)), tmp_path / "book.xlsx", tmp_path / "machine.toml"
+@pytest.mark.parametrize("k", [0, *nights(20)])
+def test_a_random_machine_comes_back_from_its_book(layout, k, tmp_path):
+    drawn, path = machine(layout, random.Random(seed(k))), tmp_path / "book.xlsx"
     build(drawn, path)
     assert inputs(path) == (drawn, [])
     assert verify(path).findings == []
-    text.write_text(write_machine(drawn), encoding="utf-8")
-    assert read_machine(text) == drawn
 
 
-@needs_office
-def test_a_book_saved_by_libreoffice_agrees(layout, book, tmp_path):
-    saved = convert(book, "xlsx", tmp_path)
-    report = verify(saved, ["pycel", "saved"])
-    assert report.findings == []
-    assert report.unmatched == []
-    assert numbers(inputs(saved)[0]) == numbers(layout)
+@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+def test_every_committed_machine_comes_back_from_its_cells(path):
+    given = read_machine(path)
+    assert entered(TEMPLATES[given.template], given) == (given, [])
+
+
+def test_every_variation_agrees_with_the_engine_and_comes_back_from_its_cells(layout):
+    template = TEMPLATES[layout.template]
+    for number, variation in enumerate(template.variants(layout), 1):
+        assert disagreeing(template, variation)[0] == [], number
+        assert entered(template, variation) == (variation, []), number
+
+
+def test_every_cell_agrees_with_the_engine_at_random_machines(layout):
+    """All cells from all others, nothing assumed: some thousand formulas at machines that nobody chose."""
+    drawn = random.Random(DAY)
+    at_random(layout, (machine(layout, drawn) for _ in range(MACHINES)))
+
+
+@pytest.mark.parametrize("run", nights(8))
+def test_every_cell_agrees_with_the_engine_at_the_machines_of_a_night(layout, run):
+    drawn = random.Random(seed(run))
+    at_random(layout, (machine(layout, drawn) for _ in range(170)))
+
+
+def at_random(layout, machines):
+    template = TEMPLATES[layout.template]
+    for drawn in machines:
+        assert disagreeing(template, drawn)[0] == [], drawn.model_dump_json()
+        assert read_back(drawn) == drawn
+
+
+def read_back(given):
+    """The machine that its description describes."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "machine.toml")
+        path.write_text(write_machine(given), encoding="utf-8")
+        return read_machine(path)
 
 
 @needs_office
@@ -67,7 +101,7 @@ def test_rows_above_every_table_columns_and_other_titles_change_nothing(layout, 
         lines += [f"sheet.Rows.insertByIndex({row - 1}, 2)" for row in rows_to_insert(sheet)]
         lines += ["sheet.Columns.insertByIndex(0, 1)", f'sheet.Name = "Foglio {number} à l\'œuvre"']
     edited = office.edit(book, tmp_path / "edited.xlsx", lines)
-    report = verify(edited)
+    report = verify(edited, ["pycel", "saved"])
     assert [f"{f.sheet}!{f.cell} {f.kind}" for f in report.findings] == []
     assert report.unmatched == []
     assert numbers(inputs(edited)[0]) == numbers(layout)

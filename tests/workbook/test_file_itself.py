@@ -14,16 +14,17 @@ from openxml_audit import FileFormat, OpenXmlValidator
 from spreadsheet_auditor.audit import main as audit
 
 from workbook.build import build
-from workbook.reading.entries import read_machine
+from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 FACTORS = {"3", "5", "6", "7", "8", "12", "20"}  # of the integrals of a polynomial, and of closed forms: no inputs
 TURN = {"360"}  # degrees of a turn
+BETWEEN = pytest.param(FileFormat.OFFICE_2019, marks=pytest.mark.nightly)
 BUILD = """
 import sys
 from pathlib import Path
 from workbook.build import build
-from workbook.reading.entries import read_machine
+from workbook.reading.entries import read_machine, write_machine
 build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
 """
 
@@ -35,22 +36,19 @@ def template(request):
 
 @pytest.fixture(scope="module")
 def book(template, tmp_path_factory):
-    path = tmp_path_factory.mktemp("book") / template.book.name
-    build(read_machine(template.description), path)
-    return path
-
-
-@pytest.fixture(scope="module")
-def short_book(template, tmp_path_factory):
-    """The same formulas in fewer rows: the auditor judges patterns, and takes its time."""
-    machine = read_machine(template.description)
-    sizes = machine.sizes.model_copy(update=dict.fromkeys(("law", "own_law", "cycle"), 24))
+    """The formulas of the committed books in fewer rows: what is judged are patterns, and that takes its time."""
     path = tmp_path_factory.mktemp("short") / template.book.name
-    build(machine.model_copy(update={"sizes": sizes}), path)
+    build(shortened(template), path)
     return path
 
 
-@pytest.mark.parametrize("office", [FileFormat.OFFICE_2010, FileFormat.OFFICE_2019, FileFormat.MICROSOFT_365])
+def shortened(template):
+    machine = read_machine(template.description)
+    sizes = machine.sizes.model_copy(update=dict.fromkeys(("law", "own_law", "cycle"), 12))
+    return machine.model_copy(update={"sizes": sizes})
+
+
+@pytest.mark.parametrize("office", [FileFormat.OFFICE_2010, FileFormat.MICROSOFT_365, BETWEEN])
 def test_office_open_xml_is_valid(book, office):
     """No error and no warning either: openpyxl's own slips (order in fonts, texts in cells) are mended in writing."""
     found = OpenXmlValidator(file_format=office, max_errors=0, security_validation=True).validate(book)
@@ -70,17 +68,18 @@ def audited(book, folder):
     return json.loads(answer.read_text())
 
 
-def test_auditor_finds_nothing_above_low(short_book, tmp_path):
-    answer = audited(short_book, tmp_path)
+def test_auditor_finds_nothing_above_low(book, tmp_path):
+    answer = audited(book, tmp_path)
     above = [f for f in answer["findings"] if f["severity"] not in ("Low", "Info")]
     faults = [f for f in above if f["rule_id"] != "LITERAL_CONSTANT" or literals(f) - FACTORS - TURN]
     assert [(f["rule_id"], f["location"], f["evidence"]) for f in faults] == []
     assert answer["coverage"]["complete"]
 
 
-def test_auditor_is_awake(short_book, tmp_path):
+def test_auditor_is_awake(tmp_path):
     """A number typed over a formula in the middle of a column is found; so silence means something."""
-    spoiled = openpyxl.load_workbook(short_book)
+    build(shortened(TEMPLATES["motion-composer"]), tmp_path / "book.xlsx")
+    spoiled = openpyxl.load_workbook(tmp_path / "book.xlsx")
     sheet = spoiled["ACS"]
     row = next(c.row for c in sheet["D"] if isinstance(c.value, str) and "piece_s0" in c.value) + 3
     sheet.cell(row, 4).value = 0.25
@@ -91,16 +90,17 @@ def test_auditor_is_awake(short_book, tmp_path):
 
 def test_bytes_are_the_same_each_time(book, template, tmp_path):
     again = tmp_path / "again.xlsx"
-    build(read_machine(template.description), again)
+    build(shortened(template), again)
     assert cmp(again, book, shallow=False)  # no diff of a million bytes
 
 
 def test_bytes_do_not_hang_on_lxml(book, template, tmp_path):
     """openpyxl writes through lxml where it is installed, and then other bytes, unless it is told not to."""
     pytest.importorskip("lxml")
-    again = tmp_path / "again.xlsx"
+    described, again = tmp_path / "short.toml", tmp_path / "again.xlsx"
+    described.write_text(write_machine(shortened(template)), encoding="utf-8")
     environment = {name: value for name, value in os.environ.items() if name != "OPENPYXL_LXML"}
-    command = [sys.executable, "-c", BUILD, str(template.description), str(again)]
+    command = [sys.executable, "-c", BUILD, str(described), str(again)]
     subprocess.run(command, check=True, env=environment)
     assert cmp(again, book, shallow=False)  # no diff of a million bytes
 
@@ -109,7 +109,7 @@ def test_every_formula_has_a_saved_value(book):
     with zipfile.ZipFile(book) as parts:
         sheets = [parts.read(n).decode() for n in parts.namelist() if n.startswith("xl/worksheets/sheet")]
     formulas = [f for sheet in sheets for f in re.findall(r"<c [^>]*><f>[^<]*</f>(<v[^>]*>[^<]*</v>|)", sheet)]
-    assert len(formulas) > 10_000
+    assert len(formulas) > 1_000
     assert not [f for f in formulas if not re.fullmatch(r"<v ?>[^<]+</v>", f)]
 
 

@@ -9,6 +9,7 @@ import zipfile
 
 import pytest
 
+from tests.tiers import nights, seed
 from tests.workbook.fuzz import damaged, pack, unpack, without_charts
 from workbook.build import build
 from workbook.errors import InputError, MotionbookError, ReadError
@@ -19,7 +20,8 @@ from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import by_cell
 
-FILES, CHUNKS = 2000, 10
+FILES, CHUNKS = 400, 4  # by day; a night has as many runs of a chunk as it has NIGHTS
+NIGHTS = 40
 VERIFIED = 40  # every so many files are verified too, not only read
 WITH_CHARTS = 20  # every so many files keep their charts
 GIB = 2**30
@@ -82,18 +84,19 @@ SHEET = "xl/worksheets/sheet1.xml"
 ROW = rb"(?=</sheetData>)"
 
 
-# 2,000 damaged files
+# damaged files
 
 
-@pytest.mark.parametrize("chunk", range(CHUNKS))
-def test_damaged_files_are_read_or_refused(chunk, sound, slim, tmp_path):
+@pytest.mark.parametrize("chunk", [*range(CHUNKS), *nights(NIGHTS)])
+def test_damaged_files_are_read_or_refused(chunk, sound, slim, tmp_path, request):
     path = tmp_path / "book.xlsx"
+    drawn = 0 if request.node.get_closest_marker("nightly") is None else seed("fuzz")
     faults = []
     for number in range(chunk * FILES // CHUNKS, (chunk + 1) * FILES // CHUNKS):
-        path.write_bytes(damaged(slim if number % WITH_CHARTS else sound, number))
+        path.write_bytes(damaged(slim if number % WITH_CHARTS else sound, number, drawn))
         fault = fault_of(path, number)
         if fault:
-            faults.append(f"{number}: {fault}")
+            faults.append(f"{number}, seed {drawn!r}: {fault}")
     assert faults == []
     assert os.listdir(tmp_path) == ["book.xlsx"]
 

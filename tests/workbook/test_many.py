@@ -20,7 +20,7 @@ from workbook.judging.verify import Report
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 
-TEMPLATE = TEMPLATES["cutting-machine"]
+TEMPLATE = TEMPLATES["motion-composer"]  # the one that is soonest verified
 
 
 @pytest.fixture(scope="module")
@@ -35,9 +35,9 @@ def good(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def wrong(good, tmp_path_factory):
-    """The same workbook with a number in place of the first formula of the sheet Drive; beside it, that cell."""
+    """The same workbook with a number in place of the first formula of the sheet Motion; beside it, that cell."""
     book = openpyxl.load_workbook(good)
-    cell = next(c for row in book["Drive"].iter_rows() for c in row if c.data_type == "f")
+    cell = next(c for row in book["Motion"].iter_rows() for c in row if c.data_type == "f")
     cell.value = 123.5
     path = tmp_path_factory.mktemp("wrong") / "wrong.xlsx"
     book.save(path)
@@ -184,7 +184,7 @@ def test_the_command_sums_a_folder_up_and_names_the_worst_cell(folder, wrong):
     assert done.returncode == 1
     assert done.stderr == ""  # no bar where no terminal is
     assert "3 agree, 1 disagree, 1 skipped (no machine)." in done.stdout
-    assert f"{folder / 'wrong.xlsx'}: Drive!{wrong[1]}" in done.stdout
+    assert f"{folder / 'wrong.xlsx'}: Motion!{wrong[1]}" in done.stdout
 
 
 def test_the_json_of_many_files_has_each_of_them(folder, wrong):

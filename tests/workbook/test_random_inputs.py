@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis.strategies import integers
 
 from tests.laws import MOVING, PAGED, blended
-from tests.workbook.cells import disagreeing
+from tests.workbook.cells import disagreeing, disagreeing_in
 from workbook.build import build, inputs
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.reading.entries import read_machine, write_machine
@@ -127,12 +127,12 @@ def by_formualizer(written):
     return {(s.title, c.row, c.column): c.value for s in opened for row in s.iter_rows() for c in row}
 
 
-@pytest.mark.parametrize("seed", range(100, 106))
+@pytest.mark.parametrize("seed", range(100, 103))
 def test_formualizer_agrees_with_the_engine_in_every_cell(seed):
-    assert disagreeing(TEMPLATE, machine(seed), by_formualizer)[0] == []
+    assert disagreeing_in(TEMPLATE, machine(seed), by_formualizer)[0] == []
 
 
-@settings(max_examples=12, derandomize=True)
+@settings(max_examples=4, derandomize=True)
 @given(seed=integers(0, 10**9))
 def test_machine_comes_back_from_its_book(seed):
     with tempfile.TemporaryDirectory() as folder:

@@ -28,10 +28,11 @@ from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.chart import Chart, in_scope
 from workbook.book.quantity import Quantity, calc, check, constant, given, result
+from workbook.book.rows import as_rows
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "Sheet", "Text",
-    "as_rows", "calc", "check", "constant", "given", "result",
+    "calc", "check", "constant", "given", "result",
 ]  # fmt: skip
 
 REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
@@ -271,15 +272,6 @@ class Book:
             yield block.name, f"{quote_sheetname(block.sheet.title)}!{block.span}"
         for name, (table, column) in self.column_names.items():
             yield name, self.range(f"[{table}.{column}]")
-
-
-def as_rows(value: Any, size: int, where: str) -> list[Any]:
-    """Return one value for each row: a sequence as it is, a single value repeated."""
-    if isinstance(value, str) or not hasattr(value, "__len__"):
-        return [value] * size
-    if len(value) != size:
-        raise ValueError(f"{where}: {len(value)} values for {size} rows")
-    return value.tolist() if hasattr(value, "tolist") else list(value)
 
 
 def span(top: int, left: int, bottom: int, right: int) -> str:

@@ -1,4 +1,4 @@
-"""Columns of tables that have more rows than values."""
+"""Columns of tables: a value for each row."""
 
 from __future__ import annotations
 
@@ -10,3 +10,12 @@ def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
     """Return values as a column of a table, ``spare`` in the rows below them."""
     found = values.tolist() if hasattr(values, "tolist") else values
     return [*found, *repeat(spare, rows - len(found))]
+
+
+def as_rows(value: Any, size: int, where: str) -> list[Any]:
+    """Return one value for each row: a sequence as it is, a single value repeated."""
+    if isinstance(value, str) or not hasattr(value, "__len__"):
+        return filled([], size, value)
+    if len(value) != size:
+        raise ValueError(f"{where}: {len(value)} values for {size} rows")
+    return value.tolist() if hasattr(value, "tolist") else list(value)

@@ -5,15 +5,19 @@ from __future__ import annotations
 from math import pi, tau
 from typing import TypeVar
 
-from engine.laws.base import Array
+import numpy as np
+from numpy.typing import NDArray
 
 MM = 1e-3  # m
+MM_PER_TURN = MM / tau  # m/rad
+PERCENT = 1e-2
 DEGREE = pi / 180  # rad
 RPM = tau / 60  # rad/s
 PER_MINUTE = 1 / 60  # 1/s
+PER_HOUR = 1 / 3600  # 1/s
 PER_RPM = 1 / RPM  # s/rad: of a slope over speed
 
-Real = TypeVar("Real", float, Array)
+Real = TypeVar("Real", float, NDArray[np.float64])
 
 
 def si(value: Real, unit: float) -> Real:

@@ -89,7 +89,7 @@ TAKES = {
     ),
 }
 """What a law takes, of those that take anything."""
-if wrong := TAKES.keys() ^ {"OWN", *(code for code, count in PARAMETERS.items() if count)}:
+if wrong := sorted(TAKES.keys() ^ {"OWN", *(code for code, count in PARAMETERS.items() if count)}):
     raise IncompleteError(f"TAKES lacks words for the parameters of {', '.join(wrong)}, or has some for a law of none")
 
 

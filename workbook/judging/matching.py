@@ -9,8 +9,9 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from workbook.book.address import Address, Place
-from workbook.book.declare import Block, Book, Cell, Quantity, as_rows
+from workbook.book.declare import Block, Book, Cell, Quantity
 from workbook.book.formula import Area, Formula, FormulaError, area_of, read
+from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, Words, find_places
 
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table

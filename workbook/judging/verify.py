@@ -22,7 +22,7 @@ from workbook.judging.verdict import checks
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
-from workbook.templates import Template
+from workbook.templates import AnyTemplate
 from workbook.witnesses import WITNESSES, by_cell
 from workbook.witnesses.witness import CellWitness, Model, Witness
 
@@ -61,7 +61,7 @@ def present(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def judge(
-    file: BookFile, template: Template, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
+    file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
     shapes: bool = True,
 ) -> None:  # fmt: skip
     """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.

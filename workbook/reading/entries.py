@@ -19,14 +19,15 @@ from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile, Words
-from workbook.templates import TEMPLATES, Template
+from workbook.template import M, Template
+from workbook.templates import TEMPLATES, AnyTemplate
 
 Where = Callable[[str], str]
 Evaluate = Callable[[BookFile], Cells]  # gives the value of every formula cell
 LONGEST = 60  # characters that a message repeats of what was found
 
 
-def template_named(name: object, where: str) -> Template:
+def template_named(name: object, where: str) -> AnyTemplate:
     """Return a template by name; raise InputError, listing the known ones, where there is none."""
     if name not in TEMPLATES:
         found = "empty" if name is None else f"no template is named {shown(name)}"
@@ -62,12 +63,22 @@ def write_machine(machine: Machine) -> str:
     return tomli_w.dumps(machine.model_dump(exclude_none=True))
 
 
-def checked(template: Template, data: dict[str, Any], where: Where) -> Machine:
+def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate entries; raise InputError whose lines say where each fault is and what is expected."""
     try:
-        return template.model.model_validate(data)
+        machine = template.model.model_validate(data)
     except ValidationError as error:
         raise InputError([fault(found, template.model, where) for found in error.errors(include_url=False)]) from None
+    require_possible(template, machine, where)
+    return machine
+
+
+def require_possible(template: Template[M], machine: M, where: Where) -> None:
+    """Raise InputError, whose line says where the fault is, for a machine that the engine refuses."""
+    try:
+        template.check(machine)
+    except EntryError as error:
+        raise InputError([f"{where(error.field)}: {error}"]) from None
 
 
 def fault(found: Any, model: type[BaseModel], where: Where) -> str:
@@ -120,7 +131,7 @@ class Entries:
             )
         return checked(self.template, self.data, self._where)
 
-    def _template(self) -> Template:
+    def _template(self) -> AnyTemplate:
         place = self.file.places.get("book_template")
         if place is None and "MOTION.S" in self.file.workbook.defined_names:
             raise ReadError(f"{self.file.path}: holds the functions MOTION.*, but no machine to compare or to read")

@@ -7,12 +7,10 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from engine.drivetrain import KINDS
-from engine.laws.inverse import is_monotone
 from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
+from workbook.entries.phase import PhaseEntry
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
-from workbook.laws.library import laws
-from workbook.machines.composer.entries import ComposedPhase
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
@@ -72,7 +70,7 @@ class ActuatorEntry(Model):
     gears: list[Gear] = Field(default_factory=list)
     parts: list[PlacedParts] = Field(default_factory=list)
     load: ActuatorLoad = ActuatorLoad()
-    phases: Annotated[list[ComposedPhase], Field(min_length=1)]  # lifts in mm or degrees, durations in s
+    phases: Annotated[list[PhaseEntry], Field(min_length=1)]  # lifts in mm or degrees, durations in s
     motor: ActuatorMotor
 
     @model_validator(mode="after")
@@ -116,9 +114,4 @@ class ActuatorSizing(Machine):
             if part.shaft > len(a.gears):
                 expected = f"0 to {len(a.gears)}, the number of gears"
                 raise EntryError(f"actuator.parts.{i}.shaft", f"found {part.shaft:g}; expected {expected}")
-        own = next((i for i, phase in enumerate(a.phases) if phase.law == "OWN"), None)
-        if own is not None and not is_monotone(laws(self.laws, self.sizes.own_law)["OWN"]):
-            raise EntryError(
-                f"actuator.phases.{own}.law", "the own law moves backwards; expected a law that rises throughout"
-            )
         return self

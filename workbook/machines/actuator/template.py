@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import cast
-
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
-from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.actuator.check import check
 from workbook.machines.actuator.cycle import cycle_sheet
 from workbook.machines.actuator.entries import ActuatorSizing
 from workbook.machines.actuator.printed import printed_sheet
@@ -34,9 +32,8 @@ LOAD = LoadCells(
 """where the book has the load at the shaft that the motor, or its reducer, is coupled to"""
 
 
-def declare(machine: Machine) -> Book:
+def declare(given: ActuatorSizing) -> Book:
     """Declare the book."""
-    given = cast(ActuatorSizing, machine)
     shelf = LawShelf(given.laws, given.sizes)
     view = Sized(given, shelf.laws)
     book = Book(given.template, given.title)
@@ -76,4 +73,5 @@ TEMPLATE = Template(
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("phases", 0), "rotors": ("act_parts", 0), "gears": ("act_gears", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
+    check,
 )

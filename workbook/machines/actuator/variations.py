@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from workbook.entries.machine import Machine
 from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.laws.variations import own_pieces as own
 from workbook.machines.actuator.entries import ActuatorSizing
@@ -24,7 +23,7 @@ BACKWARDS = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]
 """and one that does not, where none does"""
 
 
-def variants(machine: Machine) -> list[Machine]:
+def variants(machine: ActuatorSizing) -> list[ActuatorSizing]:
     """Return six machines of the same layout: every mechanism, both methods, each check, power turning round."""
     return [ActuatorSizing.model_validate(data) for data in variations(machine, varied)]
 

@@ -1,4 +1,4 @@
-"""A composed motion as entered, and the engine's view of it."""
+"""A composed motion (S3): what an engineer enters."""
 
 from __future__ import annotations
 
@@ -7,25 +7,11 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.entries.machine import Machine, Sizes
-from workbook.entries.types import PLAIN, EntryError, Model, Number, Positive
-from workbook.laws.entries import LawCode
+from workbook.entries.phase import PhaseEntry
+from workbook.entries.types import PLAIN, EntryError, Model, Number
 
 MOST_PHASES = 24
 Unit = Annotated[str, Field(min_length=1, max_length=12, pattern=PLAIN)]
-
-
-class ComposedPhase(Model):
-    """One phase: a law, carried out over a lift in a duration, in the units of the motion."""
-
-    law: LawCode = "DWL"
-    lift: Number = 0.0
-    duration: Positive
-
-    @model_validator(mode="after")
-    def _at_rest(self) -> Self:
-        if self.law == "DWL" and self.lift != 0:
-            raise EntryError("lift", f"a dwell has no lift; expected 0, or another law, not {self.lift:g}")
-        return self
 
 
 class ComposedMotion(Model):
@@ -35,7 +21,7 @@ class ComposedMotion(Model):
     lift_unit: Unit = "°"
     position: Number = 0.0
     cycle: Literal["closes", "open"] = "closes"
-    phases: Annotated[list[ComposedPhase], Field(min_length=1, max_length=MOST_PHASES)]
+    phases: Annotated[list[PhaseEntry], Field(min_length=1, max_length=MOST_PHASES)]
 
 
 class ComposerSizes(Sizes):

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from math import sqrt
-from typing import Any
+from collections.abc import Iterable
 
-import numpy as np
-
-from engine.motion import EDGE_TOLERANCE, Junction
+from engine.motion import Junction
 from workbook.book.chart import Chart, Series
-from workbook.book.checks import ZERO
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
+from workbook.book.rows import filled
 from workbook.laws import phases as joined
 from workbook.laws import sampling
 from workbook.machines.composer.view import Composition
@@ -65,9 +62,7 @@ def entries(sheet: Sheet, machine: Composition) -> None:
 
 def results(sheet: Sheet, machine: Composition) -> None:
     """Declare what the motion as a whole comes to; velocity and acceleration exactly, from the laws' coefficients."""
-    motion, (h, v, a) = machine.motion, machine.peaks
-    y = machine.samples.y
-    square = sum(m.a_rms**2 * m.duration for m in machine.movements.values()) / motion.total
+    motion, (h, v, a), y = machine.motion, machine.motion.sizes, machine.samples.y
     jump = max((abs(j.jump_a) for j in machine.junctions), default=0.0)
     sheet.rows(
         result("move_total", "Length of the abscissa", "Σδ", "x",
@@ -78,18 +73,18 @@ def results(sheet: Sheet, machine: Composition) -> None:
         result("move_travel", "Travel", "Σh", "lift",
                "=SUM([phases.h])", motion.lifts_sum, scale=h, source="sum of the lifts"),
         result("move_gap", "What the cycle does not close by", "", "lift",
-               "=INDEX([phases.y1],move_count)-move_start", motion.junctions()[-1].jump_y, format="0.0000##", scale=h,
+               "=INDEX([phases.y1],move_count)-move_start", motion.gap, format="0.0000##", scale=h,
                source="y(end) − y(begin)"),
         result("move_low", "Lowest position of the samples", "y_min", "lift",
                "=MIN([motion.y])", float(y.min()), scale=h),
         result("move_high", "Highest position of the samples", "y_max", "lift",
                "=MAX([motion.y])", float(y.max()), scale=h),
         result("move_v", "Greatest velocity", "|y'|_max", PER,
-               "=MAX([phases.v])", machine.greatest[0], scale=v, source="C_v |h|/δ"),
+               "=MAX([phases.v])", motion.peaks.y1, scale=v, source="C_v |h|/δ"),
         result("move_a", "Greatest acceleration", "|y''|_max", PER2,
-               "=MAX([phases.a])", machine.greatest[1], scale=a, source="C_a |h|/δ²"),
+               "=MAX([phases.a])", motion.peaks.y2, scale=a, source="C_a |h|/δ²"),
         result("move_rms", "RMS acceleration over the whole", "y''_rms", PER2,
-               "=SQRT(SUMPRODUCT([phases.rms],[phases.rms],[phases.span])/move_total)", sqrt(square), scale=a,
+               "=SQRT(SUMPRODUCT([phases.rms],[phases.rms],[phases.span])/move_total)", motion.y2_rms, scale=a,
                source="√(Σ y''²_rms δ / Σδ)"),
         result("move_jump", "Greatest jump of acceleration", "Δy''", PER2,
                "=MAX(MAX([junctions.jump_a]),-MIN([junctions.jump_a]))", jump, format="0.0000##", scale=a,
@@ -99,20 +94,19 @@ def results(sheet: Sheet, machine: Composition) -> None:
 
 def checks(sheet: Sheet, machine: Composition) -> None:
     """Declare the checks of the motion."""
-    h, v, _ = machine.peaks
     motion = machine.motion
-    reaches = all(abs(p.lift * (1 - p.law.end.s)) <= ZERO * h for p in motion.phases)
-    smooth = all(abs(j.jump_v) <= ZERO * v for j in machine.junctions)
-    comes_back = not machine.closes or abs(motion.junctions()[-1].jump_y) <= ZERO * h
     sheet.checks(
         check("move_ok_rows", "Every phase lasts", 'COUNTIF([phases.span],">0")=move_count', True,
               "no phase without a duration"),
         check("move_ok_position", "No jump of position between phases",
-              f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", reaches, "each law reaches its lift"),
-        check("move_ok_velocity", "No jump of velocity", f"{greatest('junctions.jump_v')}<=check_zero*move_v", smooth,
+              f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
+              "each law reaches its lift"),
+        check("move_ok_velocity", "No jump of velocity",
+              f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
               "of a cycle that closes, also from its end to its begin"),
         check("move_ok_closes", "The cycle closes in position",
-              f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', comes_back, "or is open"),
+              f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', machine.axis.closes,
+              "or is open"),
     )  # fmt: skip
 
 
@@ -121,23 +115,18 @@ def greatest(column: str) -> str:
     return f"MAX(MAX([{column}]),-MIN([{column}]))"
 
 
-def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
-    """Return the values of the phases in use, then ``spare`` for each spare row."""
-    return [*values, *[spare] * (rows - len(values))]
-
-
 def phases(sheet: Sheet, machine: Composition) -> None:
     """Declare the phases: what is entered, what each comes to, and to the right the workings."""
     motion, n = machine.motion, machine.sizes.phases
     entered, edges = machine.given.phases, machine.motion.edges
     laws, lifts = [p.law for p in entered], [p.lift for p in entered]
-    h, v, a = machine.peaks
-    begins = np.concatenate([[motion.position], motion.position + np.cumsum(lifts)])
-    reached = [y + p.lift * p.law.end.s for y, p in zip(begins[:-1], motion.phases, strict=True)]
-    ends = [(p.lift / p.duration, p.lift / p.duration**2, p.law.start, p.law.end) for p in motion.phases]
+    moved, (h, v, a) = motion.phases, motion.sizes
+    spans = [p.duration for p in moved]
+    begins, ends = zip(*motion.ends, strict=True)
+    reached = motion.position + motion.lifts_sum
 
-    def of(name: str) -> list[float]:
-        return [getattr(machine.movements[k], name) if k in machine.movements else 0.0 for k in range(n)]
+    def of(values: Iterable[float]) -> list[float]:
+        return filled(values, n)
 
     sheet.table(
         "phases", "Fill one row each, in order; leave spare rows empty", n,
@@ -145,50 +134,51 @@ def phases(sheet: Sheet, machine: Composition) -> None:
         given("law", "law", "", "", filled(laws, n, None), "motion.phases.*.law", choices="=law_code"),
         given("lift", "lift", "h", "", filled(lifts, n, None), "motion.phases.*.lift", format="0.0####"),
         given("duration", "duration", "δ", "x",
-              filled([p.duration for p in entered], n, None), "motion.phases.*.duration", format="0.0####"),
+              filled(spans, n, None), "motion.phases.*.duration", format="0.0####"),
         result("end", "ends at", "", "x",
                "=[begin]+[span]", filled(edges[1:], n, motion.total), format="0.0####", scale=motion.total,
                source="begin + δ"),
         result("y1", "position at its end", "y", "lift",
-               "=[y0]+[h]*INDEX(law_s1,[no])", filled(reached, n, begins[-1]), format="0.0####", scale=h,
+               "=[y0]+[h]*INDEX(law_s1,[no])", filled([end.y for end in ends], n, reached), format="0.0####", scale=h,
                source="y_0 + h s(1)"),
-        result("v", "greatest velocity", "y'max", PER, joined.VELOCITY, of("y1_max"), scale=v, source="C_v h/δ"),
+        result("v", "greatest velocity", "y'max", PER,
+               joined.VELOCITY, of(p.y1_max for p in moved), scale=v, source="C_v h/δ"),
         result("a", "greatest acceleration", "y''max", PER2,
-               joined.ACCELERATION, of("y2_max"), scale=a, source="C_a h/δ²"),
+               joined.ACCELERATION, of(p.y2_max for p in moved), scale=a, source="C_a h/δ²"),
         result("rms", "RMS acceleration", "y''rms", PER2,
-               f"={joined.RMS}", of("a_rms"), scale=a, source="C_a,rms h/δ²"),
+               f"={joined.RMS}", of(p.y2_rms for p in moved), scale=a, source="C_a,rms h/δ²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
         calc("h", "lift used", "h", "lift",
-             '=IF([kind]="spare",0,[lift]+0)', filled(lifts, n), scale=h, source="0 if empty"),
+             '=IF([kind]="spare",0,[lift]+0)', of(lifts), scale=h, source="0 if empty"),
         calc("span", "duration used", "δ", "x",
-             '=IF([kind]="spare",0,[duration])', filled([p.duration for p in motion.phases], n), scale=motion.total,
-             source="0 if spare"),
+             '=IF([kind]="spare",0,[duration])', of(spans), scale=motion.total, source="0 if spare"),
         calc("begin", "begins at", "", "x",
              "=IF([k]=1,0,[end-1])", filled(edges[:-1], n, motion.total), scale=motion.total, source="end before"),
         calc("y0", "position at its begin", "y_0", "lift",
-             "=IF([k]=1,move_start,[y0-1]+[h-1])", filled(begins[:-1], n, begins[-1]), scale=h, source="lifts before"),
+             "=IF([k]=1,move_start,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, reached), scale=h,
+             source="lifts before"),
         calc("lack", "lack of lift", "Δy", "lift",
-             "=[h]*(1-INDEX(law_s1,[no]))", filled([p.lift * (1 - p.law.end.s) for p in motion.phases], n), scale=h,
+             "=[h]*(1-INDEX(law_s1,[no]))", of(p.lack for p in moved), scale=h,
              source="h (1 − s(1))"),
         calc("v0", "y' at begin", "", PER,
-             joined.AT_END.format("v0", ""), filled([r * begin.v for r, _, begin, _ in ends], n), scale=v),
+             joined.AT_END.format("v0", ""), of(begin.y1 for begin in begins), scale=v),
         calc("v1", "y' at end", "", PER,
-             joined.AT_END.format("v1", ""), filled([r * end.v for r, _, _, end in ends], n), scale=v),
+             joined.AT_END.format("v1", ""), of(end.y1 for end in ends), scale=v),
         calc("a0", "y'' at begin", "", PER2,
-             joined.AT_END.format("a0", "^2"), filled([r * begin.a for _, r, begin, _ in ends], n), scale=a),
+             joined.AT_END.format("a0", "^2"), of(begin.y2 for begin in begins), scale=a),
         calc("a1", "y'' at end", "", PER2,
-             joined.AT_END.format("a1", "^2"), filled([r * end.a for _, r, _, end in ends], n), scale=a),
+             joined.AT_END.format("a1", "^2"), of(end.y2 for end in ends), scale=a),
     )  # fmt: skip
 
 
 def junctions(sheet: Sheet, machine: Composition) -> None:
     """Declare the junction behind each phase: what jumps there; behind the last one, the cycle's wrap."""
     motion, n, used = machine.motion, machine.sizes.phases, len(machine.motion.phases)
-    h, v, a = machine.peaks
+    h, v, a = motion.sizes
     found = {j.before: j for j in machine.junctions}
-    kinds = [*["joint"] * (used - 1), "wrap" if machine.closes else "end", *["spare"] * (n - used)]
-    nexts = [*range(2, used + 1), *[1] * (n - used + 1)]
+    kinds = filled([*filled([], used - 1, "joint"), "wrap" if machine.repeats else "end"], n, "spare")
+    nexts = filled(range(2, used + 1), n, 1)
 
     def jump(name: str) -> list[float]:
         return [getattr(found.get(k, NOTHING), name) for k in range(n)]
@@ -217,7 +207,7 @@ JUMP = '=IF(OR([kind]="joint",[kind]="wrap"),INDEX([phases.{0}0],[next])-INDEX([
 
 def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None:
     """Declare the sampled motion: results, then how each sample finds its phase and its law's piece."""
-    x, at, (h, v, a) = machine.abscissa, machine.samples, machine.peaks
+    x, at, (h, v, a) = machine.abscissa, machine.samples, machine.motion.sizes
     finding = (
         "=MATCH(MIN([at]+move_eps,move_total-move_eps),[phases.begin],1)",
         "=([at]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p])",
@@ -225,7 +215,7 @@ def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None
     )
     sheet.rows(
         calc("move_eps", "Tolerance of a place", "ε", "x",
-             "=move_total*break_tolerance", machine.motion.total * EDGE_TOLERANCE, format="0E+00",
+             "=move_total*break_tolerance", machine.motion.tolerance, format="0E+00",
              source="a sample this near to a phase's begin counts as on it"),
     )  # fmt: skip
     sheet.table(

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import cast
-
 import numpy as np
 
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
-from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.cutting.drive import drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
@@ -34,9 +31,8 @@ LOAD = LoadCells(
 """Where the Drive sheet has the load at the roller shaft."""
 
 
-def declare(machine: Machine) -> Book:
+def declare(given: CuttingMachine) -> Book:
     """Declare the book."""
-    given = cast(CuttingMachine, machine)
     shelf = LawShelf(given.laws, given.sizes)
     reference = Cutting(given, shelf.laws)
     book = Book(given.template, given.title)

@@ -5,13 +5,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from workbook.entries.machine import Machine
 from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.selection.variations import vary_selection
 
 
-def variants(machine: Machine) -> list[Machine]:
+def variants(machine: CuttingMachine) -> list[CuttingMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
     return [CuttingMachine.model_validate(data) for data in variations(machine, varied)]
 

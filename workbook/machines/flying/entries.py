@@ -4,24 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-import numpy as np
 from pydantic import Field, model_validator
 
-from engine.flying import Beyond
-from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.inverse import is_monotone
-from engine.laws.sections import velocity_extremes
-from workbook.entries.machine import Machine, Sizes
+from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
-from workbook.entries.units import MM
-from workbook.laws.entries import Laws, RiseCode
-from workbook.laws.library import laws
+from workbook.laws.entries import RiseCode
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
-REST = 1e-9  # dimensionless velocity at which a law is at rest
-LONGER = 1.001  # times the tool length, the shortest product: the tool needs time to get back
-LEAST_CV = 1.001  # below, no product is too long to keep moving
 
 
 class DrumEntry(Model):
@@ -93,7 +83,7 @@ class CutterEntry(Model):
     line_speed: Positive  # m/min
     product_length: Positive  # mm
     law: RiseCode
-    beyond: Beyond = "standstill"
+    beyond: Literal["standstill", "reversal"] = "standstill"
     drum: DrumEntry
     saw: SawEntry
     load: LoadEntry
@@ -121,38 +111,4 @@ class FlyingCutter(Machine):
         if filled > room:
             raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
         require_room(self.selection, self.sizes)
-        require_law(self.cutter.law, self.laws, self.sizes)
-        from workbook.machines.flying.view import tool_of
-
-        least = tool_of(self.cutter).tool_length / MM * LONGER
-        for entry, length in (
-            ("product_length", self.cutter.product_length),
-            ("lengths.shortest", self.cutter.lengths.shortest),
-        ):
-            if length < least:
-                raise EntryError(
-                    f"cutter.{entry}",
-                    f"a product of {length:g} mm leaves no time to re-position; expected at least {least:.6g} mm",
-                )
         return self
-
-
-def require_law(code: str, given: Laws, sizes: Sizes) -> None:
-    """Raise EntryError unless the law goes from rest to rest, speeds up once and slows down once."""
-    law = laws(given, sizes.own_law)[code]
-    speeds = law.v(velocity_extremes(law))
-    top = int(np.argmax(speeds))
-    falls = np.diff(speeds)
-    fault = None
-    if not is_monotone(law):
-        fault = "moves backwards; expected a law that rises throughout"
-    elif abs(law.end.s - 1) > BREAK_TOLERANCE:
-        fault = f"ends at s = {law.end.s:g}; expected a law that ends at 1"
-    elif max(abs(law.start.v), abs(law.end.v)) > REST:
-        fault = "does not begin and end at rest; expected a law that does"
-    elif min(falls[:top].min(initial=0.0), -falls[top:].max(initial=0.0)) < -REST:
-        fault = "speeds up more than once; expected a law that speeds up once, then slows down"
-    elif law.coefficients.cv < LEAST_CV:
-        fault = f"has C_v = {law.coefficients.cv:g}; expected at least {LEAST_CV:g}"
-    if fault:
-        raise EntryError("cutter.law", f"the law {code} {fault}")

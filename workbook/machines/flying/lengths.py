@@ -4,40 +4,42 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from engine.flying import Cut
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, calc, constant, given, result
-from workbook.entries.units import MM
+from workbook.entries.units import MM, shown
 from workbook.machines.flying.entries import DRUM
-from workbook.machines.flying.view import BookCut, Flying
+from workbook.machines.flying.view import Flying
+from workbook.machines.flying.view import does as what
 
 IS_DRUM = f'fly_kind="{DRUM}"'
 
 
-def lengths_columns(machine: Flying, cuts: Sequence[BookCut], length: str, way: str) -> list[Quantity]:
+def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str) -> list[Quantity]:
     """Return what each cut asks for; ``length`` and ``way`` are the references to its length and its strategy."""
-    s = machine.scales
-    asked = [machine.asked(cut) for cut in cuts]
-    longest = max(c.product_length for c in cuts)
-    longest_time, longest_h = longest / machine.line, max(s["mm"], longest / MM)
+    scale, asked = machine.scales, [machine.asked(cut) for cut in cuts]
+    longest_time = max(cut.cycle_time for cut in cuts)
+    longest_h = shown(max(scale.length, *(cut.product_length for cut in cuts)), MM)
 
-    def of(name: str, per: float = 1.0) -> list[float]:
-        return [getattr(cut, name) / per for cut in cuts]
+    def of(name: str, unit: float = 1.0) -> list[float]:
+        return [shown(getattr(cut, name), unit) for cut in cuts]
 
     waits = f'=IF(AND({IS_DRUM},{way}="standstill",{length}>fly_limit),1,0)'
     does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps on"))'
     return [
-        result("does", "the tool", "", "", does, [cut.does for cut in cuts]),
+        result("does", "the tool", "", "", does, [what(cut) for cut in cuts]),
         result("low", "lowest speed", "v_min", "m/s",
-               "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts], scale=s["v"]),
+               "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts], scale=scale.speed),
         result("high", "highest speed", "v_max", "m/s",
-               "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts], scale=s["v"]),
+               "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts], scale=scale.speed),
         result("a", "peak acceleration", "a_max", "m/s²",
-               "=fly_ca*ABS([h1])/1000/[tm]^2", of("max_acceleration"), scale=s["a"], source="C_a h/t_m²"),
+               "=fly_ca*ABS([h1])/1000/[tm]^2", of("max_acceleration"), scale=scale.acceleration, source="C_a h/t_m²"),
         result("a_rms", "RMS acceleration", "a_rms", "m/s²",
                f"=fly_ca_rms*ABS([h1])/1000/[tm]^2*SQRT([tm]*fly_v/({length}/1000))", of("rms_acceleration"),
-               scale=s["a"], source="C_a,rms h/t_m² √(t_m/t_C)"),
+               scale=scale.acceleration, source="C_a,rms h/t_m² √(t_m/t_C)"),
         result("beta", "load factor", "β", "W/s",
-               "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)", [a.factor for a in asked], scale=s["beta"],
+               "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)", [a.factor for a in asked],
+               scale=scale.power_rate,
                source="S5, eqs. (15), (19)"),
         calc("h", "dynamic displacement", "h", "mm",
              f"=fly_l0-{length}", of("displacement", MM), scale=longest_h, source="L_0 − L_p"),
@@ -49,9 +51,10 @@ def lengths_columns(machine: Flying, cuts: Sequence[BookCut], length: str, way: 
         calc("h1", "displacement by the law", "h", "mm",
              "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM), scale=longest_h),
         calc("dv", "change of speed", "Δv_max", "m/s",
-             "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=s["v"], source="S5, eq. (10)"),
+             "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=scale.speed, source="S5, eq. (10)"),
         calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²",
-             "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"), scale=s["dw"], source="S5, eq. (13)"),
+             "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"), scale=scale.angular_acceleration,
+             source="S5, eq. (13)"),
     ]  # fmt: skip
 
 
@@ -94,28 +97,28 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
     sheet.print_columns = 20
 
 
-def line(book: Book, machine: Flying, cuts: Sequence[BookCut]) -> None:
+def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
     """Declare the lines at the product entered, at L_0 and at L_p,lim, as drawn in the charts."""
-    s = machine.scales
+    scale = machine.scales
     low, high = min(c.speed_range[0] for c in cuts), max(c.speed_range[1] for c in cuts)
     peak, beta = max(c.max_acceleration for c in cuts), max(machine.asked(c).factor for c in cuts)
-    cut, tool, e = machine.cut, machine.tool, machine.given.lengths
-    shown = "=IF(AND({0}>fly_short,{0}<fly_long),{0},fly_length)"
+    entered, e = machine.given.product_length, machine.given.lengths
+    among = "=IF(AND({0}>fly_short,{0}<fly_long),{0},fly_length)"
 
     def within(length: float) -> float:
-        return length if e.shortest < length < e.longest else cut.product_length / MM
+        return length if e.shortest < length < e.longest else entered
 
     book.sheets[-1].table(
         "length_line", "The product entered, L_0 and L_p,lim, as drawn in the charts", 2,
         constant("end", "end of the line", "", "", [0, 1]),
-        calc("x", "product", "L_p", "mm", "=fly_length", [cut.product_length / MM] * 2),
+        calc("x", "product", "L_p", "mm", "=fly_length", entered),
         calc("x0", "design length", "L_0", "mm",
-             shown.format("fly_l0"), [within(tool.design_length / MM)] * 2,
+             among.format("fly_l0"), within(shown(machine.tool.design_length, MM)),
              source="L_p where it is not among these lengths"),
         calc("x1", "limit", "L_p,lim", "mm",
-             shown.format("fly_limit"), [within(machine.limit)] * 2, source="L_p where it is not among these lengths"),
+             among.format("fly_limit"), within(machine.limit), source="L_p where it is not among these lengths"),
         calc("speed", "speed", "", "m/s",
-             "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high], scale=s["v"]),
-        calc("a", "acceleration", "", "m/s²", "=[end]*MAX([lengths.a])", [0.0, peak], scale=s["a"]),
-        calc("beta", "load factor", "", "W/s", "=[end]*MAX([lengths.beta])", [0.0, beta], scale=s["beta"]),
+             "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high], scale=scale.speed),
+        calc("a", "acceleration", "", "m/s²", "=[end]*MAX([lengths.a])", [0.0, peak], scale=scale.acceleration),
+        calc("beta", "load factor", "", "W/s", "=[end]*MAX([lengths.beta])", [0.0, beta], scale=scale.power_rate),
     )  # fmt: skip

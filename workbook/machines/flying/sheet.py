@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from math import degrees
-
+from engine.flying import LONGER, SAME_LENGTH, Beyond
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
-from workbook.entries.units import MM, PER_MINUTE, RPM
+from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.laws.stack import CODES
 from workbook.machines.flying.charts import beside
-from workbook.machines.flying.entries import LEAST_CV, LONGER
+from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
-from workbook.machines.flying.view import CASES, NEAR, Flying, fastest
+from workbook.machines.flying.view import CASES, Flying, does
 
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 DOES = (
@@ -78,19 +77,20 @@ def entries(sheet: Sheet, machine: Flying) -> None:
 
 def cycle(sheet: Sheet, machine: Flying) -> None:
     """Declare the case and the cycle's times and lengths."""
-    cut, tool, scale = machine.cut, machine.tool, machine.scales["mm"]
+    cut, tool, scale = machine.cut, machine.tool, shown(machine.scales.length, MM)
     case = '=IF(ABS(fly_h)<=fly_near*fly_l0,"in step",IF(fly_h>0,"faster","slower"))'
     sheet.rows(
-        result("fly_rate", "Products", "", "1/min", "=60/fly_tc", 60 / cut.cycle_time),
+        result("fly_rate", "Products", "", "1/min", "=60/fly_tc", shown(cut.rate, PER_MINUTE)),
         result("fly_case", "The tool re-positions", "", "",
                case, CASES[cut.case], align="center", source="faster or slower than the line, by the sign of h"),
         result("fly_does", "While it does, it", "", "",
-               DOES, cut.does, align="center", source="keeps on, waits at standstill, or reverses"),
+               DOES, does(cut), align="center", source="keeps on, waits at standstill, or reverses"),
         result("fly_h", "Dynamic displacement", "h", "mm",
-               "=fly_l0-fly_length", cut.displacement / MM, scale=scale,
+               "=fly_l0-fly_length", shown(cut.displacement, MM), scale=scale,
                source="S5: h = L_0 − L_p; 0 of a product as long as L_0"),
         result("fly_l0", "Design length", "L_0", "mm",
-               "=RADIANS(fly_pitch)*fly_r", tool.design_length / MM, scale=scale, source="S5: θ_0 R_t; a saw has none"),
+               "=RADIANS(fly_pitch)*fly_r", shown(tool.design_length, MM), scale=scale,
+               source="S5: θ_0 R_t; a saw has none"),
         result("fly_limit", "Longest product without standstill", "L_p,lim", "mm",
                f"=IF({IS_DRUM},(fly_cv*fly_l0-fly_lt)/(fly_cv-1),0)", machine.limit, scale=scale,
                source="S5: (C_v L_0 − L_T)/(C_v − 1); 0: a saw always reverses"),
@@ -108,36 +108,41 @@ def cycle(sheet: Sheet, machine: Flying) -> None:
 def kinematics(sheet: Sheet, machine: Flying) -> None:
     """Declare speeds, accelerations and travel."""
     cut, s = machine.cut, machine.scales
+    mm, rpm = shown(s.length, MM), shown(s.angular_speed, RPM)
     low, high = cut.speed_range
-    turns = [v / machine.tool.radius / RPM for v in (low, high)]
+    slowest, fastest = (shown(w, RPM) for w in cut.angular_speed_range)
     per = "*1000/fly_r"
     sheet.rows(
         result("fly_dv", "Change of the tool's speed", "Δv_max", "m/s",
-               "=fly_cv*fly_h1/1000/fly_tm", cut.speed_change, scale=s["v"], source="S5, eq. (10): C_v h/t_R"),
+               "=fly_cv*fly_h1/1000/fly_tm", cut.speed_change, scale=s.speed, source="S5, eq. (10): C_v h/t_R"),
         result("fly_domega", "of its shaft", "Δω_max", "rad/s",
-               f"=fly_dv{per}", cut.angular_speed_change, scale=s["w"], source="S5, eq. (11): Δv_max/R_t"),
+               f"=fly_dv{per}", cut.angular_speed_change, scale=s.angular_speed, source="S5, eq. (11): Δv_max/R_t"),
         result("fly_low", "Lowest speed of the tool", "v_min", "m/s",
-               "=MIN(fly_v,fly_v+fly_dv)", low, scale=s["v"], source="below 0: against the line"),
-        result("fly_high", "Highest speed of the tool", "v_max", "m/s", "=MAX(fly_v,fly_v+fly_dv)", high, scale=s["v"]),
+               "=MIN(fly_v,fly_v+fly_dv)", low, scale=s.speed, source="below 0: against the line"),
+        result("fly_high", "Highest speed of the tool", "v_max", "m/s", "=MAX(fly_v,fly_v+fly_dv)", high,
+        scale=s.speed),
         result("fly_rpm_low", "Lowest speed of the shaft", "n_min", "rpm",
-               f"=fly_low{per}*60/(2*PI())", turns[0], scale=s["w"] / RPM),
+               f"=fly_low{per}*60/(2*PI())", slowest, scale=rpm),
         result("fly_rpm_high", "Highest speed of the shaft", "n_max", "rpm",
-               f"=fly_high{per}*60/(2*PI())", turns[1], scale=s["w"] / RPM),
+               f"=fly_high{per}*60/(2*PI())", fastest, scale=rpm),
         result("fly_a", "Peak acceleration of the tool", "a_max", "m/s²",
-               "=fly_ca*ABS(fly_h1)/1000/fly_tm^2", cut.max_acceleration, scale=s["a"], source="S5: C_a h/t_R²"),
+               "=fly_ca*ABS(fly_h1)/1000/fly_tm^2", cut.max_acceleration, scale=s.acceleration,
+               source="S5: C_a h/t_R²"),
         result("fly_dw", "of its shaft", "ω̇_max", "rad/s²",
-               f"=fly_a{per}", cut.max_angular_acceleration, scale=s["dw"], source="S5, eq. (12): a_max/R_t"),
+               f"=fly_a{per}", cut.max_angular_acceleration, scale=s.angular_acceleration,
+               source="S5, eq. (12): a_max/R_t"),
         result("fly_a_rms", "RMS acceleration of the tool", "a_rms", "m/s²",
-               "=fly_ca_rms*ABS(fly_h1)/1000/fly_tm^2*SQRT(fly_tm/fly_tc)", cut.rms_acceleration, scale=s["a"],
+               "=fly_ca_rms*ABS(fly_h1)/1000/fly_tm^2*SQRT(fly_tm/fly_tc)", cut.rms_acceleration, scale=s.acceleration,
                source="S5: C_a,rms h/t_R² √(t_R/t_C), over the cycle"),
         result("fly_dw_rms", "of its shaft", "ω̇_rms", "rad/s²",
-               f"=fly_a_rms{per}", cut.rms_angular_acceleration, scale=s["dw"], source="S5, eq. (13): a_rms/R_t"),
+               f"=fly_a_rms{per}", cut.rms_angular_acceleration, scale=s.angular_acceleration,
+               source="S5, eq. (13): a_rms/R_t"),
         result("fly_stroke", "Stroke of the tool in a cycle", "", "mm",
-               "=MAX(0,fly_l0,fly_turn_1,fly_turn_2)-MIN(0,fly_l0,fly_turn_1,fly_turn_2)", cut.stroke / MM,
-               scale=s["mm"], source="furthest less nearest: travel of a saw's slide"),
+               "=MAX(0,fly_l0,fly_turn_1,fly_turn_2)-MIN(0,fly_l0,fly_turn_1,fly_turn_2)", shown(cut.stroke, MM),
+               scale=mm, source="furthest less nearest: travel of a saw's slide"),
         result("fly_line_max", "Highest line speed within the limits", "v_L", "m/min",
                "=fly_line*IF(fly_dw>0,MIN(fly_rpm_max/fly_n,SQRT(fly_dw_max/fly_dw)),fly_rpm_max/fly_n)",
-               machine.allowed_line / PER_MINUTE, source="speed grows with v_L, acceleration with v_L²"),
+               machine.fastest_line, source="speed grows with v_L, acceleration with v_L²"),
     )  # fmt: skip
 
 
@@ -147,14 +152,15 @@ def load(sheet: Sheet, machine: Flying) -> None:
     sheet.rows(
         result("fly_w_max", "Highest speed of the shaft, either way", "ω_L,max", "rad/s",
                "=MAX(ABS(fly_low),ABS(fly_high))*1000/fly_r", cut.max_angular_speed),
-        result("fly_n", "in revolutions", "n_L,max", "rpm", "=fly_w_max*60/(2*PI())", cut.max_angular_speed / RPM),
+        result("fly_n", "in revolutions", "n_L,max", "rpm",
+               "=fly_w_max*60/(2*PI())", shown(cut.max_angular_speed, RPM)),
         result("fly_torque_rms", "RMS of the generalized load torque", "T*_L,rms", "Nm",
-               "=SQRT(fly_torque^2+(fly_j*fly_dw_rms)^2)", asked.torque, scale=s["torque"],
+               "=SQRT(fly_torque^2+(fly_j*fly_dw_rms)^2)", asked.torque, scale=s.torque,
                source="S5: T*_L = T_L + J_L ω̇_L; the mean of ω̇_L is 0"),
         result("fly_mean", "Mean of acceleration times torque", "(ω̇ T*)_mean", "W/s",
-               "=fly_j*fly_dw_rms^2", asked.mean, scale=s["beta"], source="T_L drops out over a cycle"),
+               "=fly_j*fly_dw_rms^2", asked.mean, scale=s.power_rate, source="T_L drops out over a cycle"),
         result("fly_beta", "Load factor", "β", "W/s",
-               "=2*(fly_dw_rms*fly_torque_rms+fly_mean)", asked.factor, scale=s["beta"],
+               "=2*(fly_dw_rms*fly_torque_rms+fly_mean)", asked.factor, scale=s.power_rate,
                source="S5, eq. (15); 4 J_L ω̇²_rms without T_L (17), (19)"),
     )  # fmt: skip
 
@@ -185,8 +191,8 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
 
 def cases(sheet: Sheet, machine: Flying) -> None:
     """Declare the cases that the product length decides between."""
-    e, tool, limit = machine.given, machine.tool.tool_length / MM, machine.limit
-    whole = machine.tool.design_length / MM
+    e, limit, mm = machine.given, machine.limit, shown(machine.scales.length, MM)
+    tool, whole = shown(machine.tool.tool_length, MM), shown(machine.tool.design_length, MM)
     sheet.heading(
         "The cases by product length", "S5, 'Variable length cut'; a saw has no design length, and always reverses."
     )
@@ -197,10 +203,10 @@ def cases(sheet: Sheet, machine: Flying) -> None:
                  align="left"),
         calc("low", "longer than", "", "mm",
              ["=MIN(fly_lt,fly_l0)", "=fly_l0", "=fly_l0", "=MAX(fly_lt,fly_limit)"],
-             [min(tool, whole), whole, whole, max(tool, limit)], scale=machine.scales["mm"]),
+             [min(tool, whole), whole, whole, max(tool, limit)], scale=mm),
         calc("high", "up to", "", "mm",
              ["=fly_l0", "=fly_l0", "=fly_limit", "=MAX(fly_long,fly_length)"],
-             [whole, whole, limit, max(e.lengths.longest, e.product_length)], scale=machine.scales["mm"]),
+             [whole, whole, limit, max(e.lengths.longest, e.product_length)], scale=mm),
         result("here", "the product", "", "",
                '=IF([k]=fly_row,"is here","-")', ["is here" if k == machine.case else "-" for k in range(1, 5)],
                align="center"),
@@ -210,8 +216,8 @@ def cases(sheet: Sheet, machine: Flying) -> None:
 
 def strategies(sheet: Sheet, machine: Flying) -> None:
     """Declare both ways with a product that is too long to keep moving."""
-    ways = ("standstill", "reversal")
-    cuts = [machine.of(machine.given.product_length, way) for way in ways]  # type: ignore[arg-type]
+    ways: tuple[Beyond, ...] = ("standstill", "reversal")
+    cuts = [machine.of(machine.given.product_length, way) for way in ways]
     sheet.heading(
         "Standstill or reversal", "What this product asks for either way; the same unless it is longer than L_p,lim."
     )
@@ -225,25 +231,25 @@ def strategies(sheet: Sheet, machine: Flying) -> None:
 def workings(sheet: Sheet, machine: Flying) -> None:
     """Declare the way from the entries to the motion, as S5 goes it."""
     cut, tool, law, s = machine.cut, machine.tool, machine.law.coefficients, machine.scales
-    number = CODES.index(machine.given.law) + 1
-    turn = 360.0
-    angles = [degrees(x / tool.radius) for x in (tool.design_length, tool.tool_length, tool.repositioning_length)]
+    number, mm, turn = CODES.index(machine.given.law) + 1, shown(s.length, MM), 360.0
+    lengths = (tool.design_length, tool.tool_length, tool.repositioning_length)
+    pitch, sync, back = (shown(tool.angle(length), DEGREE) for length in lengths)
     sheet.heading("Workings")
     sheet.rows(
         calc("fly_v", "Line speed", "v_L", "m/s", "=fly_line/60", machine.line),
         calc("fly_r", "Travel of the tool a radian of its shaft", "R_t", "mm",
-             f"=IF({IS_DRUM},fly_radius,fly_lead/(2*PI()))", tool.radius / MM,
+             f"=IF({IS_DRUM},fly_radius,fly_lead/(2*PI()))", shown(tool.radius, MM),
              source="the drum's radius; p/2π of a slide"),
         calc("fly_pitch", "Angle between the tools", "θ_0", "°",
-             f"=IF({IS_DRUM},360/fly_tools,0)", angles[0], scale=turn, source="S5: 2π/n; 0 of a saw"),
+             f"=IF({IS_DRUM},360/fly_tools,0)", pitch, scale=turn, source="S5: 2π/n; 0 of a saw"),
         calc("fly_sync", "Angle in step with the line", "θ_T", "°",
-             f"=IF({IS_DRUM},fly_angle,DEGREES(fly_saw/fly_r))", angles[1], scale=turn),
+             f"=IF({IS_DRUM},fly_angle,DEGREES(fly_saw/fly_r))", sync, scale=turn),
         calc("fly_back", "Angle of the re-positioning", "θ_R", "°",
-             "=fly_pitch-fly_sync", angles[2], scale=turn, source="S5: θ_0 − θ_T"),
+             "=fly_pitch-fly_sync", back, scale=turn, source="S5: θ_0 − θ_T"),
         calc("fly_lt", "Tool length", "L_T", "mm",
-             "=RADIANS(fly_sync)*fly_r", tool.tool_length / MM, scale=s["mm"], source="S5: θ_T R_t"),
+             "=RADIANS(fly_sync)*fly_r", shown(tool.tool_length, MM), scale=mm, source="S5: θ_T R_t"),
         calc("fly_lr", "Length of the re-positioning", "L_R", "mm",
-             "=fly_l0-fly_lt", tool.repositioning_length / MM, scale=s["mm"],
+             "=fly_l0-fly_lt", shown(tool.repositioning_length, MM), scale=mm,
              source="S5: L_0 − L_T; a saw goes back by L_T"),
         calc("fly_j", "Inertia of the load at the shaft", "J_L", "kg m²",
              "=fly_inertia+fly_mass*(fly_r/1000)^2", machine.load.inertia, source="J + m R_t²"),
@@ -262,16 +268,16 @@ def workings(sheet: Sheet, machine: Flying) -> None:
              "=IF(fly_waits=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,fly_tr)", cut.moving_time,
              source="t_R; with a wait, so that v_min = 0"),
         calc("fly_h1", "Displacement by the law", "h", "mm",
-             "=IF(fly_waits=1,0-fly_v*1000*fly_tm/fly_cv,fly_h)", cut.superimposed / MM, scale=s["mm"],
+             "=IF(fly_waits=1,0-fly_v*1000*fly_tm/fly_cv,fly_h)", shown(cut.superimposed, MM), scale=mm,
              source="L_0 − L_p; with a wait, −v_L t_m/C_v"),
-        calc("fly_peak", "Where the law is fastest", "ξ_v", "", "=INDEX([fastest.at],fly_no)", fastest(machine.law)),
+        calc("fly_peak", "Where the law is fastest", "ξ_v", "", "=INDEX([fastest.at],fly_no)", cut.fastest),
         calc("fly_stop", "When the drum comes to a standstill", "", "s",
              "=IF(fly_waits=1,fly_peak*fly_tm,fly_tr)", cut.wait[0], scale=cut.cycle_time, source="t_R: not at all"),
         calc("fly_eps", "Tolerance of a time", "ε", "s",
-             "=fly_tc*fly_near", cut.cycle_time * NEAR, format="0E+00",
+             "=fly_tc*fly_near", cut.time_tolerance, format="0E+00",
              source="a sample this near to an event counts as on it"),
         constant("fly_near", "What counts as the same", "ε", "",
-                 NEAR, format="0E+00", source="of a length, a time, a speed, a share of the law"),
+                 SAME_LENGTH, format="0E+00", source="of a length, a time, a speed, a share of the law"),
         constant("fly_longer", "Shortest product, in tool lengths", "", "", LONGER, format="0.000"),
         constant("fly_least_cv", "Least coefficient of velocity", "", "",
                  LEAST_CV, format="0.000", source="with less, no drum comes to a standstill"),

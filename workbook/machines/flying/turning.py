@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.laws import Law
-from engine.laws.base import Array
+from engine.flying import SAME_LENGTH
+from engine.halving import velocity_halvings
 from workbook.book.declare import Book, Sheet, calc, constant
-from workbook.entries.units import MM
+from workbook.entries.units import MM, shown
 from workbook.laws import sampling
 from workbook.laws.shapes import fastest_formulas
 from workbook.laws.stack import CODES
-from workbook.machines.flying.entries import REST
-from workbook.machines.flying.view import NEAR, Flying, fastest
+from workbook.machines.flying.view import REST, Flying, fastest
 
 HALVINGS = 30  # the position at a turning point is known to the square of what this leaves
 
@@ -41,8 +40,10 @@ def peaks(sheet: Sheet, machine: Flying) -> None:
 def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> None:
     """Declare both turning points: the law gets as fast as v* on its way to its peak, and slows to it after."""
     cut, law = machine.cut, machine.law
-    wanted = -machine.line * cut.moving_time / cut.superimposed if cut.reverses else 1.0
-    peak, number = fastest(law), CODES.index(machine.given.law) + 1
+    wanted, number, mm = cut.standing_velocity, CODES.index(machine.given.law) + 1, shown(machine.scales.length, MM)
+    sides = ((0.0, cut.fastest), (cut.fastest, 1.0))
+    found = [velocity_halvings(law, wanted, low, high, HALVINGS, SAME_LENGTH) for low, high in sides]
+    positions = [shown(cut.position_at(float(middle[-1])), MM) for _, _, middle in found]
     sheet.heading(
         "Turning points", "Where the tool stands for an instant before it reverses: v(ξ) = v*, found by halving."
     )
@@ -50,19 +51,22 @@ def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> No
     sheet.rows(
         calc("fly_turn_v", "Velocity of the law at which the tool stands", "v*", "",
              reverse, wanted, source="−v_L t_m/h; of a tool that never turns, that of the mean"),
-        *(calc(f"fly_turn_{k}", f"Position at the {word} turning point", "", "mm",
-               f"=fly_v*1000*[turn_{k}.xi.last]*fly_tm+fly_h1*[turn_{k}.s.last]", at, scale=machine.scales["mm"],
-               source="v_L t + h s")
-          for k, word, at in zip((1, 2), ("first", "second"), positions(machine, wanted, peak), strict=True)),
+        calc("fly_turn_1", "Position at the first turning point", "", "mm",
+             "=fly_v*1000*[turn_1.xi.last]*fly_tm+fly_h1*[turn_1.s.last]", positions[0], scale=mm,
+             source="v_L t + h s"),
+        calc("fly_turn_2", "Position at the second turning point", "", "mm",
+             "=fly_v*1000*[turn_2.xi.last]*fly_tm+fly_h1*[turn_2.s.last]", positions[1], scale=mm,
+             source="v_L t + h s"),
     )  # fmt: skip
-    for k, rising in ((1, True), (2, False)):
-        low, high, xi = halving(law, wanted, peak, rising)
-        begin, end = ("0", "fly_peak") if rising else ("fly_peak", "1")
-        before = "[v-1]+fly_near<fly_turn_v" if rising else "[v-1]-fly_near>fly_turn_v"
+    tables = (
+        ("turn_1", "First turning point: the rise of v halved", "0", "fly_peak", "[v-1]+fly_near<fly_turn_v"),
+        ("turn_2", "Second turning point: the fall of v halved", "fly_peak", "1", "[v-1]-fly_near>fly_turn_v"),
+    )
+    for (name, title, begin, end, before), (low, high, xi) in zip(tables, found, strict=True):
         values = dict(zip("sva", law.evaluate(xi), strict=False))
         sheet.row += 1
         sheet.table(
-            f"turn_{k}", f"{'First' if rising else 'Second'} turning point: the {'rise' if rising else 'fall'} of v halved", HALVINGS,
+            name, title, HALVINGS,
             constant("k", "halving", "k", "", list(range(1, HALVINGS + 1))),
             calc("low", "not before", "ξ", "", f"=IF([k]=1,{begin},IF({before},[xi-1],[low-1]))", low),
             calc("high", "not after", "ξ", "", f"=IF([k]=1,{end},IF({before},[high-1],[xi-1]))", high),
@@ -72,33 +76,10 @@ def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> No
         )  # fmt: skip
 
 
-def positions(machine: Flying, wanted: float, peak: float) -> list[float]:
-    """Return the positions in mm at both turning points."""
-    cut, law = machine.cut, machine.law
-    found = [halving(law, wanted, peak, rising)[2][-1] for rising in (True, False)]
-    return [(machine.line * xi * cut.moving_time + cut.superimposed * float(law.s(xi))) / MM for xi in found]
-
-
-def halving(law: Law, wanted: float, peak: float, rising: bool) -> tuple[Array, Array, Array]:
-    """Return the bounds and the middle of every halving of the rise, or of the fall, of the law's velocity."""
-    low, high = (0.0, peak) if rising else (peak, 1.0)
-    rows = []
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        rows.append((low, high, middle))
-        v = float(law.v(middle))
-        if v + NEAR < wanted if rising else v - NEAR > wanted:
-            low = middle
-        else:
-            high = middle
-    table = np.array(rows)
-    return table[:, 0], table[:, 1], table[:, 2]
-
-
 def own_peak(sheet: Sheet, machine: Flying) -> None:
     """Declare where the samples of the own law are fastest, and whether they speed up or slow down elsewhere."""
     law, n = machine.library["OWN"], machine.sizes.own_law
-    xi = np.arange(n + 1) / n
+    xi = np.linspace(0.0, 1.0, n + 1)
     v = law.v(xi)
     peak = fastest(law)
     gain = np.diff(v, prepend=v[0])
@@ -113,7 +94,8 @@ def own_peak(sheet: Sheet, machine: Flying) -> None:
              "=IF(INDEX([own_samples.v],[k])>=fly_own_top-check_zero,INDEX([own_samples.xi],[k]),1)",
              np.where(v >= v.max() - REST, xi, 1.0), source="1: not here"),
         calc("back", "the wrong way", "Δv", "",
-             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{CODES.index('OWN') + 1}],INDEX([own_samples.v],"
-              "[k]-1)-INDEX([own_samples.v],[k]),INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
+             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{CODES.index('OWN') + 1}],"
+              "INDEX([own_samples.v],[k]-1)-INDEX([own_samples.v],[k]),"
+              "INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
              source="slower before the peak, faster after it"),
     )  # fmt: skip

@@ -3,60 +3,42 @@
 from __future__ import annotations
 
 from functools import cached_property
-from math import pi, radians, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
 from engine.choice import Task
 from engine.drivetrain import Load
-from engine.flying import Beyond, Cut, Tool, ToolMotion, flying_saw, rotary_drum
+from engine.flying import Beyond, Cut, ShaftMotion, Sizes, Tool, ToolMotion, flying_saw, generalized_torque, rotary_drum
+from engine.flying import sizes as sizes_of
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.sections import velocity_peak
 from engine.motion import Phase
-from workbook.entries.units import MM, PER_MINUTE, RPM
+from workbook.entries.units import DEGREE, MM, MM_PER_TURN, PER_MINUTE, RPM, shown, si
 from workbook.laws.library import OwnLaw
-from workbook.machines.flying.entries import DRUM, REST, CutterEntry, FlyingCutter
+from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 
 CASES = {"faster": "faster", "constant speed": "in step", "slower": "slower"}
 """the engine's words for the three cases, and the sheet's"""
-NEAR = 1e-12  # of a length, a time, a speed: so near is the same
+REST = 1e-9  # dimensionless velocity at which a law is at rest
 
 
 def tool_of(given: CutterEntry) -> Tool:
     """Return the engine's tool."""
     if given.kind == DRUM:
         drum = given.drum
-        return rotary_drum(int(drum.tools), drum.radius * MM, radians(drum.tool_angle))
-    return flying_saw(given.saw.tool_length * MM, given.saw.lead * MM / (2 * pi))
+        return rotary_drum(int(drum.tools), si(drum.radius, MM), si(drum.tool_angle, DEGREE))
+    return flying_saw(si(given.saw.tool_length, MM), si(given.saw.lead, MM_PER_TURN))
 
 
 def fastest(law: Law) -> float:
     """Return where a law is fastest; of the own law, the first of its samples that is as fast as any."""
     if not isinstance(law, OwnLaw):
         return velocity_peak(law)
-    xi = np.arange(law.intervals + 1) / law.intervals
+    xi = np.linspace(0.0, 1.0, law.intervals + 1)
     v = law.v(xi)
     return float(xi[np.argmax(v >= v.max() - REST)])
-
-
-class BookCut(Cut):
-    """A cut whose drum waits where the cells find the law fastest."""
-
-    @cached_property
-    def _wait_begins(self) -> float:
-        return fastest(self.law) * self.moving_time if self.waits else self.repositioning_time
-
-    @property
-    def does(self) -> str:
-        """What the tool does while it re-positions."""
-        return "waits" if self.waits else "reverses" if self.reverses else "keeps on"
-
-    @property
-    def wait(self) -> tuple[float, float]:
-        """When the drum comes to a standstill and when it goes on (s); the end of the re-positioning without."""
-        return self._wait_begins, self._wait_begins + self.waiting_time
 
 
 class Asked(NamedTuple):
@@ -74,9 +56,10 @@ class Flying:
     def __init__(self, machine: FlyingCutter, library: dict[str, Law]) -> None:
         self.given, self.sizes, self.library = machine.cutter, machine.sizes, library
         self.tool, self.law = tool_of(self.given), library[self.given.law]
-        self.line = self.given.line_speed * PER_MINUTE
+        self.line = si(self.given.line_speed, PER_MINUTE)
         load = self.given.load
-        self.load = Load(load.inertia + load.mass * self.tool.radius**2, load.torque)
+        self.load = Load(self.tool.load_inertia(load.inertia, load.mass), load.torque)
+        self.peak = fastest(self.law)
         self.cut = self.of(self.given.product_length)
 
     @property
@@ -84,9 +67,9 @@ class Flying:
         """Whether the tool goes round."""
         return self.given.kind == DRUM
 
-    def of(self, length: float, beyond: Beyond | None = None) -> BookCut:
-        """Return the cut of a product length in mm."""
-        return BookCut(self.tool, length * MM, self.line, self.law, beyond or self.given.beyond)
+    def of(self, length: float, beyond: Beyond | None = None) -> Cut:
+        """Return the cut of a product length in mm, whose drum waits where the cells find the law fastest."""
+        return Cut(self.tool, si(length, MM), self.line, self.law, beyond or self.given.beyond, self.peak)
 
     def asked(self, cut: Cut) -> Asked:
         """Return what a cut asks of the drive, exactly, from the law's coefficients."""
@@ -99,65 +82,65 @@ class Flying:
         task = Task.of_load(self.load, phases, self.tool.radius)
         return Asked(task.acceleration_rms, task.torque_rms, task.power_rate_mean, task.load_factor)
 
-    @cached_property
+    @property
     def times(self) -> Array:
         """The sampled times of the cycle (s)."""
-        n = self.sizes.cycle
-        return np.arange(n + 1) * self.cut.cycle_time / n
+        return np.linspace(0.0, self.cut.cycle_time, self.sizes.cycle + 1)
 
     @cached_property
     def samples(self) -> ToolMotion:
-        """The tool at :attr:`times`; a sample on an end of the wait takes the law's side of it, as the cells do."""
-        near = NEAR * self.cut.cycle_time
-        begin, end = self.cut.wait
-        t = self.times
-        if self.cut.waits:
-            t = np.where(np.abs(t - begin) <= near, begin, np.where(np.abs(t - end) <= near, end + near, t))
-        return self.cut.at(t)
+        """The tool at :attr:`times`."""
+        return self.cut.at(self.times)
 
     @cached_property
+    def shaft(self) -> ShaftMotion:
+        """The shaft of the tool at :attr:`times`."""
+        return self.samples.at_shaft(self.tool.radius)
+
+    @property
+    def torque(self) -> Array:
+        """The generalized load torque at :attr:`times` (Nm)."""
+        return generalized_torque(self.load.torque, self.load.inertia, self.shaft.acceleration)
+
+    @property
     def lengths(self) -> Array:
         """The product lengths compared (mm)."""
-        given, n = self.given.lengths, self.sizes.lengths
-        return given.shortest + np.arange(n + 1) * (given.longest - given.shortest) / n
+        return np.linspace(self.given.lengths.shortest, self.given.lengths.longest, self.sizes.lengths + 1)
 
     @property
     def limit(self) -> float:
         """L_p,lim in mm; 0 for a saw, which always reverses."""
-        return self.cut.limit_length / MM if self.is_drum else 0.0
+        return shown(self.cut.limit_length, MM) if self.is_drum else 0.0
 
     @property
-    def allowed_line(self) -> float:
-        """The line speed at which the shaft reaches the first of its limits (m/s): ω ~ v_L, ω̇ ~ v_L²."""
+    def fastest_line(self) -> float:
+        """The line speed at which the shaft reaches the first of its limits (m/min)."""
         limits = self.given.limits
-        unit = BookCut(self.tool, self.cut.product_length, 1.0, self.law, self.given.beyond)
-        by_speed = limits.speed * RPM / unit.max_angular_speed
-        dw = unit.max_angular_acceleration
-        return min(by_speed, sqrt(limits.acceleration / dw)) if dw > 0.0 else by_speed
+        return shown(self.cut.fastest_line(si(limits.speed, RPM), limits.acceleration), PER_MINUTE)
 
     @property
     def case(self) -> int:
         """Which row of the cases by product length holds: shorter than L_0, as long, longer, too long to keep on."""
         if self.cut.case != "slower":
             return 1 if self.cut.case == "faster" else 2
-        return 4 if self.cut.speed_range[0] <= NEAR * self.line else 3
+        return 4 if self.cut.stops else 3
 
     @property
     def holds(self) -> dict[str, bool]:
         """Whether each limit is kept: speed, acceleration, stroke."""
         limits, cut = self.given.limits, self.cut
         return {
-            "speed": cut.max_angular_speed / RPM <= limits.speed,
+            "speed": shown(cut.max_angular_speed, RPM) <= limits.speed,
             "acceleration": cut.max_angular_acceleration <= limits.acceleration,
-            "stroke": self.is_drum or cut.stroke / MM <= self.given.saw.stroke,
+            "stroke": self.is_drum or shown(cut.stroke, MM) <= self.given.saw.stroke,
         }
 
     @cached_property
-    def scales(self) -> dict[str, float]:
-        """What deviations are measured by where a quantity may be near 0: mm, m/s, m/s², rad/s², W/s."""
-        length = max(self.tool.design_length, self.cut.product_length)
-        a = self.line**2 / length
-        dw = a / self.tool.radius
-        torque = self.load.inertia * dw
-        return {"mm": length / MM, "v": self.line, "a": a, "w": self.line / self.tool.radius, "dw": dw,
-                "torque": sqrt(torque**2 + self.load.torque**2), "beta": self.load.inertia * dw**2}  # fmt: skip
+    def scales(self) -> Sizes:
+        """What deviations are measured by where a quantity may be near 0."""
+        return sizes_of(self.cut, self.load.inertia, self.load.torque)
+
+
+def does(cut: Cut) -> str:
+    """Return in a word what the tool does while it re-positions."""
+    return "waits" if cut.waits else "reverses" if cut.reverses else "keeps on"

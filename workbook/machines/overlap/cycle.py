@@ -6,18 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array
+from engine.laws.base import Array
 from engine.overlap import Schedule
+from engine.overlap.picture import LANE_SHARE, lane
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
-from workbook.entries.units import MM
+from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.laws.stack import CODES
 from workbook.machines.overlap.entries import TURN
-from workbook.machines.overlap.places import law_rows
 from workbook.machines.overlap.view import Overlapping, Station
 
-EPS = TURN * BREAK_TOLERANCE
-LANE_SHARE = 0.8
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
 PART = (
     "=1+IF([since{0}]+overlap_eps>=@dwell,1,0)+IF([since{0}]+overlap_eps>=@dwell+[@schedules.out.{1}],1,0)"
@@ -29,39 +27,31 @@ ABSCISSA = (
 )
 
 
-def turned(theta: Array) -> Array:
-    """Return angles in degrees within one turn; what is just below a whole turn counts as on it."""
-    return theta - TURN * np.floor(theta / TURN + BREAK_TOLERANCE)
-
-
-class ToolState:
+class AtAngles:
     """The tool of one schedule at angles of the master shaft: from its arrival dwell, way out, rest, way in."""
 
     def __init__(self, station: Station, plan: Schedule, theta: Array, pieces: sampling.Pieces) -> None:
         """Take angles in degrees."""
         self.station, self.plan, self.pieces = station, plan, pieces
-        arrival, way_in, way_out = np.degrees([plan.arrival, plan.way_in, plan.way_out])
-        leave = station.given.dwell
-        self.x = turned(theta - arrival)
-        starts = (leave, leave + way_out, TURN - way_in)
-        self.part = 1 + sum((self.x + EPS >= s).astype(int) for s in starts)
-        out, into = (self.x - leave) / way_out, (self.x - TURN + way_in) / way_in
-        self.xi = np.clip(np.select([self.part == 2, self.part == 4], [out, into], 0.0), 0.0, 1.0)
-        self.y = plan.positions(np.deg2rad(theta)).tool / MM
+        self.angle = si(theta, DEGREE)
+        self.state = plan.state(self.angle)
+        self.travel = plan.travel(self.angle)
+        self.y = shown(self.travel, MM)
 
     def columns(self, suffix: str, row: int) -> list[Quantity]:
         """Return the workings and the travel; ``row`` is the schedule's in the table of the tool's angles."""
         given, library = self.station.given, self.station.machine.library
         codes = np.array(["DWL", given.law_out, "DWL", given.law_in])
-        numbers = np.array([CODES.index(code) + 1 for code in codes])[self.part - 1]
-        found = np.empty((3, len(self.x)))
-        values = {d: np.empty(len(self.x)) for d in "sa"}
+        since, part, xi = self.state
+        numbers = np.array([CODES.index(code) + 1 for code in codes])[part - 1]
+        found = np.empty((3, len(xi)))
+        values = {d: np.empty(len(xi)) for d in "sa"}
         for number in np.unique(numbers):
             here = numbers == number
-            found[:, here] = self.pieces.locate(int(number), self.xi[here])
-            at = library[CODES[number - 1]].evaluate(self.xi[here])
+            found[:, here] = self.pieces.locate(int(number), xi[here])
+            at = library[CODES[number - 1]].evaluate(xi[here])
             values["s"][here], values["a"][here] = at.s, at.a
-        row_in, row_out = law_rows(self.station)
+        row_in, row_out = self.station.law_rows
         q, u, x = found
         return [
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
@@ -69,10 +59,10 @@ class ToolState:
                  source="h s in, h (1 − s) out"),
             calc(f"since{suffix}", "angle since its arrival", "", "°",
                  f"=[theta]-[@schedules.there.{row}]-360*INT(([theta]-[@schedules.there.{row}])/360+break_tolerance)",
-                 self.x, scale=TURN),
+                 shown(since, DEGREE), scale=TURN),
             calc(f"part{suffix}", "phase", "", "",
-                 PART.format(suffix, row), self.part, format="0", source="1 dwell, 2 out, 3 rest, 4 in"),
-            calc(f"xi{suffix}", "abscissa", "ξ", "", ABSCISSA.format(suffix, row), self.xi),
+                 PART.format(suffix, row), part, format="0", source="1 dwell, 2 out, 3 rest, 4 in"),
+            calc(f"xi{suffix}", "abscissa", "ξ", "", ABSCISSA.format(suffix, row), xi),
             calc(f"n{suffix}", "law number", "", "",
                  f"=CHOOSE([part{suffix}],1,[used.no.{row_out}],1,[used.no.{row_in}])", numbers, format="0"),
             *sampling.finding(f"[n{suffix}]", f"xi{suffix}", (q, u, x), suffix),
@@ -81,35 +71,25 @@ class ToolState:
 
     def acceleration(self, suffix: str, row: int, label: str) -> Quantity:
         """Return the column of the acceleration in m/s², from the engine's motion of the tool."""
-        motion = self.plan.diagram.axis("tool").motion
-        snapped = np.minimum(np.deg2rad(np.maximum(self.x, 0.0)), 2 * np.pi)
-        value = motion.at(snapped).y2 * self.station.machine.omega**2
+        value = self.plan.acceleration(self.angle, self.station.machine.rate)
         formula = (
-            f"=CHOOSE([part{suffix}],0,0-[a{suffix}]/[@schedules.t_out.{row}]^2,0,[a{suffix}]/[@schedules.t_in.{row}]^2)"
-            "*@stroke/1000"
+            f"=CHOOSE([part{suffix}],0,0-[a{suffix}]/[@schedules.t_out.{row}]^2,"
+            f"0,[a{suffix}]/[@schedules.t_in.{row}]^2)*@stroke/1000"
         )
         return result(f"acc{suffix}", label, "a", "m/s²", formula, value, source="± h a/t_m²")
 
 
 def transfer_columns(machine: Overlapping, theta: Array, pieces: sampling.Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
-    law, number = machine.transfer.law, CODES.index(machine.given.transfer.law) + 1
-    xi = np.minimum(theta / machine.given.transfer.angle, 1.0)
-    s = law.s(xi)
+    moved, number, angle = machine.transfer, CODES.index(machine.given.transfer.law) + 1, si(theta, DEGREE)
+    xi = moved.xi(angle)
     return [
         result("yt", "travel of the transfer", "y_t", "mm",
-               "=overlap_pitch*[st]", machine.transfer.stroke * s / MM, source="h_t s"),
+               "=overlap_pitch*[st]", shown(moved.travel(angle), MM), source="h_t s"),
         calc("xit", "its abscissa", "ξ", "", "=MIN([theta]/overlap_angle,1)", xi),
         *sampling.finding("[used.no.1]", "xit", pieces.locate(number, xi), "t"),
-        *sampling.columns({"s": s}, "s", "t"),
+        *sampling.columns({"s": moved.law.s(xi)}, "s", "t"),
     ]  # fmt: skip
-
-
-def allowed(station: Station, theta: Array) -> Array:
-    """Return in mm how far the tool may go: to the transfer while that is in the way, else to the part."""
-    begin, end = station.blocked
-    away = (theta > begin + EPS) & (theta < end - EPS)
-    return np.where(away, station.given.passage.clearance, station.given.stroke)
 
 
 ALLOWED = "=IF(AND([theta]>@begin+overlap_eps,[theta]<@end-overlap_eps),@clearance,@stroke)"
@@ -122,13 +102,13 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> N
         title, what = ("Cycle", "Both parts") if machine.alone else (f"Cycle {i}", f"Transfer and tool {i}")
         sheet = book.sheet(title, f"{what} over one turn of the master shaft, one after the other and with overlap.")
         if station.number == 1:
-            sheet.rows(lane())
+            sheet.rows(lane_height())
             sheet.row += 1
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
 
 
-def lane() -> Quantity:
+def lane_height() -> Quantity:
     """Return the height of a part in the timing diagrams."""
     return constant(
         "overlap_lane",
@@ -144,24 +124,26 @@ def lane() -> Quantity:
 def motions(sheet: Sheet, station: Station, pieces: sampling.Pieces) -> None:
     """Declare the table over the cycle."""
     theta = station.machine.angles
-    before, after = (ToolState(station, plan, theta, pieces) for plan in (station.before, station.as_set))
+    before, after = (AtAngles(station, plan, theta, pieces) for plan in (station.before, station.as_set))
     first, *work_b = before.columns("b", 1)
     second, *work_a = after.columns("a", 3)
     moved, lane_t, work_t = transfer_over_cycle(station, theta, pieces)
-    limit, h, i = allowed(station, theta), station.given.stroke, station.number
+    found, h, i = station.clearance, station.tool.stroke, station.number
     sheet.table(
         "@motions", "Travel, acceleration and clearance over the master angle", len(theta),
         calc("theta", "master angle", "θ", "°", "=[k]*360/[@motions.k.last]", theta, format="0.0##"),
         moved, first, second,
         result("limit", "travel allowed to the tool", "", "mm",
-               ALLOWED, limit, source="c while the transfer is in the way, else h"),
-        result("free", "free with overlap", "", "mm", "=[limit]-[ya]", limit - after.y, source="below 0: collision"),
+               ALLOWED, shown(found.allowed, MM), source="c while the transfer is in the way, else h"),
+        result("free", "free with overlap", "", "mm", "=[limit]-[ya]", shown(found.free, MM),
+               source="below 0: collision"),
         before.acceleration("b", 1, "acceleration, one after the other"),
         after.acceleration("a", 3, "acceleration, with overlap"),
         *lane_t,
         calc("lane_b", "tool, one after the other", "", "",
-             f"={i}+[yb]/@stroke*overlap_lane", i + LANE_SHARE * before.y / h),
-        calc("lane_a", "tool, with overlap", "", "", f"={i}+[ya]/@stroke*overlap_lane", i + LANE_SHARE * after.y / h),
+             f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel, h)),
+        calc("lane_a", "tool, with overlap", "", "",
+             f"={i}+[ya]/@stroke*overlap_lane", lane(i, after.travel, h)),
         constant("k", "sample", "k", "", list(range(len(theta)))),
         *work_t, *work_b, *work_a,
     )  # fmt: skip
@@ -175,6 +157,6 @@ def transfer_over_cycle(
     moved, *work = transfer_columns(machine, theta, pieces)
     if station.number > 1:
         return replace(moved, formula="=INDEX([tool1_motions.yt],[k]+1)", source="as beside the first tool"), [], []
-    share = LANE_SHARE * machine.transfer.law.s(np.minimum(theta / machine.given.transfer.angle, 1.0))
-    drawn = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", share)
+    heights = lane(0, machine.transfer.travel(si(theta, DEGREE)), machine.transfer.stroke)
+    drawn = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
     return moved, [drawn], work

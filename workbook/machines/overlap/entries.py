@@ -6,12 +6,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.inverse import is_monotone
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive, Text
 from workbook.laws.entries import RiseCode
-from workbook.laws.library import laws
 
 MOST_TOOLS = 6
 TURN = 360.0
@@ -94,30 +91,9 @@ class IndexingOverlap(Machine):
         filled, room = len(self.laws.OWN.pieces), self.sizes.pieces
         if filled > room:
             raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
-        self._rises()
         for i, tool in enumerate(self.overlap.tools):
             self._leaves_angles(f"overlap.tools.{i}", tool)
-        from workbook.machines.overlap.view import Overlapping
-
-        for station in Overlapping(self, laws(self.laws, self.sizes.own_law)).stations:
-            station.require_one_turn()
         return self
-
-    def _rises(self) -> None:
-        given = self.overlap
-        used = {"transfer.law": given.transfer.law}
-        for i, tool in enumerate(given.tools):
-            used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
-        entry = next((entry for entry, code in used.items() if code == "OWN"), None)
-        if entry is None:
-            return
-        own = laws(self.laws, self.sizes.own_law)["OWN"]
-        if not is_monotone(own):
-            raise EntryError(f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout")
-        if abs(own.end.s - 1) > BREAK_TOLERANCE:
-            raise EntryError(
-                f"overlap.{entry}", f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
-            )
 
     def _leaves_angles(self, key: str, tool: ToolEntry) -> None:
         angle, passage = self.overlap.transfer.angle, tool.passage

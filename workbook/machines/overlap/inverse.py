@@ -10,12 +10,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from engine.halving import middles, newton_step
 from engine.laws import Law
 from engine.laws.base import Array
 from engine.laws.inverse import inverse
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.book.rows import filled
+from workbook.entries.units import MM, shown
 from workbook.laws.stack import CODES, Row
-from workbook.machines.overlap.places import law_rows
 from workbook.machines.overlap.view import Overlapping, Station
 
 HALVINGS = 30
@@ -30,6 +32,7 @@ COEFFICIENTS = (
     ("c3", "cubic", "c3", "c3"), ("ps", "sine of position", "P/ω²", "ps"), ("pv", "cosine of velocity", "P/ω", "pv"),
     ("omega", "frequency", "ω", "omega"), ("phi", "phase", "φ", "phi"),
 )  # fmt: skip
+CARRIED = "=IF([k]<=[used.count.{0}],INDEX(piece_s,[used.skip.{0}]+MIN([k],[used.count.{0}])),inverse_beyond)"
 HEIGHT = "=[s0]+[{t}]*([s1]+[{t}]*([c0]/2+[{t}]*([c1]/6+[{t}]*([c2]/12+[{t}]*[c3]/20))))-[ps]*SIN([omega]*[{t}]+[phi])"
 SLOPE = "=[s1]+[{t}]*([c0]+[{t}]*([c1]/2+[{t}]*([c2]/3+[{t}]*[c3]/4)))-[pv]*COS([omega]*[{t}]+[phi])"
 HALVE = "=[t{k}]+IF([f{k}]<=[s]+inverse_near,1,0-1)*ABS([t{k}]-{before})/2"
@@ -94,10 +97,11 @@ def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
 
 def in_the_way(machine: Overlapping) -> Wanted:
     """Return what is asked of the transfer's law: where it has left its place for a tool, and where it comes to it."""
-    shares, formulas, ends = [], [], []
+    shares: list[float] = []
+    formulas, ends = [], []
     for station in machine.stations:
-        remaining, whose = station.passage.remaining, "" if machine.alone else f"tool {station.number}: "
-        shares += [remaining, 1 - remaining]
+        whose = "" if machine.alone else f"tool {station.number}: "
+        shares += station.passage.shares
         formulas += [f"={station.scope}remaining/100", f"=1-{station.scope}remaining/100"]
         ends += [f"{whose}has left its place", f"{whose}comes to its place"]
     head = constant("what", "where", "", "", ends)
@@ -106,16 +110,16 @@ def in_the_way(machine: Overlapping) -> Wanted:
 
 def heights(station: Station) -> tuple[Wanted, Wanted]:
     """Return what is asked of a tool's two laws: how far it may have gone."""
-    p, tool, given, n = station.passage, station.tool, station.given, station.machine.sizes.margins
-    margins = np.concatenate([[p.margin], np.arange(n + 1) / n * p.clearance])
-    gone = np.minimum((p.clearance - margins) / tool.stroke, 1.0)
+    tool, given, p, n = station.tool, station.given, station.passage, station.machine.sizes.margins
+    margins = np.array([p.margin, *station.margins.margin])
+    gone = p.gone(tool.stroke, margins)
     k = constant("k", "row", "k", "", list(range(n + 2)), source="0: as entered; then the table of margins")
     margin = calc(
         "margin", "margin", "", "mm",
-        "=IF([k]=0,@margin,INDEX([@margins.margin],MAX([k],1)))", margins * 1e3,
+        "=IF([k]=0,@margin,INDEX([@margins.margin],MAX([k],1)))", shown(margins, MM),
     )  # fmt: skip
     formula = "MAX(0,MIN((@clearance-[margin])/@stroke,1))"
-    row_in, row_out = law_rows(station)
+    row_in, row_out = station.law_rows
     return (
         Wanted(row_in, given.law_in, tool.law, gone, f"={formula}", (k, margin)),
         Wanted(row_out, given.law_out, tool.out, 1 - gone, f"=1-{formula}", (k, margin)),
@@ -149,8 +153,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
     sheet.table(
         "carried", "Position s_k at which each piece of these laws begins", most,
         constant("k", "piece", "k", "", list(range(1, most + 1))),
-        *(calc(f"s{i}", what, "s_k", "", f"=IF([k]<=[used.count.{i}],INDEX(piece_s,[used.skip.{i}]+MIN([k],[used.count.{i}])),inverse_beyond)",
-               p + [BEYOND] * (most - len(p)))
+        *(calc(f"s{i}", what, "s_k", "", CARRIED.format(i), filled(p, most, BEYOND))
           for i, (what, p) in enumerate(zip(motions, pieces, strict=True), 1)),
     )  # fmt: skip
 
@@ -212,18 +215,15 @@ def solved(wanted: Wanted, rows: list[Row]) -> dict[str, Array]:
     found = [own[i - 1][1] for i in p]
     at: dict[str, Array] = {"p": p.astype(float), "q": np.array([float(own[i - 1][0]) for i in p])}
     for name, _, _, column in COEFFICIENTS:
-        at[name] = np.array([engine_entry(r, column) for r in found])
+        at[name] = np.array([float(getattr(r, column)) for r in found])
     root = inverse(law, np.minimum(wanted.s + NEAR, 1.0)) - at["xk"]
-    share = np.divide(root, at["d"], out=np.zeros_like(root), where=at["d"] > 0)
-    for k in range(1, HALVINGS + 1):
-        parts = 2.0 ** (k - 1)
-        at[f"t{k}"] = at["d"] * (np.clip(np.floor(share * parts), 0, parts - 1) + 0.5) / parts
+    for k, t in enumerate(middles(at["d"], root, HALVINGS), 1):
+        at[f"t{k}"] = t
         at[f"f{k}"] = law.s(local(at, f"t{k}"))
     t = f"t{HALVINGS}"
     for k in range(1, NEWTON + 1):
         here = law.evaluate(local(at, t))
-        step = np.divide(here.s - wanted.s, here.v, out=np.zeros_like(root), where=here.v > SLOW)
-        at[f"v{k}"], at[f"u{k}"] = here.v, np.clip(at[t] - step, 0.0, at["d"])
+        at[f"v{k}"], at[f"u{k}"] = here.v, newton_step(at[t], here.s, here.v, wanted.s, at["d"], SLOW)
         t = f"u{k}"
         at[f"fu{k}"] = law.s(local(at, t))
     return at
@@ -232,12 +232,3 @@ def solved(wanted: Wanted, rows: list[Row]) -> dict[str, Array]:
 def local(at: dict[str, Array], name: str) -> Array:
     """Return ξ of a local abscissa."""
     return np.minimum(at["xk"] + at[name], 1.0)
-
-
-def engine_entry(row: Row, column: str) -> float:
-    """Return an entry of the stack, or one of the two that are made of its entries."""
-    made = {
-        "s0": row.s + row.ps * np.sin(row.phi),
-        "s1": row.v + row.pv * np.cos(row.phi),
-    }
-    return float(made[column] if column in made else getattr(row, column))

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Sheet, calc, constant, result
-from workbook.entries.units import MM
-from workbook.machines.overlap.places import law_rows
+from workbook.entries.units import DEGREE, MM, shown
 from workbook.machines.overlap.view import Station
 
 
@@ -18,14 +15,14 @@ def margins(sheet: Sheet, station: Station) -> None:
     )
     draw(sheet)
     sweep, n = station.margins, station.machine.sizes.margins
-    row_in, row_out = law_rows(station)
+    row_in, row_out = station.law_rows
     ways = f"MAX([used.ca.{row_in}]/[in]^2,[used.ca.{row_out}]/[out]^2)"
     peak = f"=IF(MIN([in],[out])>0,{ways}*@stroke/1000*(360/overlap_tc)^2,0)"
     sheet.table(
         "@margins", "Ratio against margin", n + 1,
-        calc("margin", "margin", "m", "mm", "=[k]/[@margins.k.last]*@clearance", sweep.margin / MM),
-        result("in", "way in", "B_m", "°", way("in", "@split"), np.degrees(sweep.way_in)),
-        result("out", "way out", "B_m", "°", way("out", "(1-@split)"), np.degrees(sweep.way_out)),
+        calc("margin", "margin", "m", "mm", "=[k]/[@margins.k.last]*@clearance", shown(sweep.margin, MM)),
+        result("in", "way in", "B_m", "°", way("in", "@split"), shown(sweep.way_in, DEGREE)),
+        result("out", "way out", "B_m", "°", way("out", "(1-@split)"), shown(sweep.way_out, DEGREE)),
         result("a", "peak acceleration", "a_max", "m/s²", peak, sweep.acceleration, source="C_a h/t_m²"),
         result("ratio", "times lower", "", "", "=IF([a]>0,@a0/[a],0)", sweep.ratio),
         constant("k", "row", "k", "", list(range(n + 1))),
@@ -33,7 +30,7 @@ def margins(sheet: Sheet, station: Station) -> None:
     sheet.table(
         "@margin_line", "The margin entered, as drawn in the charts", 2,
         constant("end", "end of the line", "", "", [0, 1]),
-        calc("x", "margin", "m", "mm", "=@margin", [station.passage.margin / MM] * 2),
+        calc("x", "margin", "m", "mm", "=@margin", station.given.passage.margin),
         calc("ratio", "times lower", "", "", "=[end]*MAX([@margins.ratio])", [0.0, float(sweep.ratio.max())]),
         calc("a", "peak acceleration", "a_max", "m/s²",
              "=[end]*MAX([@margins.a])", [0.0, float(sweep.acceleration.max())]),

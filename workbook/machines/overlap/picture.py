@@ -4,57 +4,43 @@ from __future__ import annotations
 
 import numpy as np
 
+from engine.overlap import clearance, colliding
+from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, WALLS, WIDTH
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
-from workbook.machines.overlap.cycle import ALLOWED, LANE_SHARE, ToolState, allowed, transfer_columns
+from workbook.machines.overlap.cycle import ALLOWED, AtAngles, transfer_columns
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.places import each
 from workbook.machines.overlap.view import Overlapping, Station
 
-WIDTH, BODY, PLATE = 0.3, 1.5, 0.2  # of the picture: tool in transfer strokes, its length and the plate in tool strokes
-STEP = 2.5  # from station to station in the picture, in transfer strokes
-PUNCH = (
-    (-0.5, 0.0),
-    (-0.5, 0.8),
-    (-1.0, 0.8),
-    (-1.0, 1.0),
-    (1.0, 1.0),
-    (1.0, 0.8),
-    (0.5, 0.8),
-    (0.5, 0.0),
-    (-0.5, 0.0),
-)
-WALLS = tuple((wall, side, up) for wall in (-2, -1, 0) for side, up in ((0, 0), (0, 1), (1, 1), (1, 0)))
+SAYS = '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
 ACROSS = (
     "=[places.x.{0}]+MAX(0-overlap_pitch,MIN(overlap_pitch,[view.yt]+overlap_pitch*([wall]+[side])"
     "+[places.open.{0}]*(1/2-[side])))"
 )
 UPWARDS = "=IF([up]=1,[places.top.{0}],0-picture_plate*MAX([places.h]))"
-FRAME = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
 
 
 class States:
-    """All tools at the angle entered, in both schedules: arrays over the tools, lengths in mm."""
+    """All parts at the angle entered, in both schedules: arrays over the tools, lengths in m."""
 
     def __init__(self, machine: Overlapping, pieces: sampling.Pieces) -> None:
         self.theta = np.array([machine.given.view])
-        stations = machine.stations
-        self.pairs = [tuple(ToolState(s, plan, self.theta, pieces) for plan in (s.before, s.as_set)) for s in stations]
-        self.before, self.after = np.array([[state.y[0] for state in pair] for pair in self.pairs]).T
-        self.limit = np.array([allowed(s, self.theta)[0] for s in stations])
-        self.stroke = np.array([s.given.stroke for s in stations])
-        self.moved = transfer_columns(machine, self.theta, pieces)[0].value[0]
-        pitch = machine.given.transfer.stroke
-        self.place = pitch * STEP * np.arange(len(stations))
-        self.opening = np.array([pitch * (WIDTH + 2 * s.passage.remaining) for s in stations])
-        self.top = np.array([max(s.given.stroke - s.given.passage.clearance, 0.0) for s in stations])
+        angle, stations = si(self.theta, DEGREE), machine.stations
+        self.pairs = [tuple(AtAngles(s, plan, self.theta, pieces) for plan in (s.before, s.as_set)) for s in stations]
+        self.before, self.after = np.array([[state.travel[0] for state in pair] for pair in self.pairs]).T
+        found = [clearance(s.as_set, s.passage, angle) for s in stations]
+        self.allowed = np.array([c.allowed[0] for c in found])
+        self.free = np.array([c.free[0] for c in found])
+        self.strokes = machine.scene.strokes
+        self.moved = float(machine.transfer.travel(angle)[0])
 
     def says(self) -> list[str]:
         """Return in words how each tool and the transfer stand."""
-        collides = self.limit - self.after < -1e-9 * self.stroke
-        where = np.where(self.limit < self.stroke, "in the way", "in place")
-        return [str(words) for words in np.where(collides, "COLLISION", where)]
+        where = np.where(self.allowed < self.strokes, "in the way", "in place")
+        return [str(words) for words in np.where(colliding(self.free, self.strokes), "COLLISION", where)]
 
 
 def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> None:
@@ -79,7 +65,7 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
     outcome(sheet, machine, states)
     pictures(sheet, machine)
     sheet.heading("Workings")
-    dimensions(sheet, machine, states)
+    dimensions(sheet, machine)
     evaluated(sheet, machine, states, pieces)
     outlines(sheet, machine, states)
     sheet.print_columns = 16
@@ -87,22 +73,23 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
 
 def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
     """Declare what stands where at this angle."""
-    stations, free = machine.stations, states.limit - states.after
+    stations = machine.stations
     allowing = ALLOWED.replace("[theta]", "overlap_view")
-
     sheet.heading("What comes out")
-    sheet.rows(result("view_t", "Travel of the transfer", "y_t", "mm", "=[view.yt]", states.moved))
+    sheet.rows(result("view_t", "Travel of the transfer", "y_t", "mm", "=[view.yt]", shown(states.moved, MM)))
     sheet.row += 1
     sheet.table(
         "stands", "The tools at this angle" if len(stations) > 1 else "The tool at this angle", len(stations),
         calc("name", "tool", "", "", each(machine, "=@name"), [s.given.name for s in stations], align="left"),
-        result("b", "travel, one after the other", "y", "mm", each(machine, "=[@view.yb]"), states.before),
-        result("a", "travel, with overlap", "y", "mm", each(machine, "=[@view.ya]"), states.after),
+        result("b", "travel, one after the other", "y", "mm", each(machine, "=[@view.yb]"),
+               shown(states.before, MM)),
+        result("a", "travel, with overlap", "y", "mm", each(machine, "=[@view.ya]"), shown(states.after, MM)),
         result("limit", "travel allowed", "", "mm",
-               each(machine, allowing), states.limit, source="c if in the way, else h"),
-        result("free", "free, with overlap", "", "mm", "=[limit]-[a]", free, source="below 0 the parts collide"),
-        result("says", "the transfer is", "", "", each(machine,
-            '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'), states.says()),
+               each(machine, allowing), shown(states.allowed, MM), source="c if in the way, else h"),
+        result("free", "free, with overlap", "", "mm", "=[limit]-[a]", shown(states.free, MM),
+               source="below 0 the parts collide"),
+        result("says", "the transfer is", "", "",
+               each(machine, SAYS), states.says()),
     )  # fmt: skip
 
 
@@ -123,10 +110,9 @@ def pictures(sheet: Sheet, machine: Overlapping) -> None:
     )  # fmt: skip
 
 
-def dimensions(sheet: Sheet, machine: Overlapping, states: States) -> None:
+def dimensions(sheet: Sheet, machine: Overlapping) -> None:
     """Declare the sizes of the parts in the picture."""
-    stations = machine.stations
-
+    stations, scene = machine.stations, machine.scene
     sheet.rows(
         constant("picture_width", "Width of a tool", "", "",
                  WIDTH, format="0.0##", source="as a share of the transfer's stroke"),
@@ -140,13 +126,13 @@ def dimensions(sheet: Sheet, machine: Overlapping, states: States) -> None:
     sheet.table(
         "places", "The stations in the picture", len(stations),
         constant("i", "tool", "", "", [s.number for s in stations]),
-        calc("x", "middle of the station", "x", "mm", "=([i]-1)*picture_step*overlap_pitch", states.place),
+        calc("x", "middle of the station", "x", "mm", "=([i]-1)*picture_step*overlap_pitch", shown(scene.middles, MM)),
         calc("open", "opening of the transfer", "", "mm",
-             each(machine, "=overlap_pitch*(picture_width+2*@remaining/100)"), states.opening,
+             each(machine, "=overlap_pitch*(picture_width+2*@remaining/100)"), shown(scene.openings, MM),
              source="the tool, and r of the stroke on both sides"),
         calc("top", "height of the transfer above the part", "", "mm",
-             each(machine, "=MAX(@stroke-@clearance,0)"), states.top, source="h − c"),
-        calc("h", "stroke", "h", "mm", each(machine, "=@stroke"), states.stroke),
+             each(machine, "=MAX(@stroke-@clearance,0)"), shown(scene.tops, MM), source="h − c"),
+        calc("h", "stroke", "h", "mm", each(machine, "=@stroke"), shown(scene.strokes, MM)),
     )  # fmt: skip
 
 
@@ -169,65 +155,57 @@ def evaluated(sheet: Sheet, machine: Overlapping, states: States, pieces: sampli
     sheet.table(
         "view_line", "The line in both timing diagrams", 2,
         constant("end", "end of the line", "", "", [0, 1]),
-        calc("theta", "master angle", "θ", "°", "=overlap_view", [machine.given.view] * 2, scale=TURN),
+        calc("theta", "master angle", "θ", "°", "=overlap_view", machine.given.view, scale=TURN),
         calc("height", "height", "", "", f"=[end]*({top}+overlap_lane)", [0.0, top + LANE_SHARE]),
     )  # fmt: skip
 
 
 def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
     """Declare the outlines of the parts: across, the transfer's way; upwards, the height of a tool."""
-    pitch, h = machine.given.transfer.stroke, states.stroke.max()
-    transfer(sheet, pitch, states)
-    for station, place, before, after in zip(machine.stations, states.place, states.before, states.after, strict=True):
+    transfer(sheet, machine, states)
+    for station, before, after in zip(machine.stations, states.before, states.after, strict=True):
         with sheet.scoped(station.scope):
-            punch(sheet, station, place, (before, after))
-    fx, fy = np.array(FRAME, dtype=float).T
-    across = np.where(fx == 1, states.place[-1] + pitch, -pitch)
+            punch(sheet, station, before, after)
+    frame, (fx, fy) = machine.scene.frame(), zip(*FRAME, strict=True)
     sheet.table(
         "frame", "Frame of the picture: keeps its scale", len(FRAME),
-        constant("fx", "right side", "", "", [int(v) for v in fx]),
-        constant("fy", "upper side", "", "", [int(v) for v in fy]),
-        calc("x", "across", "x", "mm", "=IF([fx]=1,MAX([places.x])+overlap_pitch,0-overlap_pitch)", across),
+        constant("fx", "right side", "", "", list(fx)),
+        constant("fy", "upper side", "", "", list(fy)),
+        calc("x", "across", "x", "mm", "=IF([fx]=1,MAX([places.x])+overlap_pitch,0-overlap_pitch)", shown(frame.x, MM)),
         calc("y", "height", "z", "mm",
              "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))",
-             np.where(fy == 1, h * (1 + BODY), -PLATE * h)),
+             shown(frame.z, MM)),
     )  # fmt: skip
 
 
-def transfer(sheet: Sheet, pitch: float, states: States) -> None:
+def transfer(sheet: Sheet, machine: Overlapping, states: States) -> None:
     """Declare the outline of the transfer: at each station three walls, of which those in its frame are seen."""
-    n = len(states.place)
-    i = np.repeat(np.arange(n), len(WALLS))
-    wall, side, up = np.tile(np.array(WALLS, dtype=float).T, n)
-    x = np.clip(states.moved + pitch * (wall + side) + states.opening[i] * (0.5 - side), -pitch, pitch)
-    y = np.where(up == 1, states.top[i], -PLATE * states.stroke.max())
-
-    def station(formula: str) -> list[str]:
-        return [formula.format(k + 1) for k in i]
-
+    numbers, walls, sides, ups = zip(*((s.number, *corner) for s in machine.stations for corner in WALLS), strict=True)
+    outline = machine.scene.walls(states.moved)
     sheet.table(
-        "outline", "Outline of the transfer", len(i),
-        constant("i", "tool", "", "", [int(v) for v in i + 1]),
-        constant("wall", "wall", "", "", [int(w) for w in wall]),
-        constant("side", "right side", "", "", [int(s) for s in side]),
-        constant("up", "upper side", "", "", [int(s) for s in up]),
-        calc("x", "across", "x", "mm", station(ACROSS), states.place[i] + x),
-        calc("y", "height", "z", "mm", station(UPWARDS), y),
+        "outline", "Outline of the transfer", len(numbers),
+        constant("i", "tool", "", "", list(numbers)),
+        constant("wall", "wall", "", "", list(walls)),
+        constant("side", "right side", "", "", list(sides)),
+        constant("up", "upper side", "", "", list(ups)),
+        calc("x", "across", "x", "mm", [ACROSS.format(i) for i in numbers], shown(outline.x, MM)),
+        calc("y", "height", "z", "mm", [UPWARDS.format(i) for i in numbers], shown(outline.z, MM)),
     )  # fmt: skip
 
 
-def punch(sheet: Sheet, station: Station, place: float, travels: tuple[float, float]) -> None:
-    """Declare the outline of one tool."""
-    pitch, h = station.machine.given.transfer.stroke, station.given.stroke
-    px, py = np.array(PUNCH).T
-    before, after = (h - y + py * BODY * h for y in travels)
-    whose = "the tool" if station.machine.alone else f"tool {station.number}"
+def punch(sheet: Sheet, station: Station, before: float, after: float) -> None:
+    """Declare the outline of one tool, by how far it has gone in either schedule (m)."""
+    scene, i = station.machine.scene, station.number
+    (x, first), (_, second) = (scene.punch(i - 1, travel) for travel in (before, after))
+    across, along = zip(*PUNCH, strict=True)
+    whose = "the tool" if station.machine.alone else f"tool {i}"
     sheet.table(
         "@punch", f"Outline of {whose}", len(PUNCH),
-        constant("px", "across", "", "", list(map(float, px))),
-        constant("py", "along", "", "", list(map(float, py))),
+        constant("px", "across", "", "", list(across)),
+        constant("py", "along", "", "", list(along)),
         calc("x", "across", "x", "mm",
-             f"=[places.x.{station.number}]+[px]*picture_width*overlap_pitch", place + px * WIDTH * pitch),
-        calc("yb", "one after the other", "z", "mm", "=@stroke-[@view.yb]+[py]*picture_body*@stroke", before),
-        calc("ya", "with overlap", "z", "mm", "=@stroke-[@view.ya]+[py]*picture_body*@stroke", after),
+             f"=[places.x.{i}]+[px]*picture_width*overlap_pitch", shown(x, MM)),
+        calc("yb", "one after the other", "z", "mm", "=@stroke-[@view.yb]+[py]*picture_body*@stroke",
+             shown(first, MM)),
+        calc("ya", "with overlap", "z", "mm", "=@stroke-[@view.ya]+[py]*picture_body*@stroke", shown(second, MM)),
     )  # fmt: skip

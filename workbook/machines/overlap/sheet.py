@@ -1,16 +1,19 @@
-"""The Overlap sheet: the transfer and its timing diagrams; with one tool all of that tool, with several the sum of them.
+"""The Overlap sheet: the transfer and its timing diagrams; with one tool all of it, with several the sum of them.
 
 Several tools have a sheet each, of the same parts (:mod:`workbook.machines.overlap.tool`).
 """
 
 from __future__ import annotations
 
+from itertools import count
+
+from engine.overlap import ANGLE_TOLERANCE, movement_time
+from engine.timing import FULL_TURN
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.entries.units import MM
+from workbook.entries.units import DEGREE, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap import tool
-from workbook.machines.overlap.cycle import EPS
 from workbook.machines.overlap.places import each
 from workbook.machines.overlap.view import Overlapping
 
@@ -105,16 +108,18 @@ def rising() -> Quantity:
 def workings(machine: Overlapping) -> tuple[Quantity, ...]:
     """Return the workings that all tools share."""
     return (
-        calc("overlap_tc", "Time of one turn", "t_c", "s", "=3600/overlap_rate", 1 / machine.rate, source="3600 / N"),
+        calc("overlap_tc", "Time of one turn", "t_c", "s",
+             "=3600/overlap_rate", movement_time(FULL_TURN, machine.rate), source="3600 / N"),
         calc("overlap_eps", "Tolerance of an angle", "ε", "°",
-             "=360*break_tolerance", EPS, format="0E+00", source="an angle this near to an event counts as on it"),
+             "=360*break_tolerance", shown(ANGLE_TOLERANCE, DEGREE), format="0E+00",
+             source="an angle this near to an event counts as on it"),
     )  # fmt: skip
 
 
 def tools(sheet: Sheet, machine: Overlapping) -> None:
     """Declare the tools side by side."""
     stations = machine.stations
-
+    lower = [s.as_set.times_lower(s.before) for s in stations]
     peaks = [s.peaks for s in stations]
     verdicts = ["FAIL" if "FAIL" in [q.value for q in tool.checks(s)] else "OK" for s in stations]
     conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
@@ -126,9 +131,8 @@ def tools(sheet: Sheet, machine: Overlapping) -> None:
         result("out", "way out", "B_m", "°", each(machine, "=@new_out"), [s.angles_set[1] for s in stations]),
         result("a0", "peak, one after the other", "a_max", "m/s²", each(machine, "=@a0"), [p[0] for p in peaks]),
         result("a1", "peak, with overlap", "a_max", "m/s²", each(machine, "=@a1"), [p[2] for p in peaks]),
-        result("ratio", "times lower", "", "", each(machine, "=@ratio"), [p[0] / p[2] for p in peaks]),
-        result("least", "least clearance", "", "mm",
-               each(machine, "=@least"), [s.clearance.minimum / MM for s in stations]),
+        result("ratio", "times lower", "", "", each(machine, "=@ratio"), lower),
+        result("least", "least clearance", "", "mm", each(machine, "=@least"), [s.least for s in stations]),
         Quantity("ok", "its checks", role="check", formula=each(machine, f'=IF(AND({conditions}),"OK","FAIL")'),
                  value=verdicts),
     )  # fmt: skip
@@ -137,29 +141,32 @@ def tools(sheet: Sheet, machine: Overlapping) -> None:
 def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
     """Place both timing diagrams side by side: a lane for the transfer, and above it one for each tool."""
     top = len(machine.stations) + 1
-    for i, (title, lane) in enumerate((("one after the other", "lane_b"), ("with overlap", "lane_a"))):
+    columns = count(column, WIDE)
+    for title, lane in (("one after the other", "lane_b"), ("with overlap", "lane_a")):
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
         line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
         sheet.chart(
             Chart(
-                f"Timing diagram: {title}", "master angle θ [°]", "from below: as in the legend", (moved, *lines_of(machine, lane), line),
+                f"Timing diagram: {title}", "master angle θ [°]", "from below: as in the legend",
+                (moved, *lines_of(machine, lane), line),
                 f"Timing diagram of transfer and tools over one turn of the master shaft: {title}",
                 (0, 360, 30), (0, top, 1), hide_y=True,
             ),
-            column=column + i * WIDE, row=5, width=WIDE, height=18,
+            column=next(columns), row=5, width=WIDE, height=18,
         )  # fmt: skip
 
 
 def accelerations(sheet: Sheet, machine: Overlapping, column: int) -> None:
     """Place the accelerations of all tools side by side, in both schedules."""
-    for i, (title, values) in enumerate((("one after the other", "accb"), ("with overlap", "acca"))):
+    columns = count(column, WIDE)
+    for title, values in (("one after the other", "accb"), ("with overlap", "acca")):
         lines = lines_of(machine, values)
         sheet.chart(
             Chart(
                 f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", lines,
                 f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30),
             ),
-            column=column + i * WIDE, row=SECOND, width=WIDE, height=18,
+            column=next(columns), row=SECOND, width=WIDE, height=18,
         )  # fmt: skip
 
 

@@ -2,31 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any, cast
-
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, Quantity, result
-from workbook.entries.machine import Machine
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.machines.overlap.check import check
 from workbook.machines.overlap.cycle import cycle_sheets
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
 from workbook.machines.overlap.sheet import overlap_sheet
+from workbook.machines.overlap.variations import variants
 from workbook.machines.overlap.view import Overlapping, laid_out
 from workbook.template import Template, finish
 
-RISING = [
-    {"duration": 0.4, "c0": 5.0},
-    {"duration": 0.6, "c0": -10 / 3},
-]
-"""An own law that rises throughout: accelerated for less time than braked."""
 
-
-def declare(machine: Machine) -> Book:
+def declare(given: IndexingOverlap) -> Book:
     """Declare the book."""
-    given = cast(IndexingOverlap, machine)
     shelf = LawShelf(given.laws, given.sizes)
     view = Overlapping(given, shelf.laws)
     book = Book(given.template, given.title)
@@ -53,52 +44,12 @@ def in_short(view: Overlapping) -> list[Quantity]:
     ]
 
 
-def variants(machine: Machine) -> list[Machine]:
-    """Return six machines of the same layout: every law, angles chosen and found, each limit, collisions."""
-    return [IndexingOverlap.model_validate(data) for data in variations(machine, varied)]
-
-
-def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
-    """Return the variation of a turn."""
-    k, entries = turn % SIX, data["overlap"]
-    vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
-    entries["rate"] = 1700.0 + 310 * k
-    entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"] |= {"law": law_for(turn), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k}
-    for i, tool in enumerate(entries["tools"]):
-        vary_tool(tool, turn + i, i)
-    codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
-    if "OWN" in codes:
-        data["laws"]["OWN"]["pieces"] = RISING
-    return data
-
-
-def vary_tool(tool: dict[str, Any], turn: int, i: int) -> None:
-    """Give the ``i``-th tool, from 0, the entries of a variation, and strokes that no other tool has."""
-    k = turn % SIX
-    chosen = (None, (107.0, None), (None, 88.0), (200.0, 70.0), None, (130.0, 140.0))[k]
-    tool["angle_in"], tool["angle_out"] = chosen or (None, None)
-    tool |= {
-        "law_in": law_for(turn + i + 2),
-        "law_out": law_for(turn + i + 5),
-        "stroke": 40.0 + 7 * k + 3 * i,
-        "dwell": (60.0, 85.0, 0.0, 33.0, 71.0, 50.0)[k],
-    }
-    clearance = (21.0, 13.0, 90.0, 17.0, 25.0, 9.0)[k]
-    tool["passage"] |= {
-        "remaining": (0.4, 1.7, 3.0, 0.0, 7.0, 2.2)[k],
-        "clearance": clearance,
-        "margin": clearance * (0.1, 0.35, 0.02, 0.2, 1.0, 0.0)[k],
-        "allowance": (0.0, 3.0, 4.5, 1.0, 2.0, 6.0)[k],
-        "split": (0.5, 0.42, 0.61, 0.55, 0.37, 0.48)[k],
-    }
-
-
 TEMPLATE = Template(
     "indexing-overlap",
     IndexingOverlap,
     declare,
     variants,
     LAW_SIZES | {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1)},
+    check,
     laid_out,
 )

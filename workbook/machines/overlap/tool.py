@@ -6,20 +6,17 @@ The names stand in the tool's scope: ``@stroke`` is ``tool2_stroke`` for the sec
 from __future__ import annotations
 
 from dataclasses import replace
-from math import degrees
 
 import numpy as np
 
-from engine.laws.inverse import inverse
-from engine.overlap import movement_time
+from engine.overlap import rests
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.entries.units import MM
+from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.overlap.cycle import EPS, ToolState, turned
+from workbook.machines.overlap.cycle import AtAngles
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.margins import margins
-from workbook.machines.overlap.places import blocked_rows, law_rows
 from workbook.machines.overlap.view import Station
 
 BELOW_CHARTS = 38
@@ -121,9 +118,9 @@ def outcome(sheet: Sheet, station: Station) -> None:
         result("@a1", "Peak acceleration with overlap", "a_max", "m/s²",
                "=[@schedules.a.3]", after, source="S2: 0.804 m/s² at 125°"),
         result("@ratio", "The acceleration falls by a factor of", "", "",
-               "=[@schedules.ratio.3]", before / after, source="S2: 5.17 at 125°"),
+               "=[@schedules.ratio.3]", station.as_set.times_lower(station.before), source="S2: 5.17 at 125°"),
         result("@least", "Least clearance over the cycle", "", "mm",
-               "=MIN([@corners.free])", station.clearance.minimum / MM, source="exact, at the corners of the diagram"),
+               "=MIN([@corners.free])", station.least, source="exact, at the corners of the diagram"),
         result("@limit", "What limits the tool's angles", "", "",
                f'=IF({CAPPED},"cycle","clearance")', station.longest.limit),
     ))  # fmt: skip
@@ -172,37 +169,34 @@ def charts(sheet: Sheet, station: Station, row: int) -> None:
 
 def schedules(sheet: Sheet, station: Station) -> None:
     """Declare the table of the three schedules."""
-    plans, h = station.schedules, station.tool.stroke
-    peaks = np.array(station.peaks)
-    edges = np.degrees([s.edges for s in plans])
-    ways = [[s.way_in for s in plans], [s.way_out for s in plans]]
-    times = [[movement_time(w, station.machine.rate) for w in way] for way in ways]
-    accelerations = [
-        [law.coefficients.ca * h / t**2 for t in time]
-        for law, time in zip((station.tool.law, station.tool.out), times, strict=True)
-    ]
-    row_in, row_out = law_rows(station)
+    plans, rate = station.schedules, station.machine.rate
+    away, there, leaves, back = shown(np.array([plan.edges for plan in plans]).T, DEGREE)
+    way_in, way_out = shown(np.array([(plan.way_in, plan.way_out) for plan in plans]).T, DEGREE)
+    time_in, time_out = np.array([plan.times(rate) for plan in plans]).T
+    peak_in, peak_out = np.array([plan.way_peaks(rate) for plan in plans]).T
+    row_in, row_out = station.law_rows
     arrives = "=IF([k]=1,overlap_angle+@free0*@split,@end+@free_in)"
     sheet.row += 1
     sheet.table(
         "@schedules", "The tool's angles", 3,
         constant("what", "schedule", "", "",
                  ["one after the other", "overlap, the longest", "overlap, as set"], align="left"),
-        result("in", "way in", "B_m", "°", way_formulas("in", "@split"), np.degrees(ways[0]), source="F_in/(1 − ξ)"),
+        result("in", "way in", "B_m", "°", way_formulas("in", "@split"), way_in, source="F_in/(1 − ξ)"),
         result("out", "way out", "B_m", "°",
-               way_formulas("out", "(1-@split)"), np.degrees(ways[1]), source="F_out/(1 − ξ)"),
-        calc("away", "sets off at", "", "°", "=[there]-[in]", edges[:, 0], scale=TURN),
-        calc("there", "arrives at", "", "°", arrives, edges[:, 1]),
-        calc("leaves", "leaves at", "", "°", "=[there]+@dwell", edges[:, 2]),
-        calc("back", "is back at", "", "°", "=[leaves]+[out]", edges[:, 3], source="above 360°: in the next turn"),
-        calc("t_in", "time in", "t_m", "s", "=[in]/360*overlap_tc", times[0], source="10 B_m/N"),
-        calc("t_out", "time out", "t_m", "s", "=[out]/360*overlap_tc", times[1], source="10 B_m/N"),
+               way_formulas("out", "(1-@split)"), way_out, source="F_out/(1 − ξ)"),
+        calc("away", "sets off at", "", "°", "=[there]-[in]", away, scale=TURN),
+        calc("there", "arrives at", "", "°", arrives, there),
+        calc("leaves", "leaves at", "", "°", "=[there]+@dwell", leaves),
+        calc("back", "is back at", "", "°", "=[leaves]+[out]", back, source="above 360°: in the next turn"),
+        calc("t_in", "time in", "t_m", "s", "=[in]/360*overlap_tc", time_in, source="10 B_m/N"),
+        calc("t_out", "time out", "t_m", "s", "=[out]/360*overlap_tc", time_out, source="10 B_m/N"),
         calc("a_in", "peak, way in", "a", "m/s²",
-             f"=IF([t_in]>0,[used.ca.{row_in}]*@stroke/1000/[t_in]^2,0)", accelerations[0], source="C_a h/t_m²"),
+             f"=IF([t_in]>0,[used.ca.{row_in}]*@stroke/1000/[t_in]^2,0)", peak_in, source="C_a h/t_m²"),
         calc("a_out", "peak, way out", "a", "m/s²",
-             f"=IF([t_out]>0,[used.ca.{row_out}]*@stroke/1000/[t_out]^2,0)", accelerations[1], source="C_a h/t_m²"),
-        result("a", "peak acceleration", "a_max", "m/s²", "=MAX([a_in],[a_out])", peaks),
-        result("ratio", "times lower", "", "", "=IF([a]>0,[@schedules.a.1]/[a],0)", peaks[0] / peaks),
+             f"=IF([t_out]>0,[used.ca.{row_out}]*@stroke/1000/[t_out]^2,0)", peak_out, source="C_a h/t_m²"),
+        result("a", "peak acceleration", "a_max", "m/s²", "=MAX([a_in],[a_out])", station.peaks),
+        result("ratio", "times lower", "", "",
+               "=IF([a]>0,[@schedules.a.1]/[a],0)", [plan.times_lower(station.before) for plan in plans]),
         constant("k", "row", "k", "", [1, 2, 3]),
     )  # fmt: skip
 
@@ -219,61 +213,52 @@ def way_formulas(way: str, share: str) -> list[str]:
 
 def steps(sheet: Sheet, station: Station) -> None:
     """Declare the way from the entries to the angles, as S2 goes it."""
-    begin, end = station.blocked
-    free0 = degrees(station.before.way_in + station.before.way_out)
-    dwell, split = degrees(station.tool.dwell), station.passage.split
-    free = TURN - (end - begin) - dwell
-    rest_in, rest_out = rests(station)
-    first, last = blocked_rows(station)
+    left, (first, last) = station.room, station.blocked_rows
+    begin, end, free_in, free_out, both = (shown(angle, DEGREE) for angle in left)
+    rest_in, rest_out = rests(station.tool, station.passage, np.array(station.passage.margin))
     sheet.rows(*quoting(
         station,
         calc("@free0", "Free angle one after the other", "", "°",
-             "=360-overlap_angle-@dwell", free0, source="S2: 360° − 150° − 100° = 110°, 55° each way"),
+             "=360-overlap_angle-@dwell", shown(station.before.ways, DEGREE),
+             source="S2: 360° − 150° − 100° = 110°, 55° each way"),
         calc("@begin", "The transfer is in the way from", "", "°",
-             f"=[inverse_transfer.xi.{first}]*overlap_angle", begin, scale=TURN, source="r of its stroke done; S2: 15°"),
+             f"=[inverse_transfer.xi.{first}]*overlap_angle", begin, scale=TURN,
+             source="r of its stroke done; S2: 15°"),
         calc("@end", "to", "", "°",
-             f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN, source="r of its stroke to go; S2: 135°"),
+             f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN,
+             source="r of its stroke to go; S2: 135°"),
         calc("@effective", "Its effective angle", "", "°",
-             "=@end-@begin", end - begin, source="S2: 150° − 2 · 15° = 120°"),
+             "=@end-@begin", shown(left.effective, DEGREE), source="S2: 150° − 2 · 15° = 120°"),
         calc("@free_in", "Free angle of the way in", "F_in", "°",
-             "=(360-@effective-@dwell)*@split", free * split, source="S2: 140°/2 = 70°"),
+             "=(360-@effective-@dwell)*@split", free_in, source="S2: 140°/2 = 70°"),
         calc("@free_out", "Free angle of the way out", "F_out", "°",
-             "=(360-@effective-@dwell)*(1-@split)", free * (1 - split), source="S2: 70°"),
+             "=(360-@effective-@dwell)*(1-@split)", free_out, source="S2: 70°"),
         calc("@rest_in", "Way in left when the transfer comes", "1 − ξ", "",
-             "=1-[@inverse_in.xi.1]", rest_in, source="S2: 1 − 44 % = 56 %; exactly 56.07 %"),
+             "=1-[@inverse_in.xi.1]", float(rest_in), source="S2: 1 − 44 % = 56 %; exactly 56.07 %"),
         calc("@rest_out", "Way out done when the transfer leaves", "1 − ξ", "",
-             "=[@inverse_out.xi.1]", rest_out, source="the same in reverse"),
-        calc("@room", "Angle for both ways at most", "", "°", "=360-@dwell", TURN - dwell, source="the cycle"),
+             "=[@inverse_out.xi.1]", float(rest_out), source="the same in reverse"),
+        calc("@room", "Angle for both ways at most", "", "°", "=360-@dwell", both, source="the cycle"),
     ))  # fmt: skip
-
-
-def rests(station: Station) -> tuple[float, float]:
-    """Return the shares of the ways in and out for which the transfer is in place, from the engine's motions."""
-    p, tool = station.passage, station.tool
-    gone = min((p.clearance - p.margin) / tool.stroke, 1.0)
-    return 1 - inverse(tool.law, gone), inverse(tool.out, 1 - gone)
 
 
 def corners(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     """Declare the corners of the diagram, at which the clearance is least."""
-    plan, p = station.as_set, station.passage
-    begin, end = station.blocked
-    raw = np.array([begin, end, *np.degrees(plan.edges)])
-    theta = turned(raw)
-    inside = (theta >= begin - EPS) & (theta <= end + EPS)
-    free = np.where(inside, p.clearance - plan.positions(np.radians(theta)).tool, p.clearance) / MM
+    at = station.corners
+    theta = shown(at.angle, DEGREE)
     sheet.row += 1
     sheet.table(
         "@corners", "Clearance at the corners: between them the tool moves one way only", 6,
         constant("what", "corner", "", "", list(CORNERS), align="left"),
         calc("raw", "angle", "", "°",
-             ["=@begin", "=@end", *(f"=[@schedules.{c}.3]" for c in ("away", "there", "leaves", "back"))], raw,
-             scale=TURN),
+             ["=@begin", "=@end", *(f"=[@schedules.{c}.3]" for c in ("away", "there", "leaves", "back"))],
+             shown(at.raw, DEGREE), scale=TURN),
         calc("theta", "master angle", "θ", "°",
              "=[raw]-360*INT([raw]/360+break_tolerance)", theta, scale=TURN, source="within one turn"),
         calc("inside", "transfer in the way", "", "",
-             "=IF(AND([theta]>=@begin-overlap_eps,[theta]<=@end+overlap_eps),1,0)", inside.astype(float), format="0"),
+             "=IF(AND([theta]>=@begin-overlap_eps,[theta]<=@end+overlap_eps),1,0)", at.inside.astype(float),
+             format="0"),
         result("free", "clearance", "", "mm",
-               "=IF([inside]=1,@clearance-[y],@clearance)", free, source="c − y; c where it is out of the way"),
-        *ToolState(station, plan, theta, pieces).columns("", 3),
+               "=IF([inside]=1,@clearance-[y],@clearance)", shown(at.free, MM),
+               source="c − y; c where it is out of the way"),
+        *AtAngles(station, station.as_set, theta, pieces).columns("", 3),
     )  # fmt: skip

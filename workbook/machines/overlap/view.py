@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Container
 from dataclasses import replace
 from functools import cached_property
-from math import degrees, radians
-from typing import cast
+from itertools import count
 
 import numpy as np
 
@@ -14,24 +13,24 @@ from engine.laws import Law
 from engine.laws.base import Array
 from engine.overlap import (
     Clearance,
+    Corners,
     MarginSweep,
     Passage,
+    Room,
     Schedule,
     Tool,
     Transfer,
-    blocked,
     clearance,
+    corners,
     one_after_the_other,
     overlap,
+    room,
     sweep_margin,
 )
-from engine.timing import shaft_speed
-from workbook.entries.machine import Machine
-from workbook.entries.types import EntryError
-from workbook.entries.units import MM
+from engine.overlap.picture import Scene
+from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
 from workbook.machines.overlap.entries import MOST_TOOLS, TURN, IndexingOverlap, ToolEntry
 
-PER_HOUR = 1 / 3600  # 1/s
 SCOPE = "tool{}_"  # of the names of a tool's cells
 
 
@@ -41,21 +40,20 @@ class Overlapping:
     def __init__(self, machine: IndexingOverlap, library: dict[str, Law]) -> None:
         self.given, self.sizes, self.library = machine.overlap, machine.sizes, library
         moved = machine.overlap.transfer
-        self.transfer = Transfer(library[moved.law], moved.stroke * MM, radians(moved.angle))
-        self.rate = machine.overlap.rate * PER_HOUR
-        self.omega = shaft_speed(self.rate)
-        self.stations = [Station(self, i, tool) for i, tool in enumerate(machine.overlap.tools)]
+        self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE))
+        self.rate = si(machine.overlap.rate, PER_HOUR)
+        rows = count(2, 2)
+        self.stations = [Station(self, i, tool, next(rows)) for i, tool in enumerate(machine.overlap.tools)]
 
     @property
     def alone(self) -> bool:
         """Whether there is one tool: its book has no sheets for each."""
         return len(self.stations) == 1
 
-    @cached_property
+    @property
     def angles(self) -> Array:
         """The sampled angles of the master shaft in degrees."""
-        n = self.sizes.cycle
-        return np.arange(n + 1) * TURN / n
+        return np.linspace(0.0, TURN, self.sizes.cycle + 1)
 
     @cached_property
     def peaks(self) -> tuple[float, float]:
@@ -66,22 +64,31 @@ class Overlapping:
     @cached_property
     def least(self) -> float:
         """The least clearance of any tool over the cycle in mm."""
-        return min(station.clearance.minimum for station in self.stations) / MM
+        return min(station.least for station in self.stations)
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The parts as they are drawn."""
+        return Scene(self.transfer, [(station.tool, station.passage) for station in self.stations])
 
 
 class Station:
     """One tool and the transfer: three schedules, their clearance, and what a margin costs.
 
-    ``key`` is the place of its entries in the description, ``scope`` what the names of its cells begin with.
+    ``key`` is the place of its entries in the description, ``scope`` what the names of its cells begin with. In the
+    tables that all tools share, rows count from 1: ``law_rows`` are those of its laws in and out, behind the
+    transfer's, ``blocked_rows`` those of the transfer's inverted law where it begins and ceases to be in the way.
     """
 
-    def __init__(self, machine: Overlapping, i: int, tool: ToolEntry) -> None:
+    def __init__(self, machine: Overlapping, i: int, tool: ToolEntry, row: int) -> None:
         p, library = tool.passage, machine.library
         self.machine, self.given = machine, tool
         self.number, self.key, self.scope = i + 1, f"overlap.tools.{i}", SCOPE.format(i + 1)
+        self.law_rows, self.blocked_rows = (row, row + 1), (row - 1, row)
         self.transfer = machine.transfer
-        self.tool = Tool(library[tool.law_in], tool.stroke * MM, radians(tool.dwell), library[tool.law_out])
-        self.passage = Passage(p.remaining / 100, p.clearance * MM, p.margin * MM, radians(p.allowance), p.split)
+        dwell, allowance = si(tool.dwell, DEGREE), si(p.allowance, DEGREE)
+        self.tool = Tool(library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out])
+        self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
 
     @cached_property
     def before(self) -> Schedule:
@@ -97,8 +104,8 @@ class Station:
     def as_set(self) -> Schedule:
         """The schedule that is built: the angles entered, or the longest less the allowance."""
         found, tool = overlap(self.transfer, self.tool, self.passage), self.given
-        way_in = found.way_in if tool.angle_in is None else radians(tool.angle_in)
-        way_out = found.way_out if tool.angle_out is None else radians(tool.angle_out)
+        way_in = found.way_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
+        way_out = found.way_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
         return replace(found, way_in=way_in, way_out=way_out)
 
     @property
@@ -106,18 +113,10 @@ class Station:
         """One after the other, longest, as set."""
         return self.before, self.longest, self.as_set
 
-    def require_one_turn(self) -> None:
-        """Raise EntryError where the schedule that is built takes more than a turn."""
-        plan, tool = self.as_set, self.given
-        taken = degrees(plan.way_in + plan.way_out) + tool.dwell
-        if taken > TURN + 1e-9:
-            name = "angle_in" if tool.angle_in is not None else "angle_out"
-            raise EntryError(f"{self.key}.{name}", f"way in, dwell and way out take {taken:g}°; expected at most 360°")
-
     @property
     def angles_set(self) -> tuple[float, float]:
         """The ways in and out as set, in degrees."""
-        return degrees(self.as_set.way_in), degrees(self.as_set.way_out)
+        return shown(self.as_set.way_in, DEGREE), shown(self.as_set.way_out, DEGREE)
 
     @cached_property
     def peaks(self) -> list[float]:
@@ -125,27 +124,35 @@ class Station:
         return [schedule.peak_acceleration(self.machine.rate) for schedule in self.schedules]
 
     @cached_property
-    def blocked(self) -> tuple[float, float]:
-        """The angles in degrees between which the transfer is in the way."""
-        begin, end = blocked(self.transfer, self.passage)
-        return degrees(begin), degrees(end)
+    def room(self) -> Room:
+        """What the transfer and the passage leave the tool."""
+        return room(self.transfer, self.tool, self.passage)
 
     @cached_property
     def clearance(self) -> Clearance:
         """What is free between the parts over the cycle as it is set."""
-        return clearance(self.as_set, self.passage, np.deg2rad(self.machine.angles))
+        return clearance(self.as_set, self.passage, si(self.machine.angles, DEGREE))
+
+    @property
+    def least(self) -> float:
+        """The least clearance over the cycle in mm."""
+        return shown(self.clearance.minimum, MM)
+
+    @property
+    def corners(self) -> Corners:
+        """The corners of the diagram as it is set."""
+        return corners(self.as_set, self.passage)
 
     @cached_property
     def margins(self) -> MarginSweep:
         """The schedules for margins from 0 to the whole clearance."""
-        n = self.machine.sizes.margins
-        shares = np.arange(n + 1) / n
-        return sweep_margin(self.transfer, self.tool, self.passage, shares * self.passage.clearance, self.machine.rate)
+        margins = np.linspace(0.0, self.passage.clearance, self.machine.sizes.margins + 1)
+        return sweep_margin(self.transfer, self.tool, self.passage, margins, self.machine.rate)
 
 
-def laid_out(machine: Machine, names: Container[str]) -> Machine:
+def laid_out(machine: IndexingOverlap, names: Container[str]) -> IndexingOverlap:
     """Return a machine with as many tools as a file has by its defined names: its book has the file's inputs."""
-    given = cast(IndexingOverlap, machine).overlap
-    count = max((i for i in range(1, MOST_TOOLS + 1) if f"{SCOPE.format(i)}name" in names), default=1)
-    tools = [given.tools[0]] * count
+    given = machine.overlap
+    last = max((i for i in range(1, MOST_TOOLS + 1) if f"{SCOPE.format(i)}name" in names), default=1)
+    tools = [given.tools[0] for _ in range(last)]
     return machine.model_copy(update={"overlap": given.model_copy(update={"tools": tools})})

@@ -8,10 +8,11 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from engine.joining import Rates, slope
 from engine.laws.piece import gains
 from engine.laws.piece_extremes import Extremes, extremes_of
-from engine.motion import Motion, Phase
+from engine.motion.joining import Rates, slope
+from engine.motion.motion import Motion
+from engine.motion.phase import Phase
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 ORDERS: tuple[Smoothness, ...] = ("velocity", "acceleration", "jerk")

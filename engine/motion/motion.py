@@ -2,83 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Sequence
 from functools import cached_property
-from typing import Any, Generic, NamedTuple, Self, overload
+from typing import Self, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.laws import Dwell, Law, law
+from engine.laws import Law
 from engine.laws.base import Array, Real, require_finite, require_within, unwrap
+from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues, numbered_phase, scaled
 
 EDGE_TOLERANCE = 1e-12
 """A sample this near to an edge, in units of the whole abscissa, counts as on it."""
-
-
-class MotionValues(NamedTuple, Generic[Real]):
-    """Position y, geometric velocity y' and acceleration y'', per unit of the abscissa."""
-
-    y: Real
-    y1: Real
-    y2: Real
-
-
-class TimeValues(NamedTuple, Generic[Real]):
-    """Position y, velocity ẏ and acceleration ÿ in time."""
-
-    y: Real
-    v: Real
-    a: Real
-
-
-class MotionSamples(NamedTuple):
-    """A motion sampled at equal steps of its abscissa."""
-
-    abscissa: Array
-    y: Array
-    y1: Array
-    y2: Array
-
-
-@dataclass(frozen=True)
-class Phase:
-    """A law, carried out over a lift (negative for a return) in a duration (in units of the abscissa).
-
-    Raises ValueError unless the duration is positive, both are finite, and a dwell has no lift.
-    """
-
-    law: Law
-    lift: float
-    duration: float
-
-    def __post_init__(self) -> None:
-        require_finite(lift=self.lift, duration=self.duration)
-        if self.duration <= 0.0:
-            raise ValueError(f"duration is {self.duration:g}; expected more than 0")
-        if isinstance(self.law, Dwell) and self.lift != 0.0:
-            raise ValueError(f"lift is {self.lift:g} in a dwell; expected 0")
-
-    @property
-    def scale(self) -> float:
-        """What the law's s is multiplied by: the lift, h."""
-        return self.lift
-
-
-@dataclass(frozen=True)
-class Junction:
-    """Where phase ``before`` ends and phase ``after`` begins, with the jumps (after less before) at ``x``.
-
-    At the wrap of the cycle, ``jump_y`` is what the cycle does not close by: y(end) − y(start).
-    """
-
-    x: float
-    before: int
-    after: int
-    jump_y: float
-    jump_v: float
-    jump_a: float
+ZERO_TOLERANCE = 1e-9
+"""of the largest lift, or of the largest y': a smaller jump is none"""
 
 
 class Motion:
@@ -107,7 +46,7 @@ class Motion:
             )
         made = []
         for k, (one, lift, duration) in enumerate(zip(laws, lifts, np.diff(bounds), strict=True), 1):
-            made.append(_phase(k, one, float(lift), float(duration)))
+            made.append(numbered_phase(k, one, float(lift), float(duration)))
         motion = cls.__new__(cls)
         motion._set(made, bounds, position)
         return motion
@@ -140,6 +79,52 @@ class Motion:
     def _begins(self) -> Array:
         """Position at the begin of each phase."""
         return self.position + np.cumsum([0.0, *(p.lift for p in self.phases[:-1])])
+
+    @cached_property
+    def ends(self) -> tuple[Ends, ...]:
+        """Each phase where it begins and ends: y_k + h s, h v/δ, h a/δ² of its law at ξ = 0 and 1."""
+        return tuple(
+            Ends(*(scaled(phase, y, at) for at in (phase.law.start, phase.law.end)))
+            for phase, y in zip(self.phases, self._begins.tolist(), strict=True)
+        )
+
+    @cached_property
+    def peaks(self) -> MotionValues[float]:
+        """Largest |h|, |y'| and |y''| of any phase, exact by the laws' coefficients."""
+        phases = self.phases
+        return MotionValues(
+            max(abs(p.lift) for p in phases), max(p.y1_max for p in phases), max(p.y2_max for p in phases)
+        )
+
+    @cached_property
+    def y2_rms(self) -> float:
+        """Root of the mean of y''² over the whole, √(Σ y''²_rms δ / Σδ), exact by the laws' coefficients."""
+        return math.sqrt(math.fsum(p.y2_rms**2 * p.duration for p in self.phases) / self.total)
+
+    @cached_property
+    def sizes(self) -> MotionValues[float]:
+        """Largest |h|, |h|/δ and |h|/δ² of any phase; 1 where nothing moves: what is next to nothing beside them?"""
+        moving = [(abs(p.lift), p.duration) for p in self.phases if p.lift] or [(1.0, 1.0)]
+        return MotionValues(max(h for h, _ in moving), max(h / d for h, d in moving), max(h / d**2 for h, d in moving))
+
+    @property
+    def gap(self) -> float:
+        """What a cycle does not close by: y(end) − y(begin)."""
+        return self.junctions()[-1].jump_y
+
+    @property
+    def closes(self) -> bool:
+        """Whether the end of the cycle joins its begin without a jump of position."""
+        return abs(self.gap) <= ZERO_TOLERANCE * self.peaks.y
+
+    @property
+    def complete(self) -> bool:
+        """Whether every law reaches its lift: there is no jump of position between the phases."""
+        return all(abs(p.lack) <= ZERO_TOLERANCE * self.peaks.y for p in self.phases)
+
+    def smooth(self, periodic: bool = True) -> bool:
+        """Whether velocity nowhere jumps; of a periodic motion, neither from its end to its begin."""
+        return all(abs(j.jump_v) <= ZERO_TOLERANCE * self.peaks.y1 for j in self.junctions(periodic))
 
     @overload
     def phase_index(self, x: float) -> int: ...
@@ -190,16 +175,14 @@ class Motion:
         return tuple([*found, self._junction(last, 0)] if periodic else found)
 
     def _junction(self, before: int, after: int) -> Junction:
-        one, other = self.phases[before], self.phases[after]
-        y_end = float(self._begins[before]) + one.scale * one.law.end.s
-        y_begin = float(self._begins[after]) + other.scale * other.law.start.s
+        one, other = self.ends[before].end, self.ends[after].begin
         return Junction(
             x=float(self.edges[before + 1]),
             before=before,
             after=after,
-            jump_y=y_begin - y_end if after > before else y_end - y_begin,
-            jump_v=other.scale * other.law.start.v / other.duration - one.scale * one.law.end.v / one.duration,
-            jump_a=other.scale * other.law.start.a / other.duration**2 - one.scale * one.law.end.a / one.duration**2,
+            jump_y=other.y - one.y if after > before else one.y - other.y,
+            jump_v=other.y1 - one.y1,
+            jump_a=other.y2 - one.y2,
         )
 
     def _locate(self, x: Array) -> NDArray[np.intp]:
@@ -211,44 +194,3 @@ class Motion:
         durations = np.array([p.duration for p in self.phases])
         xi: Array = (x - self.edges[index]) / durations[index]
         return np.minimum(np.maximum(xi, 0.0), 1.0)
-
-
-def motionlaw(
-    laws: Sequence[str],
-    lifts: Sequence[float],
-    durations: Sequence[float],
-    n: int,
-    parameters: Sequence[Mapping[str, Any] | None] | None = None,
-) -> MotionSamples:
-    """Return n samples, at equal steps, of the phases that three lists describe: S3's call in Python.
-
-    ``laws`` are names of the catalogue, ``lifts`` in any unit of y, ``durations`` in any unit of the
-    abscissa, ``parameters`` (if given) a mapping or None a phase, handed to its law.
-    Raises ValueError for lists of unequal length, fewer than two samples, or a phase that cannot be
-    (which says the phase), UnknownLawError for a name that is not in the catalogue.
-    Source: S3, function motionlaw, its misprint mended (see :class:`Motion`).
-    """
-    given = {"laws": laws, "lifts": lifts, "durations": durations}
-    if parameters is not None:
-        given["parameters"] = parameters
-    lengths = {name: len(values) for name, values in given.items()}
-    if len(set(lengths.values())) > 1:
-        counts = ", ".join(f"{count} {name}" for name, count in lengths.items())
-        raise ValueError(f"{counts} are given; expected as many of each")
-    if n < 2:
-        raise ValueError(f"n is {n}; expected at least 2 samples")
-    settings = parameters if parameters is not None else [None] * len(laws)
-    phases = [
-        _phase(k, law(name, **(more or {})), lift, duration)
-        for k, (name, lift, duration, more) in enumerate(zip(laws, lifts, durations, settings, strict=True), 1)
-    ]
-    motion = Motion(phases)
-    abscissa = np.linspace(0.0, motion.total, n)
-    return MotionSamples(abscissa, *motion.at(abscissa))
-
-
-def _phase(number: int, one: Law, lift: float, duration: float) -> Phase:
-    try:
-        return Phase(one, lift, duration)
-    except ValueError as error:
-        raise ValueError(f"phase {number}: {error}") from None

@@ -9,7 +9,8 @@ from typing import NamedTuple
 from engine.laws import Dwell
 from engine.laws.ends import EndedLaw, EndError, Ends, between, kind
 from engine.laws.straight_line import StraightLine
-from engine.motion import Motion, Phase
+from engine.motion.motion import Motion
+from engine.motion.phase import Phase
 
 
 class Rates(NamedTuple):

@@ -1,78 +1,26 @@
-"""Flying machining: the tool follows the line while it works, and catches up or waits before the next product.
-
-A cycle re-positions first (0 to t_R), then works at line speed (t_R to t_C), as the integrals of S5 run.
-Lengths in m along the line, speeds in m/s, angles in rad.
-"""
+"""A cut: what a product length asks of the tool. Lengths in m along the line, speeds in m/s, angles in rad."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from engine.flying.motion import MOVES, WAITS, WORKS, CycleState, ToolMotion
+from engine.flying.tool import Tool, require
 from engine.laws import Law
-from engine.laws.base import Array, Kinematics
+from engine.laws.base import Array
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import breaks, roots, velocity_extremes, velocity_peak
 
 Case = Literal["constant speed", "faster", "slower"]
 Beyond = Literal["standstill", "reversal"]
 SAME_LENGTH = 1e-12
-"""of the design length: a smaller difference is none"""
-
-
-@dataclass(frozen=True)
-class Tool:
-    """What carries the tool: the length it covers a cycle, that at line speed, and metres per rad of its shaft.
-
-    ``design_length`` L_0 (0 of a tool that comes back), ``tool_length`` L_T, ``radius`` R_t.
-    Raises ValueError unless 0 ≤ L_0, L_T ≥ 0, R_t > 0, and L_T < L_0 where L_0 > 0.
-    """
-
-    design_length: float
-    tool_length: float
-    radius: float
-
-    def __post_init__(self) -> None:
-        _require(self.radius > 0.0, "radius", self.radius, "more than 0")
-        _require(self.design_length >= 0.0, "design length", self.design_length, "0 or more")
-        _require(self.tool_length >= 0.0, "tool length", self.tool_length, "0 or more")
-        if 0.0 < self.design_length <= self.tool_length:
-            raise ValueError(f"tool length is {self.tool_length:g} m; expected less than {self.design_length:g} m")
-
-    @property
-    def repositioning_length(self) -> float:
-        """L_R = L_0 − L_T; negative for a tool that comes back."""
-        return self.design_length - self.tool_length
-
-
-def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
-    """Return a drum of n tools at radius R_t (m), in step with the line over the angle θ_T (rad).
-
-    θ_0 = 2π/n, L_0 = θ_0 R_t, L_T = θ_T R_t. Raises ValueError unless n ≥ 1 and 0 ≤ θ_T < θ_0.
-    Source: S5, 'Kinematic analysis'.
-    """
-    _require(tools >= 1, "tools", tools, "1 or more")
-    pitch = 2.0 * math.pi / tools
-    if not 0.0 <= tool_angle < pitch:
-        found, limit = math.degrees(tool_angle), math.degrees(pitch)
-        raise ValueError(f"tool angle is {found:g} degrees; expected at least 0 and less than {limit:g}")
-    return Tool(pitch * radius, tool_angle * radius, radius)
-
-
-def flying_saw(tool_length: float, metres_per_radian: float) -> Tool:
-    """Return a saw on a slide: in step with the line over L_T (m), then back; the motor's mean speed is zero.
-
-    A transmission ratio with a mean that is not zero makes it the case L_0 = 0 of the drum's equations:
-    there is no design length, h = −L_p, and the tool always reverses. ``metres_per_radian`` of the shaft
-    that moves the slide: 1/(2πP) of a screw, the radius of a pinion.
-    Source: S5, 'Systems where τ_gx,mean ≠ 0'.
-    """
-    return Tool(0.0, tool_length, metres_per_radian)
+"""of the design length, the line speed, the cycle time: a smaller difference is none"""
 
 
 @dataclass(frozen=True)
@@ -80,7 +28,8 @@ class Cut:
     """A product length L_p (m) at line speed v_L (m/s), the law of the superimposed motion.
 
     ``beyond`` says what a drum does with products longer than ``limit_length``: come to a standstill, wait
-    at the law's fastest instant and go on, or reverse. Raises ValueError unless L_p > L_T and v_L > 0, and
+    at the law's fastest instant and go on, or reverse. ``peak`` is the ξ of that instant, or None for the first
+    at which the law is exactly at its fastest. Raises ValueError unless L_p > L_T and v_L > 0, and
     for a law that moves backwards or does not end at rest at 1.
     """
 
@@ -89,9 +38,10 @@ class Cut:
     line_speed: float
     law: Law
     beyond: Beyond = "standstill"
+    peak: float | None = None
 
     def __post_init__(self) -> None:
-        _require(self.line_speed > 0.0, "line speed", self.line_speed, "more than 0")
+        require(self.line_speed > 0.0, "line speed", self.line_speed, "more than 0")
         if not (math.isfinite(self.product_length) and self.product_length > self.tool.tool_length):
             least = self.tool.tool_length
             raise ValueError(f"product length is {self.product_length:g} m; expected more than L_T, {least:g} m")
@@ -105,6 +55,16 @@ class Cut:
     def cycle_time(self) -> float:
         """t_C = L_p/v_L (s). Source: S5, eq. (4)."""
         return self.product_length / self.line_speed
+
+    @property
+    def rate(self) -> float:
+        """Products a second, v_L/L_p."""
+        return self.line_speed / self.product_length
+
+    @property
+    def time_tolerance(self) -> float:
+        """A time (s) this near to an event counts as on it."""
+        return SAME_LENGTH * self.cycle_time
 
     @property
     def tool_time(self) -> float:
@@ -207,9 +167,37 @@ class Cut:
         return max(abs(v) for v in self.speed_range) / self.tool.radius
 
     @property
+    def angular_speed_range(self) -> tuple[float, float]:
+        """Lowest and highest speed of the shaft (rad/s)."""
+        low, high = self.speed_range
+        return low / self.tool.radius, high / self.tool.radius
+
+    @property
     def reverses(self) -> bool:
         """Whether the tool moves against the line for part of the cycle."""
         return self.speed_range[0] < -SAME_LENGTH * self.line_speed
+
+    @property
+    def stops(self) -> bool:
+        """Whether the tool comes to a standstill, if only for an instant."""
+        return self.speed_range[0] <= SAME_LENGTH * self.line_speed
+
+    @property
+    def standing_velocity(self) -> float:
+        """v* = −v_L t_m/h, the dimensionless velocity of the law at which the tool stands.
+
+        Of a tool that does not reverse 1, the mean of every law.
+        """
+        return -self.line_speed * self.moving_time / self.superimposed if self.reverses else 1.0
+
+    def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
+        """Return the line speed (m/s) at which the shaft is at the first of its limits (rad/s, rad/s²).
+
+        Of one product and law, ω grows with v_L, ω̇ with v_L²: S5, eqs. (11), (12) with t_R = (L_p − L_T)/v_L.
+        """
+        unit = replace(self, line_speed=1.0)
+        by_speed, asked = max_speed / unit.max_angular_speed, unit.max_angular_acceleration
+        return min(by_speed, math.sqrt(max_acceleration / asked)) if asked > 0.0 else by_speed
 
     @property
     def stroke(self) -> float:
@@ -222,16 +210,8 @@ class Cut:
         ends = np.array([0.0, self.repositioning_time, self.cycle_time])
         if not self.reverses:
             return ends
-        stands = -self.line_speed * self.moving_time / self.superimposed
-        xi = roots(lambda x: self.law.v(x) - stands, velocity_extremes(self.law))
+        xi = roots(lambda x: self.law.v(x) - self.standing_velocity, velocity_extremes(self.law))
         return np.concatenate([ends, np.union1d(xi, breaks(self.law)) * self.moving_time])
-
-    def load_factor(self, inertia: float) -> float:
-        """Return β = 4 J_L ω̇²_L,rms (Nm rad/s², that is W/s) of a purely inertial load J_L (kg m²).
-
-        Source: S5, eqs. (17) and (19).
-        """
-        return 4.0 * inertia * self.rms_angular_acceleration**2
 
     def at(self, time: ArrayLike) -> ToolMotion:
         """Return position, speed and acceleration of the tool (m, s) at times from 0 to t_C.
@@ -239,73 +219,42 @@ class Cut:
         Raises ValueError outside.
         """
         t = np.asarray(time, dtype=np.float64)
-        tolerance = SAME_LENGTH * self.cycle_time
-        if t.size and not (t.min() >= -tolerance and t.max() <= self.cycle_time + tolerance):
-            raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")
-        working = t >= self.repositioning_time - tolerance
-        law, standing = self._superimposed_at(t)
-        per = self.superimposed / self.moving_time
-        moved = self.superimposed * law.s - self.line_speed * self._waited(t)
-        speed = np.where(standing, 0.0, np.where(working, self.line_speed, self.line_speed + per * law.v))
-        acceleration = np.where(standing | working, 0.0, per / self.moving_time * law.a)
+        part, waited, xi = self.state(t)
+        law, per = self.law.evaluate(xi), self.superimposed / self.moving_time
+        moved = self.superimposed * law.s - self.line_speed * waited
+        speed = np.select([part == WAITS, part == WORKS], [0.0, self.line_speed], self.line_speed + per * law.v)
+        acceleration = np.where(part == MOVES, per / self.moving_time * law.a, 0.0)
         return ToolMotion(self.line_speed * t + moved, speed, acceleration)
 
+    def state(self, time: ArrayLike) -> CycleState:
+        """Return where the cycle is at times (s) from 0 to t_C; at either end of the wait, it moves.
+
+        Raises ValueError outside.
+        """
+        t, near = np.asarray(time, dtype=np.float64), self.time_tolerance
+        if t.size and not (t.min() >= -near and t.max() <= self.cycle_time + near):
+            raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")
+        begin, end = self.wait
+        waited = np.clip(t - begin, 0.0, self.waiting_time)
+        waiting = (t > begin + near) & (t < end - near)
+        part = np.select([t >= self.repositioning_time - near, waiting], [WORKS, WAITS], MOVES)
+        return CycleState(part, waited, np.clip((t - waited) / self.moving_time, 0.0, 1.0))
+
     @cached_property
-    def _wait_begins(self) -> float:
-        return velocity_peak(self.law) * self.moving_time if self.waits else self.repositioning_time
+    def fastest(self) -> float:
+        """ξ at which the law is at its fastest: there a drum waits."""
+        return velocity_peak(self.law) if self.peak is None else self.peak
 
-    def _waited(self, t: Array) -> Array:
-        return np.clip(t - self._wait_begins, 0.0, self.waiting_time)
+    @property
+    def wait(self) -> tuple[float, float]:
+        """When the drum comes to a standstill, and when it goes on (s); both t_R where it does not wait."""
+        begin = self.fastest * self.moving_time if self.waits else self.repositioning_time
+        return begin, begin + self.waiting_time
 
-    def _superimposed_at(self, t: Array) -> tuple[Kinematics[Array], NDArray[np.bool_]]:
-        """Return the law at each time, stopped during the wait, and where the drum waits."""
-        waited = self._waited(t)
-        xi = np.clip((t - waited) / self.moving_time, 0.0, 1.0)
-        return self.law.evaluate(xi), (waited > 0.0) & (waited < self.waiting_time)
+    def product_position(self, time: Array) -> Array:
+        """Return the position of the product (m) at times (s): v_L t."""
+        return self.line_speed * time
 
-
-class ToolMotion(NamedTuple):
-    """Motion of the tool along its path over a cycle: m, m/s, m/s²."""
-
-    position: Array
-    speed: Array
-    acceleration: Array
-
-
-class LengthSweep(NamedTuple):
-    """What each product length asks for: arrays over the lengths."""
-
-    length: Array
-    displacement: Array
-    lowest_speed: Array
-    highest_speed: Array
-    max_acceleration: Array
-    rms_acceleration: Array
-    load_factor: Array
-
-
-def sweep_lengths(
-    tool: Tool, lengths: ArrayLike, line_speed: float, law: Law, inertia: float, beyond: Beyond = "standstill"
-) -> LengthSweep:
-    """Return speeds, accelerations and β for product lengths (m), with the load's inertia J_L (kg m²).
-
-    Raises ValueError as :class:`Cut` does.
-    """
-    cuts = [Cut(tool, float(length), line_speed, law, beyond) for length in np.ravel(lengths)]
-    rows = [
-        (
-            cut.product_length,
-            cut.displacement,
-            *cut.speed_range,
-            cut.max_acceleration,
-            cut.rms_acceleration,
-            cut.load_factor(inertia),
-        )
-        for cut in cuts
-    ]
-    return LengthSweep(*np.array(rows).reshape(-1, 7).T)
-
-
-def _require(holds: bool, name: str, value: float, expected: str) -> None:
-    if not (holds and math.isfinite(value)):
-        raise ValueError(f"{name} is {value:g}; expected {expected}")
+    def position_at(self, xi: float) -> float:
+        """Return the position of the tool (m) at an abscissa of the law, without a wait: v_L ξ t_m + h s(ξ)."""
+        return self.line_speed * xi * self.moving_time + self.superimposed * self.law.s(xi)

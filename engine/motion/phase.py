@@ -1,0 +1,105 @@
+"""A phase: a law carried out over a lift in a duration; what it comes to, and what jumps behind it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Generic, NamedTuple
+
+from engine.laws import Dwell, Law
+from engine.laws.base import Kinematics, Real, require_finite
+
+
+class MotionValues(NamedTuple, Generic[Real]):
+    """Position y, geometric velocity y' and acceleration y'', per unit of the abscissa."""
+
+    y: Real
+    y1: Real
+    y2: Real
+
+
+class TimeValues(NamedTuple, Generic[Real]):
+    """Position y, velocity ẏ and acceleration ÿ in time."""
+
+    y: Real
+    v: Real
+    a: Real
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A law, carried out over a lift (negative for a return) in a duration (in units of the abscissa).
+
+    Raises ValueError unless the duration is positive, both are finite, and a dwell has no lift.
+    """
+
+    law: Law
+    lift: float
+    duration: float
+
+    def __post_init__(self) -> None:
+        require_finite(lift=self.lift, duration=self.duration)
+        if self.duration <= 0.0:
+            raise ValueError(f"duration is {self.duration:g}; expected more than 0")
+        if isinstance(self.law, Dwell) and self.lift != 0.0:
+            raise ValueError(f"lift is {self.lift:g} in a dwell; expected 0")
+
+    @property
+    def scale(self) -> float:
+        """What the law's s is multiplied by: the lift, h."""
+        return self.lift
+
+    @property
+    def lack(self) -> float:
+        """What the law leaves of the lift, h (1 − s(1)): 0 of a law that ends at 1."""
+        return self.lift - self.scale * self.law.end.s
+
+    @property
+    def y1_max(self) -> float:
+        """max |y'| = C_v |h|/δ."""
+        return self.law.coefficients.cv * abs(self.scale) / self.duration
+
+    @property
+    def y2_max(self) -> float:
+        """max |y''| = C_a |h|/δ². Source: S1, 'Timing diagram for a cutting machine'."""
+        return self.law.coefficients.ca * abs(self.scale) / self.duration**2
+
+    @property
+    def y2_rms(self) -> float:
+        """Root of the mean of y''² over the phase, C_a,rms |h|/δ²."""
+        return self.law.coefficients.ca_rms * abs(self.scale) / self.duration**2
+
+
+@dataclass(frozen=True)
+class Junction:
+    """Where phase ``before`` ends and phase ``after`` begins, with the jumps (after less before) at ``x``.
+
+    At the wrap of the cycle, ``jump_y`` is what the cycle does not close by: y(end) − y(start).
+    """
+
+    x: float
+    before: int
+    after: int
+    jump_y: float
+    jump_v: float
+    jump_a: float
+
+
+class Ends(NamedTuple):
+    """A phase where it begins, and where it ends from within: y, y', y''."""
+
+    begin: MotionValues[float]
+    end: MotionValues[float]
+
+
+def scaled(phase: Phase, y: float, at: Kinematics[float]) -> MotionValues[float]:
+    """Return what a phase that begins at y makes of its law at one ξ."""
+    per = phase.scale / phase.duration
+    return MotionValues(y + phase.scale * at.s, per * at.v, per / phase.duration * at.a)
+
+
+def numbered_phase(number: int, one: Law, lift: float, duration: float) -> Phase:
+    """Return a phase; a ValueError says its number."""
+    try:
+        return Phase(one, lift, duration)
+    except ValueError as error:
+        raise ValueError(f"phase {number}: {error}") from None

@@ -1,0 +1,35 @@
+"""Overlap of two motions: how much longer the second may take when it begins before the first has ended.
+
+A transfer (S2: the indexing mill) brings the part; a tool (S2: the die) enters when the part is there, dwells,
+and is out before the next transfer. Angles are of the master shaft, in rad; the transfer begins at 0. Tools at several
+stations are as many schedules over the same transfer: each meets the transfer, none another tool.
+"""
+
+from engine.overlap.clearance import Clearance, Corners, clearance, colliding, corners
+from engine.overlap.margins import MarginSweep, sweep_margin
+from engine.overlap.parts import Passage, Tool, Transfer
+from engine.overlap.plan import Room, blocked, one_after_the_other, overlap, rests, room
+from engine.overlap.schedule import ANGLE_TOLERANCE, Schedule, ToolState, movement_time
+
+__all__ = [
+    "ANGLE_TOLERANCE",
+    "Clearance",
+    "Corners",
+    "MarginSweep",
+    "Passage",
+    "Room",
+    "Schedule",
+    "Tool",
+    "ToolState",
+    "Transfer",
+    "blocked",
+    "clearance",
+    "colliding",
+    "corners",
+    "movement_time",
+    "one_after_the_other",
+    "overlap",
+    "rests",
+    "room",
+    "sweep_margin",
+]

@@ -1,0 +1,105 @@
+"""The schedules: one after the other, and with the longest ways in and out that the passage allows."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.laws.base import Array
+from engine.laws.inverse import inverse
+from engine.overlap.parts import Passage, Tool, Transfer
+from engine.overlap.schedule import Limit, Schedule
+from engine.timing import FULL_TURN
+
+
+def one_after_the_other(transfer: Transfer, tool: Tool, split: float = 0.5) -> Schedule:
+    """Return the schedule without overlap: in, dwell and out in what the transfer leaves of the turn.
+
+    Raises ValueError where nothing is left. Source: S2, (360 − 150 − 100)/2 = 55°.
+    """
+    free = free_angle(transfer.angle, tool)
+    return Schedule(transfer, tool, free * split, free * (1.0 - split), transfer.angle + free * split)
+
+
+def blocked(transfer: Transfer, passage: Passage) -> tuple[float, float]:
+    """Return the angles (rad) between which the transfer is too far from its ends for the tool to be in.
+
+    Their difference is S2's effective angle: 150° − 2 · 15° = 120°.
+    """
+    begin, end = inverse(transfer.law, np.array(passage.shares)) * transfer.angle
+    return float(begin), float(end)
+
+
+class Room(NamedTuple):
+    """What a transfer and the passage leave a tool: angles in rad."""
+
+    begin: float
+    """from here the transfer is in the way"""
+    end: float
+    """and to here"""
+    free_in: float
+    """for the way in, as long as the tool is not at the part: F_in (S2: 140°/2 = 70°)"""
+    free_out: float
+    both: float
+    """for both ways at most, whatever the passage"""
+
+    @property
+    def effective(self) -> float:
+        """The angle over which the transfer is in the way (S2: 150° − 2 · 15° = 120°)."""
+        return self.end - self.begin
+
+
+def room(transfer: Transfer, tool: Tool, passage: Passage) -> Room:
+    """Return what is left to the tool; raise ValueError where that is nothing."""
+    begin, end = blocked(transfer, passage)
+    free = free_angle(end - begin, tool)
+    return Room(begin, end, free * passage.split, free * (1.0 - passage.split), FULL_TURN - tool.dwell)
+
+
+def rests(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
+    """Return for margins (m) the shares 1 − ξ of the ways in and out over which the transfer has to be in place.
+
+    Source: S2, 'Cycloid Cam Profile Analysis', 1 − 44 % = 56 %; the way out is the same in reverse.
+    """
+    gone = passage.gone(tool.stroke, margin)
+    return 1.0 - inverse(tool.law, gone), inverse(tool.out, 1.0 - gone)
+
+
+def ways(left: Room, tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Return the angles in and out for each margin, and whether the cycle rather than the clearance limits one."""
+    found, capped = [], np.zeros(margin.shape, dtype=np.bool_)
+    shares = (passage.split, 1.0 - passage.split)
+    for free, share, rest in zip((left.free_in, left.free_out), shares, rests(tool, passage, margin), strict=True):
+        most = left.both * share
+        way = np.divide(free, rest, out=np.full(rest.shape, np.inf), where=rest > 0.0)
+        capped |= way > most
+        found.append(np.minimum(way, most) - passage.allowance)
+    if min(found[0].min(), found[1].min()) <= 0.0:
+        raise ValueError(f"an allowance of {math.degrees(passage.allowance):g} degrees leaves the tool no angle")
+    return found[0], found[1], capped
+
+
+def overlap(transfer: Transfer, tool: Tool, passage: Passage) -> Schedule:
+    """Return the schedule with the longest ways in and out of the tool that the passage allows.
+
+    The free angle F = 2π − effective angle − dwell is split; when the transfer comes to its place, the tool
+    may have gone s = (clearance − margin)/stroke, at ξ, so the way in is F_in/(1 − ξ), less the allowance
+    (S2: 70°/0.56 = 125°, 120° with the allowance of 5°). The way out is the same in reverse.
+    Raises ValueError where no angle is left. Source: S2, 'Cycloid Cam Profile Analysis'.
+    """
+    left = room(transfer, tool, passage)
+    way_in, way_out, capped = ways(left, tool, passage, np.array([passage.margin]))
+    limit: Limit = "cycle" if capped[0] else "clearance"
+    return Schedule(transfer, tool, float(way_in[0]), float(way_out[0]), left.end + left.free_in, limit)
+
+
+def free_angle(occupied: float, tool: Tool) -> float:
+    """Return what an occupied angle and the dwell leave of the turn (rad); raise ValueError where that is nothing."""
+    free = FULL_TURN - occupied - tool.dwell
+    if free <= 0.0:
+        taken, dwell = math.degrees(occupied), math.degrees(tool.dwell)
+        raise ValueError(f"transfer ({taken:g} degrees) and dwell ({dwell:g} degrees) leave the tool no angle of 360")
+    return free

@@ -1,0 +1,55 @@
+"""What every template promises: its check by the engine stands before a book, and its variations pass it."""
+
+import pytest
+
+from workbook.build import build, committed
+from workbook.errors import InputError
+from workbook.reading.entries import checked, read_machine
+from workbook.templates import TEMPLATES
+
+BACKWARDS = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]  # s(1) = 1
+OWN = {
+    "actuator-sizing": (("actuator", "phases", 0, "law"), "actuator.phases.0.law: the own law moves backwards"),
+    "flying-cutter": (("cutter", "law"), "cutter.law: the law OWN moves backwards"),
+    "indexing-overlap": (("overlap", "transfer", "law"), "overlap.transfer.law: the own law moves backwards"),
+}
+"""where each machine that must invert its laws takes the own law, and what its check says"""
+
+
+def backwards(name):
+    """The committed description with an own law that moves backwards, where it may not."""
+    data = read_machine(TEMPLATES[name].description).model_dump()
+    data["laws"]["OWN"]["pieces"] = BACKWARDS
+    *path, last = OWN[name][0]
+    entry = data
+    for part in path:
+        entry = entry[part]
+    entry[last] = "OWN"
+    if name == "actuator-sizing":
+        entry["lift"] = 10.0
+    return data
+
+
+@pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
+def test_variations_pass_the_check_and_come_back_as_entries(description):
+    machine = read_machine(description)
+    template = TEMPLATES[machine.template]
+    for variant in template.variants(machine):
+        assert checked(template, variant.model_dump(), str) == variant
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_what_only_the_engine_can_refuse_is_refused_where_entries_are_read(name):
+    with pytest.raises(InputError) as refused:
+        checked(TEMPLATES[name], backwards(name), str)
+    (line,) = refused.value.lines
+    assert line.startswith(OWN[name][1])
+
+
+@pytest.mark.parametrize("name", OWN)
+def test_what_only_the_engine_can_refuse_gets_no_book(name, tmp_path):
+    """The model alone takes it: a machine made in Python is checked when it is built."""
+    machine = TEMPLATES[name].model.model_validate(backwards(name))
+    with pytest.raises(InputError, match=r"the .* moves backwards"):
+        build(machine, tmp_path / "book.xlsx")
+    assert list(tmp_path.iterdir()) == []

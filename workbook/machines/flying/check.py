@@ -1,0 +1,54 @@
+"""What only the engine can say of the entries of a flying cutter."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from engine.laws.base import BREAK_TOLERANCE
+from engine.laws.inverse import is_monotone
+from engine.laws.sections import velocity_extremes
+from workbook.entries.machine import Sizes
+from workbook.entries.types import EntryError
+from workbook.entries.units import MM, shown
+from workbook.laws.entries import Laws
+from workbook.laws.library import laws
+from workbook.machines.flying.entries import FlyingCutter
+from workbook.machines.flying.view import REST, tool_of
+
+LEAST_CV = 1.001  # below, no product is too long to keep moving
+
+
+def check(machine: FlyingCutter) -> None:
+    """Raise EntryError for a law that does not do, and for products that leave no time to re-position."""
+    require_law(machine.cutter.law, machine.laws, machine.sizes)
+    least = shown(tool_of(machine.cutter).shortest_product, MM)
+    for entry, length in (
+        ("product_length", machine.cutter.product_length),
+        ("lengths.shortest", machine.cutter.lengths.shortest),
+    ):
+        if length < least:
+            raise EntryError(
+                f"cutter.{entry}",
+                f"a product of {length:g} mm leaves no time to re-position; expected at least {least:.6g} mm",
+            )
+
+
+def require_law(code: str, given: Laws, sizes: Sizes) -> None:
+    """Raise EntryError unless the law goes from rest to rest, speeds up once and slows down once."""
+    law = laws(given, sizes.own_law)[code]
+    speeds = law.v(velocity_extremes(law))
+    top = int(np.argmax(speeds))
+    falls = np.diff(speeds)
+    fault = None
+    if not is_monotone(law):
+        fault = "moves backwards; expected a law that rises throughout"
+    elif abs(law.end.s - 1) > BREAK_TOLERANCE:
+        fault = f"ends at s = {law.end.s:g}; expected a law that ends at 1"
+    elif max(abs(law.start.v), abs(law.end.v)) > REST:
+        fault = "does not begin and end at rest; expected a law that does"
+    elif min(falls[:top].min(initial=0.0), -falls[top:].max(initial=0.0)) < -REST:
+        fault = "speeds up more than once; expected a law that speeds up once, then slows down"
+    elif law.coefficients.cv < LEAST_CV:
+        fault = f"has C_v = {law.coefficients.cv:g}; expected at least {LEAST_CV:g}"
+    if fault:
+        raise EntryError("cutter.law", f"the law {code} {fault}")
