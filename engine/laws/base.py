@@ -98,7 +98,7 @@ class Law(ABC):
     """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ.
 
     A law states its closed form and, from its parameters, what else is known of it: one test measures that all
-    of it is true of the closed form (tests/engine/test_claims.py).
+    of it is true of the closed form (tests/engine/laws/test_claims.py).
     """
 
     code: ClassVar[str]

@@ -33,10 +33,10 @@ def motion(sheet: Sheet, machine: Sized) -> None:
         given("duration", "duration", "t", "s",
               filled([p.duration for p in entered], n, None), "actuator.phases.*.duration", format="0.0##"),
         result("v", "largest speed", "v", "",
-               joined.VELOCITY, machine.of_moves(lambda move: move.speed),
+               joined.VELOCITY, filled([p.y1_max for p in phases], n),
                scale=sides.speed, source="C_v h/t; m/s, or rad/s"),
         result("amax", "largest acceleration", "a", "",
-               joined.ACCELERATION, machine.of_moves(lambda move: move.acceleration), scale=sides.acceleration,
+               joined.ACCELERATION, filled([p.y2_max for p in phases], n), scale=sides.acceleration,
                source="C_a h/t²; m/s², or rad/s²"),
         *(result(name, words, symbol, "Nm",
                  f"=INDEX([extremes.torque],3*([k]-1)+{j + 1})", torques[j], scale=sides.torque, source=source)

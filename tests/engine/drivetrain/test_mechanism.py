@@ -12,9 +12,9 @@ LOAD = Slide(mass=12.0, friction=0.2, slope=radians(30), force=40.0)
 
 def test_cylinder_is_half_m_r_squared_and_a_bore_takes_its_share():
     mass = 7800 * pi * 0.05**2 * 0.2
-    assert cylinder(0.05, 0.2, 7800) == pytest.approx(0.5 * mass * 0.05**2, rel=1e-14)
-    hollow = cylinder(0.05, 0.2, 7800, bore=0.03)
-    assert hollow == pytest.approx(cylinder(0.05, 0.2, 7800) - cylinder(0.03, 0.2, 7800), rel=1e-14)
+    assert cylinder(0.1, 0.2, 7800) == pytest.approx(0.5 * mass * 0.05**2, rel=1e-14)
+    hollow = cylinder(0.1, 0.2, 7800, bore=0.06)
+    assert hollow == pytest.approx(cylinder(0.1, 0.2, 7800) - cylinder(0.06, 0.2, 7800), rel=1e-14)
 
 
 def test_slide_has_gravity_and_force_always_and_friction_with_the_motion():
@@ -110,7 +110,7 @@ def test_equal_masses():
         (lambda: Part("roller", -1.0), "roller: inertia is -1"),
         (lambda: Slide(-1.0), "load: mass is -1"),
         (lambda: Slide(1.0, slope=2.0), "slope is 114.592 degrees"),
-        (lambda: cylinder(0.1, 1.0, 7800, bore=0.1), "bore is 0.1 m; expected less than the radius"),
+        (lambda: cylinder(0.1, 1.0, 7800, bore=0.1), "bore is 0.1 m; expected less than the diameter"),
         (lambda: KINDS["lead screw"].of(LOAD.load, 0.0), "lead screw: size is 0"),
         (lambda: KINDS["rack and pinion"].of(LOAD.load, 0.0), "rack and pinion: size is 0"),
         (lambda: KINDS["belt"].of(LOAD.load, 0.1, belt=-1.0), "belt: belt is -1"),

@@ -8,7 +8,7 @@ import pytest
 
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
-from tests.workbook.test_random_inputs import durations, piece, shares
+from tests.workbook.machines.test_random_inputs import durations, piece, shares
 from workbook.build import build, committed, inputs, stale_templates
 from workbook.errors import InputError
 from workbook.judging.verify import verify

@@ -94,7 +94,7 @@ def test_the_figures_called_exact_are_those_of_the_book_as_delivered(path, side)
 
 def test_the_description_is_the_engine_s_lead_screw():
     load = Slide(6, 0.1, math.radians(10)).load
-    mechanism = KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.007, 0.5, 7800))])
+    mechanism = KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.014, 0.5, 7800))])
     phases = [Phase(TrapezoidalVelocity(1 / 6, 5 / 6), 0.008, 0.2)]
     for method in ("document", "physical"):
         machine = described(method=method, phases=[{"law": "TVP", "lift": 8.0, "duration": 0.2}])
@@ -103,7 +103,7 @@ def test_the_description_is_the_engine_s_lead_screw():
 
 
 def test_the_description_is_the_engine_s_conveyor():
-    load, rollers = Slide(150, 0.05, math.radians(20)).load, Part("rollers", cylinder(0.15, 1.0, 7800), 1, 2)
+    load, rollers = Slide(150, 0.05, math.radians(20)).load, Part("rollers", cylinder(0.3, 1.0, 7800), 1, 2)
     mechanism = KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50, 0.9)], parts=[rollers], belt=10)
     data = entries(CONVEYOR, load__friction=0.05, method="physical", holding="motor")
     data["actuator"]["gears"][0]["efficiency"] = 0.9

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from tests.mutation.bench import sized
-from tests.workbook.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, Known, repacked, sub
+from tests.workbook.judging.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, Known, repacked, sub
 from workbook.build import build
 from workbook.errors import ReadError
 from workbook.judging.verify import verify

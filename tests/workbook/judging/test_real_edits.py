@@ -8,7 +8,7 @@ from openpyxl.cell.cell import MergedCell
 from openpyxl.styles import Font, PatternFill
 
 from tests.workbook import office
-from tests.workbook.fuzz import without_charts
+from tests.workbook.reading.fuzz import without_charts
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine

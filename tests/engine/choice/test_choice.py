@@ -17,7 +17,7 @@ from engine.choice.ratios import accelerating_factor, best_ratio, ratio_curves, 
 from engine.drivetrain import KINDS, Drive, Load, Stage, direction
 from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
-from tests.engine.tasks import sampled_task
+from tests.engine.choice.tasks import sampled_task
 
 TASK = Task(acceleration_rms=300.0, torque_rms=9.0, power_rate_mean=1100.0, max_speed=30.0)
 AT_REST = Task(acceleration_rms=0.0, torque_rms=9.0, power_rate_mean=0.0, max_speed=30.0)

@@ -8,7 +8,7 @@ import openpyxl
 import pytest
 
 from tests.mutation.bench import sized
-from tests.workbook.hands import WORKBOOK, Known, repacked, spot, sub
+from tests.workbook.judging.hands import WORKBOOK, Known, repacked, spot, sub
 from workbook.build import build
 from workbook.errors import InputError, MotionbookError, WitnessError
 from workbook.judging.structure import same

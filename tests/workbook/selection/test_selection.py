@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from engine.choice import rank
 from engine.choice.ratios import accelerating_factor
-from tests.engine.tasks import sampled_task
+from tests.engine.choice.tasks import sampled_task
 from tests.mutation import draw_cutting
 from tests.mutation.draw_selection import vary_selection
 from tests.workbook.cells import computed, disagreeing

@@ -23,7 +23,7 @@ from workbook.laws.variations import SIX, law_for, laws_in, variations
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SMALL = {"cycle": 12, "law": 4, "own_law": 8, "phases": 8}
 COMPOSER, ACTUATOR, FLYING = (TEMPLATES[name] for name in ("motion-composer", "actuator-sizing", "flying-cutter"))
 

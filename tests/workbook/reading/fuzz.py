@@ -1,6 +1,6 @@
 """Damaged workbooks, the same ones each time: a stream of mutations of a sound file.
 
-    python tests/workbook/fuzz.py BOOK.xlsx NUMBER DAMAGED.xlsx [SEED]
+    python tests/workbook/reading/fuzz.py BOOK.xlsx NUMBER DAMAGED.xlsx [SEED]
 
 writes one of them, to look into what a failing test names by its number and, at night, its seed.
 """

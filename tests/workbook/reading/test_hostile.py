@@ -10,7 +10,7 @@ import zipfile
 import pytest
 
 from tests.tiers import nights, seed
-from tests.workbook.fuzz import damaged, pack, unpack, without_charts
+from tests.workbook.reading.fuzz import damaged, pack, unpack, without_charts
 from workbook.build import build
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.judging.verify import verify
