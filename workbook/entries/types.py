@@ -16,6 +16,7 @@ PLAIN = r"^[^=\x00-\x1f][^\x00-\x1f]*$"  # one line, no formula
 Text = Annotated[str, Field(min_length=1, max_length=80, pattern=PLAIN)]
 SUM_TOLERANCE = 1e-9
 ANGLE_TOLERANCE = 1e-9  # degrees
+END_TOLERANCE = 1e-12  # of a rise: a law that must end at 1 does
 
 
 class EntryError(ValueError):

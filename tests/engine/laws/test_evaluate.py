@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from engine.laws import CATALOGUE, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
-from engine.laws.base import BLOCK, BREAK_TOLERANCE
+from engine.laws.base import BLOCK, BREAK_TOLERANCE, ROUNDING
 
 LAWS = pytest.mark.parametrize("law", [e.example() for e in CATALOGUE], ids=[e.code for e in CATALOGUE])
 
@@ -65,8 +65,8 @@ def test_nan_is_refused_by_name(law):
 
 @LAWS
 def test_rounding_beyond_the_ends_counts_as_the_end(law):
-    assert law.evaluate(-BREAK_TOLERANCE) == law.start
-    assert law.evaluate(1 + BREAK_TOLERANCE) == law.end
+    assert law.evaluate(-ROUNDING) == law.start
+    assert law.evaluate(1 + ROUNDING) == law.end
 
 
 @pytest.mark.parametrize(
@@ -97,3 +97,11 @@ def test_what_cannot_be_is_refused_with_what_was_expected(made, message):
 def test_laws_are_values():
     assert ModifiedTrapezoidal() == ModifiedTrapezoidal([1 / 8, 1 / 4, 1 / 8, 0, 1 / 8, 1 / 4, 1 / 8])
     assert len({Dwell(), Dwell(), TrapezoidalVelocity(), TrapezoidalVelocity(0.2, 0.8)}) == 3
+
+
+@LAWS
+def test_a_sample_as_near_to_a_break_as_rounding_brings_it_is_on_it(law):
+    for xi in law.breaks:
+        a = law.evaluate(xi).a
+        assert law.evaluate(xi - 0.9 * BREAK_TOLERANCE).a == pytest.approx(a, abs=1e-6)
+        assert law.evaluate(xi + 0.9 * BREAK_TOLERANCE).a == pytest.approx(a, abs=1e-6)

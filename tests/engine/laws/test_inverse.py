@@ -105,6 +105,13 @@ def test_integral_of_a_squared_is_that_of_the_closed_form(law):
     assert math.sqrt(mean_square) == pytest.approx(law.coefficients.ca_rms, rel=1e-13)
 
 
+@pytest.mark.parametrize("law", [e.example() for e in CATALOGUE if e.code != "DWL"], ids=str)
+def test_a_jump_through_zero_at_a_break_is_no_root_beside_it(law):
+    edges = breaks(law)
+    found = roots(law.a, edges)
+    assert all(abs(xi - edge) > 1e-6 for xi in found for edge in edges)
+
+
 def test_roots_find_where_a_law_crosses_a_level():
     law = Cycloidal()
     found = roots(lambda xi: law.v(xi) - 1.0, breaks(law))

@@ -9,6 +9,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from engine.laws import ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
+from engine.laws.base import BREAK_TOLERANCE
+
+HAIR = 2 * BREAK_TOLERANCE
 
 part = st.floats(0.02, 1.0)
 part_or_nothing = st.one_of(st.just(0.0), part)
@@ -66,7 +69,7 @@ def assert_derivatives(law):
 
 def assert_coefficients(law):
     k = law.coefficients
-    xi = np.concatenate([np.linspace(a + 1e-9, b - 1e-9, 2001) for a, b in stages(law)])
+    xi = np.concatenate([np.linspace(a + HAIR, b - HAIR, 2001) for a, b in stages(law)])
     weights = np.concatenate([np.full(2001, (b - a) / 2000) for a, b in stages(law)])
     weights[::2001] /= 2
     weights[2000::2001] /= 2

@@ -8,9 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import ConstantAcceleration, Cubic, Cycloidal, Piece, PieceLaw, TrapezoidalVelocity
+from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece import gains
 
 XI = np.linspace(0, 1, 1001)
+HAIR = 2 * BREAK_TOLERANCE
 TURN = 2 * math.pi
 number = st.floats(-10, 10)
 
@@ -56,7 +58,7 @@ def samples_by_piece(law, n=4001):
     for piece in law.pieces:
         end = min(begin + piece.duration, 1.0)
         if piece.duration > 0:
-            xi.append(np.linspace(begin + 1e-11, end - 1e-11, n))
+            xi.append(np.linspace(begin + HAIR, end - HAIR, n))
             weights.append(np.full(n, piece.duration / (n - 1)))
             weights[-1][[0, -1]] /= 2
         begin = end

@@ -12,8 +12,8 @@ import pytest
 
 from workbook.errors import WriteError
 from workbook.judging.many import Outcome
-from workbook.judging.verify import ORDER, Finding, Ran, Report
-from workbook.reports.junit import junit
+from workbook.judging.report import ORDER, Check, Finding, Ran, Report
+from workbook.reports.junit import DESIGN, junit
 from workbook.reports.page import KINDS, legal, page, ready, write
 
 WHEN = datetime(2026, 3, 1, 13, 5, 9, tzinfo=UTC)
@@ -33,6 +33,10 @@ def wrong():
         Finding(EVIL, "A1", "error", "#DIV/0!", None, "", math.inf),
         Finding("", "libreoffice", "witness", "absent", "a witness that is on this machine"),
     ]
+    report.declared = 1236
+    report.witnesses[0].at_fault = 2
+    report.checks = [Check("Drive", "D20", f"Peak torque {EVIL}", "FAIL"), Check("Drive", "D21", "RMS torque", "OK")]
+    report.notices = [Finding("Drive", "B7", "notice", "Spitze", "Peak", f"label of {EVIL}")]
     report.unmatched = ["Mine!A1", "Mine!B2"]
     report.notes = [f"inputs that hold a formula: {EVIL}"]
     return Outcome(report.path, "disagrees", report, sha256="ab" * 32, seconds=1.5)
@@ -76,7 +80,9 @@ class Read(HTMLParser):
 def test_the_page_says_all_of_the_report():
     said = Read(page([wrong()], WHEN)).said
     for expected in (
-        "<b>&.xlsx", "ab" * 32, "2026-03-01 13:05:09 +0000", "cutting-machine", "pycel 1.0b30: 1,234 cells compared",
+        "<b>&.xlsx", "ab" * 32, "2026-03-01 13:05:09 +0000", "cutting-machine",
+        "pycel 1.0b30: 1,234 cells compared, 2 at fault",
+        "declared|1,236", "1 of 2 FAIL", "Drive!D20|Peak torque", "Notices (1)", "Drive!B7|label of", "|Spitze|Peak|",
         "libreoffice: absent from this machine, not asked", "saved values: has none", "Drive|1,000|2.5e-01|2|",
         "Laws|234|3.1e-16|0|", "Drive!D7|replaced|", "|5|0.333333333333333|–|",
         "Drive!D9|value|RMS|1|1.25|2.5e-01|formualizer|",
@@ -126,17 +132,18 @@ def test_the_page_explains_every_kind_of_finding():
 def test_junit_has_a_suite_a_workbook_and_a_case_a_sheet():
     root = ElementTree.fromstring(junit([wrong(), right(), unreadable(), foreign()], WHEN).encode())
     first, second, third, fourth = root
-    assert [c.get("name") for c in first.findall("testcase")] == ["Drive", "Laws", SAFE, "(no sheet)"]
-    assert [len(c.findall("failure")) for c in first.findall("testcase")] == [1, 0, 1, 1]
+    assert [c.get("name") for c in first.findall("testcase")] == ["Drive", "Laws", SAFE, "(no sheet)", DESIGN]
+    assert [len(c.findall("failure")) for c in first.findall("testcase")] == [1, 0, 1, 1, 1]
+    assert first.find(f'testcase[@name="{DESIGN}"]/failure').text == f"Drive!D20 (Peak torque {SAFE}): FAIL"
     failure = first.find("testcase/failure")
     assert "Drive!D7" in failure.get("message")
     assert failure.text.count("\n") == 1
     assert "Drive!D9 (RMS): value: found 1, expected 1.25 [formualizer]" in failure.text
     assert first.find("properties/property[@name='sha256']").get("value") == "ab" * 32
-    assert (second.get("tests"), second.get("failures")) == ("1", "0")
+    assert (second.get("tests"), second.get("failures")) == ("2", "0")
     assert third.find("testcase/error").get("message") == "bad.xlsx: Timing!D7: found 'x'"
     assert fourth.find("testcase/skipped") is not None
-    assert {k: root.get(k) for k in ("tests", "failures", "errors")} == {"tests": "7", "failures": "3", "errors": "1"}
+    assert {k: root.get(k) for k in ("tests", "failures", "errors")} == {"tests": "9", "failures": "4", "errors": "1"}
 
 
 def test_junit_counts_what_it_holds():

@@ -216,7 +216,7 @@ def located(i: int, axis: engine_timing.Axis, at: Array, pieces: sampling.Pieces
     t = f"axis{i}"
     phase = f"=MATCH(MIN([theta]+timing_eps,360-timing_eps),[{t}.begin],1)"
     span = f"(INDEX([{t}.stop],[p{i}])-INDEX([{t}.start],[p{i}]))"
-    xi = f"=([theta]-INDEX([{t}.start],[p{i}]))/{span}"
+    xi = f"=MAX(0,([theta]-INDEX([{t}.start],[p{i}]))/{span})"
     number = f"=INDEX([{t}.no],[p{i}])"
     names = ("last begin not above θ", "(θ − from)/δ")
     return joined_phases.located(axis.motion, at, pieces, (phase, xi, number), names, f"{axis.name} ", str(i))
