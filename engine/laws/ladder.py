@@ -57,7 +57,9 @@ def zeros(f: Curve, d: float) -> list[float]:
         return _of_sine(f.sines[0], d) if f.sines else []
     slope = f.derivative()
     points = [0.0, *zeros(slope, d), d] if f.c else _cells(f, d)
-    return [_root(f, slope, low, high) for low, high in itertools.pairwise(points) if f(low) * f(high) < 0.0]
+    values = map(f, points)
+    cells = zip(itertools.pairwise(points), itertools.pairwise(values), strict=True)
+    return [_root(f, slope, *cell) for cell, ends in cells if min(ends) < 0.0 < max(ends)]
 
 
 def _of_sine(sine: Sine, d: float) -> list[float]:
