@@ -300,3 +300,10 @@ def test_limits_are_a_closed_line_on_the_sides_that_the_motor_turns_to(lowest, l
 def test_what_cannot_be_is_refused(made, message):
     with pytest.raises(ValueError, match=message):
         made()
+
+
+def test_beside_a_large_torque_what_rounding_leaves_of_a_small_one_is_none():
+    assert rounding_of([0.2, -0.5]) == rounding_of([]) == NEAR
+    assert rounding_of([2e6, -3e9]) == 3e9 * NEAR
+    assert loss_factor(-0.01, 1.0, 0.8, near=rounding_of([3e9])) == 1 / 0.8
+    assert loss_factor(-4.0, 1.0, 0.8, near=rounding_of([3e9])) == 0.8

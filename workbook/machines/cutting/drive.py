@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from engine.drivetrain.cycle import Move
+from engine.drivetrain.losses import rounding_of
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
@@ -102,7 +103,9 @@ def workings(sheet: Sheet, machine: Cutting) -> None:
         calc("@jeff", "Inertia felt by the motor, per ω̇_r", "", "kg m²",
              "=@jm/@tau+@tau*@jtot", machine.drive.effective_inertia(ROLLERS), source="J_m/τ + τ J_tot"),
         losses.standstill(),
-        losses.nearly(),
+        calc("@near", "A load that drives with less counts as resisting", "R_0", "Nm",
+             "=check_zero*MAX(1,MAX([drive.total]),0-MIN([drive.total]))", rounding_of(machine.samples.load),
+             format="0E+00", source="rounding never decides the losses"),
     )  # fmt: skip
 
 
