@@ -12,6 +12,8 @@ from engine.laws.pulse import CYCLOIDAL
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
 
+FULL_SINE = Piece(1.0, amplitude=math.tau, omega=math.tau)
+
 
 @dataclass(frozen=True)
 class Cycloidal(PulseLaw):
@@ -34,11 +36,9 @@ class Cycloidal(PulseLaw):
     def _course(self) -> Course:
         return Course(CYCLOIDAL, self.share, 0.0, CYCLOIDAL, 1.0 - self.share)
 
-    def as_pieces(self) -> tuple[Piece, ...]:
-        """Return either half sine; with λ = ½ between rests, one full sine, a = 2π sin 2πu."""
-        if self.share == 0.5 and self.ends == REST:
-            return (Piece(1.0, amplitude=math.tau, omega=math.tau),)
-        return super().as_pieces()
+    @property
+    def _whole(self) -> Piece | None:
+        return FULL_SINE if self.share == 0.5 and self.ends == REST else None
 
 
 ENTRY = Entry(

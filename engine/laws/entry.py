@@ -81,11 +81,6 @@ class Entry:
         return (self.example(), *self.others)
 
     @property
-    def measured(self) -> tuple[Law, ...]:
-        """The law with every set of parameters and ends that is measured."""
-        return (*self.examples, *self.beyond)
-
-    @property
     def rises(self) -> bool:
         """Whether the law moves at all: every one but the dwell."""
         return self.claims.end != self.claims.start

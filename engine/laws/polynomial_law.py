@@ -41,9 +41,9 @@ class HalvedPolynomial(PulseLaw):
     def _course(self) -> Course:
         return Course(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
 
-    def as_pieces(self) -> tuple[Piece, ...]:
-        """Return either half; with λ = ½ the whole polynomial."""
-        return (self.WHOLE,) if self.share == 0.5 else super().as_pieces()
+    @property
+    def _whole(self) -> Piece | None:
+        return self.WHOLE if self.share == 0.5 else None
 
     def between(self, ends: Ends) -> EndedPolynomial:
         """Return the polynomial of this degree between these ends; EndError where a share shifts the law."""

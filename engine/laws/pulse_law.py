@@ -6,7 +6,7 @@ import math
 from abc import abstractmethod
 from functools import cached_property
 from itertools import accumulate
-from typing import ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple, TypeVar
 
 from engine.laws.base import Array, Coefficients, Shapes
 from engine.laws.ends import EndedLaw
@@ -17,6 +17,8 @@ from engine.laws.pulse import Pulse
 from engine.laws.stages import Staged, carried
 
 JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
+
+T = TypeVar("T")
 
 
 class Course(NamedTuple):
@@ -93,17 +95,29 @@ class PulseLaw(EndedLaw):
         return self.course.rise.outer != 0.0, self.course.fall.outer != 0.0
 
     @property
+    def _whole(self) -> Piece | None:
+        """The one piece that both pulses together are; None, as in most laws, if they are not."""
+        return None
+
+    @property
     def breaks(self) -> tuple[float, ...]:
-        """The ends of all pieces but the last."""
-        return tuple(accumulate(piece.duration for piece in self.as_pieces()[:-1]))
+        """The ends of all stages but the last; none where both pulses together are one piece."""
+        c = self.course
+        rise, fall = ([piece.duration for piece in pulse.pieces] for pulse in (c.rise, c.fall.turned))
+        times = (*(d * c.rise_time for d in rise), c.cruise, *(d * c.fall_time for d in fall))
+        return () if self._whole else tuple(accumulate(self._taken(times)[:-1]))
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
+        if self._whole:
+            return (self._whole,)
         c = self.course
         rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
         fall = [stretched(piece, -self.deceleration, c.fall_time) for piece in c.fall.turned.pieces]
-        pieces = (*rise, Piece(c.cruise), *fall)
-        return pieces if self._stages is None else tuple(pieces[k] for k in self._stages)
+        return self._taken((*rise, Piece(c.cruise), *fall))
+
+    def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
+        return stages if self._stages is None else tuple(stages[k] for k in self._stages)
 
     def shapes(self) -> Shapes | None:
         """Return the shares of each stage's shape; None between prescribed ends and where a pulse is a polynomial."""

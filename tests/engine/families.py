@@ -24,7 +24,7 @@ def _entries():
 ENTRIES = _entries()
 """of every module in engine/laws that has one: those without a page are measured too"""
 
-EXAMPLES = tuple((f"{entry.code} {k}", law) for entry in ENTRIES for k, law in enumerate(entry.measured))
+EXAMPLES = tuple((f"{entry.code} {k}", law) for entry in ENTRIES for k, law in enumerate((*entry.examples, *entry.beyond)))
 
 
 def stages(law):

@@ -24,6 +24,7 @@ from engine.drivetrain import (
     resisting,
 )
 from engine.drivetrain.chain import geared
+from engine.drivetrain.losses import rounding_of
 from engine.drivetrain.lossless import LosslessCycle, at_shaft
 from engine.drivetrain.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw

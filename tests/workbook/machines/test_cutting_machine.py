@@ -104,3 +104,12 @@ def test_a_book_that_was_built_is_verified_and_comes_back(tmp_path):
 def test_the_committed_template_verifies():
     report = verify(TEMPLATE.book)
     assert report.findings == []
+
+
+@pytest.mark.parametrize("radius", [1e-12, 1e-9, 1e-6])
+@pytest.mark.parametrize("resists", ["always", "moving"])
+def test_rollers_next_to_nothing_verify_clean(radius, resists, tmp_path):
+    data = described(cycle=90, law=4, own_law=4).model_dump()
+    data["drive"] |= {"radius": radius, "resists": resists}
+    build(TEMPLATE.model.model_validate(data), tmp_path / "book.xlsx")
+    assert verify(tmp_path / "book.xlsx", ["pycel", "formualizer"]).findings == []

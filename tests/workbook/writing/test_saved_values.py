@@ -11,13 +11,18 @@ import numpy as np
 import openpyxl
 import pytest
 
+from tests.mutation.bench import smaller
 from workbook.build import build, committed
 from workbook.functions import publish
 from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE
-from workbook.judging.matching import is_formula
+from workbook.judging.compare import TOLERANCE, difference
+from workbook.judging.matching import Match, Right, is_formula
 from workbook.reading.entries import read_machine
+from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
+from workbook.witnesses import WITNESSES
+from workbook.writing import archive
 from workbook.writing.cells import Cells, Strings, result
 from workbook.writing.same import same_part
 
@@ -49,6 +54,46 @@ def test_each_formula_is_saved_with_the_engines_value_to_the_last_digit(made):
 def kind(value):
     """The type of a cell that holds a value; openpyxl reads an empty text as nothing."""
     return "number" if isinstance(value, int | float) and not isinstance(value, bool) else str(value or None)
+
+
+OTHERS = ("formualizer", "libreoffice", "formulon")
+
+
+def differing(path, book, witness):
+    """The formula cells of a new book in which a witness does not compute what is saved."""
+    file = open_book(path)
+    saved, computed = WITNESSES["saved"]().values(file), WITNESSES[witness]().values(file)
+    right = Right(Match(file, book), book)
+    assert len(saved) > 1000
+    return [a for a in saved if not difference(computed[a], saved[a], right.peak(a)) <= TOLERANCE]
+
+
+@pytest.mark.parametrize("witness", OTHERS)
+@pytest.mark.parametrize("template", TEMPLATES.values(), ids=TEMPLATES)
+def test_other_programs_compute_what_is_saved(template, witness, tmp_path):
+    machine = smaller(read_machine(template.description))
+    build(machine, tmp_path / "book.xlsx")
+    assert differing(tmp_path / "book.xlsx", template.declare(machine), witness) == []
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("witness", OTHERS)
+@pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
+def test_other_programs_compute_what_is_saved_in_each_committed_book(description, witness, tmp_path):
+    machine = read_machine(description)
+    build(machine, tmp_path / "book.xlsx")
+    assert differing(tmp_path / "book.xlsx", TEMPLATES[machine.template].declare(machine), witness) == []
+
+
+def test_a_value_that_is_not_computed_is_noticed(tmp_path):
+    template = TEMPLATES["motion-composer"]
+    machine, path = smaller(read_machine(template.description)), tmp_path / "book.xlsx"
+    build(machine, path)
+    parts = archive.unzipped(path.read_bytes())
+    name = "xl/worksheets/sheet2.xml"
+    parts[name], count = re.subn(rb"(</f><v>)([1-9]\d)", rb"\g<1>1\2", parts[name], count=1)
+    path.write_bytes(archive.zipped(parts))
+    assert count == len(differing(path, template.declare(machine), "formualizer")) == 1
 
 
 def parts(path, pattern):
