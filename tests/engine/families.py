@@ -24,7 +24,9 @@ def _entries():
 ENTRIES = _entries()
 """of every module in engine/laws that has one: those without a page are measured too"""
 
-EXAMPLES = tuple((f"{entry.code} {k}", law) for entry in ENTRIES for k, law in enumerate((*entry.examples, *entry.beyond)))
+EXAMPLES = tuple(
+    (f"{entry.code} {k}", law) for entry in ENTRIES for k, law in enumerate((*entry.examples, *entry.beyond))
+)
 
 
 def stages(law):
