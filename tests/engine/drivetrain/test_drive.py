@@ -24,8 +24,8 @@ from engine.drivetrain import (
     resisting,
 )
 from engine.drivetrain.chain import geared
-from engine.drivetrain.lossless import LosslessCycle, at_shaft
 from engine.drivetrain.losses import rounding_of
+from engine.drivetrain.lossless import LosslessCycle, at_shaft
 from engine.drivetrain.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Motion, Phase
