@@ -89,7 +89,7 @@ DESCRIPTIONS = {
         ["timing.speed", "unknown", "expected one of rate, axes"],
     ),
     "missing entry": ("rate = 200.0\n", "", ["timing.rate", "empty", "expected a number greater than 0"]),
-    "missing table": ("[drive.motor]", "[drive.engine]", ["drive.motor", "expected the entries inertia"]),
+    "missing table": ("[drive.motor]", "[drive.engine]", ["drive.motor", "expected the entries rated_torque"]),
     "unknown template": ('"cutting-machine"', '"saw"', ["template", "'saw'", "cutting-machine"]),
     "no template": ('template = "cutting-machine"', "", ["template", "empty", "cutting-machine"]),
     "unknown law": ('law = "MTP" },', 'law = "MPT" },', ["axes[1].phases[1].law", "'MPT'", "expected DWL, ACS"]),

@@ -128,8 +128,8 @@ def test_the_state_is_that_of_the_motion(law_in, law_out, split):
 
 def test_just_below_a_whole_turn_counts_as_on_it():
     schedule = one_after_the_other(*mill_and_die())
-    found = schedule.state(np.array([schedule.arrival - 1e-14, schedule.arrival, schedule.arrival - 1e-9]))
-    assert found.since == pytest.approx([0.0, 0.0, 2 * pi - 1e-9], abs=1e-12)
+    found = schedule.state(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
+    assert found.since == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
     assert list(found.part) == [1, 1, 4]
 
 
