@@ -6,7 +6,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from engine.laws import Law
+from engine.laws.base import Array
 from engine.motion import Motion, Phase
 
 FULL_TURN = 2.0 * math.pi  # rad
@@ -22,6 +25,20 @@ def shaft_speed(rate: float) -> float:
     if not (math.isfinite(rate) and rate > 0.0):
         raise ValueError(f"rate is {rate:g}; expected a finite number above 0")
     return FULL_TURN * rate
+
+
+def turn_time(rate: float) -> float:
+    """Return the time of a turn, 1/n, in s, of n cycles per second. Raises ValueError as :func:`shaft_speed`."""
+    return FULL_TURN / shaft_speed(rate)
+
+
+def lane(y: Array, floor: float, share: float) -> Array:
+    """Return an axis as a timing diagram shows it: its travel as a share of a lane of height 1 that begins at a floor.
+
+    On the floor where it stands. Source: S1, 'Timing diagram for a cutting machine'.
+    """
+    travel = float(y.max() - y.min())
+    return floor + share * (y - y.min()) / travel if travel > 0.0 else np.full(y.shape, float(floor))
 
 
 @dataclass(frozen=True)

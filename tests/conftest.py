@@ -9,7 +9,7 @@ import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer i
 from tests import tiers
 
 HERE = Path(__file__).parent
-QUICK = (HERE, HERE / "engine", HERE / "printed")  # folders; other quick tests carry the mark themselves
+QUICK = (HERE / "engine", HERE / "printed")  # folders; other quick tests carry the mark themselves
 
 # A test's verdict must not hang on the speed of the machine, nor, by day, on luck: the same examples each time.
 settings.register_profile("day", settings.default, deadline=None, derandomize=True)
@@ -29,7 +29,7 @@ def pytest_report_header(config):
 
 def pytest_collection_modifyitems(items):
     for item in items:
-        if item.path.parent in QUICK:
+        if item.path.parent == HERE or any(item.path.is_relative_to(folder) for folder in QUICK):
             item.add_marker("quick")
 
 

@@ -1,6 +1,7 @@
 """What the project promises about itself: its files, its locks, the README's commands."""
 
 import re
+import runpy
 import subprocess
 import tomllib
 from collections.abc import Iterator
@@ -84,3 +85,16 @@ def test_a_lock_holds_pins_with_hashes_and_nothing_else(lock: str) -> None:
 def test_the_tests_run_on_the_very_versions_that_users_get() -> None:
     run, dev = ({str(pin) for pin in pins(lock)} for lock in LOCKS)
     assert run - dev == set()
+
+
+@pytest.mark.parametrize("folder", ["benchmarks", "docs"])
+def test_what_is_run_by_hand_finds_all_that_it_imports(folder: str) -> None:
+    for path in (ROOT / folder).glob("*.py"):
+        runpy.run_path(str(path), run_name="imported")
+
+
+@pytest.mark.parametrize("guide", ["README.md", "CONTRIBUTING.md"])
+def test_the_files_that_a_guide_names_are_there(guide: str) -> None:
+    named = set(re.findall(r"`((?:engine|workbook|tests|benchmarks|docs)/[\w/.]+)`", (ROOT / guide).read_text("utf-8")))
+    made_up = {name for name in named if re.search("NAME|press", name)}
+    assert [name for name in sorted(named - made_up) if not (ROOT / name).exists()] == []

@@ -23,7 +23,7 @@ from engine.motion import Motion, Phase
 
 @dataclass(frozen=True)
 class Move:
-    """A phase as it is for the drive: its direction, speed and accelerations of the load, in m (or rad) and s."""
+    """A phase as it is for the drive: its direction and the accelerations of the load, in m (or rad) and s."""
 
     phase: Phase
 
@@ -38,24 +38,14 @@ class Move:
         return self.phase.lift / self.phase.duration**2
 
     @property
-    def speed(self) -> float:
-        """Largest speed, C_v |h|/t."""
-        return self.phase.law.coefficients.cv * abs(self.phase.lift) / self.phase.duration
-
-    @property
-    def acceleration(self) -> float:
-        """Largest acceleration, C_a |h|/t²."""
-        return self.phase.law.coefficients.ca * abs(self.per)
-
-    @property
     def mean_square(self) -> float:
         """Mean of a², (C_a,rms h/t²)²."""
-        return (self.phase.law.coefficients.ca_rms * self.per) ** 2
+        return self.phase.y2_rms**2
 
     @property
     def square(self) -> float:
-        """∫a² dt = C_a,rms² h²/t³."""
-        return (self.phase.law.coefficients.ca_rms * self.phase.lift) ** 2 / self.phase.duration**3
+        """∫a² dt."""
+        return self.mean_square * self.phase.duration
 
     @property
     def gained(self) -> float:
@@ -118,7 +108,7 @@ class Sizing:
     @property
     def load_speed(self) -> float:
         """Largest speed of the load (m/s or rad/s)."""
-        return max(move.speed for move in self.moves)
+        return self.motion.peaks.y1
 
     @property
     def max_speed(self) -> float:
@@ -128,7 +118,7 @@ class Sizing:
     @property
     def max_acceleration(self) -> float:
         """Largest acceleration of the motor (rad/s²)."""
-        return self.mechanism.ratio * max(move.acceleration for move in self.moves)
+        return self.mechanism.ratio * self.motion.peaks.y2
 
     def parts_of(self, k: int) -> tuple[CyclePart, ...]:
         """Return the torque in each part of a phase: at the law's extremes of acceleration, and without any."""

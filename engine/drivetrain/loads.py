@@ -66,14 +66,14 @@ def masses(one: float, count: float = 1.0) -> float:
     return one * count
 
 
-def cylinder(radius: float, length: float, density: float, bore: float = 0.0) -> float:
+def cylinder(diameter: float, length: float, density: float, bore: float = 0.0) -> float:
     """Return the inertia of a solid or hollow cylinder about its axis, ½ ρ π (R⁴ − r⁴) L, in kg m².
 
-    ``radius``, ``length`` and ``bore`` (the inner radius) in m, ``density`` in kg/m³.
-    Raises ValueError for a negative quantity, or a bore that is not smaller than the radius.
+    ``diameter``, ``length`` and ``bore`` (the inner diameter) in m, ``density`` in kg/m³.
+    Raises ValueError for a negative quantity, or a bore that is not smaller than the diameter.
     Source: S4, problem 1, 'a. J_leadscrew'.
     """
-    require_not_negative("cylinder", radius=radius, length=length, density=density, bore=bore)
-    if bore > 0.0 and bore >= radius:
-        raise ValueError(f"cylinder: bore is {bore:g} m; expected less than the radius, {radius:g} m")
-    return 0.5 * density * math.pi * (radius**4 - bore**4) * length
+    require_not_negative("cylinder", diameter=diameter, length=length, density=density, bore=bore)
+    if bore > 0.0 and bore >= diameter:
+        raise ValueError(f"cylinder: bore is {bore:g} m; expected less than the diameter, {diameter:g} m")
+    return 0.5 * density * math.pi * ((diameter / 2.0) ** 4 - (bore / 2.0) ** 4) * length

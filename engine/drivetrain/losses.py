@@ -25,21 +25,28 @@ def direction(speed: ArrayLike) -> Array:
     return np.where(np.abs(w) < STANDSTILL, 0.0, np.sign(w))
 
 
-def gives_back(torque: ArrayLike, direction: ArrayLike) -> NDArray[np.bool_]:
+def rounding_of(torque: ArrayLike) -> float:
+    """Return what counts as no torque beside the largest of these: of 1 Nm (N) and less, NEAR."""
+    return NEAR * max(1.0, float(np.abs(np.asarray(torque, dtype=np.float64)).max(initial=0.0)))
+
+
+def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> NDArray[np.bool_]:
     """Return whether what is behind a stage drives it: a torque (Nm, or N) against the direction of motion.
 
     ``torque`` is what it must be driven with, ``direction`` 1, −1, or 0 at rest, where nothing flows back.
     """
-    return np.asarray(np.asarray(torque) * np.asarray(direction) < -NEAR)
+    return np.asarray(np.asarray(torque) * np.asarray(direction) < -near)
 
 
-def loss_factor(torque: ArrayLike, direction: ArrayLike, efficiency: float, method: Method = "physical") -> Array:
+def loss_factor(
+    torque: ArrayLike, direction: ArrayLike, efficiency: float, method: Method = "physical", near: float = NEAR
+) -> Array:
     """Return f, by which a stage multiplies the torque behind it: 1/η where power flows to the load, η where back.
 
     With the document's method 1/η always. Source: S1, 'Feeding group', last equation, where f = 1; S4, problem 1,
     where inertia and torque behind the screw are over η; S5, step 7.
     """
-    back = gives_back(torque, direction) & (method == "physical")
+    back = gives_back(torque, direction, near) & (method == "physical")
     return np.where(back, efficiency, 1.0 / efficiency)
 
 

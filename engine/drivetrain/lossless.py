@@ -9,7 +9,7 @@ from functools import cached_property
 
 from engine.drivetrain.chain import Load
 from engine.drivetrain.cycle import Move
-from engine.motion import Phase
+from engine.motion import Motion, Phase
 
 
 def at_shaft(phases: Sequence[Phase], ratio: float, speed: float = 1.0) -> list[Phase]:
@@ -58,7 +58,7 @@ class LosslessCycle:
     @cached_property
     def acceleration(self) -> float:
         """ω̇_rms (rad/s²): sqrt(Σ C_a,rms² h²/t³ / t_c)."""
-        return math.sqrt(math.fsum(Move(p).square for p in self.phases) / self.time)
+        return Motion(self.phases).y2_rms
 
     @property
     def resisting_square(self) -> float:

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Law, Real, unwrap
+from engine.laws.base import ROUNDING, Array, Law, Real, unwrap
 from engine.laws.sections import breaks, velocity_extremes
 
 KNOTS = 65  # a stage, between which a height is first located
@@ -43,7 +43,7 @@ def _require(law: Law, s: Array, end: float) -> None:
         raise ValueError(f"{law.name} does not rise throughout; expected a law that never moves backwards")
     if s.size:
         low, high = s.min(), s.max()
-        if not (low >= -BREAK_TOLERANCE and high <= end + BREAK_TOLERANCE):
+        if not (low >= -ROUNDING and high <= end + ROUNDING):
             raise ValueError(f"s reaches from {low:.15g} to {high:.15g}; expected numbers from 0 to {end:.15g}")
 
 

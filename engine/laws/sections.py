@@ -7,14 +7,15 @@ from collections.abc import Callable
 
 import numpy as np
 
-from engine.laws.base import Array, Law
+from engine.laws.base import BREAK_TOLERANCE, Array, Law
 from engine.laws.crossings import narrowed
 
 SAMPLES = 257
 """of a stage, between which a crossing is looked for: two crossings within one step are not seen"""
 
 INSIDE = 1e-9
-"""of a stage, by which samples keep off its ends, where a law already has the value of the next stage"""
+"""of a stage, by which samples keep off its ends, and by twice the tolerance of a break: there a law already has
+the value of the next stage"""
 
 ROUNDS = 6
 """of a search for a crossing: 256 times as narrow by each, to the last digit"""
@@ -37,8 +38,9 @@ def roots(function: Callable[[Array], Array], edges: Array) -> Array:
 
     A jump through zero at an edge is not among them: the edge itself is where the sign changes.
     """
-    share = np.linspace(INSIDE, 1.0 - INSIDE, SAMPLES)
-    xi = edges[:-1, None] + np.diff(edges)[:, None] * share
+    width = np.diff(edges)[:, None]
+    off = np.minimum(np.maximum(INSIDE * width, 2.0 * BREAK_TOLERANCE), 0.5 * width)
+    xi = edges[:-1, None] + off + (width - 2.0 * off) * np.linspace(0.0, 1.0, SAMPLES)
     above = function(xi) > 0.0
     row, column = np.nonzero(above[:, :-1] != above[:, 1:])
     if row.size == 0:

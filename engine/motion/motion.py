@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from engine.laws import Law
-from engine.laws.base import Array, Real, require_finite, require_within, unwrap
+from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
 from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues, numbered_phase, scaled
 
-EDGE_TOLERANCE = 1e-12
+EDGE_TOLERANCE = BREAK_TOLERANCE
 """A sample this near to an edge, in units of the whole abscissa, counts as on it."""
 ZERO_TOLERANCE = 1e-9
 """of the largest lift, or of the largest y': a smaller jump is none"""
@@ -65,15 +65,21 @@ class Motion:
         """Length of the abscissa."""
         return float(self.edges[-1] - self.edges[0])
 
+    @property
+    def tolerance(self) -> float:
+        """How near to an edge counts as on it, in units of the abscissa."""
+        return EDGE_TOLERANCE * self.total
+
+    @cached_property
+    def shares(self) -> Array:
+        """Where each phase begins, as a share of the whole abscissa."""
+        shares: Array = (self.edges[:-1] - self.edges[0]) / self.total
+        return shares
+
     @cached_property
     def lifts_sum(self) -> float:
         """Sum of the lifts: the travel of a cycle."""
         return float(sum(p.lift for p in self.phases))
-
-    @cached_property
-    def tolerance(self) -> float:
-        """A place this near to an edge counts as on it, in units of the abscissa."""
-        return EDGE_TOLERANCE * self.total
 
     @cached_property
     def _begins(self) -> Array:
@@ -186,7 +192,7 @@ class Motion:
         )
 
     def _locate(self, x: Array) -> NDArray[np.intp]:
-        require_within("x", x, float(self.edges[0]), float(self.edges[-1]), self.tolerance)
+        require_within("x", x, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
         found = np.searchsorted(self.edges, x + self.tolerance, side="right") - 1
         return np.clip(found, 0, len(self.phases) - 1)
 

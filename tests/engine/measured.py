@@ -10,20 +10,21 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from engine.laws import PieceLaw
+from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.sections import breaks, integral, roots, velocity_peak
 
 DEGREE = 40
 SMOOTH = 1e-9  # of a column's peak: so near does a polynomial of DEGREE come to what is smooth within a stage
 SAME = 1e-12
-NEAR_ENDS = 1e-9  # of a stage, by which samples keep off its ends
+NEAR_ENDS = 2.0 * BREAK_TOLERANCE
+"""in units of ξ, by which samples keep off the ends of stages: nearer, they are on them"""
 LEVELS = (0.0, 0.2, 0.5, 0.8, 0.97)
 
 
 def within(law, share):
     """ξ at shares of every stage, a row a stage, a hair off its ends."""
     edges = breaks(law)
-    inside = NEAR_ENDS + (1.0 - 2.0 * NEAR_ENDS) * share
-    return edges[:-1, None] + np.diff(edges)[:, None] * inside
+    return edges[:-1, None] + NEAR_ENDS + (np.diff(edges)[:, None] - 2.0 * NEAR_ENDS) * share
 
 
 def peaks(law):
@@ -48,7 +49,11 @@ def wrong_pieces(law):
     """Where the pieces of a law, carried on, are another law."""
     xi = np.union1d(within(law, np.linspace(0, 1, 101)).ravel(), np.linspace(0, 1, 1001))
     made = PieceLaw(law.as_pieces())
-    found = []
+    found = [
+        f"pieces: none begins at the break {edge:.15g}"  # nearer than samples can tell
+        for edge in breaks(law)
+        if np.abs(np.cumsum([0.0, *(piece.duration for piece in made.pieces)]) - edge).min() > SAME
+    ]
     for name, peak, one, other in zip("svaj", peaks(law), law.evaluate(xi), made.evaluate(xi), strict=True):
         off = np.abs(one - other) / peak
         if off.max() > 10 * SAME:

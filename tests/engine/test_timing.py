@@ -7,12 +7,23 @@ import pytest
 
 from engine.laws import ConstantAcceleration, Dwell, ModifiedTrapezoidal
 from engine.motion import Motion, Phase
-from engine.timing import Axis, Diagram, shaft_speed
+from engine.timing import Axis, Diagram, lane, shaft_speed, turn_time
 
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
 EDGES = np.deg2rad([0, 100, 160, 250, 360])
 CAM = Motion.from_edges(EDGES, [0.02, 0.0, -0.02, 0.0], [ASYMMETRIC, Dwell(), ASYMMETRIC, Dwell()])
 FEED = Motion.from_edges(np.deg2rad([0, 80, 360]), [0.3, 0.0], [ConstantAcceleration(), Dwell()])
+
+
+def test_a_turn_takes_the_time_of_a_piece():
+    assert turn_time(200 / 60) == pytest.approx(0.3, rel=1e-15)
+    with pytest.raises(ValueError, match="rate is 0"):
+        turn_time(0.0)
+
+
+def test_an_axis_fills_its_share_of_a_lane_from_the_floor_and_lies_on_it_where_it_stands():
+    assert lane(np.array([5.0, 10.0, 7.5]), 2.0, 0.8) == pytest.approx([2.0, 2.8, 2.4])
+    assert lane(np.full(3, 7.0), 1.0, 0.8).tolist() == [1.0, 1.0, 1.0]
 
 
 def test_movements_are_the_phases_that_lift():

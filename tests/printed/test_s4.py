@@ -20,7 +20,7 @@ PRINTED_G = 9.8 / 9.81  # the printed torques were worked out with g = 9.8
 @pytest.fixture
 def screw():
     load = Slide(mass=6, friction=0.1, slope=radians(10)).load
-    return KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.007, 0.5, STEEL))])
+    return KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.014, 0.5, STEEL))])
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def screw_sizing(screw):
 @pytest.fixture
 def belt():
     load = Slide(mass=150, slope=radians(20)).load
-    rollers = Part("rollers", cylinder(0.15, 1.0, STEEL), 1, 2)
+    rollers = Part("rollers", cylinder(0.3, 1.0, STEEL), 1, 2)
     return KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50)], parts=[rollers], belt=10)
 
 
@@ -98,7 +98,7 @@ def test_screw_by_the_physical_method_is_the_same_as_long_as_the_load_resists(sc
     assert torques(physical)["uniform"] == pytest.approx(torques(screw_sizing)["uniform"], rel=1e-14)
     assert torques(physical)["accelerating"] == pytest.approx(torques(screw_sizing)["accelerating"], rel=1e-14)
     slowed = (screw.load.torque + screw.load.friction - 6 * 1.44) / screw.ratio  # the load still resists while it slows
-    front = physical.motor_inertia + cylinder(0.007, 0.5, STEEL)
+    front = physical.motor_inertia + cylinder(0.014, 0.5, STEEL)
     assert torques(physical)["decelerating"] == pytest.approx(slowed / 0.45 - front * 1440 * pi, rel=1e-12)
 
 

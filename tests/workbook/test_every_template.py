@@ -12,7 +12,7 @@ from tests.mutation.machines import machine
 from tests.tiers import nights, seed
 from tests.workbook import office
 from tests.workbook.cells import disagreeing, entered
-from tests.workbook.test_real_edits import numbers
+from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, committed, inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify

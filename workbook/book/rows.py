@@ -8,7 +8,7 @@ from typing import Any
 
 def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
     """Return values as a column of a table, ``spare`` in the rows below them."""
-    found = values.tolist() if hasattr(values, "tolist") else values
+    found = values.tolist() if hasattr(values, "tolist") else list(values)
     return [*found, *repeat(spare, rows - len(found))]
 
 

@@ -6,10 +6,8 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from engine.drivetrain import cylinder
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
-from workbook.entries.units import MM, si
 
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 
@@ -84,14 +82,6 @@ class PlacedParts(RotatingParts):
         if self.shaft != int(self.shaft):
             raise EntryError("shaft", f"found {self.shaft:g}; expected the number of gears before it")
         return self
-
-    @property
-    def one(self) -> float:
-        """Inertia of one, kg m²."""
-        if self.inertia is not None:
-            return self.inertia
-        diameter, length, bore = (si(x or 0.0, MM) for x in (self.diameter, self.length, self.bore))
-        return cylinder(diameter / 2, length, self.density or 0.0, bore / 2)
 
 
 class RollerDrive(Model):

@@ -14,6 +14,7 @@ Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False)]
 SUM_TOLERANCE = 1e-9
 ANGLE_TOLERANCE = 1e-9  # degrees
+END_TOLERANCE = 1e-12  # of a rise: a law that must end at 1 does
 
 
 class EntryError(ValueError):

@@ -9,7 +9,7 @@ What both back ends promise, beside the help texts:
   TVP takes exactly two, MTP exactly seven, OWN rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of
   an empty or zero duration are passed over; another number of cells is #VALUE!, impossible values are #NUM!: what the
   engine's law refuses. The other laws ignore p.
-- ξ is right-continuous at breaks, with a tolerance of 1e-12; at ξ = 1 the left limit counts.
+- ξ is right-continuous at breaks, with a tolerance of 2e-9; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
   1,000 rad in one piece. What only evaluates the law, at ξ or in a phase, takes any sine.
 - A row of a table of phases: code, duration, lift, then at least as many parameters as the law takes; what stands
@@ -17,7 +17,7 @@ What both back ends promise, beside the help texts:
   is (columns − 3)/8 rounded down; no room for any is #VALUE!, and what p refuses is refused here with the same error.
   Rows at the end whose first three cells are empty are ignored. A table of fewer than three columns, or without rows:
   #VALUE!. A duration that is not positive, or a dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the
-  total: #NUM!; so near to a joint counts as on it.
+  total: #NUM!; as near to a joint as 2e-9 of the total counts as on it.
 - JRED and RMS: two ranges of unequal rows or columns: #VALUE!, as in SUMPRODUCT. A negative inertia: #NUM!. A negative
   duration, or durations that sum to 0: #NUM!.
 - MOTION.XI: the first ξ that reaches s; s = 0 gives 0 and the law's end value 1. A law that moves backwards: #NUM!.
@@ -89,7 +89,7 @@ TAKES = {
     ),
 }
 """What a law takes, of those that take anything."""
-if wrong := TAKES.keys() ^ {"OWN", *(code for code, count in PARAMETERS.items() if count)}:
+if wrong := sorted(TAKES.keys() ^ {"OWN", *(code for code, count in PARAMETERS.items() if count)}):
     raise IncompleteError(f"TAKES lacks words for the parameters of {', '.join(wrong)}, or has some for a law of none")
 
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from workbook.book.address import Place
 from workbook.book.declare import FIRST, Block
-from workbook.judging.matching import Match
+from workbook.judging.matching import Match, is_formula
 
 
 class Misled(NamedTuple):
@@ -64,10 +64,20 @@ def mislabelled(match: Match) -> Iterator[Misled]:
         for block in single:
             place = match.file.places.get(block.name)
             beside = texts_beside(match, place) & labels if place else set()
-            if place and beside and block.quantities[0].label not in beside:
+            if place and beside and block.quantities[0].label not in beside and not itself(match, block, place):
                 yield Misled(
                     place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {block.quantities[0].label!r}"
                 )
+
+
+def itself(match: Match, block: Block, place: Place) -> bool:
+    """Whether a cell is the declared one for all that its label says otherwise: by its formula, its symbol and unit."""
+    pair = next((p for p in match.pairs if p.cell.block is block), None)
+    if pair is not None and pair.declared_formula:
+        return is_formula(pair.held) and match.same_shape(pair)
+    q = block.quantities[0]
+    around = texts_beside(match, place) | {str(match.file.value(place.cell(0, 1)))}
+    return bool(q.symbol) and {text for text in (q.symbol, q.unit) if text} <= around
 
 
 def wordy(match: Match) -> Iterator[Misled]:

@@ -17,6 +17,7 @@ from workbook.judging.functions import calling, notes
 from workbook.judging.matching import Match
 from workbook.judging.report import ORDER, Finding, Ran, Report
 from workbook.judging.settings import settings
+from workbook.judging.shown.book import displayed
 from workbook.judging.structure import structure
 from workbook.judging.verdict import checks
 from workbook.reading.contents import Cells
@@ -84,6 +85,7 @@ def judge(
     else:
         comparison.elsewhere(map(template.declare, variants), len(variants), suspects)
     report.checks = checks(match, comparison.values)
+    displayed(match, comparison.values, report)
     report.unmatched = sorted(str(a) for a in file.contents.formula_cells if a not in match.declared_at)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)

@@ -192,7 +192,7 @@ class Page:
             wrong.append(f"pieces as many as the engine's {len(examples[0].as_pieces())}")
         if any(law.shapes() is None for law in examples):
             wrong.append("shapes that the engine knows too")
-        wrong += [f"the parameter {key}" for key in self._keys() ^ {p.key for p in self.parameters}]
+        wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]
         wrong += [f"variations of {key}" for key in self._fields() if any(key not in v for v in self.variations)]
         if self.parameters and len(self.variations) < 2:
             wrong.append("two variations or more")

@@ -24,7 +24,7 @@ class Family(NamedTuple):
 
 
 def family_of(module: str) -> Family:
-    """Return the family of a name in the registry; raise IncompleteError for a page that is missing, or lacks a thing."""
+    """Return the family of a name in the registry; raise IncompleteError where it has no page, or half of one."""
     entry, place = entry_of(module), f"workbook.laws.pages.{module}"
     try:
         page = getattr(import_module(place), "PAGE", None)

@@ -21,19 +21,21 @@ def law_for(turn: int, without: str = "") -> str:
 
 
 def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return six variations of a machine's description, or as many more as give every law that moves its turn.
+    """Return six variations of a machine's description, and of further turns those by which a law has its first turn.
 
     ``varied(description, turn)`` makes the one of a turn, counted from 0, with laws by :func:`law_for`.
     Raises LookupError, with the laws that never come.
     """
     made: list[dict[str, Any]] = []
     missing = set(RISING)
-    while missing or len(made) < SIX:
-        if len(made) == MOST:
-            raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
-        made.append(varied(machine.model_dump(), len(made)))
-        missing -= laws_in(made[-1])
-    return made
+    for turn in range(MOST):
+        description = varied(machine.model_dump(), turn)
+        if turn < SIX or missing & laws_in(description):
+            made.append(description)
+            missing -= laws_in(description)
+        if turn + 1 >= SIX and not missing:
+            return made
+    raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
 
 
 def laws_in(description: Any) -> set[str]:

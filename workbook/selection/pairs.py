@@ -29,7 +29,7 @@ def ranking(sheet: Sheet, view: Choosing) -> None:
                filled(motor_names, BEST, "–"), align="left"),
         constant("place", "place", "", "", list(range(1, BEST + 1))),
         calc("at", "row among the pairs", "", "",
-             "=IF([place]<=sel_count,MATCH(SMALL([pairs.key],[place]),[pairs.key],0),0)",
+             "=IF([place]<=sel_count,MATCH(SMALL([pairs.order],[place]),[pairs.order],0),0)",
              filled(view.row(found)[:BEST], BEST, 0), format=WHOLE),
         calc("i", "reduction", "i", "",
              "=IF([at]>0,INDEX([reducers.i],INDEX([pairs.r],[at])),0)",
@@ -87,9 +87,9 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
                 "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r]),"
                 "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r])),0)"),
                spread(view, view.scores), source="by the criterion", format=FINE),
-        calc("key", "sorted by", "", "",
-             '=IF([counts]=1,ROUND([score]/sel_unit,sel_places)+[k]*sel_step,"–")',
-             keys, source="score, then row", format="0.0000000000"),
+        calc("order", "sorted by", "", "",
+             '=IF([counts]=1,ROUND([score]/sel_unit*10^sel_places,0)*sel_rows+[k],"–")',
+             keys, source="score, then row", format="General"),
     )  # fmt: skip
 
 

@@ -22,7 +22,6 @@ from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Selection, SelectionSizes
 
 PLACES = 6  # decimals in which scores are compared: equal to an engineer, equal in the ranking
-STEP = 1e-10  # by which each row of the pairs ranks behind the one above it where they are equal
 
 
 def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
@@ -66,6 +65,7 @@ class Choosing:
     def __init__(self, given: Selection, sizes: SelectionSizes, task: Task, load: LoadSamples) -> None:
         self.given, self.task, self.load = given, task, load
         self.rooms = (sizes.motors, sizes.reducers)
+        self.rows = np.zeros(self.rooms).size  # of the table of all pairs
         self.motors, self.reducers = engine_motors(given.motors), engine_reducers(given.reducers)
         self.torque_needed = load.torque_needed(given.torque_factor)
 
@@ -120,7 +120,7 @@ class Choosing:
         return counted_in(self.ranking, self.given.criterion)
 
     def _keys(self, pairs: Pairs) -> Array:
-        return sorting_keys(pairs, self.given.criterion, self.row(pairs), PLACES, STEP)
+        return sorting_keys(pairs, self.given.criterion, self.row(pairs), PLACES, self.rows)
 
     def row(self, pairs: Pairs) -> NDArray[np.intp]:
         """Return the row of pairs in the table of all of them, from 1."""

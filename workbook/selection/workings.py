@@ -9,7 +9,7 @@ from engine.choice.task import NOTHING
 from workbook.book.declare import Sheet, calc, constant
 from workbook.drive import losses
 from workbook.entries.units import PER_RPM, RPM, shown
-from workbook.selection.view import PLACES, STEP, Choosing
+from workbook.selection.view import PLACES, Choosing
 
 OFF = -1.0  # left of the charts' edge: where what is not drawn lies
 
@@ -127,7 +127,8 @@ def constants(sheet: Sheet, view: Choosing) -> None:
              source="the largest mass or cost, else 1"),
         constant("sel_places", "Decimals in which scores are compared", "", "",
                  PLACES, format="0", source="equal to an engineer, equal in the ranking"),
-        constant("sel_step", "By which a pair ranks behind an equal one above it", "", "", STEP, format="0E+00"),
+        calc("sel_rows", "Rows of all pairs", "", "",
+             "=COUNT([pairs.k])", view.rows, format="0", source="equals rank in their order there"),
         losses.standstill(),
         losses.nearly(),
         constant("sel_off", "Where charts hide what is not drawn", "", "",

@@ -3,6 +3,8 @@
 from collections.abc import Callable
 
 from workbook.witnesses.formualizer import Formualizer
+from workbook.witnesses.formulon import Formulon
+from workbook.witnesses.ironcalc import IronCalc
 from workbook.witnesses.libreoffice import LibreOffice
 from workbook.witnesses.pycel.witness import Pycel
 from workbook.witnesses.saved import Saved
@@ -12,6 +14,8 @@ WITNESSES: dict[str, Callable[[], Witness]] = {
     "pycel": Pycel,
     "formualizer": Formualizer,
     "libreoffice": LibreOffice,
+    "formulon": Formulon,
+    "ironcalc": IronCalc,
     "saved": Saved,
 }
 

@@ -94,20 +94,6 @@ def alignment(q: Quantity, value: Any, table: bool) -> str:
     return "right" if not isinstance(value, str) or len(value) < 10 else "left"
 
 
-def number_format(q: Quantity, value: Any) -> str:
-    """Return the format of a quantity: its own, or decimals that suit the size of its values."""
-    if q.format:
-        return q.format
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        return "General"
-    if isinstance(value, int):
-        return "0"
-    size = abs(value)
-    if size and (size < 1e-3 or size >= 1e6):
-        return "0.000E+00"
-    return "0.0000" if size < 10 else "0.000" if size < 1000 else "0.0"
-
-
 def mark_checks(sheet: Worksheet, cells: str) -> None:
     """Colour OK and FAIL in ``cells``; the words stay, so the colour is not the only sign."""
     for word, ink, ground in (("OK", "006100", "C6EFCE"), ("FAIL", "9C0006", "FFC7CE")):

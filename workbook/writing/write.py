@@ -6,7 +6,6 @@ import io
 import zipfile
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 from openpyxl import Workbook
 from openpyxl.utils import get_column_letter, quote_sheetname
@@ -19,6 +18,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
 from workbook.book.declare import FIRST, Block, Book, Sheet
+from workbook.book.formats import number_format, sample
 from workbook.entries import rules
 from workbook.writing import archive, caches, charts, style
 from workbook.writing.cells import Cells, Strings
@@ -108,11 +108,8 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
     """Write the cells of one block, each column in one style."""
     looks: dict[str, int] = {}
     for q in block.quantities:
-        values = q.value if q.format or not hasattr(q.value, "__len__") or isinstance(q.value, str) else list(q.value)
-        sample = peak(values) if isinstance(values, list) else values
-        looks[q.name] = styles.quantity(
-            q.role, style.number_format(q, sample), style.alignment(q, sample, block.is_table)
-        )
+        seen = sample(q)
+        looks[q.name] = styles.quantity(q.role, number_format(q, seen), style.alignment(q, seen, block.is_table))
     for _, q, _, row, column, content, value in block.cells():
         if q.formula is None:
             cells.put(row, column, looks[q.name], content)
@@ -121,12 +118,6 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
     for q in block.quantities:
         if q.role == "check":
             style.mark_checks(page, block.reference(q.name).replace("$", ""))
-
-
-def peak(values: list[Any]) -> Any:
-    """Return the number of largest size among ``values``, or the first of them."""
-    numbers = [v for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
-    return max(numbers, key=abs) if numbers else (values[0] if values else None)
 
 
 def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:

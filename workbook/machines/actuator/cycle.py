@@ -17,8 +17,8 @@ from workbook.machines.actuator.tables import resists
 from workbook.machines.actuator.view import Sized
 
 FIND = (
-    "=MATCH(MIN([time]+@eps,@time-@eps),[phases.begin],1)",
-    "=([time]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p])",
+    "=MATCH(MIN([time]/@time+break_tolerance,1-break_tolerance),[phases.share],1)",
+    "=MAX(0,([time]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p]))",
     "=INDEX([phases.no],[p])",
 )
 PARTS = ("accelerating", "uniform, or dwell", "decelerating")
@@ -34,11 +34,6 @@ def cycle_sheet(book: Book, machine: Sized, pieces: Pieces) -> None:
             "From stage to stage T(k) = f T(k + 1)/i + J ω̇: "
             "f = 1/η where power flows to the load, η where it flows back.",
         )
-        sheet.rows(
-            calc("@eps", "Tolerance of a time", "ε", "s",
-                 "=@time*break_tolerance", machine.sizing.motion.tolerance, format="0E+00",
-                 source="a sample this near to a phase's begin counts as on it"),
-        )  # fmt: skip
         extremes(sheet, machine)
         limits(sheet, machine)
         sheet.heading(

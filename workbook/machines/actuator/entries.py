@@ -6,7 +6,6 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from engine.drivetrain import KINDS
 from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
@@ -72,15 +71,6 @@ class ActuatorEntry(Model):
     load: ActuatorLoad = ActuatorLoad()
     phases: Annotated[list[PhaseEntry], Field(min_length=1)]  # lifts in mm or degrees, durations in s
     motor: ActuatorMotor
-
-    @model_validator(mode="after")
-    def _element(self) -> Self:
-        kind = KINDS[self.mechanism]
-        if self.mechanism == "lead screw" and self.output.turns is None:
-            raise EntryError("output.turns", "empty; a lead screw needs its turns per mm")
-        if self.mechanism != "lead screw" and kind.travels and self.output.diameter is None:
-            raise EntryError("output.diameter", f"empty; a {self.mechanism} needs the diameter of its {kind.element}")
-        return self
 
 
 class ActuatorSizes(SelectionSizes):

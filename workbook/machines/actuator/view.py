@@ -18,6 +18,7 @@ from engine.drivetrain import (
     Sizing,
     Slide,
     Stage,
+    cylinder,
     derating,
     motor_inertia,
 )
@@ -31,12 +32,21 @@ from engine.laws import Law
 from engine.laws.base import Array
 from engine.motion import Phase
 from workbook.book.rows import filled
+from workbook.drive.entries import PlacedParts
 from workbook.entries.units import DEGREE, MM, RPM, shown, si
 from workbook.laws.library import OwnLaw
 from workbook.machines.actuator.entries import ActuatorSizing
 
 SPARE = Stage("none", 1.0)
 """a row of gears that is not used"""
+
+
+def inertia_of(part: PlacedParts) -> float:
+    """Return the inertia of one part (kg m²), entered or that of a cylinder."""
+    if part.inertia is not None:
+        return part.inertia
+    diameter, length, bore = (si(x or 0.0, MM) for x in (part.diameter, part.length, part.bore))
+    return cylinder(diameter, length, part.density or 0.0, bore)
 
 
 class Sized:
@@ -69,7 +79,7 @@ class Sized:
     @cached_property
     def parts(self) -> list[Part]:
         """The rotating parts entered."""
-        return [Part(p.name, p.one, int(p.shaft), p.count) for p in self.given.parts]
+        return [Part(p.name, inertia_of(p), int(p.shaft), p.count) for p in self.given.parts]
 
     @property
     def size(self) -> float:

@@ -155,6 +155,8 @@ def phases(sheet: Sheet, machine: Composition) -> None:
              '=IF([kind]="spare",0,[duration])', of(spans), scale=motion.total, source="0 if spare"),
         calc("begin", "begins at", "", "x",
              "=IF([k]=1,0,[end-1])", filled(edges[:-1], n, motion.total), scale=motion.total, source="end before"),
+        calc("share", "begins at, of the whole", "", "",
+             "=[begin]/move_total", filled(motion.shares, n, 1.0), source="what a sample looks up"),
         calc("y0", "position at its begin", "y_0", "lift",
              "=IF([k]=1,move_start,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, reached), scale=h,
              source="lifts before"),
@@ -209,15 +211,10 @@ def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None
     """Declare the sampled motion: results, then how each sample finds its phase and its law's piece."""
     x, at, (h, v, a) = machine.abscissa, machine.samples, machine.motion.sizes
     finding = (
-        "=MATCH(MIN([at]+move_eps,move_total-move_eps),[phases.begin],1)",
-        "=([at]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p])",
+        "=MATCH(MIN([at]/move_total+break_tolerance,1-break_tolerance),[phases.share],1)",
+        "=MAX(0,([at]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p]))",
         "=INDEX([phases.no],[p])",
     )
-    sheet.rows(
-        calc("move_eps", "Tolerance of a place", "ε", "x",
-             "=move_total*break_tolerance", machine.motion.tolerance, format="0E+00",
-             source="a sample this near to a phase's begin counts as on it"),
-    )  # fmt: skip
     sheet.table(
         "motion", f"Position, velocity and acceleration at N = {len(x)} equal steps", len(x),
         calc("at", "abscissa", "x", "x",
@@ -229,7 +226,7 @@ def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None
         result("y2", "acceleration", "y''", PER2,
                "=INDEX([phases.h],[p])/INDEX([phases.span],[p])^2*[a]", at.y2, scale=a, source="h a/δ²"),
         constant("k", "sample", "k", "", list(range(len(x)))),
-        *joined.located(machine.motion, x, pieces, finding, ("last begin not above x", "(x − begin)/δ")),
+        *joined.located(machine.motion, x, pieces, finding, ("last share not above x/Σδ + ε", "(x − begin)/δ")),
     )  # fmt: skip
 
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from engine.drivetrain.cycle import Move
+from engine.drivetrain.losses import rounding_of
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.book.rows import filled
 from workbook.drive import losses
 from workbook.drive.motor import limit_checks, limits_given, limits_table, plane
 from workbook.entries.texts import place_of
@@ -61,11 +63,8 @@ def inertia_table(sheet: Sheet, machine: Cutting) -> None:
     """Declare the rotating parts: count, inertia, teeth; what each weighs at the roller shaft."""
     rotors, n = machine.machine.drive.rotors, machine.machine.sizes.rotors
 
-    def filled(values: list[Any], spare: Any) -> list[Any]:
-        return [*values, *(spare for _ in range(len(values), n))]
-
     def entered(name: str) -> list[Any]:
-        return filled([getattr(r, name) for r in rotors], None)
+        return filled([getattr(r, name) for r in rotors], n, None)
 
     sheet.row += 1
     sheet.table(
@@ -80,10 +79,10 @@ def inertia_table(sheet: Sheet, machine: Cutting) -> None:
               entered("teeth_driven"), "drive.rotors.*.teeth_driven", format="0"),
         calc("speed", "speed ratio", "ω_i/ω_1", "",
              "=IF(COUNT([driver],[driven])=2,[driver]/[driven],1)",
-             filled([part.speed_ratio for part in machine.parts], 1.0), source="n1 / n2"),
+             filled([part.speed_ratio for part in machine.parts], n, 1.0), source="n1 / n2"),
         calc("reflected", "at the roller shaft", "J*", "kg m²",
              "=[count]*[inertia]*[speed]^2",
-             filled([part.reflected for part in machine.parts], 0.0), source="count · J · (ω_i/ω_1)²"),
+             filled([part.reflected for part in machine.parts], n), source="count · J · (ω_i/ω_1)²"),
     )  # fmt: skip
 
 
@@ -105,7 +104,9 @@ def workings(sheet: Sheet, machine: Cutting) -> None:
         calc("@jeff", "Inertia felt by the motor, per ω̇_r", "", "kg m²",
              "=@jm/@tau+@tau*@jtot", machine.drive.effective_inertia(ROLLERS), source="J_m/τ + τ J_tot"),
         losses.standstill(),
-        losses.nearly(),
+        calc("@near", "A load that drives with less counts as resisting", "R_0", "Nm",
+             "=check_zero*MAX(1,MAX([drive.total]),0-MIN([drive.total]))", rounding_of(machine.samples.load),
+             format="0E+00", source="rounding never decides the losses"),
     )  # fmt: skip
 
 
@@ -154,17 +155,14 @@ def phases(sheet: Sheet, machine: Cutting) -> None:
     def chosen(column: str) -> str:
         return "CHOOSE(@no," + ",".join(f"INDEX([axis{i}.{column}],[k])" for i in (1, 2, 3)) + ")"
 
-    def filled(values: list[float]) -> list[float]:
-        return [*values, *(0.0 for _ in range(len(values), n))]
-
     sheet.row += 1
     sheet.table(
         "drive_phases", "Phases of the driven axis", n,
         constant("k", "phase", "k", "", list(range(1, n + 1))),
         calc("square", "square of RMS y''", "", "m²/rad⁴",
-             f"=({chosen('rms')}/timing_omega^2)^2", filled(squares), source="(C_a,rms h/δ²)²"),
-        calc("share", "share of the cycle", "δ/2π", "", f"={chosen('span')}/(2*PI())", filled(asked.shares)),
-        calc("moving", "share in motion", "", "", f"=IF({chosen('h')}=0,0,[share])", filled(asked.moving_shares)),
+             f"=({chosen('rms')}/timing_omega^2)^2", filled(squares, n), source="(C_a,rms h/δ²)²"),
+        calc("share", "share of the cycle", "δ/2π", "", f"={chosen('span')}/(2*PI())", filled(asked.shares, n)),
+        calc("moving", "share in motion", "", "", f"=IF({chosen('h')}=0,0,[share])", filled(asked.moving_shares, n)),
     )  # fmt: skip
 
 

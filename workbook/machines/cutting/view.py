@@ -9,7 +9,7 @@ import numpy as np
 
 from engine.drivetrain import KINDS, Drive, Mechanism, Motor, OperatingPoints, Part, Stage, direction, resisting
 from engine.drivetrain.chain import geared
-from engine.drivetrain.losses import loss_factor
+from engine.drivetrain.losses import loss_factor, rounding_of
 from engine.drivetrain.lossless import LosslessCycle, at_shaft
 from engine.drivetrain.motor import Reserve, reserve
 from engine.laws import Law
@@ -110,7 +110,7 @@ class Cutting:
         return DriveSamples(
             self.driven.motion.at(at), shaft.speed, shaft.acceleration, going,
             self.mechanism.referred(self.mechanism.load.resisting(going), ROLLERS), shaft.torque,
-            loss_factor(shaft.torque, going, self.mechanism.stages[0].efficiency),
+            loss_factor(shaft.torque, going, self.mechanism.stages[0].efficiency, near=rounding_of(shaft.torque)),
             self.drive.operating_points(v, a, going),
         )  # fmt: skip
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import velocity_extremes
 from workbook.entries.machine import Sizes
-from workbook.entries.types import EntryError
+from workbook.entries.types import END_TOLERANCE, EntryError
 from workbook.entries.units import MM, shown
 from workbook.laws.entries import Laws
 from workbook.laws.library import laws
@@ -42,7 +41,7 @@ def require_law(code: str, given: Laws, sizes: Sizes) -> None:
     fault = None
     if not is_monotone(law):
         fault = "moves backwards; expected a law that rises throughout"
-    elif abs(law.end.s - 1) > BREAK_TOLERANCE:
+    elif abs(law.end.s - 1) > END_TOLERANCE:
         fault = f"ends at s = {law.end.s:g}; expected a law that ends at 1"
     elif max(abs(law.start.v), abs(law.end.v)) > REST:
         fault = "does not begin and end at rest; expected a law that does"

@@ -94,7 +94,8 @@ def own_peak(sheet: Sheet, machine: Flying) -> None:
              "=IF(INDEX([own_samples.v],[k])>=fly_own_top-check_zero,INDEX([own_samples.xi],[k]),1)",
              np.where(v >= v.max() - REST, xi, 1.0), source="1: not here"),
         calc("back", "the wrong way", "Δv", "",
-             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{CODES.index('OWN') + 1}],INDEX([own_samples.v],"
-              "[k]-1)-INDEX([own_samples.v],[k]),INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
+             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{CODES.index('OWN') + 1}],"
+              "INDEX([own_samples.v],[k]-1)-INDEX([own_samples.v],[k]),"
+              "INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
              source="slower before the peak, faster after it"),
     )  # fmt: skip

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.inverse import is_monotone
-from workbook.entries.types import ANGLE_TOLERANCE, EntryError
+from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, EntryError
 from workbook.laws.library import laws
 from workbook.machines.overlap.entries import TURN, IndexingOverlap
 from workbook.machines.overlap.view import Overlapping, Station
@@ -29,7 +28,7 @@ def require_rising(machine: IndexingOverlap) -> None:
     own = laws(machine.laws, machine.sizes.own_law)["OWN"]
     if not is_monotone(own):
         raise EntryError(f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout")
-    if abs(own.end.s - 1) > BREAK_TOLERANCE:
+    if abs(own.end.s - 1) > END_TOLERANCE:
         message = f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
         raise EntryError(f"overlap.{entry}", message)
 

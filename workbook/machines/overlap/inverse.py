@@ -12,7 +12,7 @@ import numpy as np
 
 from engine.halving import middles, newton_step
 from engine.laws import Law
-from engine.laws.base import Array
+from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import inverse
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import filled
@@ -35,7 +35,7 @@ COEFFICIENTS = (
 CARRIED = "=IF([k]<=[used.count.{0}],INDEX(piece_s,[used.skip.{0}]+MIN([k],[used.count.{0}])),inverse_beyond)"
 HEIGHT = "=[s0]+[{t}]*([s1]+[{t}]*([c0]/2+[{t}]*([c1]/6+[{t}]*([c2]/12+[{t}]*[c3]/20))))-[ps]*SIN([omega]*[{t}]+[phi])"
 SLOPE = "=[s1]+[{t}]*([c0]+[{t}]*([c1]/2+[{t}]*([c2]/3+[{t}]*[c3]/4)))-[pv]*COS([omega]*[{t}]+[phi])"
-HALVE = "=[t{k}]+IF([f{k}]<=[s]+inverse_near,1,0-1)*ABS([t{k}]-{before})/2"
+HALVE = "=[t{k}]+IF(AND([s]>0,[f{k}]<=[s]+inverse_near),1,0-1)*ABS([t{k}]-{before})/2"
 STEP = "=MAX(0,MIN([d],[{t}]-IF([{v}]>inverse_slow,([{s}]-[s])/[{v}],0)))"
 
 
@@ -171,7 +171,8 @@ def inversion(sheet: Sheet, name: str, title: str, wanted: Wanted, rows: list[Ro
                format="0.00000000"),
         calc("residual", "residual", "s(ξ) − s", "", f"=[f{last}]-[s]", np.zeros(len(wanted.s)), format="0.0E+00"),
         calc("p", "piece", "", "",
-             f"=MATCH([s]+inverse_near,[carried.s{wanted.use}],1)", at["p"], format="0", source="last s_k not above s"),
+             f"=MATCH([s]+break_tolerance,[carried.s{wanted.use}],1)", at["p"], format="0",
+             source="last s_k not above s"),
         calc("q", "piece row", "q", "", f"=[used.skip.{wanted.use}]+[p]", at["q"], format="0"),
         *(calc(n, label, symbol, "",
                f"=INDEX(piece_{column},[q])", at[n]) for n, label, symbol, column in COEFFICIENTS),
@@ -211,12 +212,13 @@ def newton(at: dict[str, Array]) -> list[Quantity]:
 def solved(wanted: Wanted, rows: list[Row]) -> dict[str, Array]:
     """Return the engine's side: the middles of the halvings follow from the engine's own inverse of s + ε."""
     law, own = wanted.law, [(i, r) for i, r in enumerate(rows, 1) if r.law == wanted.code]
-    p = np.searchsorted([r.s for _, r in own], wanted.s + NEAR, side="right")
+    p = np.searchsorted([r.s for _, r in own], wanted.s + BREAK_TOLERANCE, side="right")
     found = [own[i - 1][1] for i in p]
     at: dict[str, Array] = {"p": p.astype(float), "q": np.array([float(own[i - 1][0]) for i in p])}
     for name, _, _, column in COEFFICIENTS:
         at[name] = np.array([float(getattr(r, column)) for r in found])
-    root = inverse(law, np.minimum(wanted.s + NEAR, 1.0)) - at["xk"]
+    sought = np.where(wanted.s > 0, np.minimum(wanted.s + NEAR, 1.0), 0.0)  # at a law's end no height is sought
+    root = inverse(law, sought) - at["xk"]
     for k, t in enumerate(middles(at["d"], root, HALVINGS), 1):
         at[f"t{k}"] = t
         at[f"f{k}"] = law.s(local(at, f"t{k}"))

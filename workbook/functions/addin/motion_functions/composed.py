@@ -7,7 +7,7 @@ from bisect import bisect_right
 from itertools import accumulate
 from typing import NamedTuple, Sequence
 
-from .law import TOLERANCE, Law
+from .law import ROUNDING, TOLERANCE, Law
 from .refused import NUM, VALUE, Refused
 
 
@@ -31,10 +31,9 @@ class Motion:
 
     def at(self, x: float) -> tuple[float, float, float]:
         """Return position, velocity per unit of x, acceleration per unit of x²; at a joint of the later phase."""
-        near = TOLERANCE * self.total
-        if not -near <= x <= self.total + near:
+        if not -ROUNDING * self.total <= x <= self.total * (1.0 + ROUNDING):
             raise Refused(NUM)
-        k = max(bisect_right(self.begins, x + near) - 1, 0)
+        k = max(bisect_right(self.begins, x + TOLERANCE * self.total) - 1, 0)
         law, duration, lift = self.phases[k]
         s, v, a, _ = law.at(min(max((x - self.begins[k]) / duration, 0.0), 1.0))
         return self.positions[k] + lift * s, lift * v / duration, lift * a / duration / duration

@@ -1,0 +1,323 @@
+"""Bad input through the command: exit code 2, a line that names the place and what is expected, nothing written."""
+
+import datetime
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from workbook.build import build
+from workbook.cli import main
+from workbook.reading.entries import read_machine, write_machine
+from workbook.templates import TEMPLATES
+
+TEMPLATE = TEMPLATES["cutting-machine"]
+TEXT = TEMPLATE.description.read_text(encoding="utf-8")
+MTP = "[laws.MTP]\ndurations = {}\n\n[drive]"
+
+
+@pytest.fixture
+def refused(monkeypatch, capsys, tmp_path):
+    """Run a command that must fail; return what it says, after the checks that hold for every failure."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments):
+        before = contents(tmp_path)
+        monkeypatch.setattr(sys, "argv", ["motionbook", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as left:
+            main()
+        said = "".join(capsys.readouterr())
+        assert left.value.code == 2, said
+        assert "Traceback" not in said
+        assert said.strip()
+        assert contents(tmp_path) == before
+        return said
+
+    return run
+
+
+def contents(folder):
+    """Every file below a folder with its bytes."""
+    return {p: p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+@pytest.fixture(scope="module")
+def layout():
+    machine = read_machine(TEMPLATE.description)
+    sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})
+    return machine.model_copy(update={"sizes": sizes})
+
+
+@pytest.fixture(scope="module")
+def declared(layout):
+    return TEMPLATE.declare(layout)
+
+
+@pytest.fixture(scope="module")
+def book(layout, tmp_path_factory):
+    path = tmp_path_factory.mktemp("book") / "book.xlsx"
+    build(layout, path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def opened(book):
+    """The book in openpyxl, without its charts, which take half the time to save; each test leaves it as it was."""
+    workbook = openpyxl.load_workbook(book)
+    for sheet in workbook.worksheets:
+        sheet._charts = []
+    return workbook
+
+
+@pytest.fixture
+def small(layout, tmp_path):
+    """A description whose book is quickly built."""
+    path = tmp_path / "small.toml"
+    path.write_text(write_machine(layout), encoding="utf-8")
+    return path
+
+
+DESCRIPTIONS = {
+    "TOML syntax": ("rate = 200.0", "rate = = 200", ["not valid TOML", "line"]),
+    "unknown entry": (
+        "rate = 200.0",
+        "rate = 200.0\nspeed = 3",
+        ["timing.speed", "unknown", "expected one of rate, axes"],
+    ),
+    "missing entry": ("rate = 200.0\n", "", ["timing.rate", "empty", "expected a number greater than 0"]),
+    "missing table": ("[drive.motor]", "[drive.engine]", ["drive.motor", "expected the entries rated_torque"]),
+    "unknown template": ('"cutting-machine"', '"saw"', ["template", "'saw'", "cutting-machine"]),
+    "no template": ('template = "cutting-machine"', "", ["template", "empty", "cutting-machine"]),
+    "unknown law": ('law = "MTP" },', 'law = "MPT" },', ["axes[1].phases[1].law", "'MPT'", "expected DWL, ACS"]),
+    "text for a number": ("rate = 200.0", 'rate = "fast"', ["timing.rate", "'fast'", "expected a number"]),
+    "logical value for a number": ("rate = 200.0", "rate = true", ["timing.rate", "TRUE", "expected a number"]),
+    "date for a number": ("rate = 200.0", "rate = 2020-01-02", ["timing.rate", "2020-01-02", "expected a number"]),
+    "not a number": ("rate = 200.0", "rate = nan", ["timing.rate", "nan", "expected a number"]),
+    "infinite": ("rate = 200.0", "rate = inf", ["timing.rate", "inf", "expected a number"]),
+    "zero rate": ("rate = 200.0", "rate = 0", ["timing.rate", "found 0", "greater than 0"]),
+    "angles run backwards": ("stop = 135.0", "stop = 60.0", ["axes[2].phases[2].stop", "backwards", "60°", "90°"]),
+    "gap between phases": ("start = 90.0", "start = 95.0", ["axes[2].phases[2].start", "95°", "expected 90°"]),
+    "not a whole turn": (
+        'stop = 360.0, lift = 0.0, law = "DWL" },\n]\n\n[[timing.axes]]\nname = "MC02"',
+        'stop = 350.0, lift = 0.0, law = "DWL" },\n]\n\n[[timing.axes]]\nname = "MC02"',
+        ["axes[1].phases[2].stop", "350°", "expected 360°"],
+    ),
+    "dwell with a lift": (
+        'lift = 0.0, law = "DWL"',
+        'lift = 5.0, law = "DWL"',
+        ["lift", "a dwell has no lift", "5 mm"],
+    ),
+    "two axes of one name": ('name = "MC02"', 'name = "MC01"', ["axes[2].name", "'MC01'", "a name of its own"]),
+    "drive of no axis": ('axis = "MC01"', 'axis = "MC09"', ["drive.axis", "'MC09'", "MC01, MC02, MC03"]),
+    "durations do not sum to 1": (
+        "[drive]",
+        MTP.format([0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]),
+        ["laws.MTP", "1.1", "expected 1"],
+    ),
+    "six durations": (
+        "[drive]",
+        MTP.format([0.2, 0.2, 0.2, 0.2, 0.1, 0.1]),
+        ["laws.MTP.durations", "expected 7 entries"],
+    ),
+    "law that cannot stop": (
+        "[drive]",
+        MTP.format([0.5, 0.5, 0, 0, 0, 0, 0]),
+        ["laws.MTP.durations", "5 to 7", "stop"],
+    ),
+    "break points in disorder": (
+        "[drive]",
+        "[laws.TVP]\nrise_end = 0.8\nfall_start = 0.2\n\n[drive]",
+        ["laws.TVP.fall_start", "0.2", "at least 0.8"],
+    ),
+    "own law of 0.7": (
+        "[drive]",
+        "[[laws.OWN.pieces]]\nduration = 0.7\n\n[drive]",
+        ["laws.OWN.pieces", "0.7", "expected 1"],
+    ),
+    "sine without frequency": (
+        "[drive]",
+        "[[laws.OWN.pieces]]\nduration = 1\namplitude = 2.0\n\n[drive]",
+        ["OWN.pieces[1].omega", "more than 0"],
+    ),
+    "one teeth count": (", teeth_driven = 45.0", "", ["rotors[2].teeth_driven", "expected both, or neither"]),
+    "efficiency above 1": (
+        "efficiency = 0.95",
+        "efficiency = 1.2",
+        ["drive.motor.efficiency", "found 1.2", "at most 1"],
+    ),
+    "more phases than rows": (
+        "[drive]",
+        "[sizes]\nphases = 2\n\n[drive]",
+        ["axes[2].phases", "5 rows", "raise sizes.phases"],
+    ),
+    "formula for a name": ('name = "MC02"', 'name = "=1+1"', ["axes[2].name", "'=1+1'", "does not begin with ="]),
+    "control character": ('title = "Cutting machine"', 'title = "Cutting\\u0007"', ["title", "expected a text"]),
+}
+
+
+@pytest.mark.parametrize(("old", "new", "parts"), DESCRIPTIONS.values(), ids=DESCRIPTIONS.keys())
+def test_description_is_refused(old, new, parts, refused, tmp_path):
+    assert old in TEXT
+    (tmp_path / "machine.toml").write_text(TEXT.replace(old, new, 1), encoding="utf-8")
+    said = refused("build", "machine.toml", "-o", "book.xlsx")
+    assert said.startswith("machine.toml: ")
+    assert [part for part in parts if part not in said] == []
+
+
+def test_every_fault_has_its_line(refused, tmp_path):
+    (tmp_path / "machine.toml").write_text(TEXT.replace("= 200.0", '= "x"').replace("= 0.95", "= 7"), encoding="utf-8")
+    assert len(refused("build", "machine.toml").splitlines()) == 2
+
+
+def test_whole_numbers_are_numbers(tmp_path):
+    path = tmp_path / "machine.toml"
+    path.write_text("\ufeff" + TEXT.replace("200.0", "200"), encoding="utf-8")  # Windows' Notepad puts a mark first
+    assert read_machine(path) == read_machine(TEMPLATE.description)
+
+
+CELLS = {
+    "text for a number": ("timing_rate", "timing_rate", 0, "fast", ["'fast'", "expected a number greater than 0"]),
+    "logical value": ("timing_rate", "timing_rate", 0, True, ["TRUE", "expected a number"]),
+    "date": ("drive_radius", "drive_radius", 0, datetime.date(2020, 1, 2), ["2020-01-02", "expected a number"]),
+    "empty": ("drive_force", "drive_force", 0, None, ["empty", "expected a number"]),
+    "empty law": ("axis2", "law", 1, None, ["a dwell has no lift"]),
+    "unknown law": ("axis2", "law", 1, "MPT", ["'MPT'", "expected DWL, ACS"]),
+    "angles run backwards": ("axis2", "stop", 1, 60, ["backwards", "60°", "90°"]),
+    "gap between phases": ("axis2", "start", 1, 95, ["95°", "expected 90°"]),
+    "not a whole turn": ("axis2", "stop", 4, 355, ["355°", "expected 360°"]),
+    "angle beyond the turn": ("axis2", "stop", 4, 400, ["found 400", "at most 360"]),
+    "empty end": ("axis2", "stop", 1, None, ["empty", "expected a number of at least 0"]),
+    "durations do not sum to 1": ("MTP_d3", "MTP_d3", 0, 0.5, ["sum to 1.375", "expected 1"]),
+    "own law": ("own_pieces", "d", 0, 0.7, ["0.7", "expected 1"]),
+    "number for a name": ("axes", "name", 1, 12, ["found 12", "expected a text"]),
+    "negative inertia": ("rotors", "inertia", 0, -1, ["found -1", "of at least 0"]),
+    "error value": ("timing_rate", "timing_rate", 0, "#DIV/0!", ["#DIV/0!", "expected a number"]),
+}  # fmt: skip
+TOLD_AT = {"durations do not sum to 1": ("MTP_d1", "MTP_d1", 0), "empty law": ("axis2", "lift", 1)}
+TRIED = [(name, "inputs") for name in CELLS] + [("empty", "verify"), ("empty", "regenerate")]
+
+
+@pytest.mark.parametrize(("name", "command"), TRIED)
+def test_cell_is_refused(name, command, refused, opened, declared, tmp_path):
+    block, quantity, row, value, parts = CELLS[name]
+    cell = cell_of(opened, declared, block, quantity, row)
+    right, form = cell.value, cell.number_format
+    cell.value = value
+    opened.save(tmp_path / "edited.xlsx")
+    cell.value, cell.number_format = right, form  # a date brings a format of its own
+    said = refused(command, "edited.xlsx", *(["-o", "new.xlsx"] if command == "regenerate" else []))
+    told = cell_of(opened, declared, *TOLD_AT.get(name, (block, quantity, row)))
+    assert f"edited.xlsx: {told.parent.title}!{told.coordinate}" in " ".join(said.split())
+    assert [part for part in parts if part not in said] == []
+
+
+def cell_of(workbook, declared, block, quantity, row):
+    place = declared.blocks[block]
+    return workbook[place.sheet.title].cell(place.row + row, place.columns[quantity])
+
+
+def other_kind(folder, book):
+    """Files that are no workbook of motionbook, with what must be said of each."""
+    openpyxl.Workbook().save(folder / "foreign.xlsx")
+    (folder / "text.xlsx").write_text("no workbook", encoding="utf-8")
+    (folder / "empty.xlsx").write_bytes(b"")
+    (folder / "short.xlsx").write_bytes(book.read_bytes()[:20_000])
+    (folder / "book.ods").write_bytes(book.read_bytes())
+    (folder / "folder.xlsx").mkdir()
+    return {
+        "missing.xlsx": "there is no such file",
+        "foreign.xlsx": "not a workbook of motionbook",
+        "text.xlsx": ".xlsx",
+        "empty.xlsx": "workbook",
+        "short.xlsx": "workbook",
+        "book.ods": "expected a workbook ending in .xlsx",
+        "folder.xlsx": "folder",
+    }
+
+
+@pytest.mark.parametrize("command", ["inputs", "regenerate"])
+def test_file_of_another_kind_is_refused(command, refused, book, tmp_path):
+    for name, part in other_kind(tmp_path, book).items():
+        said = refused(command, name, *(["-o", "new.xlsx"] if command == "regenerate" else []))
+        assert name in said
+        assert part in said
+
+
+def test_verify_refuses_a_file_of_another_kind(refused, book, tmp_path):
+    for name, part in other_kind(tmp_path, book).items():
+        if name != "folder.xlsx":  # verify takes folders of workbooks
+            said = refused("verify", name)
+            assert name in said
+            assert part in said
+
+
+@pytest.mark.parametrize(
+    ("name", "part"), [("missing.toml", "no such file"), ("folder", "folder"), ("book.xlsx", "TOML|toml")]
+)
+def test_description_of_another_kind_is_refused(name, part, refused, book, tmp_path):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "book.xlsx").write_bytes(book.read_bytes())
+    said = refused("build", name, "-o", "new.xlsx")
+    assert any(word in said for word in part.split("|"))
+
+
+@pytest.mark.parametrize("command", ["build", "inputs", "regenerate"])
+def test_existing_output_is_kept(command, refused, book, small, tmp_path):
+    (tmp_path / "kept.xlsx").write_bytes(b"of the engineer's own")
+    source = small if command == "build" else book
+    said = refused(command, source, "-o", "kept.xlsx")  # refused compares every byte of the folder
+    assert "kept.xlsx" in said
+    assert "--force" in said
+
+
+@pytest.mark.parametrize("command", ["build", "inputs", "regenerate"])
+def test_output_below_a_file_is_refused(command, refused, book, small, tmp_path):
+    """Stands for a folder in which one may not write, which a test cannot rely on: an administrator may."""
+    (tmp_path / "file").write_bytes(b"no folder")
+    source = small if command == "build" else book
+    assert "cannot be written" in refused(command, source, "-o", "file/new.xlsx")
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="an administrator may write anywhere")
+def test_folder_without_permission_is_refused(refused, small, tmp_path):
+    (tmp_path / "locked").mkdir(mode=0o500)
+    assert "cannot be written" in refused("build", small, "-o", "locked/new.xlsx")
+
+
+def test_output_open_elsewhere_is_refused(refused, monkeypatch, small, tmp_path):
+    (tmp_path / "book.xlsx").write_bytes(b"open in Excel")
+
+    def locked(self, target):
+        raise PermissionError(13, "The process cannot access the file", str(target))
+
+    monkeypatch.setattr(Path, "replace", locked)
+    assert "close it in the other program" in refused("build", small, "-o", "book.xlsx", "--force")
+
+
+def test_book_open_elsewhere_is_refused(refused, monkeypatch, book, tmp_path):
+    (tmp_path / "book.xlsx").write_bytes(book.read_bytes())
+
+    def locked(*_, **__):
+        raise PermissionError(13, "The process cannot access the file")
+
+    monkeypatch.setattr(openpyxl, "load_workbook", locked)
+    assert "close it in the other program" in refused("inputs", "book.xlsx")
+
+
+@pytest.mark.parametrize(
+    "arguments", [["verify", "missing.xlsx"], ["build", "missing.toml"], ["nonsense"], ["build", "--speed"]]
+)
+def test_a_wrong_command_names_what_is_wrong(arguments, refused):
+    assert arguments[-1] in refused(*arguments)
+
+
+def test_the_program_ends_with_2(tmp_path):
+    command = [sys.executable, "-m", "workbook", "verify", "missing.xlsx"]
+    run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert (run.returncode, run.stdout) == (2, "")
+    assert run.stderr == "missing.xlsx: there is no such file\n"
+    assert not list(tmp_path.iterdir())

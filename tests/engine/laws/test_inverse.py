@@ -1,0 +1,118 @@
+"""The inverse of a law: there and back for any law, the ends, stages at rest, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from engine.laws import (
+    CATALOGUE,
+    ConstantAcceleration,
+    Cubic,
+    Cycloidal,
+    Dwell,
+    ModifiedTrapezoidal,
+    Piece,
+    PieceLaw,
+    TrapezoidalVelocity,
+)
+from engine.laws.inverse import inverse, is_monotone
+from engine.laws.sections import breaks, integral, roots, velocity_peak
+
+MOVING = [entry.example() for entry in CATALOGUE if entry.code != "DWL"]
+ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
+UP, DOWN = Piece(0.2, (12.5, 0.0, 0.0, 0.0)), Piece(0.2, (-12.5, 0.0, 0.0, 0.0))
+WITH_A_HALT = PieceLaw([UP, DOWN, Piece(0.2), UP, DOWN])
+BACKWARDS = PieceLaw([Piece(0.5, (-4.0, 0, 0, 0)), Piece(0.5, (12.0, 0, 0, 0))])
+
+
+@pytest.mark.parametrize("law", [*MOVING, ASYMMETRIC], ids=lambda law: law.code)
+def test_there_and_back_to_the_digits_that_s_holds(law):
+    xi = np.linspace(0.0, 1.0, 2001)
+    at = law.evaluate(xi)
+    back = inverse(law, at.s)
+    assert np.abs(law.s(back) - at.s).max() <= 4e-15  # what s itself is good for
+    firm = at.v > 0.01
+    assert np.abs(back - xi)[firm].max() <= 4e-15 / 0.01
+
+
+@given(st.floats(0.02, 0.98), st.floats(0.001, 0.999))
+def test_asymmetric_trapezoid_inverts_as_its_square_root(peak, xi):
+    law = TrapezoidalVelocity(peak, peak)
+    s = law.s(xi)
+    exact = math.sqrt(s * peak) if s <= peak else 1.0 - math.sqrt((1.0 - s) * (1.0 - peak))
+    assert inverse(law, s) == pytest.approx(exact, abs=1e-12)
+
+
+@given(st.lists(st.one_of(st.just(0.0), st.floats(0.02, 1.0)), min_size=7, max_size=7), st.floats(0.0, 1.0))
+def test_seven_stages_of_any_durations_invert(parts, s):
+    assume(sum(parts[:3]) > 0 and sum(parts[4:]) > 0)
+    law = ModifiedTrapezoidal(tuple(p / sum(parts) for p in parts))
+    assert law.s(inverse(law, s)) == pytest.approx(s, abs=4e-15)
+
+
+def test_constant_acceleration_in_closed_form():
+    assert inverse(ConstantAcceleration(), 0.02) == pytest.approx(0.1, abs=1e-15)
+
+
+def test_ends_are_exact_and_shapes_are_kept():
+    assert inverse(Cycloidal(), 0.0) == 0.0
+    assert inverse(Cycloidal(), 1.0) == 1.0
+    assert isinstance(inverse(Cubic(), 0.5), float)
+    assert inverse(Cubic(), np.full((2, 3), 0.5)).shape == (2, 3)
+    assert inverse(Cubic(), np.empty(0)).shape == (0,)
+
+
+def test_where_the_law_halts_the_first_instant_counts():
+    assert WITH_A_HALT.end.s == pytest.approx(1.0)
+    assert inverse(WITH_A_HALT, 0.5) == pytest.approx(0.4, abs=1e-7)  # v = 0 there: ξ to the root of the digits
+
+
+@pytest.mark.parametrize("s", [-0.01, 1.01, math.nan])
+def test_a_share_outside_the_rise_is_refused(s):
+    with pytest.raises(ValueError, match="expected numbers from 0 to 1"):
+        inverse(Cycloidal(), s)
+
+
+@pytest.mark.parametrize("law", [Dwell(), BACKWARDS])
+def test_a_law_that_does_not_rise_throughout_is_refused(law):
+    with pytest.raises(ValueError, match="never moves backwards"):
+        inverse(law, 0.5)
+
+
+def test_a_short_motion_backwards_is_seen():
+    assert is_monotone(ASYMMETRIC)
+    assert not is_monotone(PieceLaw([Piece(0.004, (-1.0, 0, 0, 0)), Piece(0.996, (2.0, 0, 0, 0))]))
+
+
+def test_breaks_of_the_seven_stages_leave_out_those_of_no_length():
+    law = ModifiedTrapezoidal((0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0))
+    assert breaks(law) == pytest.approx([0.0, 0.5, 1.0])
+
+
+@pytest.mark.parametrize(
+    ("law", "peak"), [(Cycloidal(), 0.5), (TrapezoidalVelocity(0.2, 0.7), 0.2), (ASYMMETRIC, 0.25)], ids=str
+)
+def test_the_fastest_instant(law, peak):
+    assert velocity_peak(law) == pytest.approx(peak, abs=1e-12)
+
+
+@pytest.mark.parametrize("law", [*MOVING, ASYMMETRIC], ids=lambda law: law.code)
+def test_integral_of_a_squared_is_that_of_the_closed_form(law):
+    mean_square = integral(lambda xi: law.a(xi) ** 2, breaks(law))
+    assert math.sqrt(mean_square) == pytest.approx(law.coefficients.ca_rms, rel=1e-13)
+
+
+@pytest.mark.parametrize("law", [e.example() for e in CATALOGUE if e.code != "DWL"], ids=str)
+def test_a_jump_through_zero_at_a_break_is_no_root_beside_it(law):
+    edges = breaks(law)
+    found = roots(law.a, edges)
+    assert all(abs(xi - edge) > 1e-6 for xi in found for edge in edges)
+
+
+def test_roots_find_where_a_law_crosses_a_level():
+    law = Cycloidal()
+    found = roots(lambda xi: law.v(xi) - 1.0, breaks(law))
+    assert found == pytest.approx([0.25, 0.75], abs=1e-14)

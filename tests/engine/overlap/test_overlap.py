@@ -1,0 +1,271 @@
+"""Overlap with laws of any shape: the margin is kept exactly, the cycle closes, what cannot be is refused."""
+
+from math import inf, pi, radians
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.overlap import (
+    Passage,
+    Schedule,
+    Tool,
+    Transfer,
+    blocked,
+    clearance,
+    colliding,
+    corners,
+    movement_time,
+    one_after_the_other,
+    overlap,
+    rests,
+    room,
+    sweep_margin,
+)
+
+TURN = np.linspace(0.0, 2 * pi, 1441)
+ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
+laws = st.sampled_from(
+    [e.example() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, TrapezoidalVelocity(0.2, 0.5)]
+)
+
+
+def in_the_way(transfer, passage):
+    begin, end = blocked(transfer, passage)
+    return (begin < TURN) & (end > TURN)
+
+
+@given(laws, laws, laws, st.floats(0, 0.3), st.floats(0.002, 0.02), st.floats(0, 1), st.floats(0.2, 0.8))
+def test_the_margin_is_kept_exactly_with_any_laws(law, law_in, law_out, remaining, gap, share, split):
+    transfer, tool = Transfer(law, 0.1, radians(200)), Tool(law_in, 0.05, radians(60), law_out)
+    passage = Passage(remaining, clearance=gap, margin=share * gap, split=split)
+    schedule = overlap(transfer, tool, passage)
+    found = clearance(schedule, passage, TURN)
+    assert found.keeps_margin
+    assert not found.collides
+    assert found.free[in_the_way(transfer, passage)].min() >= found.minimum - 1e-12
+    if schedule.limit == "clearance":
+        assert found.minimum == pytest.approx(passage.margin, abs=1e-12)
+
+
+@given(laws, st.floats(0.01, 0.2))
+def test_the_transfer_misses_the_remaining_share_where_it_ceases_to_block(law, remaining):
+    transfer = Transfer(law, 0.1, 2.0)
+    begin, end = blocked(transfer, Passage(remaining, 0.01))
+    assert law.s(begin / 2.0) == pytest.approx(remaining, abs=1e-12)
+    assert law.s(end / 2.0) == pytest.approx(1.0 - remaining, abs=1e-12)
+
+
+def test_the_way_out_is_that_of_an_asymmetric_law_in_reverse():
+    slow_start = TrapezoidalVelocity(0.7, 0.7)
+    transfer, tool = Transfer(Cycloidal(), 0.1, radians(200)), Tool(Cycloidal(), 0.05, radians(60), slow_start)
+    schedule = overlap(transfer, tool, Passage(0.01, 0.01))
+    begin, end = blocked(transfer, Passage(0.01, 0.01))
+    free = 2 * pi - (end - begin) - radians(60)
+    share = 1 - (0.2 * 0.3) ** 0.5  # of the time, to be out by 4/5 of the stroke
+    assert schedule.limit == "clearance"
+    assert schedule.way_out == pytest.approx(free / 2 / share, rel=1e-12)
+
+
+def mill_and_die():
+    return Transfer(Cycloidal(), 0.1, radians(150)), Tool(Cycloidal(), 0.05, radians(100), Cubic())
+
+
+def test_the_travel_begins_and_ends_where_the_edges_say():
+    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    away, there, leaves, back = schedule.edges
+    tool = schedule.travel(np.array([away, there, leaves, back]))
+    assert tool == pytest.approx([0.0, 0.05, 0.05, 0.0], abs=1e-12)
+    assert leaves - there == pytest.approx(radians(100), rel=1e-12)
+
+
+def test_the_tool_s_motion_closes_and_is_counted_from_its_arrival():
+    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    assert schedule.motion.closes
+    assert schedule.motion.smooth()
+    assert schedule.motion.at(TURN).y == pytest.approx(schedule.travel(TURN + schedule.arrival), abs=1e-12)
+
+
+def test_the_transfer_stays_where_it_has_come_to_until_the_next_cycle():
+    transfer = mill_and_die()[0]
+    assert transfer.travel(np.array([0.0, transfer.angle / 2, transfer.angle, 2 * pi])) == pytest.approx(
+        [0.0, 0.05, 0.1, 0.1]
+    )
+
+
+def test_peaks_are_those_of_the_motion():
+    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    assert schedule.peak_acceleration(0.5) == pytest.approx(schedule.motion.peaks.y2 * pi**2, rel=1e-12)
+    assert np.abs(schedule.acceleration(TURN, 0.5)).max() == pytest.approx(schedule.peak_acceleration(0.5), rel=1e-3)
+
+
+@settings(max_examples=20)
+@given(laws, laws, st.floats(0.2, 0.8))
+def test_acceleration_is_the_second_derivative_of_the_travel(law_in, law_out, split):
+    """Over whole phases: ∫∫ of the acceleration takes the tool from the part to where it rests, and back."""
+    transfer, _ = mill_and_die()
+    schedule = overlap(transfer, Tool(law_in, 0.05, radians(100), law_out), Passage(0.01, 0.02, 0.001, split=split))
+    step = 2 * pi / 20_000
+    angle = schedule.arrival + step * (np.arange(20_000) + 0.5)
+    speed = np.cumsum(schedule.acceleration(angle, 1.0)) * step / (2 * pi)
+    travel = 0.05 + np.cumsum(speed) * step / (2 * pi)
+    assert travel == pytest.approx(schedule.travel(angle + step / 2), abs=5e-4)
+
+
+@given(laws, laws, st.floats(0.2, 0.8))
+def test_the_state_is_that_of_the_motion(law_in, law_out, split):
+    """A second way to the travel: by part and law, as a sheet goes."""
+    transfer, _ = mill_and_die()
+    tool = Tool(law_in, 0.05, radians(100), law_out)
+    schedule = overlap(transfer, tool, Passage(0.01, 0.02, 0.001, split=split))
+    _, part, xi = schedule.state(TURN)
+    travel = np.select([part == 1, part == 2, part == 4], [1.0, 1.0 - law_out.s(xi), law_in.s(xi)], 0.0) * 0.05
+    assert travel == pytest.approx(schedule.travel(TURN), abs=1e-12)
+    assert set(part) == {1, 2, 3, 4}
+
+
+def test_just_below_a_whole_turn_counts_as_on_it():
+    schedule = one_after_the_other(*mill_and_die())
+    found = schedule.state(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
+    assert found.since == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
+    assert list(found.part) == [1, 1, 4]
+
+
+def test_a_gain_is_that_of_the_peaks_at_any_rate():
+    transfer, tool = mill_and_die()
+    before, after = one_after_the_other(transfer, tool), overlap(transfer, tool, Passage(0.01, 0.02, 0.001))
+    gain = before.peak_acceleration(0.7) / after.peak_acceleration(0.7)
+    assert after.times_lower(before) == pytest.approx(gain, rel=1e-14)
+    assert before.times_lower(before) == 1.0
+
+
+def test_room_and_rests_lead_to_the_ways():
+    """S2's steps: free angle, split, over the share that is left when the transfer comes."""
+    transfer, tool = mill_and_die()
+    passage = Passage(0.0065, 0.02, 0.001, split=0.4)
+    left, (rest_in, rest_out) = room(transfer, tool, passage), rests(tool, passage, np.array([passage.margin]))
+    found = overlap(transfer, tool, passage)
+    assert left.effective + left.free_in + left.free_out + tool.dwell == pytest.approx(2 * pi, rel=1e-14)
+    assert left.both == pytest.approx(radians(260), rel=1e-14)
+    assert (found.way_in, found.way_out) == pytest.approx(
+        (left.free_in / rest_in[0], left.free_out / rest_out[0]), rel=1e-14
+    )
+    gone = tool.law.s(1 - rest_in[0]), tool.out.s(1 - rest_out[0])
+    assert gone == pytest.approx((0.38, 0.38), rel=1e-12)
+
+
+@given(laws, laws, laws, st.floats(0.0, 0.2), st.floats(-0.5, 0.5))
+def test_the_least_clearance_stands_at_a_corner(law, law_in, law_out, remaining, shift):
+    transfer, tool = Transfer(law, 0.1, radians(200)), Tool(law_in, 0.05, radians(60), law_out)
+    passage = Passage(remaining, 0.01, 0.001)
+    plan = overlap(transfer, tool, passage)
+    moved = Schedule(transfer, tool, plan.way_in, plan.way_out, plan.arrival + shift)
+    found, at = clearance(moved, passage, TURN), corners(moved, passage)
+    assert found.minimum == at.free.min()
+    assert found.free[in_the_way(transfer, passage)].min() >= found.minimum - 1e-12
+    assert ((at.angle >= 0) & (at.angle < 2 * pi)).all()
+    assert np.cos(at.raw) == pytest.approx(np.cos(at.angle), abs=1e-12)
+    assert (at.free[~at.inside] == passage.clearance).all()
+
+
+def test_without_a_share_or_clearance_nothing_overlaps():
+    transfer, tool = mill_and_die()
+    before, after = one_after_the_other(transfer, tool), overlap(transfer, tool, Passage(0.0, 0.0))
+    assert after.edges == pytest.approx(before.edges, rel=1e-14)
+
+
+def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
+    transfer, tool = mill_and_die()
+    schedule = overlap(transfer, tool, Passage(0.01, clearance=0.06))
+    assert schedule.limit == "cycle"
+    assert schedule.way_in + schedule.way_out + tool.dwell == pytest.approx(2 * pi, rel=1e-12)
+    assert schedule.motion.closes
+
+
+def test_a_tool_that_sets_off_too_early_collides():
+    transfer, tool = mill_and_die()
+    passage = Passage(0.01, 0.02, 0.001)
+    good = overlap(transfer, tool, passage)
+    early = Schedule(transfer, tool, good.way_in, good.way_out, good.arrival - radians(20))
+    found = clearance(early, passage, TURN)
+    assert found.collides
+    assert not found.keeps_margin
+    assert found.minimum == pytest.approx(found.free.min(), abs=2e-4)
+    assert colliding(found.free, np.array(0.05)).any()
+
+
+def test_where_the_transfer_is_in_place_the_tool_may_go_to_the_part():
+    transfer, tool = mill_and_die()
+    passage = Passage(0.01, 0.02, 0.001)
+    plan = overlap(transfer, tool, passage)
+    found = clearance(plan, passage, TURN)
+    assert (found.allowed == np.where(in_the_way(transfer, passage), 0.02, 0.05)).all()
+    assert found.allowed - found.free == pytest.approx(plan.travel(TURN), abs=1e-15)
+    assert not colliding(found.free, np.array(0.05)).any()
+
+
+def test_the_sweep_is_the_schedule_of_each_margin():
+    transfer, tool = mill_and_die()
+    margins = np.linspace(0.0, 0.02, 9)
+    sweep = sweep_margin(transfer, tool, Passage(0.01, 0.02), margins, 0.5)
+    single = [overlap(transfer, tool, Passage(0.01, 0.02, m)) for m in margins]
+    before = one_after_the_other(transfer, tool).peak_acceleration(0.5)
+    assert sweep.way_in == pytest.approx([s.way_in for s in single], rel=1e-13)
+    assert sweep.way_out == pytest.approx([s.way_out for s in single], rel=1e-13)
+    assert sweep.acceleration == pytest.approx([s.peak_acceleration(0.5) for s in single], rel=1e-12)
+    assert sweep.ratio == pytest.approx([before / s.peak_acceleration(0.5) for s in single], rel=1e-12)
+    assert np.diff(sweep.ratio).max() < 0.0
+
+
+def test_tools_at_several_stations_keep_their_own_margins_over_the_same_transfer():
+    transfer, die = mill_and_die()
+    tools = (die, Tool(Cubic(), 0.08, radians(40)), Tool(ConstantAcceleration(), 0.025, radians(60), ASYMMETRIC))
+    passages = (Passage(0.01, 0.02, 0.001), Passage(0.0, 0.015, 0.004), Passage(0.005, 0.004, 0.001, split=0.4))
+    plans = [overlap(transfer, tool, passage) for tool, passage in zip(tools, passages, strict=True)]
+    for plan, passage in zip(plans, passages, strict=True):
+        assert plan.limit == "clearance"
+        assert clearance(plan, passage, TURN).minimum == pytest.approx(passage.margin, abs=1e-12)
+        assert plan.motion.closes
+
+
+def test_time_of_an_angle():
+    assert movement_time(pi, 2.0) == 0.25
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: Passage(0.6, 0.02), "remaining is 0.6"),
+        (lambda: Passage(0.1, 0.02, 0.03), "margin is 0.03 m; expected 0 to the clearance, 0.02 m"),
+        (lambda: Passage(0.1, inf), "clearance is inf"),
+        (lambda: Passage(0.1, 0.02, split=1.0), "split is 1"),
+        (lambda: Passage(0.1, 0.02, allowance=-0.1), "allowance is -5.7"),
+        (lambda: Transfer(Cycloidal(), 0.0, 1.0), "transfer stroke is 0"),
+        (lambda: Transfer(Cycloidal(), 0.1, 7.0), "401.07 degrees; expected less than 360"),
+        (lambda: Tool(Cycloidal(), 0.1, -1.0), "dwells for -57.2"),
+        (lambda: movement_time(1.0, 0.0), "rate is 0"),
+    ],
+)
+def test_what_cannot_be_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
+
+
+def test_no_angle_left_is_said_in_degrees():
+    transfer = Transfer(ConstantAcceleration(), 0.1, radians(270))
+    with pytest.raises(ValueError, match=r"transfer \(270 degrees\) and dwell \(100 degrees\)"):
+        one_after_the_other(transfer, Tool(Cycloidal(), 0.05, radians(100)))
+
+
+def test_an_allowance_that_takes_all_is_refused():
+    with pytest.raises(ValueError, match="an allowance of 170 degrees"):
+        overlap(*mill_and_die(), Passage(0.01, 0.02, allowance=radians(170)))
+
+
+@given(st.floats(0, 0.02), st.floats(0, 0.02))
+def test_a_larger_margin_never_gains(one, other):
+    assume(one < other)
+    sweep = sweep_margin(*mill_and_die(), Passage(0.01, 0.02), [one, other], 0.5)
+    assert sweep.acceleration[0] <= sweep.acceleration[1] * (1 + 1e-12)

@@ -1,0 +1,295 @@
+"""Each declared formula cell is counted once for every witness, and what the file was saved with is compared."""
+
+import json
+import subprocess
+import sys
+
+import openpyxl
+import pytest
+
+from tests.mutation.bench import sized
+from tests.workbook.judging.hands import WORKBOOK, Known, repacked, spot, sub
+from workbook.build import build
+from workbook.errors import InputError, MotionbookError, WitnessError
+from workbook.judging.structure import same
+from workbook.judging.verify import present, verify
+from workbook.reading.entries import Entries
+from workbook.reading.files import open_book
+from workbook.templates import TEMPLATES
+from workbook.witnesses import WITNESSES, by_cell, libreoffice
+
+
+@pytest.fixture(scope="module", params=TEMPLATES)
+def book(request, tmp_path_factory):
+    path = tmp_path_factory.mktemp("book") / "book.xlsx"
+    build(sized(TEMPLATES[request.param]), path)
+    return Known(path)
+
+
+@pytest.fixture(scope="module")
+def cutting(tmp_path_factory):
+    path = tmp_path_factory.mktemp("cutting") / "book.xlsx"
+    build(sized(TEMPLATES["cutting-machine"]), path)
+    return Known(path)
+
+
+def sums(report):
+    """Whether what each witness was asked about sums to what is declared."""
+    answered = [w for w in report.witnesses if w.answered]
+    assert answered
+    assert all(w.compared + w.at_fault + w.unfinished == report.declared for w in answered)
+    return report
+
+
+def found(report, address):
+    return [f.kind for f in report.findings if f"{f.sheet}!{f.cell}" == spot(address)]
+
+
+def as_text(cell):
+    cell.data_type = "s"
+
+
+def test_every_declared_cell_of_a_new_book_is_compared_by_all_witnesses(book):
+    report = sums(verify(book.path, ["pycel", "formualizer", "saved"]))
+    assert report.findings == []
+    assert [w.compared for w in report.witnesses] == [report.declared] * 3
+    assert report.declared == len(book.pairs(lambda p: p.declared_formula)) > 1000
+
+
+def test_a_formula_stored_as_its_own_text_is_at_fault(book, tmp_path):
+    pair = book.a_number()
+    opened = book.opened()
+    as_text(opened[pair.address.sheet][pair.address.a1])
+    opened.save(tmp_path / "b.xlsx")
+    report = sums(verify(tmp_path / "b.xlsx"))
+    assert found(report, pair.address)[0] == "replaced"
+    assert report.findings[0].computed == f'"{pair.held}"'
+    assert report.witnesses[0].at_fault >= 1
+
+
+def test_a_book_of_texts_has_no_cell_compared(cutting, tmp_path):
+    opened = cutting.opened()
+    for pair in cutting.pairs(lambda p: p.declared_formula):
+        as_text(opened[pair.address.sheet][pair.address.a1])
+    opened.save(tmp_path / "b.xlsx")
+    report = sums(verify(tmp_path / "b.xlsx"))
+    assert (report.compared, report.witnesses[0].at_fault) == (0, report.declared)
+
+
+@pytest.mark.parametrize(
+    "cell",
+    [
+        b'<c r="%s" t="inlineStr"><is><t>=1+1</t></is></c>',
+        b'<c r="%s" t="str"><v>=1+1</v></c>',
+        b'<c r="%s" t="inlineStr"><is><r><t>=1</t></r><r><t>+1</t></r></is></c>',
+    ],
+)
+def test_a_text_of_any_kind_is_no_formula(cell, cutting, tmp_path):
+    pair = cutting.a_number()
+    path = cutting.changed(tmp_path / "b.xlsx", pair.address, rb".+", cell % pair.address.a1.encode())
+    report = sums(verify(path))
+    assert found(report, pair.address)[0] == "replaced"
+    assert report.findings[0].computed == '"=1+1"'
+
+
+def test_an_input_that_is_a_text_of_a_formula_is_refused(cutting, tmp_path):
+    opened = cutting.opened()
+    place = cutting.place("timing_rate")
+    opened[place.sheet][place.a1] = "=60/0.4"
+    as_text(opened[place.sheet][place.a1])
+    opened.save(tmp_path / "b.xlsx")
+    with pytest.raises(InputError, match="expected a number"):
+        verify(tmp_path / "b.xlsx")
+
+
+@pytest.mark.parametrize(
+    ("held", "content", "equal"),
+    [
+        (1, 1.0, True), (True, 1, False), (1, True, False), ("5", 5, False), (5, "5", False), (None, 0, False),
+        (True, True, True), ("OK", "OK", True), (0.333333333333333, 1 / 3, True), (0.33333333333, 1 / 3, False),
+        ("", None, False), (None, None, True),
+    ],
+)  # fmt: skip
+def test_types_count_in_constants(held, content, equal):
+    assert same(held, content) == equal
+
+
+@pytest.mark.parametrize("value", [b't="b"><v>1<', b't="str"><v>1<', b't="e"><v>#N/A<'])
+def test_a_constant_of_another_type_is_changed(value, cutting, tmp_path):
+    pair = next(p for p in cutting.pairs(lambda p: p.cell.quantity.role == "constant") if p.held == 1)
+    path = cutting.changed(tmp_path / "b.xlsx", pair.address, rb"(?: t=\"n\")?>\s*<v>1(?:\.0)?<", b" " + value)
+    assert "changed" in found(verify(path), pair.address)
+
+
+@pytest.mark.parametrize("value", [b't="b"><v>1<', b't="str"><v>%s<', b't="e"><v>#N/A<'])
+def test_a_saved_value_of_another_type_is_stale(value, cutting, tmp_path):
+    pair = next(p for p in cutting.pairs(lambda p: p.declared_formula) if p.cell.expected == 1)
+    new = value % b"1" if b"%s" in value else value
+    path = cutting.changed(tmp_path / "b.xlsx", pair.address, rb"(?: t=\"n\")?><f>(.*?)</f><v ?>.*?<",
+                           rb' %s><f>\1</f>%s' % (new.partition(b">")[0], new.partition(b">")[2]))  # fmt: skip
+    report = sums(verify(path))
+    assert found(report, pair.address) == ["saved"]
+    assert report.witnesses[0].at_fault == 0
+    assert report.witnesses[1].at_fault == 1
+
+
+def test_an_error_typed_as_a_text_is_no_error(cutting, tmp_path):
+    opened = cutting.opened()
+    sheet = opened.create_sheet("Mine")
+    sheet["A1"], sheet["A2"] = "#REF!", "#N/A"
+    sheet["A2"].data_type = "s"
+    opened.save(tmp_path / "b.xlsx")
+    assert [(f.sheet, f.cell, f.kind) for f in verify(tmp_path / "b.xlsx").findings] == [("Mine", "A1", "error")]
+
+
+# saved values
+
+
+def test_a_stale_saved_value_is_a_finding_of_its_own(book, tmp_path):
+    pair = book.a_number()
+    path = book.changed(tmp_path / "b.xlsx", pair.address, rb"<v ?>.*?</v>", b"<v>%a</v>" % (1.25 * pair.cell.expected))
+    report = sums(verify(path))
+    assert [f.kind for f in report.findings] == ["saved"]
+    assert found(report, pair.address) == ["saved"]
+    assert report.findings[0].computed == pytest.approx(1.25 * pair.cell.expected)
+
+
+def test_a_value_that_was_not_saved_is_stale_where_others_were(cutting, tmp_path):
+    pair = cutting.a_number()
+    path = cutting.changed(tmp_path / "b.xlsx", pair.address, rb"<v ?>.*?</v>", b"")
+    assert found(verify(path), pair.address) == ["saved"]
+
+
+def test_a_wrong_formula_saved_with_what_it_computes_is_found_once(cutting, tmp_path):
+    pair = cutting.a_number()
+    path = cutting.changed(tmp_path / "b.xlsx", pair.address, rb"<f>(.*?)</f><v ?>.*?</v>",
+                           rb"<f>1.25*(\1)</f><v>%a</v>" % (1.25 * pair.cell.expected))  # fmt: skip
+    report = sums(verify(path))
+    assert found(report, pair.address) == ["formula", "value"]
+    assert {f.kind for f in report.findings} <= {"formula", "value", "follows"}
+    assert report.witnesses[0].at_fault == report.witnesses[1].at_fault + sum(
+        f.kind == "follows" for f in report.findings
+    )
+
+
+def test_a_new_book_says_that_its_saved_values_are_no_evidence(cutting, tmp_path):
+    assert "no evidence" in verify(cutting.path).witness
+    opened = cutting.opened()
+    opened.save(tmp_path / "b.xlsx")
+    report = verify(tmp_path / "b.xlsx")
+    assert report.findings == []
+    assert "saved" not in report.witness
+    assert any("no saved values" in w.why for w in report.witnesses)
+
+
+def test_saved_numbers_that_are_shown_as_dates_are_numbers(cutting, tmp_path):
+    opened = cutting.opened()
+    for pair in cutting.pairs(lambda p: isinstance(p.held, int | float) or p.declared_formula):
+        opened[pair.address.sheet][pair.address.a1].number_format = "yyyy-mm-dd hh:mm"
+    opened.save(tmp_path / "b.xlsx")
+    report = sums(verify(tmp_path / "b.xlsx", ["pycel", "formualizer"]))
+    assert report.findings == []
+    entered = Entries(open_book(tmp_path / "b.xlsx"), by_cell().values).machine()
+    assert entered == cutting.machine
+
+
+# how the program computes
+
+
+@pytest.mark.parametrize(
+    ("attribute", "says"),
+    [('calcMode="manual"', "manual"), ('iterate="1"', "iterative"), ('fullPrecision="0"', "precision as displayed")],
+)
+def test_settings_that_show_other_values_are_found(attribute, says, cutting, tmp_path):
+    path = repacked(cutting.path, tmp_path / "b.xlsx",
+                    {WORKBOOK: sub(rb"<calcPr ", f"<calcPr {attribute} ".encode())})  # fmt: skip
+    report = verify(path)
+    assert [f.kind for f in report.findings] == ["setting"]
+    assert says in report.findings[0].computed
+
+
+@pytest.mark.parametrize(
+    "attribute", ['calcMode="autoNoTable"', 'iterate="0"', 'fullPrecision="1"', 'iterateCount="9"']
+)
+def test_other_settings_are_no_finding(attribute, cutting, tmp_path):
+    change = {WORKBOOK: sub(rb"<calcPr ", f"<calcPr {attribute} ".encode())}
+    assert verify(repacked(cutting.path, tmp_path / "b.xlsx", change)).findings == []
+
+
+def test_the_rules_of_lotus_are_found(cutting, tmp_path):
+    change = {cutting.part("Drive"): sub(rb"<sheetPr>", b'<sheetPr transitionEvaluation="1">')}
+    report = verify(repacked(cutting.path, tmp_path / "b.xlsx", change))
+    assert [(f.sheet, f.kind) for f in report.findings] == [("Drive", "setting")]
+
+
+# who is asked
+
+
+def test_all_asks_the_present_and_names_the_absent(cutting, monkeypatch):
+    monkeypatch.setattr(libreoffice, "program", lambda: None)
+    report = sums(verify(cutting.path, ["all"]))
+    assert report.findings == []
+    assert [w.name for w in report.witnesses if w.absent] == ["libreoffice"]
+    assert {w.name for w in report.witnesses} == set(WITNESSES)
+
+
+def test_one_asked_by_name_and_absent_is_refused(cutting, monkeypatch):
+    monkeypatch.setattr(libreoffice, "program", lambda: None)
+    with pytest.raises(WitnessError, match="libreoffice is not on this machine"):
+        verify(cutting.path, ["pycel", "libreoffice"])
+    with pytest.raises(WitnessError):
+        present(["all", "libreoffice"])
+    with pytest.raises(MotionbookError, match=r"expected pycel, formualizer, libreoffice"):
+        verify(cutting.path, ["excel"])
+
+
+def test_the_command_ends_with_2_where_a_named_witness_is_absent(cutting):
+    run = "from workbook.witnesses import libreoffice; libreoffice.program = lambda: None; " \
+          "import sys; from workbook.cli import main; sys.argv[1:] = {!r}; main()"  # fmt: skip
+    arguments = ["verify", str(cutting.path), "--with", "libreoffice"]
+    done = subprocess.run([sys.executable, "-c", run.format(arguments)], capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stderr.strip().count("\n") == 0
+    done = subprocess.run([sys.executable, "-c", run.format([*arguments[:2], "--with", "all", "--json"])],
+                          capture_output=True, text=True)  # fmt: skip
+    assert done.returncode == 0
+    assert [w["name"] for w in json.loads(done.stdout)["witnesses"] if w["absent"]] == ["libreoffice"]
+
+
+# legacy array formulas
+
+
+def test_an_array_formula_of_one_cell_is_compared_by_its_text(cutting, tmp_path):
+    pair = cutting.a_number()
+    a1 = pair.address.a1.encode()
+    path = cutting.changed(tmp_path / "b.xlsx", pair.address, rb"<f>", rb'<f t="array" ref="%s">' % a1)
+    assert verify(path).findings == []
+    path = cutting.changed(tmp_path / "c.xlsx", pair.address, rb"<f>(.*?)</f>",
+                           rb'<f t="array" ref="%s">2*(\1)</f>' % a1)  # fmt: skip
+    report = verify(path)
+    assert found(report, pair.address) == ["formula", "value"]
+    assert report.findings[0].computed == f"=2*({pair.held[1:]})"
+
+
+def test_an_array_formula_over_several_cells_is_shown_as_its_text(cutting, tmp_path):
+    pairs = [p for p in cutting.pairs(lambda p: p.declared_formula) if p.cell.block.is_table]
+    first = pairs[0]
+    below = next(p for p in pairs if p.address == first.address._replace(row=first.address.row + 1))
+    ref = f"{first.address.a1}:{below.address.a1}".encode()
+    path = cutting.changed(tmp_path / "b.xlsx", first.address, rb"<f>(.*?)</f>", rb'<f t="array" ref="%s">\1</f>' % ref)
+    report = verify(path)
+    assert report.findings[0].kind == "formula"
+    shown = {str(f.computed) for f in report.findings if f.kind == "formula"}
+    assert shown == {f"{{{first.held}}}"}
+    assert not any(" object at " in str(f.computed) for f in report.findings)
+
+
+def test_a_data_table_is_never_shown_as_an_object(cutting, tmp_path):
+    pair = cutting.a_number()
+    opened = cutting.opened()
+    opened[pair.address.sheet][pair.address.a1] = openpyxl.worksheet.formula.DataTableFormula(
+        ref=pair.address.a1, dt2D=False, r1="B1"
+    )
+    opened.save(tmp_path / "b.xlsx")
+    report = verify(tmp_path / "b.xlsx")
+    assert report.findings[0].computed == "{=TABLE()}"

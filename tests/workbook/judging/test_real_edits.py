@@ -1,0 +1,345 @@
+"""Books as people leave them: what an engineer may do in Excel or LibreOffice is no fault, and what is one is found."""
+
+import shutil
+
+import openpyxl
+import pytest
+from openpyxl.cell.cell import MergedCell
+from openpyxl.styles import Font, PatternFill
+
+from tests.workbook import office
+from tests.workbook.reading.fuzz import without_charts
+from workbook.build import build, inputs
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
+from workbook.witnesses.libreoffice import convert, program
+
+TEMPLATE = TEMPLATES["cutting-machine"]
+needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
+
+
+@pytest.fixture(scope="module")
+def layout():
+    machine = read_machine(TEMPLATE.description)
+    sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})
+    return machine.model_copy(update={"sizes": sizes})
+
+
+@pytest.fixture(scope="module")
+def declared(layout):
+    return TEMPLATE.declare(layout)
+
+
+@pytest.fixture(scope="module")
+def book(layout, tmp_path_factory):
+    path = tmp_path_factory.mktemp("book") / "book.xlsx"
+    build(layout, path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def plain(book, tmp_path_factory):
+    """The same without charts, which openpyxl takes half its time for."""
+    path = tmp_path_factory.mktemp("plain") / "book.xlsx"
+    path.write_bytes(without_charts(book.read_bytes()))
+    return path
+
+
+@pytest.fixture
+def hands(plain, declared, tmp_path):
+    return Hands(plain, declared, tmp_path)
+
+
+class Hands:
+    """A book opened with openpyxl, its cells found as an engineer finds them, saved and verified."""
+
+    def __init__(self, book, declared, folder):
+        self.workbook, self.declared, self.path = openpyxl.load_workbook(book), declared, folder / "edited.xlsx"
+
+    def cell(self, block, row=0, quantity=None):
+        place = self.declared.blocks[block]
+        return self.workbook[place.sheet.title].cell(place.row + row, place.columns[quantity or block])
+
+    def fill(self, block, row, **values):
+        for quantity, value in values.items():
+            self.cell(block, row, quantity).value = value
+
+    def verify(self):
+        self.workbook.save(self.path)
+        return verify(self.path)
+
+    def entered(self):
+        return inputs(self.path)[0]
+
+
+def first(report):
+    """The worst finding: its kind and its cell."""
+    return report.findings[0].kind, f"{report.findings[0].sheet}!{report.findings[0].cell}"
+
+
+def numbers(machine):
+    """Every entry of a machine by its path, to the 14 digits that LibreOffice keeps."""
+
+    def walk(path, entry):
+        if isinstance(entry, dict | list):
+            for key, below in entry.items() if isinstance(entry, dict) else enumerate(entry):
+                yield from walk(f"{path}.{key}", below)
+        else:
+            yield path, float(f"{entry:.14g}") if isinstance(entry, float) else entry
+
+    return dict(walk("", machine.model_dump()))
+
+
+def spot(cell):
+    return f"{cell.parent.title}!{cell.coordinate}"
+
+
+# What an engineer may do
+
+
+def test_untouched_book_agrees(hands, layout):
+    report = hands.verify()
+    assert report.findings == []
+    assert report.compared > 2000
+    assert hands.entered() == layout
+
+
+def test_changed_inputs_are_followed(hands):
+    hands.cell("timing_rate").value = 90
+    hands.fill("axis1", 0, law="CIC", lift=-120.5)
+    hands.cell("drive_resists").value = "moving"
+    hands.cell("drive_axis").value = "MC03"
+    hands.cell("drive_eta").value = 1
+    assert hands.verify().findings == []
+    entered = hands.entered()
+    assert entered.timing.rate == 90
+    assert (entered.timing.axes[0].phases[0].law, entered.timing.axes[0].phases[0].lift) == ("CIC", -120.5)
+    assert (entered.drive.resists, entered.drive.axis) == ("moving", "MC03")
+
+
+def test_phase_table_filled_to_its_last_row(hands, declared):
+    rows = declared.blocks["axis2"].size
+    laws = ("ACS", "DWL", "TVP", "CIC", "DWL", "CUB", "MTP", "OWN")
+    lifts = (10, 0, -4, 7, 0, -6, 3, -10)
+    for row in range(rows):
+        hands.fill("axis2", row, start=row * 45, stop=(row + 1) * 45, law=laws[row], lift=lifts[row])
+    assert hands.verify().findings == []
+    assert len(hands.entered().timing.axes[1].phases) == rows == len(laws)
+
+
+def test_own_law_filled_to_its_last_row(hands, declared):
+    rows = declared.blocks["own_pieces"].size
+    for row in range(rows):
+        hands.fill("own_pieces", row, d=1 / rows, c0=row - 3.5, c1=0, c2=0, c3=0, P=2, omega=7, phi=0.3)
+    hands.cell("own_name").value = "Eight pieces"
+    hands.fill("axis1", 0, law="OWN")
+    assert hands.verify().findings == []
+    assert len(hands.entered().laws.OWN.pieces) == rows
+
+
+def test_zero_stages_of_the_seven(hands):
+    for name, value in zip(range(1, 8), (0, 0.5, 0, 0, 0, 0.5, 0), strict=True):
+        hands.cell(f"MTP_d{name}").value = value
+    assert hands.verify().findings == []
+
+
+def test_input_that_holds_a_formula_is_taken_and_told(hands):
+    hands.cell("timing_rate").value = "=60/0.4"
+    report = hands.verify()
+    assert report.findings == []
+    assert any(spot(hands.cell("timing_rate")) in note for note in report.notes)
+    assert hands.entered().timing.rate == pytest.approx(150, rel=1e-12)
+
+
+def test_sheets_reordered_and_added(hands):
+    hands.workbook.move_sheet("Drive", -2)
+    notes = hands.workbook.create_sheet("My notes", 0)
+    notes["A1"], notes["B1"] = "mean power", "=AVERAGE(Drive!F80:F90)"
+    report = hands.verify()
+    assert report.findings == []
+    assert report.unmatched == ["'My notes'!B1"]
+
+
+def test_looks_are_the_engineers_own(hands):
+    for sheet in hands.workbook.worksheets:
+        sheet.protection.sheet = False
+        sheet.column_dimensions["C"].hidden = True
+        sheet.row_dimensions[20].hidden = True
+        sheet.sheet_view.zoomScale = 75
+        sheet.data_validations.dataValidation = []
+        sheet.freeze_panes = None
+    for block in ("timing_rate", "drive_tmax", "status1"):
+        cell = hands.cell(block)
+        cell.font, cell.fill, cell.number_format = Font(bold=True), PatternFill("solid", fgColor="FFFF00"), "0.0"
+    hands.workbook["Checks"].sheet_state = "hidden"
+    assert hands.verify().findings == []
+
+
+def test_charts_deleted(book, declared, tmp_path):
+    hands = Hands(book, declared, tmp_path)
+    for sheet in hands.workbook.worksheets:
+        sheet._charts = []
+    assert hands.verify().findings == []
+
+
+def test_protected_again_with_a_password(hands):
+    for sheet in hands.workbook.worksheets:
+        sheet.protection.set_password("secret")
+    assert hands.verify().findings == []
+
+
+@pytest.mark.parametrize("suffix", [".xlsm", ".xltx", ".XLSX"])
+def test_copy_under_another_suffix(suffix, book, layout, tmp_path):
+    copy = tmp_path / f"copy{suffix}"
+    shutil.copyfile(book, copy)
+    assert verify(copy).findings == []
+    assert inputs(copy)[0] == layout
+
+
+# What is a fault
+
+
+def test_formula_replaced_by_its_number(hands, declared):
+    cell = hands.cell("axis1", 0, "v")
+    cell.value = next(c.expected for c in declared.blocks["axis1"].cells() if c.quantity.name == "v")
+    assert first(hands.verify()) == ("replaced", spot(cell))
+
+
+def test_formula_deleted(hands):
+    cell = hands.cell("cycle", 5, "y2")
+    cell.value = None
+    assert first(hands.verify()) == ("missing", spot(cell))
+
+
+@pytest.mark.parametrize(
+    ("block", "row", "quantity", "old", "new"),
+    [
+        ("timing_omega", 0, None, "2*PI()", "3*PI()"),
+        ("drive", 7, "torque", "drive_tau", "drive_ratio"),
+        ("axis3", 1, "y1", "ABS(", "("),
+        ("ACS_samples", 2, "s", "/6", "/5"),
+        ("CIC_ya", 0, None, "CIC_t^2", "CIC_t"),
+    ],
+)
+def test_formula_changed(block, row, quantity, old, new, hands):
+    cell = hands.cell(block, row, quantity)
+    assert old in cell.value
+    cell.value = cell.value.replace(old, new, 1)
+    assert first(hands.verify())[1] == spot(cell)
+
+
+def test_constant_changed(hands):
+    cell = hands.cell("check_zero")
+    cell.value = 1.0
+    assert first(hands.verify()) == ("changed", spot(cell))
+
+
+def test_name_deleted(hands):
+    del hands.workbook.defined_names["cycle"]
+    report = hands.verify()
+    assert not report.agrees
+    assert any(f.kind == "missing" and f.cell == "cycle" for f in report.findings)
+
+
+# Through LibreOffice
+
+
+@needs_office
+def test_saved_by_libreoffice(book, layout, tmp_path):
+    (tmp_path / "made").mkdir()
+    saved = convert(book, "xlsx", tmp_path / "made")
+    report = verify(saved)
+    assert report.findings == []
+    assert report.unmatched == []
+    assert numbers(inputs(saved)[0]) == numbers(layout)
+
+
+@needs_office
+def test_rows_and_columns_inserted_and_sheets_renamed_in_libreoffice(book, layout, declared, tmp_path):
+    phases, law = declared.blocks["axis2"], declared.blocks["ACS_samples"]
+    edited = office.edit(book, tmp_path / "edited.xlsx", [
+        f'book.Sheets.getByName("Timing").Rows.insertByIndex({phases.row - 6}, 3)',
+        'book.Sheets.getByName("Timing").Columns.insertByIndex(0, 2)',
+        f'book.Sheets.getByName("{law.sheet.title}").Rows.insertByIndex({law.row - 4}, 5)',
+        'book.Sheets.getByName("Laws").Columns.insertByIndex(1, 1)',
+        'book.Sheets.getByName("Timing").Name = "Ciclo della macchina"',
+        'book.Sheets.getByName("Laws").Name = "Leggi d\'moto"',
+        'book.Sheets.moveByName("Drive", 0)',
+        'book.Sheets.insertNewByName("Notes", 2)',
+        'book.Sheets.getByName("Notes").getCellByPosition(0, 0).Formula = "=1+1"',
+    ])  # fmt: skip
+    report = verify(edited)
+    assert report.findings == []
+    assert report.unmatched == ["Notes!A1"]
+    assert numbers(inputs(edited)[0]) == numbers(layout)
+
+
+@needs_office
+def test_fault_made_in_libreoffice_is_named_where_it_now_stands(book, declared, tmp_path):
+    place = declared.blocks["axis2"]
+    edited = office.edit(book, tmp_path / "edited.xlsx", [
+        f'sheet = book.Sheets.getByName("Timing") : sheet.Rows.insertByIndex({place.row - 6}, 3)',
+        f'sheet.getCellByPosition({place.columns["v"] - 1}, {place.row + 3}).Value = 1.5',
+    ])  # fmt: skip
+    worst = verify(edited).findings[0]
+    assert (worst.kind, worst.sheet, worst.computed) == ("replaced", "Timing", 1.5)
+    row = openpyxl.load_workbook(edited).defined_names["axis2"].attr_text.split("!")[1].split(":")[0].split("$")[2]
+    assert int(row) == place.row + 3
+    assert worst.cell.endswith(str(place.row + 4))
+
+
+@needs_office
+def test_numbers_typed_with_a_decimal_comma(book, layout, declared, tmp_path):
+    rate = declared.blocks["timing_rate"]
+    typed = f'book.Sheets.getByName("Timing").getCellByPosition({rate.column - 1}, {rate.row - 1}).FormulaLocal = "%s"'
+    edited = office.edit(book, tmp_path / "edited.xlsx", [typed % "90,25"], locale="de-DE")
+    assert verify(edited, ["pycel", "saved"]).findings == []
+    assert inputs(edited)[0].timing.rate == 90.25
+
+
+@pytest.fixture
+def with_functions(hands):
+    """The book beside which the page of the functions was copied, with its names, as the README says."""
+    source = openpyxl.load_workbook(FOLDER / "motion-functions.xlsx")
+    page = hands.workbook.create_sheet("Functions")
+    for row in source["Functions"].iter_rows():
+        for cell in row:
+            if not isinstance(cell, MergedCell):
+                page[cell.coordinate] = cell.value
+    for name, defined in source.defined_names.items():
+        hands.workbook.defined_names[name] = defined
+    page["A1000"] = '=2*MOTION.S("CIC",0.5,0)'
+    page["A1001"] = "=A1000+1"
+    return hands
+
+
+def test_cells_that_call_the_functions_are_no_fault_and_are_said_not_to_be_evaluated(with_functions):
+    report = with_functions.verify()
+    assert report.agrees
+    (note,) = [note for note in report.notes if "MOTION" in note]
+    assert "not evaluated" in note
+    assert "Functions!A1000" in note
+
+
+def test_faults_beside_the_functions_are_still_found(with_functions):
+    page = with_functions.workbook["Functions"]
+    page["A1002"] = "=MOTION.SPEED(1)"
+    page["A1003"] = '=MOTION.S("CIC",RAND(),0)'
+    page["A1004"] = "=1/0"
+    page["A1005"] = "#NAME?"
+    found = {(f.kind, f.cell, f.computed) for f in with_functions.verify().findings}
+    assert found == {
+        ("function", "A1002", "MOTION.SPEED"), ("error", "A1002", "#NAME?"), ("function", "A1003", "RAND"),
+        ("error", "A1004", "#DIV/0!"), ("error", "A1005", "#NAME?"),
+    }  # fmt: skip
+
+
+def test_a_changed_definition_of_a_function_is_named_and_another_spelling_is_not(with_functions):
+    names = with_functions.workbook.defined_names
+    names["MOTION.V"].attr_text = names["MOTION.V"].attr_text.replace("(1,", "( 1.0 ,").replace("law", "LAW")
+    assert not [note for note in with_functions.verify().notes if "definitions" in note]
+    names["MOTION.V"].attr_text = names["MOTION.V"].attr_text.replace("1.0", "2")
+    (note,) = [note for note in with_functions.verify().notes if "definitions" in note]
+    assert "MOTION.V;" in note

@@ -1,0 +1,217 @@
+"""The laws in the workbook: pages found from the registry, what a page leaves out, a page that is wrong, variations."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import get_args
+
+import pytest
+
+from engine.laws import CATALOGUE
+from engine.laws.entry import IncompleteError
+from engine.laws.registry import MODULES
+from tests.laws import MOVING
+from tests.workbook.cells import disagreeing
+from workbook.entries.types import Model
+from workbook.laws import registry
+from workbook.laws.entries import LawCode, Laws, RiseCode
+from workbook.laws.family import LawSheet, ShapeFormulas
+from workbook.laws.page import COEFFICIENTS
+from workbook.laws.registry import FAMILIES, FAMILY, family_of
+from workbook.laws.stack import CODES
+from workbook.laws.variations import SIX, law_for, laws_in, variations
+from workbook.reading.entries import read_machine
+from workbook.templates import TEMPLATES
+
+ROOT = Path(__file__).parents[3]
+SMALL = {"cycle": 12, "law": 4, "own_law": 8, "phases": 8}
+COMPOSER, ACTUATOR, FLYING = (TEMPLATES[name] for name in ("motion-composer", "actuator-sizing", "flying-cutter"))
+
+
+def small(template, **sizes):
+    machine = read_machine(template.description)
+    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update=SMALL | sizes)})
+
+
+# --- One list of laws -----------------------------------------------------------------------------
+
+
+def test_every_list_of_laws_is_the_registry():
+    codes = tuple(entry.code for entry in CATALOGUE)
+    assert len(MODULES) == len(codes) == len(set(codes))
+    assert tuple(family.code for family in FAMILIES) == codes == get_args(LawCode)
+    assert get_args(RiseCode) == MOVING == tuple(code for code in codes if code != "DWL")
+    assert tuple(Laws.model_fields) == MOVING
+
+
+@pytest.mark.parametrize("folder", ["engine/laws", "workbook/laws/pages"])
+def test_no_law_lies_beside_the_registry(folder):
+    files = (ROOT / folder).glob("*.py")
+    stating = {file.stem for file in files if re.search(r"^(ENTRY|PAGE) = ", file.read_text("utf-8"), re.MULTILINE)}
+    assert stating - set(MODULES) == set(), "files with an ENTRY or a PAGE that engine/laws/registry.py does not list"
+    assert set(MODULES) <= stating
+
+
+@pytest.mark.parametrize("code", [family.code for family in FAMILIES if family.page.parameters])
+def test_parameters_in_a_row_are_those_entered(code):
+    page = FAMILY[code].page
+    for one in page.variations:
+        entered = page.entries.model_validate(one)
+        assert page.entered(page.numbers(entered)) == entered
+        assert page.law_of(page.numbers(entered)) == page.law(entered, 4) != FAMILY[code].entry.example()
+
+
+@pytest.mark.parametrize("code", [family.code for family in FAMILIES if family.page.has_sheet])
+def test_the_readme_names_the_sheet_of_every_law(code):
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert re.search(rf"^\|.*\b{code}\b", text, re.MULTILINE), f"README.md has no row that names the sheet {code}"
+
+
+# --- What a page leaves out is named at import ----------------------------------------------------
+
+
+def test_a_law_without_a_page_is_named(monkeypatch):
+    def missing(name):
+        raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+    assert family_of("cubic").code == "CUB"
+    monkeypatch.setattr(registry, "import_module", missing)
+    with pytest.raises(IncompleteError, match=r"workbook/laws/pages/cubic\.py has no PAGE for the law CUB"):
+        family_of("cubic")
+
+
+class Another(LawSheet):
+    rise_end: float = 0.3
+    fall_start: float = 0.7
+    share: float = 0.5
+
+
+TVP, CUB = FAMILY["TVP"], FAMILY["CUB"]
+LACKING = {
+    "a coefficient": (CUB, {"coefficients": {}}, "the page of CUB lacks cv, ca_max"),
+    "a piece": (TVP, {"pieces": TVP.page.pieces[:2]}, "TVP lacks pieces as many as the engine's 3"),
+    "a parameter": (TVP, {"parameters": TVP.page.parameters[:1]}, "TVP lacks the parameter fall_start"),
+    "a parameter of its entries": (TVP, {"entries": Another}, "TVP lacks the parameter share, variations of share"),
+    "variations": (TVP, {"variations": ()}, "TVP lacks two variations or more"),
+    "a varied parameter": (TVP, {"variations": ({"rise_end": 0.3},) * 2}, "TVP lacks variations of fall_start"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", LACKING)
+def test_what_a_page_leaves_out_is_named(what):
+    family, changed, words = LACKING[what]
+    family.page.require_complete(family.entry)
+    with pytest.raises(IncompleteError, match=words):
+        replace(family.page, **changed).require_complete(family.entry)
+
+
+def test_a_page_cannot_be_made_without_shapes_or_the_place_of_its_peak():
+    stated = {name: getattr(CUB.page, name) for name in ("title", "source", "made", "pieces", "coefficients")}
+    with pytest.raises(TypeError, match="'fastest' and 'shapes'"):
+        type(CUB.page)(**stated)
+
+
+def test_shapes_that_the_engine_does_not_state_are_named():
+    with pytest.raises(IncompleteError, match=r"OWN lacks .*shapes that the engine knows too"):
+        CUB.page.require_complete(FAMILY["OWN"].entry)
+
+
+# --- Cells and engine -----------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module", params=range(SIX))
+def varied(request):
+    """The cells that disagree in a book with every law's page, at other parameters of each law."""
+    return disagreeing(COMPOSER, COMPOSER.variants(small(COMPOSER))[request.param])
+
+
+@pytest.mark.parametrize("code", MOVING)
+def test_the_cells_of_a_law_compute_what_the_engine_has(varied, code):
+    wrong, count = varied
+    assert [cell for cell in wrong if cell.startswith((f"{code}_", f"{code.lower()}_"))] == []
+    assert count > 1000
+
+
+@pytest.fixture(scope="module")
+def asked():
+    """What is wrong in the tables by which sheets of machines ask of each law, at other parameters of each law."""
+    wrong = []
+    for template, table in ((ACTUATOR, "shapes"), (FLYING, "fastest")):
+        found, _ = disagreeing(template, template.variants(small(template))[0])
+        wrong += [cell for cell in found if cell.startswith(f"{table}.")]
+    return wrong
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_shapes_and_the_place_of_the_peak_in_cells_are_those_of_the_engine(asked, code):
+    assert [cell for cell in asked if f"[{CODES.index(code)}]" in cell] == []
+
+
+WRONG = {
+    "pieces": ("CIC", COMPOSER, "CIC_pieces.P[0]"),
+    "coefficients": ("CUB", COMPOSER, "CUB_cv.CUB_cv[0]"),
+    "shapes": ("MTP", ACTUATOR, f"shapes.sine_up[{CODES.index('MTP')}]"),
+    "fastest": ("TVP", FLYING, f"fastest.at[{CODES.index('TVP')}]"),
+}
+CHANGED = {
+    "pieces": lambda page: (replace(page.pieces[0], P="=@ca_max*(1+1E-7)"),),
+    "coefficients": lambda page: page.coefficients | {"cv": ("=1.5000001", "")},
+    "shapes": lambda page: ShapeFormulas(flat_up="=@d1+@d2+@d3", flat_down="=@d5+@d6+@d7"),
+    "fastest": lambda page: "=@aw",
+}
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_a_page_with_a_wrong_formula_is_found_by_the_cell(what, monkeypatch):
+    code, template, cell = WRONG[what]
+    page = FAMILY[code].page
+    monkeypatch.setitem(vars(page), what, CHANGED[what](page))
+    wrong, _ = disagreeing(template, small(template))
+    assert [found for found in wrong if found.startswith(cell)]
+
+
+# --- Variations -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_the_variations_of_a_template_use_every_law(name):
+    template = TEMPLATES[name]
+    used = set()
+    for machine in template.variants(read_machine(template.description)):
+        used |= named(machine)
+    assert sorted(set(MOVING) - used) == [], f"laws that no variation of {name} has"
+
+
+def named(entries):
+    """The laws that phases and tools of a description name: entries whose name begins with law."""
+    found = set()
+    for field in type(entries).model_fields:
+        value = getattr(entries, field)
+        if field.startswith("law") and isinstance(value, str):
+            found.add(value)
+        for one in value if isinstance(value, list) else [value]:
+            found |= named(one) if isinstance(one, Model) and field != "laws" else set()
+    return found
+
+
+@pytest.mark.parametrize("count", range(2, 30))
+def test_a_template_with_one_law_at_a_time_gives_each_its_turn_however_many_there_are(count, monkeypatch):
+    codes = tuple(f"L{i}" for i in range(count))
+    monkeypatch.setattr("workbook.laws.variations.RISING", codes)
+    machine = small(COMPOSER)
+    made = variations(machine, lambda data, turn: {"motion": {"phases": [{"law": law_for(turn + 4)}]}})
+    assert len(made) == max(SIX, count)
+    assert set().union(*map(laws_in, made)) == set(codes)
+
+
+def test_a_law_that_a_template_never_takes_is_named():
+    def without_cubic(data, turn):
+        return {"motion": {"law": law_for(turn, "CUB")}}
+
+    with pytest.raises(LookupError, match=r"motion-composer ever has the law CUB$"):
+        variations(small(COMPOSER), without_cubic)
+
+
+def test_coefficients_of_every_page_are_those_of_the_summary():
+    for family in FAMILIES:
+        assert [*family.page.coefficients] == [name for name, *_ in COEFFICIENTS], family.code

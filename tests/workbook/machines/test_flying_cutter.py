@@ -1,0 +1,219 @@
+"""The book of S5's flying machining: its equations in the cells, every cell as the engine says."""
+
+from math import pi, radians, sqrt
+
+import pytest
+
+from engine.flying import Cut, flying_saw, rotary_drum
+from engine.laws import Cycloidal
+from tests.engine.choice.tasks import sampled_task
+from tests.laws import MOVING
+from tests.workbook.cells import computed, disagreeing
+from workbook.errors import InputError
+from workbook.judging.verify import verify
+from workbook.machines.flying.variations import RISING
+from workbook.reading.entries import checked, read_machine
+from workbook.templates import TEMPLATES
+
+TEMPLATE = TEMPLATES["flying-cutter"]
+SAW = TEMPLATE.description.with_name("flying-cutter-saw.toml")
+SMALL = {"cycle": 24, "law": 8, "own_law": 8, "lengths": 6}
+RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02  # of the committed drum
+L0, LT = 2 * pi / 3 * RADIUS, pi / 6 * RADIUS
+LIMIT = (2 * L0 - LT) * 1e3  # mm: S5's limit length of a law with C_v = 2
+
+
+def entries(description=TEMPLATE.description, **changed):
+    """A committed description with small tables; ``drum__radius=3`` changes an entry of the cutter."""
+    data = read_machine(description).model_dump()
+    data["sizes"] |= SMALL
+    for name, value in changed.items():
+        part, _, entry = name.rpartition("__")
+        (data["cutter"][part] if part else data["cutter"])[entry] = value
+    return data
+
+
+def described(description=TEMPLATE.description, **changed):
+    return TEMPLATE.model.model_validate(entries(description, **changed))
+
+
+@pytest.mark.parametrize("length", [180.0, 320.0])
+def test_s5_lengths_and_times(length):
+    """S5, 'Kinematic analysis': L_0 = θ_0 R_t, L_T = θ_T R_t, t_C, t_T, t_R, h."""
+    value = computed(TEMPLATE, described(product_length=length))
+    assert [value(f"fly_{n}") for n in ("l0", "lt", "lr")] == pytest.approx([1e3 * x for x in (L0, LT, L0 - LT)])
+    times = [length / 1e3 / LINE, LT / LINE, (length / 1e3 - LT) / LINE]
+    assert [value(f"fly_{n}") for n in ("tc", "tt", "tr")] == pytest.approx(times, rel=1e-12)
+    assert value("fly_h") == pytest.approx(1e3 * L0 - length, rel=1e-12)
+
+
+@pytest.mark.parametrize("length", [180.0, 320.0])
+def test_s5_equations_10_to_13_and_19(length):
+    """For the cycloidal law: C_v = 2, C_a = 2π, C_a,rms = π√2."""
+    value = computed(TEMPLATE, described(product_length=length))
+    rest, h, whole = length / 1e3 - LT, L0 - length / 1e3, length / 1e3
+    dv, a = 2 * h / rest * LINE, 2 * pi * abs(h) / rest**2 * LINE**2
+    rms = pi * sqrt(2) * abs(h) / rest**2 * sqrt(rest / whole) * LINE**2
+    found = [value(f"fly_{n}") for n in ("dv", "domega", "a", "dw", "a_rms", "dw_rms")]
+    assert found == pytest.approx([dv, dv / RADIUS, a, a / RADIUS, rms, rms / RADIUS], rel=1e-12)
+    beta = 4 * INERTIA * (pi * sqrt(2) * LINE**2 / RADIUS) ** 2 * h**2 / (whole * rest**3)
+    assert value("fly_beta") == pytest.approx(beta, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("length", "case", "does", "row"),
+    [
+        (180.0, "faster", "keeps on", 1),
+        (80 * pi, "in step", "keeps on", 2),
+        (320.0, "slower", "keeps on", 3),
+        (500.0, "slower", "waits", 4),
+    ],
+)
+def test_s5_cases_by_the_sign_of_h(length, case, does, row):
+    value = computed(TEMPLATE, described(product_length=length))
+    assert (value("fly_case"), value("fly_does")) == (case, does)
+    assert value("cases", "here") == ["is here" if k == row else "-" for k in (1, 2, 3, 4)]
+
+
+def test_s5_limit_length_brings_the_drum_to_standstill():
+    value = computed(TEMPLATE, described(product_length=LIMIT * (1 - 1e-12)))
+    assert value("fly_limit") == pytest.approx(LIMIT, rel=1e-12)
+    assert value("fly_low") == pytest.approx(0.0, abs=1e-9)
+
+
+def test_beyond_the_limit_the_drum_waits_or_reverses():
+    waiting = computed(TEMPLATE, described(product_length=600.0, beyond="standstill"))
+    back = computed(TEMPLATE, described(product_length=600.0, beyond="reversal"))
+    assert (waiting("fly_does"), back("fly_does")) == ("waits", "reverses")
+    assert waiting("fly_wait") > 0.0 == back("fly_wait")
+    assert waiting("fly_low") == pytest.approx(0.0, abs=1e-12)
+    assert back("fly_low") < 0.0
+    assert min(waiting("cycle", "v")) == pytest.approx(0.0, abs=1e-12)
+    assert min(back("cycle", "v")) < 0.0
+    assert 2 in waiting("cycle", "part")
+    for value in (waiting, back):
+        assert value("cycle", "s")[-1] == pytest.approx(1e3 * L0, rel=1e-12)
+        assert value("strategies", "does") == ["waits", "reverses"]
+        assert value("strategies", "a") == [waiting("fly_a"), back("fly_a")]
+
+
+def test_the_torque_over_the_cycle_has_the_mean_squares_of_the_cells():
+    """A load torque beside the inertia: T*_L,rms and (ω̇ T*)_mean against the sampled cycle."""
+    machine = entries(load__torque=3.0)
+    machine["sizes"]["cycle"] = 240
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
+    task = sampled_task(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
+    assert value("fly_dw_rms") == pytest.approx(task.acceleration_rms, rel=1e-5)
+    assert value("fly_torque_rms") == pytest.approx(task.torque_rms, rel=1e-5)
+    assert value("fly_mean") == pytest.approx(task.power_rate_mean, rel=1e-4)
+    assert value("fly_beta") == pytest.approx(task.load_factor, rel=1e-4)
+    assert value("fly_w_max") == pytest.approx(task.max_speed, rel=1e-3)
+
+
+def test_at_the_highest_line_speed_the_shaft_is_at_its_first_limit():
+    for limits in ({"speed": 300.0, "acceleration": 1e5}, {"speed": 1e4, "acceleration": 500.0}):
+        value = computed(TEMPLATE, described(limits=limits))
+        at = computed(TEMPLATE, described(limits=limits, line_speed=value("fly_line_max")))
+        reached = at("fly_n") / limits["speed"], at("fly_dw") / limits["acceleration"]
+        assert max(reached) == pytest.approx(1.0, rel=1e-12)
+        assert (at("fly_ok_speed"), at("fly_ok_acceleration")) == ("OK", "OK")
+
+
+def test_lengths_are_the_cuts_of_each_length():
+    value, drum = computed(TEMPLATE, described()), rotary_drum(3, RADIUS, radians(30))
+    cuts = [Cut(drum, length / 1e3, LINE, Cycloidal()) for length in value("lengths", "length")]
+    assert value("lengths", "high") == pytest.approx([c.speed_range[1] for c in cuts], rel=1e-12)
+    assert value("lengths", "a") == pytest.approx([c.max_acceleration for c in cuts], rel=1e-9)
+    beta = [4 * INERTIA * c.rms_angular_acceleration**2 for c in cuts]
+    assert value("lengths", "beta") == pytest.approx(beta, rel=1e-9)
+    assert {"keeps on", "waits"} == set(value("lengths", "does"))
+
+
+@pytest.mark.parametrize("law", MOVING)
+def test_the_stroke_of_a_saw_is_exact_with_every_law(law):
+    machine = entries(SAW, law=law)
+    machine["laws"]["OWN"]["pieces"] = RISING
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
+    engine = TEMPLATE.declare(TEMPLATE.model.model_validate(machine)).blocks["fly_stroke"].quantities[0].value
+    assert value("fly_stroke") == pytest.approx(engine, rel=1e-12)
+    assert (value("fly_limit"), value("fly_does")) == (0, "reverses")
+
+
+def test_the_stroke_of_the_saw_with_constant_acceleration_by_hand():
+    """It brakes with a = 4 L_p/t_R² from v_L to −v, and back: s = v_L²/(2a) forwards, more than L_T behind."""
+    value, line, length, rest = computed(TEMPLATE, described(SAW, law="ACS")), 0.5, 2.0, 3.0
+    a = 4 * length / rest**2
+    forwards = line**2 / (2 * a)
+    assert value("fly_stroke") == pytest.approx(1e3 * (0.5 + 2 * forwards), rel=1e-12)
+
+
+def test_the_saw_has_no_mean_speed_and_needs_its_stroke():
+    value = computed(TEMPLATE, described(SAW))
+    assert value("cycle", "s")[-1] == pytest.approx(0.0, abs=1e-9)
+    assert value("fly_rpm_high") == pytest.approx(750.0, rel=1e-12)
+    assert value("fly_ok_stroke") == "OK"
+    short = computed(TEMPLATE, described(SAW, saw__stroke=850.0))
+    assert (short("fly_ok_stroke"), short("overall")) == ("FAIL", "FAIL")
+    assert flying_saw(0.5, 0.04 / (2 * pi)).radius * 1e3 == pytest.approx(value("fly_r"), rel=1e-12)
+
+
+@pytest.mark.parametrize("law", MOVING)
+@pytest.mark.parametrize("length", [180.0, 900.0])
+def test_pycel_agrees_with_the_engine_in_every_cell(law, length):
+    machine = entries(law=law, product_length=length)
+    machine["laws"]["OWN"]["pieces"] = RISING
+    assert disagreeing(TEMPLATE, TEMPLATE.model.model_validate(machine))[0] == []
+
+
+def test_the_variations_show_every_case_and_fail_every_limit():
+    books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described())]
+
+    def shown(name):
+        return {book.blocks[name].quantities[0].value for book in books}
+
+    assert shown("fly_kind") == {"drum", "saw"}
+    assert shown("fly_law") == set(MOVING)
+    assert shown("fly_case") == {"faster", "in step", "slower"}
+    assert shown("fly_does") == {"keeps on", "waits", "reverses"}
+    for limit in ("speed", "acceleration", "stroke"):
+        assert shown(f"fly_ok_{limit}") == {"OK", "FAIL"}
+
+
+@pytest.mark.parametrize(
+    ("changed", "line"),
+    [
+        ({"product_length": 62.0}, "product_length.*62 mm leaves no time to re-position; expected at least 62.89"),
+        ({"lengths__shortest": 10.0}, "lengths.shortest.*10 mm leaves no time"),
+        ({"lengths__longest": 10.0}, "longest.*10 mm; expected more than the shortest, 150 mm"),
+        ({"drum__tools": 2.5}, "tools.*found 2.5; expected a whole number"),
+        ({"drum__tool_angle": 120.0}, "tool_angle.*in step over 120°; expected less than the 120° between them"),
+        ({"load__inertia": 0.0}, "inertia.*neither an inertia nor a mass"),
+        ({"law": "DWL"}, "law.*found 'DWL'; expected ACS, TVP, .* or OWN"),
+        ({"kind": "knife"}, "kind.*found 'knife'; expected drum or saw"),
+        ({"line_speed": 0.0}, "line_speed.*expected a number greater than 0"),
+    ],
+)
+def test_entries_that_cannot_be_get_one_line(changed, line):
+    with pytest.raises(InputError, match=line):
+        checked(TEMPLATE, entries(**changed), str)
+
+
+@pytest.mark.parametrize(
+    ("pieces", "line"),
+    [
+        ([{"duration": 1.0, "c0": 1.0}], "the law OWN ends at s = 0.5"),
+        ([{"duration": 1.0, "c0": 2.0}], "the law OWN does not begin and end at rest"),
+        ([{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 8.0}], "the law OWN moves backwards"),
+        ([{"duration": 0.25, "c0": s * 8.0} for s in (1, -1, 1, -1)], "the law OWN speeds up more than once"),
+    ],
+)
+def test_an_own_law_that_does_not_do_gets_one_line(pieces, line):
+    data = entries(law="OWN")
+    data["laws"]["OWN"]["pieces"] = pieces
+    with pytest.raises(InputError, match=f"law.*{line}"):
+        checked(TEMPLATE, data, str)
+
+
+@pytest.mark.parametrize("book", [TEMPLATE.book, SAW.with_suffix(".xlsx")], ids=lambda path: path.stem)
+def test_the_committed_books_verify(book):
+    assert verify(book).findings == []

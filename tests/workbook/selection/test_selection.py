@@ -1,0 +1,438 @@
+"""The Selection sheet: the engine's values in its cells, its verdicts, catalogues from CSV files, the round trip."""
+
+import math
+import random
+
+import numpy as np
+import openpyxl
+import pytest
+import tomli_w
+from typer.testing import CliRunner
+
+from engine.choice import rank
+from engine.choice.ratios import accelerating_factor
+from tests.engine.choice.tasks import sampled_task
+from tests.mutation import draw_cutting
+from tests.mutation.draw_selection import vary_selection
+from tests.workbook.cells import computed, disagreeing
+from workbook.build import build, described, inputs
+from workbook.cli import app
+from workbook.errors import InputError, ReadError
+from workbook.judging.verify import verify
+from workbook.laws.shelf import LawShelf
+from workbook.machines.cutting.template import choosing
+from workbook.machines.cutting.view import Cutting
+from workbook.reading.entries import read_machine
+from workbook.selection.catalogue_files import MOTOR_COLUMNS, REDUCER_COLUMNS, read_motors, read_reducers
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
+from workbook.witnesses.pycel.witness import PycelModel
+
+TEMPLATE = TEMPLATES["cutting-machine"]
+MOTORS, REDUCERS = FOLDER / "motors.csv", FOLDER / "reducers.csv"
+MOTOR_HEAD = "name,inertia_kgm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm"
+FALLING = {"max_speed": 1700.0, "full_torque_to": 10.0, "end_torque": 1.0}
+HALF_HEAD = MOTOR_HEAD + ",torque_at_max_speed_Nm"
+REDUCER_HEAD = "name,reduction,efficiency"
+STRONG = [
+    {"name": "small", "inertia": 0.004, "rated_torque": 60.0, "peak_torque": 300.0, "max_speed": 3000.0, "mass": 20.0},
+    {"name": "large", "inertia": 0.02, "rated_torque": 180.0, "peak_torque": 600.0, "max_speed": 3000.0, "mass": 70.0},
+    {"name": "twin", "inertia": 0.02, "rated_torque": 180.0, "peak_torque": 600.0, "max_speed": 3000.0, "mass": 70.0},
+]
+FIVE = STRONG + [STRONG[0] | {"name": name} for name in "ab"]
+OWN_MOTOR = """
+[[selection.motors]]
+name = "own"
+inertia = 1.0
+rated_torque = 1.0
+peak_torque = 2.0
+max_speed = 3.0
+"""
+BOXES = [
+    {"name": "i 5", "reduction": 5.0, "efficiency": 0.95, "inertia": 0.001, "max_torque": 2000.0, "mass": 15.0},
+    {"name": "i 8", "reduction": 8.0, "efficiency": 0.95, "max_torque": 2000.0, "mass": 15.0},
+    {"name": "i 5 weak", "reduction": 5.0, "efficiency": 0.95, "inertia": 0.001, "max_torque": 500.0, "mass": 5.0},
+]
+
+
+def machine(**choice):
+    """The committed cutting machine in small tables, with another choice."""
+    data = read_machine(TEMPLATE.description).model_dump()
+    data["sizes"] |= {"cycle": 72, "law": 4, "own_law": 20, "motors": 4, "reducers": 4}
+    data["selection"] = {"motors": STRONG, "reducers": BOXES} | choice
+    return TEMPLATE.model.model_validate(data)
+
+
+def view(given):
+    shelf = LawShelf(given.laws, given.sizes)
+    return choosing(Cutting(given, shelf.laws))
+
+
+@pytest.mark.parametrize("criterion", ["margin", "inertia match", "size", "cost"])
+@pytest.mark.parametrize("pair", ["best", "chosen"])
+def test_every_cell_agrees_with_the_engine(criterion, pair):
+    given = machine(criterion=criterion, pair=pair, motor="large", reducer="i 8", torque_factor=1.5)
+    assert disagreeing(TEMPLATE, given)[0] == []
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_machines_and_catalogues_agree_too(seed):
+    drawn = random.Random(seed)
+    data = draw_cutting.varied(machine().model_dump(), drawn)
+    vary_selection(data["selection"], data["sizes"], drawn)
+    assert disagreeing(TEMPLATE, TEMPLATE.model.model_validate(data))[0] == []
+
+
+def test_the_committed_catalogues_say_where_each_figure_is_from():
+    for row in (*read_motors(MOTORS), *read_reducers(REDUCERS)):
+        assert row.source, row.name
+    assert len(read_motors(MOTORS)) >= 8
+    assert len(read_reducers(REDUCERS)) >= 8
+
+
+@pytest.mark.parametrize(
+    ("name", "kilowatts_per_second"),
+    [
+        ("Mitsubishi HG-KN13", 12.9),
+        ("Mitsubishi HG-KN73", 44.5),
+        ("Yaskawa SGM7A-15A", 120),
+        ("Yaskawa SGM7A-40A", 165),
+        ("Yaskawa SGM7A-70A", 404),
+        ("Yaskawa SGM7G-20A", 50.9),
+    ],
+)
+def test_motors_have_the_power_rate_that_their_makers_print(name, kilowatts_per_second):
+    """α is what makers call the power rate: printed beside torque and inertia, it shows that both were read right."""
+    motor = next(m for m in read_motors(MOTORS) if m.name == name)
+    alpha = float(accelerating_factor(motor.rated_torque, motor.inertia))
+    assert alpha / 1000 == pytest.approx(kilowatts_per_second, rel=0.02)  # torque is printed with two figures
+
+
+def test_the_committed_machine_finds_a_pair_of_its_catalogues():
+    value = computed(TEMPLATE, read_machine(TEMPLATE.description))
+    assert value("sel_motor_used") == "HDT BH20G (2000 rpm)"
+    assert value("sel_reducer_used") == "Beckhoff AG2400 TP300 MF i=5"
+    assert value("sel_usable") == 1
+    assert [v for v in value("motors", "verdict") if v == "yes"] == ["yes"] * 3
+    assert value("overall") == "OK"
+
+
+def test_beta_of_the_feeding_group_is_its_power_rate():
+    """β = 2 (ω̇_rms T*_rms + J_tot ω̇_rms²), with C_r = 67 Nm always and J_tot = 1.164 kg m² (S1, S5 eq. (15))."""
+    value = computed(TEMPLATE, machine())
+    dw, inertia = value("sel_wrms"), 1.164
+    torque = math.hypot(inertia * dw, 67.0)
+    assert value("sel_trms") == pytest.approx(torque, rel=1e-12)
+    assert value("sel_beta") == pytest.approx(2 * (dw * torque + inertia * dw**2), rel=1e-12)
+
+
+def test_tau_opt_is_the_middle_of_the_range_on_a_logarithmic_scale():
+    value = computed(TEMPLATE, machine(efficiency=0.9))
+    low, high, best = (np.array(value("motors", c)[:3]) for c in ("tau_min", "tau_max", "tau_opt"))
+    assert np.sqrt(low * high) == pytest.approx(best, rel=1e-12)
+
+
+def test_pairs_with_the_reducer_out_of_the_picture_are_those_whose_ratio_lies_in_the_range():
+    boxes = [{"name": f"i {i}", "reduction": float(i), "efficiency": 1.0} for i in (3, 6, 12, 25)]
+    value = computed(TEMPLATE, machine(reducers=boxes))
+    low, high, verdict = (value("motors", c)[:3] for c in ("low", "tau_max", "verdict"))
+    inside = [int(verdict[m] == "yes" and low[m] <= 1 / box["reduction"] <= high[m]) for m in range(3) for box in boxes]
+    assert value("pairs", "usable")[:12] == inside
+    assert 0 < sum(inside) < 12
+
+
+def test_equals_are_ranked_in_the_order_of_the_tables():
+    value = computed(TEMPLATE, machine())
+    best = value("ranking", "motor")
+    assert best.index("large") < best.index("twin")
+    assert value("ranking", "score")[0] == value("ranking", "score")[1]
+
+
+def test_the_ranking_is_the_engines():
+    given = machine(criterion="inertia match")
+    looked = view(given)
+    strong = [b for b in given.selection.reducers if b.max_torque >= looked.torque_needed]
+    assert [b.name for b in strong] == ["i 5", "i 8"]
+    found = rank(looked.task, looked.motors, looked.reducers, "inertia match", output_torque=looked.torque_needed)
+    value = computed(TEMPLATE, given)
+    assert value("sel_count") == len(found) > 0
+    assert value("ranking", "match")[: len(found)] == pytest.approx(found.mismatch.tolist(), rel=1e-12)
+
+
+def test_size_takes_the_lightest_pair():
+    value = computed(TEMPLATE, machine(criterion="size"))
+    assert value("sel_motor_used") == "small"
+    assert value("ranking", "score")[0] == pytest.approx(35.0)
+
+
+def test_a_criterion_without_figures_is_said_in_words():
+    value = computed(TEMPLATE, machine(criterion="cost"))
+    assert value("sel_message") == "no usable pair has the figures for this criterion: choose another one"
+    assert (value("sel_usable") > 0, value("sel_count"), value("sel_motor_used")) == (True, 0, "none")
+    assert value("sel_ok") == "FAIL"
+
+
+def test_no_motor_at_all_is_said_in_words():
+    weak = [row | {"rated_torque": 0.5} for row in STRONG]
+    value = computed(TEMPLATE, machine(motors=weak))
+    assert value("sel_message") == "no motor will do: each is too weak or too slow for this load"
+    assert set(value("motors", "verdict")) == {"too weak", "–"}
+    assert set(value("ranking", "motor")) == {"–"}
+    checks = ("sel_ok", "sel_ok_rms", "sel_ok_peak", "sel_ok_speed", "sel_ok_input", "sel_ok_output")
+    assert {value(name) for name in checks} == {"FAIL"}
+
+
+def test_a_load_at_rest_leaves_nothing_to_select():
+    data = machine().model_dump()
+    for phase in data["timing"]["axes"][0]["phases"]:
+        phase |= {"lift": 0.0, "law": "DWL"}
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
+    assert value("sel_message") == "the load does not accelerate, or has no torque: there is nothing to select"
+    assert value("sel_beta") == 0
+
+
+@pytest.mark.parametrize(
+    ("change", "failing"),
+    [
+        ({"motors": [STRONG[1] | {"rated_torque": 50.0}]}, "sel_ok_rms"),
+        ({"motors": [STRONG[1] | {"peak_torque": 181.0}]}, "sel_ok_peak"),
+        ({"motors": [STRONG[1] | FALLING]}, "sel_ok_peak"),
+        ({"motors": [STRONG[1] | {"max_speed": 1500.0}]}, "sel_ok_speed"),
+        ({"reducers": [BOXES[0] | {"max_speed": 1500.0}]}, "sel_ok_input"),
+        ({"reducers": [BOXES[0] | {"max_torque": 700.0}]}, "sel_ok_output"),
+    ],
+)
+def test_each_check_of_step_7_can_fail(change, failing):
+    choice = {"motors": STRONG, "reducers": BOXES} | change
+    first = {"motor": choice["motors"][0]["name"], "reducer": choice["reducers"][0]["name"]}
+    value = computed(TEMPLATE, machine(pair="chosen", **first, **change))
+    assert value(failing) == "FAIL"
+    assert value("sel_ok") == "OK"
+
+
+def test_the_pair_drives_the_load_as_the_drive_sheet_says():
+    """The same motor, reducer and load: the torque over the cycle is that of the Drive sheet."""
+    data = machine(pair="chosen", motor="large", reducer="i 5").model_dump()
+    data["drive"]["motor"] |= {"inertia": 0.021, "reduction": 5.0, "efficiency": 0.95}
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
+    assert value("pair_cycle", "torque") == pytest.approx(value("drive", "torque"), rel=1e-12, abs=1e-9)
+    assert value("sel_rms") == pytest.approx(value("drive_rms"), rel=1e-12)
+
+
+def test_a_reducer_without_an_inertia_is_named_and_counts_as_none():
+    value = computed(TEMPLATE, machine())
+    assert value("sel_nojt") == 1
+    assert value("pairs", "total")[1] == STRONG[0]["inertia"]
+
+
+@pytest.mark.parametrize(
+    ("change", "line"),
+    [
+        ({"motor": "nobody"}, "selection.motor: no motor is named 'nobody'; expected a name of its table"),
+        (
+            {"motors": [STRONG[0], STRONG[0]]},
+            "selection.motors[2].name (counted from 1): a second motor is named 'small'; expected",
+        ),
+        ({"motors": [STRONG[0] | {"name": "a*"}]}, "selection.motors[1].name (counted from 1): found 'a*'"),
+        ({"motors": FIVE}, "selection.motors: 5 rows do not fit into 4; raise sizes.motors"),
+        ({"motors": [STRONG[0] | {"end_torque": 5.0}]}, "half of the torque–speed curve is empty; expected both"),
+        ({"reducers": [BOXES[0] | {"efficiency": 1.2}]}, "expected a number greater than 0 and at most 1"),
+    ],
+)
+def test_entries_that_cannot_be(change, line, tmp_path):
+    path = tmp_path / "machine.toml"
+    data = machine().model_dump(exclude_none=True)
+    data["selection"] |= change
+    path.write_text(tomli_w.dumps(data))
+    with pytest.raises(InputError) as found:
+        read_machine(path)
+    assert line in str(found.value)
+
+
+def csv(tmp_path, *lines, name="motors.csv"):
+    path = tmp_path / name
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        ([MOTOR_HEAD, "A,0.01,x,3,3000"], "line 2, column rated_torque_Nm: found 'x'; expected a number"),
+        ([MOTOR_HEAD, "A,0.01,2,3,3000", "B,0.01,2,3,"], "line 3, column max_speed_rpm: empty; expected a number"),
+        ([MOTOR_HEAD, "A,-1,2,3,3000"], "line 2, column inertia_kgm2: found -1.0; expected a number greater than 0"),
+        ([MOTOR_HEAD, "=A,1,2,3,3000"], "line 2, column name: found '=A'; expected a text of 1 to 60 characters"),
+        ([MOTOR_HEAD, "A,1,2,3,3000,4"], "line 2: 6 cells; expected 5, as in the head"),
+        ([MOTOR_HEAD + ",colour", "A,1,2,3,3000,red"], "line 1: unknown column 'colour'; expected one of name"),
+        ([MOTOR_HEAD + ",name", "A,1,2,3,3000,B"], "line 1: column name stands there twice"),
+        (["name,inertia_kgm2", "A,1"], "line 1: column rated_torque_Nm is missing"),
+        ([HALF_HEAD, "A,1,2,3,3000,1"], "column full_torque_to_rpm: half of the torque–speed curve is empty"),
+        ([MOTOR_HEAD], "there is no product below the head; expected one a line"),
+    ],
+)
+def test_faults_of_a_catalogue_name_file_line_and_column(lines, expected, tmp_path):
+    path = csv(tmp_path, *lines)
+    with pytest.raises((InputError, ReadError)) as found:
+        read_motors(path)
+    assert str(found.value).startswith(f"{path}: ")
+    assert expected in str(found.value)
+
+
+def test_every_fault_of_a_catalogue_is_told_at_once(tmp_path):
+    path = csv(tmp_path, REDUCER_HEAD, "A,x,0.9", "B,5,1.5", "C,5,0.9")
+    with pytest.raises(InputError) as found:
+        read_reducers(path)
+    assert [line.split(": ")[1] for line in found.value.lines] == [
+        "line 2, column reduction",
+        "line 3, column efficiency",
+    ]
+
+
+@pytest.mark.parametrize("content", [b"\xff\xfe\x00", b""])
+def test_a_file_that_is_no_catalogue(content, tmp_path):
+    path = tmp_path / "motors.csv"
+    path.write_bytes(content)
+    with pytest.raises(ReadError, match=r"expected a (catalogue|head)"):
+        read_motors(path)
+    with pytest.raises(ReadError, match="no such file"):
+        read_motors(tmp_path / "other.csv")
+
+
+def test_semicolons_and_decimal_commas_as_spreadsheets_save_them(tmp_path):
+    plain = csv(tmp_path, MOTOR_HEAD, "A,0.01,2.5,3,3000")
+    other = csv(tmp_path, "\ufeff" + MOTOR_HEAD.replace(",", ";"), "A;0,01;2,5;3;3000", "", name="other.csv")
+    assert read_motors(plain) == read_motors(other)
+
+
+def test_the_columns_are_the_fields_of_the_rows():
+    assert set(MOTOR_COLUMNS.values()) == set(type(read_motors(MOTORS)[0]).model_fields)
+    assert set(REDUCER_COLUMNS.values()) == set(type(read_reducers(REDUCERS)[0]).model_fields)
+
+
+def test_build_takes_catalogues_and_inputs_gives_them_back(tmp_path):
+    motors = csv(
+        tmp_path, MOTOR_HEAD + ",source", "A,0.02,180,600,3000,somewhere", "B,0.004,60,300,3000,", name="m.csv"
+    )
+    reducers = csv(tmp_path, REDUCER_HEAD, "X,5,0.95", "Y,8,0.9", name="r.csv")
+    out = tmp_path / "book.xlsx"
+    options = ["--motors", str(motors), "--reducers", str(reducers), "-o", str(out)]
+    ran = CliRunner().invoke(app, ["build", str(TEMPLATE.description), *options])
+    assert ran.exit_code == 0, ran.output
+    given, notes = inputs(out)
+    assert notes == []
+    assert given.selection.motors == read_motors(motors)
+    assert given.selection.reducers == read_reducers(reducers)
+    assert (given.selection.motor, given.selection.reducer) == ("A", "X")
+    again = tmp_path / "again.xlsx"
+    build(given, again)
+    assert inputs(again)[0] == given
+
+
+def test_catalogues_beside_a_description_are_taken_unless_it_has_its_own(tmp_path):
+    text = TEMPLATE.description.read_text()
+    path = tmp_path / "machine.toml"
+    path.write_text(text)
+    csv(tmp_path, MOTOR_HEAD, "A,0.02,180,600,3000")
+    assert [m.name for m in described(path).selection.motors] == ["A"]
+    assert described(path).selection.torque_factor == 2.0
+    path.write_text(text + OWN_MOTOR)
+    assert [m.name for m in described(path).selection.motors] == ["own"]
+
+
+def test_large_catalogues_get_larger_tables(tmp_path):
+    many = csv(tmp_path, MOTOR_HEAD, *(f"motor {i},0.02,180,600,3000" for i in range(40)))
+    assert described(TEMPLATE.description, motors=many).sizes.motors == 40
+    more = csv(tmp_path, MOTOR_HEAD, *(f"motor {i},0.02,180,600,3000" for i in range(101)))
+    with pytest.raises(InputError, match="101 products; expected at most 100"):
+        described(TEMPLATE.description, motors=more)
+
+
+def test_a_template_without_a_choice_of_motor_says_so():
+    with pytest.raises(InputError, match="motion-composer chooses no motor; --motors cannot be used"):
+        described(TEMPLATES["motion-composer"].description, motors=MOTORS)
+
+
+def test_figure_11_has_a_logarithmic_axis_and_a_line_for_each_product(tmp_path, build_book):
+    book = openpyxl.load_workbook(build_book(machine(), tmp_path / "book.xlsx"))
+    chart = book["Selection"]._charts[0]
+    assert chart.y_axis.scaling.logBase == 10
+    bars = [s.errBars.errDir for s in chart.series if s.errBars]
+    assert bars == ["y", "x"]
+
+
+def test_figure_12_closes_at_alpha_and_goes_through_the_range_at_the_present_load():
+    given = machine(pair="chosen", motor="large", reducer="i 5")
+    value = computed(TEMPLATE, given)
+    beta = np.array(value("figure12", "beta"))
+    low, high = (np.array(value("figure12", c)) for c in ("tau_min", "tau_max"))
+    assert low[-1] == pytest.approx(high[-1], rel=1e-12)
+    assert beta[-1] == pytest.approx(180.0**2 / 0.02, rel=1e-12)
+    now = value("sel_beta")
+    exact = value("motors", "tau_min")[1], value("motors", "tau_max")[1]
+    assert np.interp(now, beta, low) == pytest.approx(exact[0], rel=0.02)
+    assert np.interp(now, beta, high) == pytest.approx(exact[1], rel=0.02)
+
+
+def test_the_exact_task_is_near_that_of_the_samples():
+    looked = view(machine())
+    s, exact = looked.load, looked.task
+    sampled = sampled_task(s.time, s.speed, s.acceleration, s.torque)
+    assert sampled.acceleration_rms == pytest.approx(exact.acceleration_rms, rel=5e-3)
+    assert sampled.torque_rms == pytest.approx(exact.torque_rms, rel=5e-3)
+    assert sampled.power_rate_mean == pytest.approx(exact.power_rate_mean, rel=1e-2)
+
+
+def edited(path, out, *changes):
+    """A copy of a workbook in which the cells beside texts of the Selection sheet hold something else."""
+    book = openpyxl.load_workbook(path)
+    sheet = book["Selection"]
+    for text, down, column, value in changes:
+        row = next(r for r in range(sheet.max_row, 0, -1) if sheet.cell(r, 2).value == text)
+        sheet.cell(row + down, column).value = value
+    book.save(out)
+    return out
+
+
+def test_a_product_typed_into_an_empty_row_is_ranked_and_carried_over(tmp_path, build_book):
+    figures = (("added", 2), (0.004, 4), (400.0, 5), (900.0, 6), (3000.0, 7))
+    book = build_book(machine(), tmp_path / "book.xlsx")
+    changes = [("twin", 1, column, value) for value, column in figures]
+    report = verify(edited(book, tmp_path / "edited.xlsx", *changes))
+    assert report.findings == []
+    given, _ = inputs(tmp_path / "edited.xlsx")
+    assert [m.name for m in given.selection.motors] == ["small", "large", "twin", "added"]
+    assert computed(TEMPLATE, given)("ranking", "motor")[0] == "added"
+
+
+@pytest.mark.parametrize(
+    ("change", "line"),
+    [
+        (("small", 0, 4, -1.0), "(inertia): found -1; expected a number greater than 0"),
+        (("large", 0, 2, "small"), "(motor): a second motor is named 'small'; expected another name"),
+        (("Motor, if chosen", 0, 4, None), "(Motor, if chosen): no motor is named ''; expected a name of its table"),
+        (("twin", 1, 2, "half"), "(inertia): empty; expected a number greater than 0"),
+    ],
+)
+def test_what_cannot_be_in_a_workbook_is_named_by_its_cell(change, line, tmp_path, build_book):
+    book = build_book(machine(pair="chosen", motor="small", reducer="i 5"), tmp_path / "book.xlsx")
+    with pytest.raises(InputError) as found:
+        inputs(edited(book, tmp_path / "edited.xlsx", change))
+    assert "edited.xlsx: Selection!" in str(found.value)
+    assert line in str(found.value)
+
+
+@pytest.mark.parametrize("entry", ["Motor, if chosen", "Reducer, if chosen"])
+def test_a_pair_that_is_not_in_the_tables_shows_words_and_no_errors(entry, tmp_path, build_book):
+    book = build_book(machine(pair="chosen", motor="small", reducer="i 5"), tmp_path / "book.xlsx")
+    edited(book, tmp_path / "edited.xlsx", (entry, 0, 4, "nothing"))
+    values = PycelModel(openpyxl.load_workbook(tmp_path / "edited.xlsx")).evaluate()
+    shown_values = [value for (sheet, _, _), value in values.items() if sheet == "Selection"]
+    assert "choose a motor and a reducer of the tables" in shown_values
+    assert [v for v in shown_values if isinstance(v, str) and v.startswith("#")] == []
+
+
+@pytest.mark.parametrize("template", ["cutting-machine", "actuator-sizing", "flying-cutter"])
+def test_every_template_with_a_load_finds_a_pair(template):
+    book = TEMPLATES[template].declare(read_machine(TEMPLATES[template].description))
+    assert book.blocks["sel_ok"].quantities[0].value == "OK"
+    assert book.blocks["overall"].quantities[0].value == "OK"

@@ -1,0 +1,153 @@
+"""No look-up of any book hangs on less than 1e-9 of ξ or of the abscissa's range.
+
+Spreadsheet programs take numbers for equal that differ in the twelfth decimal (formualizer's MATCH, LibreOffice's =),
+and another processor's sine rounds otherwise: a key so near to what is looked up would give another row there.
+"""
+
+import math
+import re
+from functools import cache
+
+import pytest
+
+from workbook.book.address import Address
+from workbook.book.formula import Area, read, reference
+from workbook.build import build, committed
+from workbook.entries.machine import Machine
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
+from workbook.templates import TEMPLATES
+from workbook.witnesses.formualizer import Formualizer
+
+LEAST = 1e-9
+CALL = re.compile(r"\b(MATCH|INT)\(")
+
+
+def is_number(value):
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def small(values, k):
+    numbers = sorted(value for value in values if is_number(value))
+    return numbers[k - 1] if k <= len(numbers) else None
+
+
+FUNCTIONS = {"MIN": min, "MAX": max, "INT": math.floor, "SMALL": small}
+
+
+def calls(text):
+    """The functions of a formula that look up or cut off, each with its arguments as written."""
+    for found in CALL.finditer(text):
+        arguments, depth, begin, quoted = [], 0, found.end(), False
+        for at in range(found.end(), len(text)):
+            quoted ^= text[at] == '"'
+            depth += 0 if quoted else (text[at] == "(") - (text[at] == ")")
+            if not quoted and (depth < 0 or (depth == 0 and text[at] == ",")):
+                arguments.append(text[begin:at])
+                begin = at + 1
+                if depth < 0:
+                    break
+        yield found[1], arguments
+
+
+@cache
+def compiled(shape):
+    return compile(re.sub(r":B\d+", "", shape[1:]).replace("^", "**"), shape, "eval")
+
+
+class Declared:
+    """What every cell of a book holds or should compute, for expressions of its formulas."""
+
+    def __init__(self, book):
+        self.cells = {Address(c.block.sheet.title, c.row, c.column): c.expected for c in book.cells()}
+        self.names = dict(book.names())
+        self.titles = {sheet.title for sheet in book.sheets}
+
+    def area(self, name, sheet):
+        if name.endswith("!"):
+            return Area(name[:-1], 1, 1, 1, 1, single=True)
+        return reference(self.names[name], sheet, self.area)
+
+    def value(self, text, sheet):
+        """What an expression comes to; of a range, the values of its cells."""
+        formula = read(f"={text}", sheet, self.area)
+        arguments = {f"A{i}": self.argument(a) for i, a in enumerate(formula.arguments, 1)}
+        return eval(compiled(formula.shape), FUNCTIONS, arguments)
+
+    def argument(self, argument):
+        if isinstance(argument, str):
+            return argument
+        values = [self.cells.get(cell) for cell in argument.cells()]
+        return values[0] if argument.single else values
+
+
+def nearest(x, keys):
+    """How near the nearest key lies that would change what is found; a whole number may meet its like."""
+    others = [k for k in keys if is_number(k) and not (k == x == int(x))]
+    return min((abs(k - x) for k in others), default=math.inf)
+
+
+def hanging(book):
+    """The look-ups of a book: by column, the least distance that decides, and the range that it is a part of."""
+    declared, found = Declared(book), {}
+    for cell in book.cells():
+        if cell.quantity.formula is None or not CALL.search(cell.content):
+            continue
+        sheet = cell.block.sheet.title
+        for n, (name, arguments) in enumerate(calls(cell.content)):
+            x = declared.value(arguments[0], sheet)
+            if not is_number(x):
+                continue
+            keys = declared.value(arguments[1], sheet) if name == "MATCH" else [math.floor(x), math.floor(x) + 1]
+            shares = name == "INT" or "piece_key" in arguments[1]
+            column = found.setdefault((cell.block.name, cell.quantity.name, n), ([], [], shares))
+            column[0].append(nearest(x, keys) if name == "MATCH" else min(abs(k - x) for k in keys))
+            column[1].append(x)
+    return {key: (min(d), 1.0 if shares else max(x) - min(x)) for key, (d, x, shares) in found.items()}
+
+
+@pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
+def test_no_look_up_hangs_on_less_than_a_billionth(description):
+    machine = read_machine(description)
+    template = TEMPLATES[machine.template]
+    for entered in (machine, *template.variants(machine)):
+        found = hanging(template.declare(entered))
+        assert {key: pair for key, pair in found.items() if not pair[0] >= LEAST * pair[1]} == {}
+        assert len(found) >= 8
+
+
+@pytest.mark.parametrize(
+    ("x", "keys", "near"),
+    [
+        (3, [1, 2, 3], 1),
+        (3.0, [1, 3, 4], 1.0),
+        (2.5, [1.5, 2.5], 0.0),
+        (0.5 + 1e-12, [0.0, 0.5, 1.0], pytest.approx(1e-12, rel=1e-3)),
+        (3, ["3", "–", None], math.inf),
+    ],
+)
+def test_how_near_a_key_lies(x, keys, near):
+    assert nearest(x, keys) == near
+
+
+def test_arguments_of_a_call_are_told_apart():
+    assert list(calls('=IF(A1=",)",MATCH(MIN(A1,2),B1:B9,1)-1,INT(A2/2))')) == [
+        ("MATCH", ["MIN(A1,2)", "B1:B9", "1"]),
+        ("INT", ["A2/2"]),
+    ]
+
+
+def scaled(duration):
+    """The committed composed motion, in so much of its abscissa."""
+    data = read_machine(TEMPLATES["motion-composer"].description).model_dump()
+    whole = sum(phase["duration"] for phase in data["motion"]["phases"])
+    for phase in data["motion"]["phases"]:
+        phase["duration"] *= duration / whole
+    return TEMPLATES["motion-composer"].model.model_validate(data)
+
+
+@pytest.mark.parametrize("total", [1.0, 0.25, 1e-3, 1e-6])
+def test_a_motion_of_any_length_is_computed_by_formualizer_too(total, tmp_path):
+    machine: Machine = scaled(total)
+    build(machine, tmp_path / "book.xlsx")
+    assert verify(tmp_path / "book.xlsx", [Formualizer.name]).findings == []

@@ -1,0 +1,119 @@
+"""Each witness agrees with the engine, and notices a corrupted formula and, where it reads them, corrupted values."""
+
+import re
+import zipfile
+
+import pytest
+
+from tests.mutation.bench import sized
+from workbook.build import build
+from workbook.build import inputs as read_inputs
+from workbook.errors import MotionbookError
+from workbook.judging.matching import Match
+from workbook.judging.verify import verify
+from workbook.reading.files import open_book
+from workbook.templates import TEMPLATES
+from workbook.witnesses import WITNESSES
+
+
+@pytest.fixture(scope="module", params=TEMPLATES)
+def book(request, tmp_path_factory):
+    """A small book of each template."""
+    path = tmp_path_factory.mktemp("book") / "book.xlsx"
+    build(sized(TEMPLATES[request.param]), path)
+    return path
+
+
+def a_result(book):
+    """Where a book has a number that a formula computes, and which."""
+    file = open_book(book)
+    declared = TEMPLATES[file.value(file.places["book_template"].cell(0, 0))].declare(read_inputs(book)[0])
+    for pair in Match(file, declared).pairs:
+        if pair.declared_formula and isinstance(pair.cell.expected, float) and pair.cell.expected != 0:
+            return pair.address, pair.cell.expected
+    raise AssertionError(f"{book}: no formula computes a number")
+
+
+def changed(book, path, address, pattern, replacement):
+    """A copy of ``book`` with ``pattern`` replaced within one cell's XML."""
+    number = open_book(book).workbook.sheetnames.index(address.sheet) + 1
+    with zipfile.ZipFile(book) as old, zipfile.ZipFile(path, "w") as new:
+        for name in old.namelist():
+            data = old.read(name)
+            if name == f"xl/worksheets/sheet{number}.xml":
+                cell = re.search(rb'<c r="%s".*?</c>' % address.a1.encode(), data)[0]
+                other, count = re.subn(pattern, replacement, cell)
+                assert count == 1
+                data = data.replace(cell, other)
+            new.writestr(name, data)
+    return path
+
+
+COMPUTING = [name for name in WITNESSES if name != "saved"]
+
+
+def test_the_witnesses_agree_and_say_their_versions(book):
+    report = verify(book, list(WITNESSES))
+    assert report.findings == []
+    assert [ran.name for ran in report.witnesses] == list(WITNESSES)
+    assert [ran.name for ran in report.witnesses if ran.version is None] == []
+    assert {ran.compared for ran in report.witnesses} == {report.compared}
+    assert report.compared == report.declared > 1000
+
+
+def test_each_witness_computes_a_corrupted_formula_and_is_not_misled_by_the_saved_value(book, tmp_path):
+    address, right = a_result(book)
+    path = changed(book, tmp_path / "b.xlsx", address, rb"<f>(.*?)</f>", rb"<f>1.25*(\1)</f>")
+    report = verify(path, list(WITNESSES))
+    found = [f for f in report.findings if (f.sheet, f.cell) == (address.sheet, address.a1)]
+    assert found[0].kind == "formula"
+    assert {(f.kind, f.witness) for f in found[1:]} == {("value", name) for name in COMPUTING}
+    assert [f.computed for f in found[1:]] == pytest.approx([1.25 * right] * len(COMPUTING), rel=1e-12)
+    assert len(report.witnesses) == len(WITNESSES)
+
+
+def test_a_corrupted_saved_value_misleads_no_witness_and_is_found_beside_each(book, tmp_path):
+    """LibreOffice has its say in the test above: the saved value that it must not take is the right one there."""
+    address, right = a_result(book)
+    path = changed(book, tmp_path / "b.xlsx", address, rb"(<v ?>).*?(</v>)", rb"\g<1>%a\g<2>" % (1.25 * right))
+    report = verify(path, [name for name in WITNESSES if name != "libreoffice"])
+    (found,) = report.findings
+    assert (found.kind, found.witness, found.expected, found.cell) == ("saved", "saved", right, address.a1)
+    assert found.computed == pytest.approx(1.25 * right, rel=1e-12)
+
+
+@pytest.fixture(scope="module")
+def cutting(tmp_path_factory):
+    """A small book of the cutting machine."""
+    path = tmp_path_factory.mktemp("cutting") / "book.xlsx"
+    build(sized(TEMPLATES["cutting-machine"]), path)
+    return path
+
+
+def test_saved_refuses_a_file_that_was_never_calculated(cutting, tmp_path):
+    import openpyxl
+
+    path = tmp_path / "b.xlsx"
+    openpyxl.load_workbook(cutting).save(path)
+    report = verify(path, ["pycel", "saved"])
+    assert [f.kind for f in report.findings] == ["witness"]
+    assert "no saved values" in report.findings[0].computed
+
+
+def test_an_unknown_witness_is_refused(cutting):
+    with pytest.raises(MotionbookError, match="expected " + ", ".join(WITNESSES)):
+        verify(cutting, ["excel"])
+
+
+def test_error_values_volatile_functions_and_foreign_formulas_are_told(cutting, tmp_path):
+    import openpyxl
+
+    opened = openpyxl.load_workbook(cutting)
+    sheet = opened.create_sheet("Mine")
+    sheet["A1"], sheet["A2"], sheet["A3"], sheet["A4"] = "=1/0", "=Timing!D8*2", "#REF!", "=NOW()"
+    opened.save(tmp_path / "b.xlsx")
+    report = verify(tmp_path / "b.xlsx")
+    assert {(f.sheet, f.cell, f.kind) for f in report.findings} == {
+        ("Mine", "A1", "error"), ("Mine", "A3", "error"), ("Mine", "A4", "function"),
+    }  # fmt: skip
+    assert report.unmatched == ["Mine!A1", "Mine!A2", "Mine!A4"]

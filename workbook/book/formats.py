@@ -1,0 +1,33 @@
+"""How numbers are shown: the format of a quantity's cells."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from workbook.book.quantity import Quantity
+
+
+def sample(q: Quantity) -> Any:
+    """Return the value by whose size all cells of a quantity are shown: the only one, or the greatest of them."""
+    one = q.format or isinstance(q.value, str) or not hasattr(q.value, "__len__")
+    return q.value if one else peak(list(q.value))
+
+
+def peak(values: list[Any]) -> Any:
+    """Return the number of largest size among ``values``, or the first of them."""
+    numbers = [v for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
+    return max(numbers, key=abs) if numbers else (values[0] if values else None)
+
+
+def number_format(q: Quantity, value: Any) -> str:
+    """Return the format of a quantity: its own, or decimals that suit the size of its values."""
+    if q.format:
+        return q.format
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return "General"
+    if isinstance(value, int):
+        return "0"
+    size = abs(value)
+    if size and (size < 1e-3 or size >= 1e6):
+        return "0.000E+00"
+    return "0.0000" if size < 10 else "0.000" if size < 1000 else "0.0"

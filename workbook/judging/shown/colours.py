@@ -1,0 +1,128 @@
+"""The colours of a cell as a program paints them: to tell a text that cannot be seen, and a green from a red."""
+
+from __future__ import annotations
+
+from colorsys import hls_to_rgb, rgb_to_hls
+from typing import Any, NamedTuple
+from xml.etree.ElementTree import ParseError, fromstring
+
+from openpyxl import Workbook
+from openpyxl.styles.colors import COLOR_INDEX
+
+BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+UNSEEN = 1.3  # contrast below which a text is taken for hidden; ours have 2.5 and more
+GREEN = (75 / 360, 165 / 360)  # hues
+COLOURED = 0.2  # saturation and depth from which a colour is one
+THEME = ("lt1", "dk1", "lt2", "dk2", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "hlink")
+OFFICE = dict(zip(THEME, ("FFFFFF", "000000", "EEECE1", "1F497D", "4F81BD", "C0504D", "9BBB59", "8064A2", "4BACC6",
+                          "F79646", "0000FF"), strict=True))  # fmt: skip
+
+Colour = tuple[float, float, float]
+
+
+class Look(NamedTuple):
+    """Ink and ground of a cell; None for what cannot be told, such as a gradient."""
+
+    ink: Colour | None
+    ground: Colour | None
+
+    @property
+    def unseen(self) -> bool:
+        """Whether a text in this ink cannot be seen on this ground."""
+        return self.ink is not None and self.ground is not None and contrast(self.ink, self.ground) < UNSEEN
+
+    @property
+    def green(self) -> bool:
+        """Whether it looks like a check that passes: on green, or in green ink on no colour."""
+        if self.ground is not None and coloured(self.ground):
+            return is_green(self.ground)
+        return self.ink is not None and coloured(self.ink) and is_green(self.ink)
+
+
+class Palette:
+    """The colours of a workbook: of its theme, and its indexed ones."""
+
+    def __init__(self, workbook: Workbook) -> None:
+        self._theme = OFFICE | theme_of(workbook.loaded_theme)
+
+    def colour(self, found: Any, otherwise: Colour | None) -> Colour | None:
+        """Return a colour of openpyxl's; ``otherwise`` where there is none, or the program's own is meant."""
+        if found is None:
+            return otherwise
+        if found.type == "rgb" and isinstance(found.rgb, str):
+            return tinted(parsed(found.rgb[-6:]), found.tint)
+        if found.type == "theme" and found.theme is not None and 0 <= found.theme < len(THEME):
+            return tinted(parsed(self._theme[THEME[found.theme]]), found.tint)
+        if found.type == "indexed" and found.indexed is not None and 0 <= found.indexed < len(COLOR_INDEX):
+            return parsed(COLOR_INDEX[found.indexed][-6:])
+        return otherwise
+
+    def ground(self, fill: Any, otherwise: Colour | None, conditional: bool = False) -> Colour | None:
+        """Return the colour of a fill; of a conditional format's, the background is the one that is seen."""
+        if fill is None:
+            return otherwise
+        if not hasattr(fill, "patternType"):  # a gradient
+            return None
+        kind = fill.patternType
+        if conditional and kind in (None, "solid"):
+            unset = fill.bgColor is None or (fill.bgColor.type == "rgb" and fill.bgColor.rgb == "00000000")
+            return self.colour(fill.fgColor if unset and kind else None if unset else fill.bgColor, otherwise)
+        if kind is None or kind == "none":
+            return otherwise
+        return self.colour(fill.fgColor, None) if kind == "solid" else None
+
+
+def theme_of(data: bytes | None) -> dict[str, str]:
+    """Return the colours that a theme defines."""
+    try:
+        root = fromstring(data) if data else None
+    except ParseError:
+        root = None
+    colours = {}
+    for element in root.iter() if root is not None else ():
+        name = element.tag.rpartition("}")[2]
+        if name in OFFICE and len(element):
+            given = element[0].get("lastClr") or element[0].get("val") or ""
+            if len(given) == 6:
+                colours[name] = given
+    return colours
+
+
+def parsed(text: str) -> Colour | None:
+    """Return a colour written in six digits."""
+    try:
+        red, green, blue = (int(text[i : i + 2], 16) / 255 for i in (0, 2, 4))
+    except ValueError:
+        return None
+    return red, green, blue
+
+
+def tinted(colour: Colour | None, tint: float) -> Colour | None:
+    """Return a colour made lighter, or darker by a tint below 0."""
+    if colour is None or not tint:
+        return colour
+    hue, light, saturation = rgb_to_hls(*colour)
+    light = light * (1 + tint) if tint < 0 else light * (1 - tint) + tint
+    return hls_to_rgb(hue, min(max(light, 0.0), 1.0), saturation)
+
+
+def luminance(colour: Colour) -> float:
+    """Return the relative luminance (WCAG 2.1)."""
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one: Colour, other: Colour) -> float:
+    """Return the contrast of two colours, from 1 to 21 (WCAG 2.1)."""
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def coloured(colour: Colour) -> bool:
+    """Whether a colour is more than a grey, a white or a black."""
+    return max(colour) - min(colour) >= COLOURED / 2 and rgb_to_hls(*colour)[2] >= COLOURED
+
+
+def is_green(colour: Colour) -> bool:
+    """Whether a colour is a green."""
+    return GREEN[0] <= rgb_to_hls(*colour)[0] <= GREEN[1]

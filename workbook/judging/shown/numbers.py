@@ -1,0 +1,51 @@
+"""Whether each declared cell displays the number or the text that it has."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from workbook.book.formats import number_format, sample
+from workbook.judging.matching import Match, Pair
+from workbook.judging.report import Report
+from workbook.judging.shown.conditional import Rules
+from workbook.judging.shown.formats import plain, problem
+from workbook.reading.contents import Cells
+
+
+def numbers(match: Match, values: Cells, rules: dict[str, Rules], report: Report) -> None:
+    """Enter the cells whose number format tells something else than their values."""
+    sheets = {sheet.title: sheet for sheet in match.file.workbook.worksheets}
+    zeros = {title for title, sheet in sheets.items() if sheet.sheet_view.showZeros is False}
+    codes: dict[int, str] = {}
+    for pair in match.pairs:
+        cell = match.file.cell(pair.address)
+        if cell is None:
+            continue
+        key = getattr(cell, "_style").numFmtId  # noqa: B009 - the stubs hide it; number_format looks it up each time
+        code = codes.get(key)
+        if code is None:
+            code = codes[key] = cell.number_format
+        title = pair.address.sheet
+        conditional = rules[title].formats
+        if plain(code) and title not in zeros and not conditional:
+            continue
+        value = values.get(pair.address, pair.held)
+        said = "hidden with all zeros" if value == 0 and value is not False and title in zeros else ""
+        said = said or wrong(pair, value, code)
+        for held in rules[title].formats_of(pair.address, value):
+            said = said or wrong(pair, value, held)
+        if said:
+            report.say(pair.address, "shown", f"{shown(value)}, {said}", shown(value), pair.what)
+
+
+def wrong(pair: Pair, value: Any, code: str) -> str:
+    """Return what is wrong with how a declared cell shows a value by a number format."""
+    if plain(code):
+        return ""
+    q = pair.cell.quantity
+    return problem(value, code, q.format or number_format(q, sample(q)), q.unit)
+
+
+def shown(value: Any) -> str:
+    """Return a value in short."""
+    return f"{value:.6g}" if isinstance(value, float) else str(value)

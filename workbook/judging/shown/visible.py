@@ -1,0 +1,116 @@
+"""Whether the verdicts of a book can be seen, and look like what they say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from openpyxl.utils import column_index_from_string
+from openpyxl.worksheet.worksheet import Worksheet
+
+from workbook.book.address import Address
+from workbook.judging.matching import Match, Pair
+from workbook.judging.report import NOTICE, OK, Report
+from workbook.judging.shown.colours import BLACK, WHITE, Look, Palette
+from workbook.judging.shown.conditional import Rules
+from workbook.reading.contents import Cells
+
+FAIL = "FAIL"
+LEAST_WIDTH, LEAST_HEIGHT, LEAST_SIZE = 1.0, 3.0, 3.0  # characters; points of a row and of a font
+
+
+def visible(match: Match, values: Cells, rules: dict[str, Rules], report: Report) -> None:
+    """Enter verdicts that are hidden, or coloured as what they do not say; and as notices, what else is hidden."""
+    sheets = {sheet.title: sheet for sheet in match.file.workbook.worksheets}
+    shadows = {title: Hidden(sheet) for title, sheet in sheets.items()}
+    ours = {pair.address.sheet for pair in match.pairs}
+    for title, hidden in shadows.items():
+        if hidden.sheet and title in ours:
+            report.say(Address(title, 1, 1), NOTICE, "hidden", "shown", f"the sheet {title}")
+    palette = Palette(match.file.workbook)
+    for pair, overall in verdicts(match):
+        title, value = pair.address.sheet, values.get(pair.address, pair.cell.expected)
+        fails = value != OK
+        cell = match.file.cell(pair.address)
+        base = Look(BLACK, WHITE) if cell is None else look(cell, palette)
+        now, always = painted(rules[title], pair.address, value, base, palette)
+        said = shadows[title].said(pair.address) or ("written in the colour of its ground" if now.unseen else "")
+        said = said or ("written too small to be seen" if cell is not None and tiny(cell) else "")
+        if said and (fails or overall):
+            report.say(pair.address, "shown", f"{value}, {said}", f"{value}, in sight", pair.what)
+        elif said:
+            report.say(pair.address, NOTICE, f"{value}, {said}", "in sight", pair.what)
+        elif shadows[title].sheet and fails:
+            report.say(pair.address, "shown", f"{value}, on a hidden sheet", f"{value}, in sight", pair.what)
+        elif fails and now.green:
+            report.say(pair.address, "shown", f"{value}, coloured as passed", f"{value}", pair.what)
+        elif always:
+            report.say(pair.address, "shown", "a rule colours FAIL as passed", "a colour of its own", pair.what)
+
+
+def verdicts(match: Match) -> Iterator[tuple[Pair, bool]]:
+    """Yield each cell that says OK or FAIL, with whether it says it of the whole book."""
+    heads = {"overall", *(f"status{n}" for n in range(1, len(match.declared.sheets) + 1))}
+    listed = ("checks", "verdict")
+    for pair in match.pairs:
+        q, block = pair.cell.quantity, pair.cell.block
+        if q.role == "check" or (block.name, q.name) == listed:
+            yield pair, block.name in heads
+
+
+class Hidden:
+    """What of a sheet is not shown: the sheet, rows, columns."""
+
+    def __init__(self, sheet: Worksheet) -> None:
+        self.sheet = sheet.sheet_state != "visible"
+        self._rows = {number: short(row) for number, row in sheet.row_dimensions.items()}
+        self._columns: dict[int, bool] = {}
+        for letter, column in sheet.column_dimensions.items():
+            first = column.min or column_index_from_string(letter)
+            narrow = bool(column.hidden) or (column.width is not None and column.width < LEAST_WIDTH)
+            self._columns |= dict.fromkeys(range(first, (column.max or first) + 1), narrow)
+        form = sheet.sheet_format
+        low = form.defaultRowHeight is not None and form.defaultRowHeight < LEAST_HEIGHT
+        self._other_rows = bool(form.zeroHeight) or low
+        self._other_columns = form.defaultColWidth is not None and form.defaultColWidth < LEAST_WIDTH
+
+    def said(self, at: Address) -> str:
+        """Return why a cell is not shown; nothing where it is."""
+        if self._rows.get(at.row, self._other_rows):
+            return "in a hidden row"
+        return "in a hidden column" if self._columns.get(at.column, self._other_columns) else ""
+
+
+def short(row: Any) -> bool:
+    """Whether a row is hidden, or as good as that."""
+    return bool(row.hidden) or (row.height is not None and row.height < LEAST_HEIGHT)
+
+
+def tiny(cell: Any) -> bool:
+    """Whether a cell's text is too small to be read."""
+    return cell.has_style and cell.font.sz is not None and cell.font.sz < LEAST_SIZE
+
+
+def look(cell: Any, palette: Palette) -> Look:
+    """Return ink and ground of a cell by its own style."""
+    if not cell.has_style:
+        return Look(BLACK, WHITE)
+    return Look(palette.colour(cell.font.color, BLACK), palette.ground(cell.fill, WHITE))
+
+
+def painted(rules: Rules, at: Address, value: Any, base: Look, palette: Palette) -> tuple[Look, bool]:
+    """Return the look of a cell with its value, and whether some rule would certainly show FAIL as passed."""
+    now = over(base, [rule for rule, _ in rules.on(at, value)], palette)
+    passing = [rule for rule, _ in rules.on(at, OK)]
+    failing = [rule for rule, certain in rules.on(at, FAIL) if certain and rule not in passing]
+    return now, bool(failing) and over(Look(BLACK, WHITE), failing, palette).green
+
+
+def over(base: Look, rules: list[Any], palette: Palette) -> Look:
+    """Return a look with rules laid over it, of which the first that names a colour has its way."""
+    ink, ground = base
+    for rule in reversed(rules):
+        if rule.dxf is not None:
+            ink = palette.colour(rule.dxf.font.color, ink) if rule.dxf.font else ink
+            ground = palette.ground(rule.dxf.fill, ground, conditional=True)
+    return Look(ink, ground)

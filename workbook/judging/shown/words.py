@@ -1,0 +1,156 @@
+"""Labels, symbols, units and headings: whether each cell is still called what it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal, NamedTuple
+
+from workbook.book.address import Address, Place
+from workbook.book.declare import FIRST, Block, Sheet, Text
+from workbook.judging.matching import MOST_BETWEEN, Match
+from workbook.judging.report import NOTICE, Report
+from workbook.judging.shown import units
+
+Kind = Literal["label", "symbol", "unit", "header", "units", "equation", "note"]
+ABOVE = ("header", "units", "equation")
+QUIET = ("equation", "note")  # reworded, these are nobody's concern; exchanged, they are
+HEADINGS = ("heading", "subheading")
+NEAR = 4  # cells to the right in which a unit is looked for, should a column have been inserted
+
+
+class Word(NamedTuple):
+    """A declared text that says what a cell is: of a row, or of a column of a table."""
+
+    text: Text
+    block: Block
+    what: str
+
+
+def words(match: Match, report: Report) -> None:
+    """Enter texts that say something else of a cell, and as notices those that are reworded or gone."""
+    named = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
+    for sheet in match.declared.sheets:
+        known = [word for word in declared(sheet) if word.block.name in match.file.places]
+        texts: dict[str, set[str]] = {}
+        for word in known:
+            texts.setdefault(word.text.style, set()).add(word.text.text)
+        for word in known:
+            place = match.file.places[word.block.name]
+            if (place.sheet, place.cell(0, 0).a1) not in named:
+                judge(match, word, place, texts[word.text.style], report)
+        headings(match, sheet, report)
+
+
+def declared(sheet: Sheet) -> Iterator[Word]:
+    """Yield the texts of a sheet that say what its cells are."""
+    rows = {block.row: block for block in sheet.blocks if not block.is_table}
+    tables = sorted((block for block in sheet.blocks if block.is_table), key=lambda block: block.row)
+    for text in sheet.texts:
+        if text.text and text.style in ABOVE:
+            block = next(
+                (b for b in tables if 0 < b.row - text.row <= NEAR and text.column in b.columns.values()), None
+            )
+            if block is not None:
+                yield Word(text, block, f"{block.title}, {text.style}")
+        elif text.text and text.style in ("label", "symbol", "unit", "note") and text.row in rows and not text.link:
+            block = rows[text.row]
+            if text.column in range(FIRST, block.column + 3):
+                yield Word(text, block, f"{text.style} of {block.quantities[0].label}")
+
+
+def judge(match: Match, word: Word, place: Place, others: set[str], report: Report) -> None:
+    """Enter what is wrong with one text."""
+    style, expected = word.text.style, word.text.text
+    near = around(match, word, place)
+    if any(same(match.file.value(at), expected) for at in near):
+        return
+    held = match.file.value(near[0])
+    found = "" if held is None else str(held)
+    kind = NOTICE
+    if style in ("unit", "units"):
+        kind = unit_kind(style, found, expected, others)
+    elif any(same(found, other) for other in others):
+        kind = "shown"
+    if kind == "shown" or (kind == NOTICE and style not in QUIET):
+        report.say(near[0], kind, found or None, expected, word.what)
+
+
+def unit_kind(style: str, found: str, expected: str, others: set[str]) -> str:
+    """Return of which kind a changed unit is; a column's stands in brackets behind its symbol. Nothing for the same."""
+    if style == "units":
+        symbol, unit = parted(found)
+        ours, expected = parted(expected)
+        if symbol != ours and any(parted(other)[0] == symbol for other in others):
+            return "shown"
+        stands = units.compared(unit, expected)
+        return "shown" if stands == "other" else NOTICE if symbol != ours or stands == "reworded" else ""
+    return {"other": "shown", "reworded": NOTICE, "same": ""}[units.compared(found, expected)]
+
+
+def parted(text: str) -> tuple[str, str]:
+    """Return symbol and unit of ``s [mm]``."""
+    symbol, _, unit = text.partition("[")
+    return " ".join(symbol.split()), unit.strip().removesuffix("]").strip()
+
+
+def around(match: Match, word: Word, place: Place) -> list[Address]:
+    """Return where a text may stand: first where it stood, then where inserted rows or columns have moved it."""
+    text, block = word.text, word.block
+    at = place.cell(text.row - block.row, text.column - block.column)
+    if text.style in ABOVE:
+        up = range(1, min(MOST_BETWEEN + NEAR, place.row))
+        return [at, *(Address(place.sheet, place.row - n, at.column) for n in up)] if at.row > 0 else [place.cell(0, 0)]
+    if text.column < block.column:
+        left = [Address(place.sheet, place.row, column) for column in range(1, place.column)]
+        return [at, *left] if at.column > 0 else [*left, place.cell(0, 0)]
+    return [at, *(place.cell(0, n) for n in range(1, NEAR + 1))]
+
+
+def same(held: object, expected: str) -> bool:
+    """Whether a cell holds a text, however its lines and spaces are broken."""
+    return isinstance(held, str) and held.split() == expected.split()
+
+
+def headings(match: Match, sheet: Sheet, report: Report) -> None:
+    """Enter headings that stand over another part of their sheet, and as notices those that are gone."""
+    title = next((match.file.places[b.name].sheet for b in sheet.blocks if b.name in match.file.places), None)
+    if title is None:
+        return
+    rows = rows_of(match, title)
+    blocks = sorted(sheet.blocks, key=lambda block: block.row)
+    for text in sheet.texts:
+        if text.style not in HEADINGS or not text.text:
+            continue
+        low, high = bounds(match, blocks, text.row)
+        held = rows.get(" ".join(text.text.split()), [])
+        if len(held) <= sum(same(text.text, t.text) for t in sheet.texts if t.style not in HEADINGS):
+            held = []  # what is there stands for something else
+        if not any(low < row < high for row in held):
+            at = Address(title, held[0] if held else max(low + 1, 1), text.column)
+            found = "over another part" if held else None
+            report.say(
+                at, "shown" if held else NOTICE, found, f"over {below(blocks, text.row)}", f"heading {text.text!r}"
+            )
+
+
+def bounds(match: Match, blocks: list[Block], row: int) -> tuple[int, float]:
+    """Return the rows of the file between which a heading belongs: below the block before it, above the next."""
+    places = match.file.places
+    low = max((places[b.name].row for b in blocks if b.row < row and b.name in places), default=0)
+    high = min((places[b.name].row for b in blocks if b.row > row and b.name in places), default=float("inf"))
+    return low, high
+
+
+def below(blocks: list[Block], row: int) -> str:
+    """Return in words what stands below a row."""
+    block = next((b for b in blocks if b.row > row), None)
+    return "nothing" if block is None else block.title or block.quantities[0].label
+
+
+def rows_of(match: Match, title: str) -> dict[str, list[int]]:
+    """Return the rows in which each text of a sheet stands."""
+    found: dict[str, list[int]] = {}
+    for (row, _), cell in match.file.workbook[title]._cells.items():
+        if cell.data_type == "s" and isinstance(cell.value, str):
+            found.setdefault(" ".join(cell.value.split()), []).append(row)
+    return found
