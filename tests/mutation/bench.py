@@ -124,7 +124,8 @@ class Bench:
         """Return what ``verify`` reports of the book with the mutant in it."""
         report = Report(self.file.path, self.template.name)
         with self.holding(mutant):
-            judge(self.file, self.template, self.machine, report, shapes=shapes)
+            file = BookFile(self.file.path, self.workbook, self.file.places)  # a file is read once: this is another
+            judge(file, self.template, self.machine, report, shapes=shapes)
         return report
 
     @contextmanager
