@@ -27,8 +27,9 @@ from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses import by_cell
+from workbook.writing.place import refuse_existing, replace
 from workbook.writing.same import same_book
-from workbook.writing.write import refuse_existing, replace, save
+from workbook.writing.write import save
 
 READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
 
@@ -61,7 +62,7 @@ def described(path: Path, motors: Path | None = None, reducers: Path | None = No
         return machine
     for entry, file in named.items():
         beside = path.parent / f"{entry}.csv"
-        if file is None and entry not in choice.model_fields_set and beside.is_file():
+        if file is None and entry not in choice.model_fields_set and beside.exists():
             named[entry] = beside
     return with_catalogues(machine, choice, named, str(path))
 
@@ -95,8 +96,7 @@ def inputs(path: Path) -> tuple[Machine, list[str]]:
 
 def write_inputs(machine: Machine, path: Path, overwrite: bool = False) -> None:
     """Write a machine description, whole or not at all; raise WriteError as :func:`build` does."""
-    refuse_existing(path, overwrite)
-    replace(path, lambda draft: write_text(draft, write_machine(machine)))
+    replace(path, lambda draft: write_text(draft, write_machine(machine)), overwrite)
 
 
 def write_text(path: Path, text: str) -> None:
