@@ -227,6 +227,8 @@ def test_the_folder_is_left_as_it_was(folder):
 
 
 TELLING = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell lets what runs in its background ignore it
 from workbook import cli
 from workbook.judging import many
 verify_many = many.verify_many

@@ -23,13 +23,13 @@ VALUES = [
     "A1", "A0", "XFD1048576", "XFE1", "A1:XFD1048576", "A1048577", "ZZZZ9", "$A$1", "#REF!", "#N/A", "#DIV/0!",
     "=1+1", "=1/0", "=A1", "TRUE", "true", "null", "2026-01-31T12:00:00", "2026-13-41", "s", "e", "b", "d", "n", "str",
     "inlineStr", "shared", "array", "dataTable", "rId1", "rId999", "../../../etc/passwd", "/xl/worksheets/sheet1.xml",
-    "http://localhost/x", "file:///etc/passwd", "[1]Sheet1!A1", "Timing!$A$1", "Nowhere!$A$1:$B$2", "&#0;", "&#x1F;",
+    "http://localhost/x", "file:///etc/passwd", "[1]Sheet1!A1", "Motion!$A$1", "Nowhere!$A$1:$B$2", "&#0;", "&#x1F;",
     "&lol;", "\u202e", "\U0001f600", "\ufffe", "%s%n", "((((", "))))", '""""', "'", "!", "A" * 40_000,
 ]  # fmt: skip
 FORMULAS = [
     "A1", "1/0", "SUM(A:A)", "SUM(1:1048576)", "SUM(A1:XFD1048576)", "INDEX(A1,9,9)", "NOSUCH(1)", "(" * 500, "@A1",
     "-" * 3000 + "1", "1" + "+1" * 3000, "(" * 300 + "1" + ")" * 300, "IF(" * 80 + "1" + ")" * 80, "9^9^9^9", "10^400",
-    'REPT("x",1E6)', "[1]Other!A1", "Timing!A1#", "{1,2;3,4}", "A1 B1", "A1:A2:A3", '__import__("os")', '"unclosed',
+    'REPT("x",1E6)', "[1]Other!A1", "Motion!A1#", "{1,2;3,4}", "A1 B1", "A1:A2:A3", '__import__("os")', '"unclosed',
     'HYPERLINK("http://x")', 'INDIRECT("A1")', "OFFSET(A1,1E9,0)", "FACT(1E3)", "1E309", "#REF!+1", "ROW()", "A1048577",
     "XFE1", "Nowhere!A1", "'", "", " ", "=", "1E", "SUM(", ",", "A1,A2", "TRUE", "x" * 8192, "LAMBDA(x,x)(1)",
 ]  # fmt: skip

@@ -30,8 +30,8 @@ SECONDS = 600  # of one hostile file, on a busy machine; what this finds is a ha
 
 @pytest.fixture(scope="module")
 def sound(tmp_path_factory):
-    """The bytes of the smallest book of the cutting machine."""
-    template = TEMPLATES["cutting-machine"]
+    """The bytes of the smallest book there is."""
+    template = TEMPLATES["motion-composer"]
     machine = read_machine(template.description)
     sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     path = tmp_path_factory.mktemp("sound") / "book.xlsx"
@@ -383,8 +383,8 @@ def test_a_block_whose_sheet_was_deleted_is_named(book):
 
 
 def test_a_block_said_to_reach_over_a_million_rows(book):
-    change = sub(rb'(?<=name="timing_rate">)[^<]*', b"Timing!$D$8:$D$1048576")
-    with pytest.raises(InputError, match="timing_rate"):
+    change = sub(rb'(?<=name="move_start">)[^<]*', b"Motion!$D$8:$D$1048576")
+    with pytest.raises(InputError, match="move_start"):
         verify(book({"xl/workbook.xml": change}))
 
 
@@ -406,7 +406,7 @@ def entry(path, name):
     ],
 )  # fmt: skip
 def test_odd_inputs_are_named_by_their_cell(cell, book):
-    sheet, at = entry(book(), "timing_rate")
+    sheet, at = entry(book(), "move_start")
     path = book({sheet: sub(rf'<c r="{at}"[^>]*>.*?</c>'.encode(), f'<c r="{at}" {cell}</c>'.encode())})
     assert named(path, at)
 
@@ -431,7 +431,7 @@ def named(path, at):
     ],
 )  # fmt: skip
 def test_odd_formulas_are_findings(formula, book):
-    sheet, at = entry(book(), "timing_omega")
+    sheet, at = entry(book(), "move_total")
     new = f'<c r="{at}"><f>{formula.format(at=at)}</f></c>'.encode()
     report = verify(book({sheet: sub(rf'<c r="{at}"[^>]*>.*?</c>'.encode(), new)}))
     assert at in [finding.cell for finding in report.findings]

@@ -254,9 +254,10 @@ def source(data: Any) -> str:
 def area(match: Match, title: str, text: str) -> Area | None:
     """Return what a reference of a chart means; None for what is no range of this workbook."""
     try:
-        return reference(text, title, match.file.contents.area) if "!" in text else None
+        found = reference(text, title, match.file.contents.area) if "!" in text else None
     except FormulaError:
         return None
+    return found._replace(single=found.size == 1) if found else None
 
 
 def name_of(match: Match, title: str, label: Any) -> Area | str:

@@ -9,9 +9,9 @@ from openpyxl.styles import Alignment, Font, GradientFill, PatternFill
 from openpyxl.styles.colors import Color
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
-from tests.workbook.hands import Known, repacked, spot, sub
 
 from tests.mutation.bench import sized
+from tests.workbook.judging.hands import Known, repacked, spot, sub
 from workbook.build import build
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
