@@ -26,7 +26,7 @@ from workbook.selection.catalogue_files import read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses import by_cell
+from workbook.witnesses.agreed import agreed
 from workbook.writing.place import refuse_existing, replace
 from workbook.writing.same import same_book
 from workbook.writing.write import save
@@ -88,7 +88,7 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
 def inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
     file = open_book(path)
-    entries = Entries(file, by_cell().values)
+    entries = Entries(file, agreed)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
     return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)

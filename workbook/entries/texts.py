@@ -34,13 +34,13 @@ def is_none(number: int) -> bool:
 def looked_up(name: str) -> str:
     """Return a name; raise EntryError where a look-up would find another than this, or none."""
     one_line(name)
+    if NO_NAME.fullmatch(name):
+        raise EntryError("", f"{name!r} reads as a value, not as a name; expected a name")
     signs = [sign for sign in PATTERN if sign in name]
     if signs:
         raise EntryError("", f"holds {signs[0]}, which look-ups take for a pattern; expected a name without {PATTERN}")
     if name != name.strip():
         raise EntryError("", "begins or ends with a blank; expected a name without")
-    if NO_NAME.fullmatch(name):
-        raise EntryError("", f"{name!r} reads as a value, not as a name; expected a name")
     return name
 
 

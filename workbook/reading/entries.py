@@ -11,22 +11,25 @@ from typing import Any
 import tomli_w
 from pydantic import BaseModel, ValidationError
 
-from workbook.book.address import Place
+from workbook.book.address import Address
 from workbook.book.declare import Block, Quantity
 from workbook.entries import rules
 from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
 from workbook.intake import read_text
-from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile, Words
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import LONGEST, found
 
 Where = Callable[[str], str]
-Evaluate = Callable[[BookFile], Cells]  # gives the value of every formula cell
+Evaluate = Callable[[BookFile], Callable[[Address], Any]]  # gives what gives the value of a formula cell
 DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
+
+
+class DisputedError(ValueError):
+    """A formula whose value is in doubt, in words that follow the formula."""
 
 
 def template_named(name: object, where: str) -> AnyTemplate:
@@ -111,7 +114,8 @@ class Entries:
     def __init__(self, file: BookFile, evaluate: Evaluate) -> None:
         self.file = file
         self._evaluate = evaluate
-        self._values: Cells | None = None
+        self._value: Callable[[Address], Any] | None = None
+        self.disputed: list[str] = []
         self.cells: dict[str, str] = {}
         self.computed: list[str] = []
         self.template = self._template()
@@ -130,6 +134,8 @@ class Entries:
             raise InputError(
                 [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
             )
+        if self.disputed:
+            raise InputError(self.disputed)
         return checked(self.template, self.data, self._where)
 
     def _template(self) -> AnyTemplate:
@@ -156,7 +162,7 @@ class Entries:
         if place is None:
             self.missing.append(block.name)
             return
-        rows = [[self._entered(place, i, j) for j, _ in inputs] for i in range(place.rows)]
+        rows = [[self._entered(place.cell(i, j), q) for j, q in inputs] for i in range(place.rows)]
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
@@ -170,14 +176,23 @@ class Entries:
         elif "*" in q.key or key[-1].isdigit():
             put(self.data, key.split("."), None)
 
-    def _entered(self, place: Place, i: int, j: int) -> Any:
-        value = self.file.value(place.cell(i, j))
+    def _entered(self, cell: Address, q: Quantity) -> Any:
+        value = self.file.value(cell)
         if isinstance(value, str) and value.startswith("=") and not isinstance(value, Words):
-            self.computed.append(str(place.cell(i, j)))
-            if self._values is None:
-                self._values = self._evaluate(self.file)
-            return self._values.get(place.cell(i, j))
+            self.computed.append(str(cell))
+            return self._computed(cell, q, value)
         return value
+
+    def _computed(self, cell: Address, q: Quantity, formula: str) -> Any:
+        """Return the value of a formula that was entered; note in a line where that is in doubt."""
+        if self._value is None:
+            self._value = self._evaluate(self.file)
+        try:
+            return self._value(cell)
+        except DisputedError as doubt:
+            where = f"{self.file.path.name}: {cell} ({q.label})"
+            self.disputed.append(f"{where}: the formula {found(formula)} is in doubt: {doubt}; enter the value itself")
+            return None
 
     def _where(self, key: str) -> str:
         """Return the cell of ``key``, or of the first entry below or above it."""
