@@ -26,9 +26,10 @@ from workbook.selection.catalogue_files import read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses import by_cell
+from workbook.witnesses.agreed import agreed
+from workbook.writing.place import refuse_existing, replace
 from workbook.writing.same import same_book
-from workbook.writing.write import refuse_existing, replace, save
+from workbook.writing.write import save
 
 READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
 
@@ -61,7 +62,7 @@ def described(path: Path, motors: Path | None = None, reducers: Path | None = No
         return machine
     for entry, file in named.items():
         beside = path.parent / f"{entry}.csv"
-        if file is None and entry not in choice.model_fields_set and beside.is_file():
+        if file is None and entry not in choice.model_fields_set and beside.exists():
             named[entry] = beside
     return with_catalogues(machine, choice, named, str(path))
 
@@ -87,7 +88,7 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
 def inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
     file = open_book(path)
-    entries = Entries(file, by_cell().values)
+    entries = Entries(file, agreed)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
     return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)
@@ -95,8 +96,7 @@ def inputs(path: Path) -> tuple[Machine, list[str]]:
 
 def write_inputs(machine: Machine, path: Path, overwrite: bool = False) -> None:
     """Write a machine description, whole or not at all; raise WriteError as :func:`build` does."""
-    refuse_existing(path, overwrite)
-    replace(path, lambda draft: write_text(draft, write_machine(machine)))
+    replace(path, lambda draft: write_text(draft, write_machine(machine)), overwrite)
 
 
 def write_text(path: Path, text: str) -> None:

@@ -23,6 +23,7 @@ from workbook.reports import console as show
 from workbook.reports import page as reports
 from workbook.reports import summary
 from workbook.reports.junit import junit as junit_xml
+from workbook.reports.terminal import say, say_data, shown
 from workbook.templates import TEMPLATES
 from workbook.witnesses import WITNESSES
 
@@ -101,9 +102,9 @@ def build(
     """Build a workbook from a machine description."""
     source = machine or TEMPLATES["cutting-machine"].description
     target = output or Path(f"{source.stem}.xlsx")
-    with err.status(f"Building {target} …"):
+    with err.status(shown(f"Building {target} …")):
         make.build(make.described(source, motors, reducers), target, overwrite=force)
-    out.print(f"Built {target.resolve()}", soft_wrap=True)
+    say(out, f"Built {target.absolute()}")
 
 
 @app.command()
@@ -129,7 +130,7 @@ def verify(
     targets, failed = many.find(books)
     with summary.progress(err, len(targets)) as done:
         outcomes = many.verify_many(targets, asked, jobs, done) + failed
-    summary.show(outcomes, out, err, as_json, alone=len(books) == 1 and not books[0].is_dir())
+    summary.show(outcomes, out, err, as_json, alone=len(books) == 1 and not many.is_folder(books[0]))
     when = datetime.now().astimezone()
     reports.write(report, lambda: reports.page(outcomes, when), force)
     reports.write(junit, lambda: junit_xml(outcomes, when), force)
@@ -143,14 +144,14 @@ def inputs(
     force: Force = False,
 ) -> None:
     """Read what was entered into a workbook, as a machine description."""
-    with err.status(f"Reading {book} …"):
+    with err.status(shown(f"Reading {book} …")):
         machine, notes = make.inputs(book)
     show_notes(notes)
     if output is None:
-        print(write_machine(machine), end="")
+        say_data(write_machine(machine))
         return
     make.write_inputs(machine, output, overwrite=force)
-    out.print(f"Wrote {output.resolve()}", soft_wrap=True)
+    say(out, f"Wrote {output.absolute()}")
 
 
 @app.command()
@@ -160,11 +161,11 @@ def regenerate(
     force: Force = False,
 ) -> None:
     """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
-    with err.status(f"Regenerating {book} …"):
+    with err.status(shown(f"Regenerating {book} …")):
         machine, notes = make.inputs(book)
         make.build(machine, output, overwrite=force)
     show_notes(notes)
-    out.print(f"Built {output.resolve()}", soft_wrap=True)
+    say(out, f"Built {output.absolute()}")
 
 
 @app.command()
@@ -176,9 +177,9 @@ def templates(
         stale = make.stale_templates() if check else []
         written = [] if check else make.write_templates()
     for path in written:
-        out.print(f"Built {path}", soft_wrap=True)
+        say(out, f"Built {path}")
     for path in stale:
-        err.print(f"{path}: stale; run 'motionbook templates' and commit it", soft_wrap=True)
+        say(err, f"{path}: stale; run 'motionbook templates' and commit it")
     if check and not stale:
         out.print(f"{len(make.committed())} workbooks up to date")
     raise typer.Exit(DISAGREES if stale else AGREES)
@@ -191,14 +192,14 @@ def addin(
 ) -> None:
     """Write the LibreOffice add-in, which brings the functions MOTION.* to Calc; open it to install it."""
     oxt.write(output, overwrite=force)
-    out.print(f"Wrote {output.resolve()}", soft_wrap=True)
+    say(out, f"Wrote {output.absolute()}")
 
 
 @app.command()
 def laws(as_json: Json = False) -> None:
     """List the motion laws with their coefficients, for unit rise and time."""
     if as_json:
-        print(json.dumps(show.catalogue(), ensure_ascii=False, indent=1))
+        say_data(f"{json.dumps(show.catalogue(), ensure_ascii=False, indent=1)}\n")
     else:
         show.show_catalogue(out)
 
@@ -206,7 +207,7 @@ def laws(as_json: Json = False) -> None:
 def show_notes(notes: list[str]) -> None:
     """Print what was not carried over."""
     for note in notes:
-        err.print(f"Note: {note}", markup=False, highlight=False, soft_wrap=True)
+        say(err, f"Note: {note}")
 
 
 def main() -> None:
@@ -218,5 +219,11 @@ def main() -> None:
         app()
     except MotionbookError as error:
         for line in str(error).splitlines():
-            err.print(line, style="red", markup=False, highlight=False, soft_wrap=True)
+            say(err, line, "red")
+        sys.exit(UNREADABLE)
+    except Exception as error:  # to whoever runs it, a fault of ours is no verdict either
+        if sys.flags.dev_mode:
+            raise
+        said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
+        say(err, f"motionbook failed inside ({said[:200]}); please report this", "red")
         sys.exit(UNREADABLE)

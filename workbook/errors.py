@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from workbook.visible import visible
+
+MOST = 40  # faults that are told, of thousands
+
 
 class MotionbookError(Exception):
-    """An error that is the file's or the engineer's to mend; its text is all that is shown."""
+    """An error that is the file's or the engineer's to mend; its text, in one line, is all that is shown."""
+
+    def __init__(self, line: str) -> None:
+        super().__init__(visible(line))
 
 
 class InputError(MotionbookError):
-    """Entries that cannot be used; one line each."""
+    """Entries that cannot be used; one line each, and of thousands the first."""
 
-    def __init__(self, lines: list[str]) -> None:
-        super().__init__("\n".join(lines))
-        self.lines = lines
+    def __init__(self, lines: Sequence[str]) -> None:
+        told = [*lines[:MOST], *([f"… and {len(lines) - MOST:,} more faults"] if len(lines) > MOST else [])]
+        self.lines = [visible(line) for line in told]
+        Exception.__init__(self, "\n".join(self.lines))
 
 
 class ReadError(MotionbookError):
@@ -25,3 +35,7 @@ class WriteError(MotionbookError):
 
 class WitnessError(MotionbookError):
     """A witness that is absent, or that cannot evaluate the file."""
+
+
+class DisputedError(ValueError):
+    """A formula whose value is in doubt, in words that follow the formula."""

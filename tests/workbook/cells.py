@@ -11,7 +11,7 @@ from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, Right, is_formula
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
-from workbook.witnesses import by_cell
+from workbook.witnesses.agreed import agreed
 from workbook.witnesses.pycel.witness import PycelModel
 from workbook.writing import archive
 from workbook.writing.write import parts
@@ -87,7 +87,7 @@ def entered(template, machine):
     """The machine that is read back from the cells of a machine's book, and in lines what of it is not carried over."""
     written = opened(template.declare(machine), template.model)
     file = BookFile(Path("book.xlsx"), written, find_places(written))
-    back = Entries(file, by_cell().values).machine()
+    back = Entries(file, agreed).machine()
     return back, not_carried(file, template.declare(back), template.name)
 
 

@@ -6,7 +6,8 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive, Text
+from workbook.entries.texts import Text
+from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
 
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 
@@ -87,7 +88,7 @@ class RollerDrive(Model):
     """The drive of one axis by rollers: load, rotating parts, motor."""
 
     rate: Positive  # pieces/min
-    axis: str
+    axis: Text
     force: Number  # N
     radius: Positive  # m
     resists: Literal["always", "moving"] = "always"

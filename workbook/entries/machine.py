@@ -6,7 +6,8 @@ from typing import Annotated
 
 from pydantic import Field
 
-from workbook.entries.types import Model, Text
+from workbook.entries.texts import Text
+from workbook.entries.types import Model
 from workbook.laws.entries import Laws
 
 

@@ -12,8 +12,6 @@ Positive = Annotated[float, Field(gt=0, ge=SMALLEST, le=LARGEST)]
 NotNegative = Annotated[float, Field(ge=0, le=LARGEST)]
 Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
 Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False)]
-PLAIN = r"^[^=\x00-\x1f][^\x00-\x1f]*$"  # one line, no formula
-Text = Annotated[str, Field(min_length=1, max_length=80, pattern=PLAIN)]
 SUM_TOLERANCE = 1e-9
 ANGLE_TOLERANCE = 1e-9  # degrees
 END_TOLERANCE = 1e-12  # of a rise: a law that must end at 1 does

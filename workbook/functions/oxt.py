@@ -18,7 +18,7 @@ from workbook import __version__
 from workbook.errors import WriteError
 from workbook.functions.declared import CATEGORY, FUNCTIONS, LANGUAGES, NAMESPACE, Function, Text
 from workbook.writing.archive import zipped
-from workbook.writing.write import refuse_existing, replace
+from workbook.writing.place import refuse_existing, replace
 
 TITLE = Text("Machine motion functions", "Funzioni del moto delle macchine", "Funktionen der Maschinenbewegung")
 ABOUT = Text(
@@ -63,7 +63,7 @@ def write(path: Path, overwrite: bool = False) -> None:
     def fill(draft: Path) -> None:
         draft.write_bytes(data)
 
-    replace(path, fill)
+    replace(path, fill, overwrite)
 
 
 def parts() -> dict[str, bytes]:

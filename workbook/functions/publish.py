@@ -30,7 +30,7 @@ The names that begin with _ are called by the others: take them all.
 
 def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
     """Write the workbook with the names and the page that shows them, replacing what is there."""
-    pack(dynamic.completed(parts(declare(shown), Shown, names(), f"{NAMESPACE}.")), path)
+    pack(dynamic.completed(parts(declare(shown), Shown, names(), f"{NAMESPACE}.")), path, overwrite=True)
 
 
 def names() -> Iterator[DefinedName]:

@@ -20,9 +20,11 @@ from typing import Literal, NamedTuple
 
 from workbook.collector import collector_paused, swept_between
 from workbook.errors import MotionbookError
+from workbook.intake import odd
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.reading.files import SUFFIXES
+from workbook.visible import visible
 
 AGREES, DISAGREES, UNREADABLE, FAILS = 0, 1, 2, 3
 MOST_JOBS = 61  # Windows waits for no more processes at once
@@ -69,10 +71,12 @@ def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     targets: dict[Path, Target] = {}
     failed: list[Outcome] = []
     for path in paths:
-        if path.is_dir():
+        if is_folder(path):
             found = list(within(path, failed))
             if not found:
-                failed.append(Outcome(path, "unreadable", reason=f"{path}: there is no workbook in this folder"))
+                failed.append(
+                    Outcome(path, "unreadable", reason=visible(f"{path}: there is no workbook in this folder"))
+                )
         else:
             found = [Target(path, named=True)]
         for target in found:
@@ -82,12 +86,22 @@ def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     return list(targets.values()), failed
 
 
+def is_folder(path: Path) -> bool:
+    """Whether a path leads to a folder; not where the system cannot tell, as of a name longer than any."""
+    try:
+        return path.is_dir()
+    except OSError:
+        return False
+
+
 def within(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
     """Yield the workbooks in a folder and its folders, in the order of their names."""
 
     def fail(error: OSError) -> None:
         where = Path(error.filename or folder)
-        failed.append(Outcome(where, "unreadable", reason=f"{where}: cannot be listed: {error.strerror or error}"))
+        failed.append(
+            Outcome(where, "unreadable", reason=visible(f"{where}: cannot be listed: {error.strerror or error}"))
+        )
 
     for place, folders, files in os.walk(folder, onerror=fail):
         folders[:] = sorted(name for name in folders if not hidden(Path(place, name)))
@@ -128,9 +142,11 @@ def holds_our_name(archive: zipfile.ZipFile, part: str) -> bool:
 def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
-    if not target.named and foreign(path):
-        return Outcome(path, "no machine", reason=f"{path}: holds no machine of motionbook")
     try:
+        if not target.named and (kind := odd(path)):
+            return Outcome(path, "no machine", reason=visible(f"{path}: {kind}"))
+        if not target.named and foreign(path):
+            return Outcome(path, "no machine", reason=visible(f"{path}: holds no machine of motionbook"))
         before = state(path)
         with collector_paused():
             report = verify(path, witnesses)
@@ -139,11 +155,13 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
             raise OSError("it changed while it was read; try again")
     except MotionbookError as error:
         return Outcome(path, "unreadable", reason=str(error))
+    except FileNotFoundError:
+        return Outcome(path, "unreadable", reason=visible(f"{path}: there is no such file"))
     except OSError as error:
-        return Outcome(path, "unreadable", reason=f"{path}: cannot be read: {error.strerror or error}")
+        return Outcome(path, "unreadable", reason=visible(f"{path}: cannot be read: {error.strerror or error}"))
     except Exception as error:  # one strange file must not take the others' verdicts with it
         reason = f"{path}: verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
-        return Outcome(path, "unreadable", reason=reason)
+        return Outcome(path, "unreadable", reason=visible(reason))
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 
@@ -152,7 +170,7 @@ def state(path: Path) -> tuple[int, int] | None:
     """Return size and time of change of a file, None where there is none."""
     try:
         known = path.stat()
-    except FileNotFoundError:
+    except OSError:  # opening it says why
         return None
     return known.st_size, known.st_mtime_ns
 
@@ -190,7 +208,7 @@ def verify_many(
                 in_processes([target], witnesses, 1, keep)
             if target not in outcomes:
                 reason = f"{target.path}: verifying it ended the process (out of memory?)"
-                keep(target, Outcome(target.path, "unreadable", reason=reason))
+                keep(target, Outcome(target.path, "unreadable", reason=visible(reason)))
     return [outcomes[target] for target in targets]
 
 

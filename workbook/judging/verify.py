@@ -25,6 +25,7 @@ from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import AnyTemplate
 from workbook.witnesses import WITNESSES, by_cell
+from workbook.witnesses.agreed import agreed
 from workbook.witnesses.witness import CellWitness, Model, Witness
 
 ALL = "all"
@@ -38,7 +39,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     """
     names, absent = present(witnesses)
     file = open_book(path)
-    entries = Entries(file, by_cell().values)
+    entries = Entries(file, agreed)
     report = Report(path, entries.template.name, notes=list(file.notes))
     machine = entries.machine()
     if entries.computed:

@@ -11,45 +11,49 @@ from typing import Any
 import tomli_w
 from pydantic import BaseModel, ValidationError
 
-from workbook.book.address import Place
+from workbook.book.address import Address
 from workbook.book.declare import Block, Quantity
 from workbook.entries import rules
 from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError
-from workbook.errors import InputError, ReadError
-from workbook.reading.contents import Cells
+from workbook.errors import DisputedError, InputError, ReadError
+from workbook.intake import read_text
 from workbook.reading.files import BookFile, Words
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
+from workbook.visible import LONGEST, found
 
 Where = Callable[[str], str]
-Evaluate = Callable[[BookFile], Cells]  # gives the value of every formula cell
-LONGEST = 60  # characters that a message repeats of what was found
+Evaluate = Callable[[BookFile], Callable[[Address], Any]]  # gives what gives the value of a formula cell
+DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
 
 
 def template_named(name: object, where: str) -> AnyTemplate:
     """Return a template by name; raise InputError, listing the known ones, where there is none."""
-    if name not in TEMPLATES:
-        found = "empty" if name is None else f"no template is named {shown(name)}"
-        raise InputError([f"{where}: {found}; expected one of {', '.join(TEMPLATES)}"])
-    return TEMPLATES[str(name)]
+    if not isinstance(name, str) or name not in TEMPLATES:
+        fault = "empty" if name is None else f"no template is named {found(name)}"
+        raise InputError([f"{where}: {fault}; expected one of {', '.join(TEMPLATES)}"])
+    return TEMPLATES[name]
 
 
 def read_machine(path: Path) -> Machine:
     """Read a machine description; raise ReadError or InputError with a line for each fault."""
-    try:
-        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except FileNotFoundError as error:
-        raise ReadError(f"{path}: there is no such file") from error
-    except UnicodeDecodeError as error:
-        raise ReadError(f"{path}: this is not a text; expected a machine description, a .toml file in UTF-8") from error
-    except OSError as error:
-        kind = "this is a folder" if path.is_dir() else f"cannot be read: {error.strerror or error}"
-        raise ReadError(f"{path}: {kind}; expected a machine description, a .toml file") from error
-    except tomllib.TOMLDecodeError as error:
-        raise ReadError(f"{path}: not valid TOML: {error}") from error
+    data = parsed(read_text(path, "a machine description, a .toml file"), path)
     template = template_named(data.get("template"), f"{path}: template")
     return checked(template, data, lambda key: f"{path}: {counted(key)}")
+
+
+def parsed(text: str, path: Path) -> dict[str, Any]:
+    """Return the tables of a TOML text; raise ReadError for what is none, and for what no description needs."""
+    if DOTTED.search(text):
+        raise ReadError(f"{path}: not valid TOML for a description: keys are nested too deep")
+    try:
+        return tomllib.loads(text)
+    except RecursionError as error:
+        raise ReadError(f"{path}: not valid TOML for a description: values are nested too deep") from error
+    except ValueError as error:  # one of TOML's, or a whole number of too many digits
+        said = str(error).partition(";")[0]
+        raise ReadError(f"{path}: not valid TOML: {said}") from error
 
 
 def counted(key: str) -> str:
@@ -68,7 +72,8 @@ def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
     try:
         machine = template.model.model_validate(data)
     except ValidationError as error:
-        raise InputError([fault(found, template.model, where) for found in error.errors(include_url=False)]) from None
+        faults = error.errors(include_url=False)
+        raise InputError([told(fault, template.model, where) for fault in faults]) from None
     require_possible(template, machine, where)
     return machine
 
@@ -81,27 +86,22 @@ def require_possible(template: Template[M], machine: M, where: Where) -> None:
         raise InputError([f"{where(error.field)}: {error}"]) from None
 
 
-def fault(found: Any, model: type[BaseModel], where: Where) -> str:
+def told(fault: Any, model: type[BaseModel], where: Where) -> str:
     """Return one line: where, what was found, what is expected."""
-    key = ".".join(str(part) for part in found["loc"])
-    cause = found.get("ctx", {}).get("error")
+    key = ".".join(map(str, fault["loc"]))
+    cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, EntryError):
         return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
-    if found["type"] == "extra_forbidden":
-        kind, _ = rules.field_at(model, key.rpartition(".")[0])
-        return f"{where(key)}: unknown entry; expected one of {', '.join(kind.model_fields)}"
+    if fault["type"] == "extra_forbidden":
+        *above, unknown = map(str, fault["loc"])
+        kind, _ = rules.field_at(model, ".".join(above))
+        plain = unknown.isidentifier() and len(unknown) < LONGEST
+        named = where(".".join([*above, unknown if plain else found(unknown)]))
+        return f"{named}: unknown entry; expected one of {', '.join(kind.model_fields)}"
     expected = rules.expectation(*rules.field_at(model, key))
-    if found["type"] == "missing" or found["input"] == {}:
+    if fault["type"] == "missing" or fault["input"] == {}:
         return f"{where(key)}: empty; expected {expected}"
-    return f"{where(key)}: found {shown(found['input'])}; expected {expected}"
-
-
-def shown(value: Any) -> str:
-    """Return what was found as an engineer wrote it, in short."""
-    if isinstance(value, bool):
-        return str(value).upper()
-    text = repr(value) if isinstance(value, str | list | dict) else str(value)
-    return text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
+    return f"{where(key)}: found {found(fault['input'])}; expected {expected}"
 
 
 class Entries:
@@ -110,7 +110,8 @@ class Entries:
     def __init__(self, file: BookFile, evaluate: Evaluate) -> None:
         self.file = file
         self._evaluate = evaluate
-        self._values: Cells | None = None
+        self._value: Callable[[Address], Any] | None = None
+        self.disputed: list[str] = []
         self.cells: dict[str, str] = {}
         self.computed: list[str] = []
         self.template = self._template()
@@ -129,6 +130,8 @@ class Entries:
             raise InputError(
                 [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
             )
+        if self.disputed:
+            raise InputError(self.disputed)
         return checked(self.template, self.data, self._where)
 
     def _template(self) -> AnyTemplate:
@@ -155,7 +158,7 @@ class Entries:
         if place is None:
             self.missing.append(block.name)
             return
-        rows = [[self._entered(place, i, j) for j, _ in inputs] for i in range(place.rows)]
+        rows = [[self._entered(place.cell(i, j), q) for j, q in inputs] for i in range(place.rows)]
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
@@ -169,14 +172,23 @@ class Entries:
         elif "*" in q.key or key[-1].isdigit():
             put(self.data, key.split("."), None)
 
-    def _entered(self, place: Place, i: int, j: int) -> Any:
-        value = self.file.value(place.cell(i, j))
+    def _entered(self, cell: Address, q: Quantity) -> Any:
+        value = self.file.value(cell)
         if isinstance(value, str) and value.startswith("=") and not isinstance(value, Words):
-            self.computed.append(str(place.cell(i, j)))
-            if self._values is None:
-                self._values = self._evaluate(self.file)
-            return self._values.get(place.cell(i, j))
+            self.computed.append(str(cell))
+            return self._computed(cell, q, value)
         return value
+
+    def _computed(self, cell: Address, q: Quantity, formula: str) -> Any:
+        """Return the value of a formula that was entered; note in a line where that is in doubt."""
+        if self._value is None:
+            self._value = self._evaluate(self.file)
+        try:
+            return self._value(cell)
+        except DisputedError as doubt:
+            where = f"{self.file.path.name}: {cell} ({q.label})"
+            self.disputed.append(f"{where}: the formula {found(formula)} is in doubt: {doubt}; enter the value itself")
+            return None
 
     def _where(self, key: str) -> str:
         """Return the cell of ``key``, or of the first entry below or above it."""

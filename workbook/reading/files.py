@@ -18,6 +18,7 @@ from openpyxl.utils.cell import range_boundaries
 
 from workbook.book.address import Address, Place
 from workbook.errors import ReadError
+from workbook.intake import require_file
 from workbook.reading.contents import Cells, Contents, entered
 from workbook.reading.guard import guard
 from workbook.reading.refusal import SAVE_AS
@@ -88,12 +89,7 @@ def open_book(path: Path) -> BookFile:
     Raises ReadError, in one line, where the file is missing, locked, of another kind, damaged, or larger than
     a workbook may be (:mod:`workbook.reading.guard`).
     """
-    if path.is_dir():
-        raise ReadError(f"{path}: this is a folder; expected a workbook")
-    if not path.exists():
-        raise ReadError(f"{path}: there is no such file")
-    if not path.is_file():
-        raise ReadError(f"{path}: this is a device or a pipe; expected a workbook")
+    require_file(path, "a workbook")
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
     inspected = guard(path)

@@ -6,12 +6,12 @@ import math
 from typing import Any
 
 from rich.console import Console
-from rich.markup import escape
 from rich.table import Table
 
 from engine.laws import CATALOGUE
 from workbook.judging.report import Finding, Ran, Report
-from workbook.reports.page import legal, own_verdict, where
+from workbook.reports.page import own_verdict, where
+from workbook.reports.terminal import shown
 
 MOST = 40  # findings that the terminal shows; --json has them all
 
@@ -88,7 +88,7 @@ def show_report(report: Report, console: Console) -> None:
         )
     lines += verdict(report)
     for line in lines:
-        console.print(legal(line), markup=False, highlight=False)
+        console.print(shown(line))
 
 
 def verdict(report: Report) -> list[str]:
@@ -126,11 +126,6 @@ def show_findings(report: Report, console: Console) -> None:
     console.print(table)
     if len(report.findings) > MOST:
         console.print(f"… and {len(report.findings) - MOST} more; --json lists them all")
-
-
-def shown(text: str) -> str:
-    """Return a file's own text so that neither the terminal nor its markup obeys it."""
-    return escape(legal(text))
 
 
 def figure(value: Any) -> str:

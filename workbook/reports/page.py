@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
 from pathlib import Path
 from typing import Any
-from unicodedata import category
 from xml.etree.ElementTree import Element, tostring
 
 import workbook
@@ -17,7 +16,8 @@ from workbook.errors import WriteError
 from workbook.judging.compare import TOLERANCE
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Ran, Report
-from workbook.writing.write import refuse_existing, replace
+from workbook.visible import visible
+from workbook.writing.place import refuse_existing, replace
 
 VERDICTS = {
     "agrees": "Agrees",
@@ -71,7 +71,6 @@ code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .
   a { color: inherit; text-decoration: none; }
 }
 """
-UNFIT = ("Cc", "Cf", "Cs", "Cn")  # control, bidirectional and other marks, halves of characters, no characters
 Content = Element | str
 
 
@@ -276,7 +275,7 @@ def e(tag: str, *children: Content, css: str = "", **attributes: str) -> Element
 
 def legal(text: str) -> str:
     """Return a text with a visible escape for each character that neither XML nor a file in UTF-8 can hold."""
-    return "".join(ascii(c)[1:-1] if category(c) in UNFIT and c not in "\t\n" else c for c in text)
+    return visible(text, kept="\t\n")
 
 
 def ready(path: Path | None, suffixes: Sequence[str], overwrite: bool) -> None:
@@ -285,13 +284,10 @@ def ready(path: Path | None, suffixes: Sequence[str], overwrite: bool) -> None:
         return
     if path.suffix.lower() not in suffixes:
         raise WriteError(f"{path}: expected the name of a report, ending in {' or '.join(suffixes)}")
-    if path.is_dir():
-        raise WriteError(f"{path}: this is a folder; expected the name of a report")
     refuse_existing(path, overwrite)
 
 
 def write(path: Path | None, text: Callable[[], str], overwrite: bool) -> None:
     """Write a report where one was asked for, whole or not at all; raise WriteError where that cannot be."""
     if path is not None:
-        refuse_existing(path, overwrite)
-        replace(path, lambda draft: write_text(draft, text()))
+        replace(path, lambda draft: write_text(draft, text()), overwrite)

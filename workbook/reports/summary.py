@@ -15,7 +15,8 @@ from rich.table import Table
 from workbook.judging.many import Outcome
 from workbook.reports.console import report_data, show_report
 from workbook.reports.junit import line
-from workbook.reports.page import legal
+from workbook.reports.terminal import say, say_data, shown
+from workbook.visible import visible
 
 WORST = 3  # findings of each workbook that the terminal shows
 WORDS = {
@@ -47,21 +48,21 @@ def progress(console: Console, total: int) -> Iterator[Callable[[Outcome], None]
     )
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=total)
-        yield lambda outcome: bar.update(task, advance=1, description=escape(legal(outcome.path.name)))
+        yield lambda outcome: bar.update(task, advance=1, description=escape(visible(outcome.path.name)))
 
 
 def show(outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool) -> None:
     """Print a run: in full where one file was named ``alone``, else the summary of all."""
     if not alone:
         if as_json:
-            print(summary_json(outcomes))
+            say_data(f"{summary_json(outcomes)}\n")
         else:
             show_summary(outcomes, out)
         return
     for text in outcomes[0].reason.splitlines():
-        err.print(legal(text), style="red", markup=False, highlight=False, soft_wrap=True)
+        say(err, text, "red")
     if outcomes[0].report and as_json:
-        print(json.dumps(report_data(outcomes[0].report), ensure_ascii=False, indent=1))
+        say_data(f"{json.dumps(report_data(outcomes[0].report), ensure_ascii=False, indent=1)}\n")
     elif outcomes[0].report:
         show_report(outcomes[0].report, out)
 
@@ -74,12 +75,12 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
     table.add_column("Verdict", no_wrap=True)
     for o in outcomes:
         cells, found = (f"{o.report.compared:,}", f"{len(o.report.findings):,}") if o.report else ("-", "-")
-        table.add_row(escape(legal(str(o.path))), cells, found, f"[{COLOURS[o.verdict]}]{WORDS[o.verdict]}")
+        table.add_row(shown(str(o.path)), cells, found, shown(WORDS[o.verdict], COLOURS[o.verdict]))
     console.print(table)
     for outcome in outcomes:
         for text in worst(outcome):
-            console.print(legal(text), markup=False, highlight=False, soft_wrap=True)
-    console.print(sums(outcomes), markup=False, highlight=False, soft_wrap=True)
+            say(console, text)
+    say(console, sums(outcomes))
 
 
 def worst(outcome: Outcome) -> list[str]:

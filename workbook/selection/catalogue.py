@@ -6,11 +6,11 @@ from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA, ONE_LINE
 from workbook.entries.types import EntryError, Model, NotNegative, Positive
 
-PLAIN_NAME = r"^[^=*?~\x00-\x1f][^*?~\x00-\x1f]*$"  # one line, no formula, nothing that a look-up takes for a pattern
-Name = Annotated[str, Field(min_length=1, max_length=60, pattern=PLAIN_NAME)]
-Source = Annotated[str, Field(min_length=1, max_length=200, pattern=r"^[^=\x00-\x1f][^\x00-\x1f]*$")]
+Name = Annotated[str, Field(min_length=1, max_length=60, pattern=NO_FORMULA), LOOKED_UP]
+Source = Annotated[str, Field(min_length=1, max_length=200, pattern=NO_FORMULA), ONE_LINE]
 Efficiency = Annotated[float, Field(gt=0, le=1, allow_inf_nan=False)]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -14,12 +15,15 @@ import workbook
 from workbook.entries import rules
 from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
+from workbook.intake import read_text
 from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.visible import found
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
 FOLDER = Path(workbook.__file__).parent.parent.joinpath("templates")
 MOTORS, REDUCERS = "motors.csv", "reducers.csv"
 TEXTS = ("name", "source")
+NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  # Python takes 1_000 and ١٢ too
 MOTOR_COLUMNS = {
     "name": "name",
     "inertia_kgm2": "inertia",
@@ -69,15 +73,18 @@ def committed_reducers() -> list[ReducerRow]:
 
 def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Row]:
     """Read the rows of a CSV file: commas, or semicolons with commas in the numbers."""
-    lines = text(path).splitlines()
+    lines = read_text(path, "a catalogue, a .csv file").splitlines()
     if not lines:
         raise ReadError(f"{path}: the file is empty; expected a head of {', '.join(columns)}")
     separator = ";" if ";" in lines[0] else ","
     table = csv.reader(lines, delimiter=separator)
-    head = [cell.strip() for cell in next(table)]
-    require_head(path, head, model, columns)
     faults: list[str] = []
-    rows = [row for row in parse(path, table, head, separator, (model, columns), faults) if row is not None]
+    try:
+        head = [cell.strip() for cell in next(table)]
+        require_head(path, head, model, columns)
+        rows = [row for row in parse(path, table, head, separator, (model, columns), faults) if row is not None]
+    except csv.Error as error:
+        raise ReadError(f"{path}: line {table.line_num}: {error}; expected a catalogue, a .csv file") from error
     if faults:
         raise InputError(faults)
     if not rows:
@@ -85,24 +92,11 @@ def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Row]:
     return rows
 
 
-def text(path: Path) -> str:
-    """Return a file's text; raise ReadError where there is none."""
-    try:
-        return path.read_text(encoding="utf-8-sig")
-    except FileNotFoundError as error:
-        raise ReadError(f"{path}: there is no such file") from error
-    except UnicodeDecodeError as error:
-        raise ReadError(f"{path}: this is not a text; expected a catalogue, a .csv file in UTF-8") from error
-    except OSError as error:
-        kind = "this is a folder" if path.is_dir() else f"cannot be read: {error.strerror or error}"
-        raise ReadError(f"{path}: {kind}; expected a catalogue, a .csv file") from error
-
-
 def require_head(path: Path, head: list[str], model: type[Row], columns: dict[str, str]) -> None:
     """Raise InputError for a column that is unknown, given twice, or needed and missing."""
     where = f"{path}: line 1"
     faults = [
-        f"{where}: unknown column {name!r}; expected one of {', '.join(columns)}"
+        f"{where}: unknown column {found(name)}; expected one of {', '.join(columns)}"
         for name in head
         if name not in columns
     ]
@@ -136,25 +130,23 @@ def parse(
         try:
             yield model.model_validate({entry: cell for entry, cell in given.items() if cell is not None})
         except ValidationError as error:
-            faults += [f"{where}, {fault(found, model, names)}" for found in error.errors(include_url=False)]
+            faults += [f"{where}, {told(fault, model, names)}" for fault in error.errors(include_url=False)]
 
 
 def value(cell: str, entry: str, separator: str) -> Any:
     """Return what a cell holds: nothing, a text, or a number; what is no number stays a text, which no rule takes."""
     if not cell or entry in TEXTS:
         return cell or None
-    try:
-        return float(cell.replace(",", ".") if separator == ";" else cell)
-    except ValueError:
-        return cell
+    text = cell.replace(",", ".") if separator == ";" else cell
+    return float(text) if NUMBER.fullmatch(text) else cell
 
 
-def fault(found: Any, model: type[Row], names: dict[str, str]) -> str:
+def told(fault: Any, model: type[Row], names: dict[str, str]) -> str:
     """Return the column, what was found, what is expected."""
-    cause = found.get("ctx", {}).get("error")
+    cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, EntryError):
-        return f"column {names[cause.field]}: {cause}"
-    entry = str(found["loc"][0])
+        return f"column {names[cause.field or str(fault['loc'][0])]}: {cause}"
+    entry = str(fault["loc"][0])
     expected = rules.expectation(*rules.field_at(model, entry))
-    what = "empty" if found["type"] == "missing" else f"found {found['input']!r}"
+    what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
     return f"column {names[entry]}: {what}; expected {expected}"

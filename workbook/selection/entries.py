@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
 from engine.choice import Criterion
 from workbook.entries.machine import Sizes
+from workbook.entries.texts import place_of, require_distinct
 from workbook.entries.types import EntryError, Model, Positive
 from workbook.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
@@ -48,8 +48,9 @@ class Selection(Model):
     @model_validator(mode="after")
     def _named(self) -> Self:
         for entry, rows in (("motor", self.motors), ("reducer", self.reducers)):
-            names = unique(entry, rows)
-            if getattr(self, entry).casefold() not in names:
+            names = [row.name for row in rows]
+            require_distinct(names, entry, f"{entry}s.{{}}.name")
+            if place_of(getattr(self, entry), names) < 0:
                 raise EntryError(entry, f"no {entry} is named {getattr(self, entry)!r}; expected a name of its table")
         return self
 
@@ -59,16 +60,6 @@ class SelectionSizes(Sizes):
 
     motors: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 22
     reducers: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 18
-
-
-def unique(entry: str, rows: Sequence[MotorRow | ReducerRow]) -> set[str]:
-    """Return the names in a catalogue as a look-up compares them; raise EntryError for a name given twice."""
-    seen: set[str] = set()
-    for i, row in enumerate(rows):
-        if row.name.casefold() in seen:
-            raise EntryError(f"{entry}s.{i}.name", f"a second {entry} is named {row.name!r}; expected another name")
-        seen.add(row.name.casefold())
-    return seen
 
 
 def require_room(selection: Selection, sizes: SelectionSizes) -> None:

@@ -16,6 +16,7 @@ from engine.choice.pairs import LoadAtMotor, counted_in, load_at_motor, sorting_
 from engine.choice.ratios import Ranges, ratio_ranges, rms_torque
 from engine.drivetrain import LimitCheck, OperatingPoints
 from engine.laws.base import Array
+from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, si
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Selection, SelectionSizes
@@ -150,8 +151,7 @@ class Choosing:
     def pair(self) -> Pair | None:
         """The pair that is looked at: the best, or the engineer's own; None where there is no best."""
         if self.given.pair == "chosen":
-            names = [[n.casefold() for n in c.names] for c in (self.motors, self.reducers)]
-            at = names[0].index(self.given.motor.casefold()), names[1].index(self.given.reducer.casefold())
+            at = place_of(self.given.motor, self.motors.names), place_of(self.given.reducer, self.reducers.names)
         elif len(self.ranking):
             at = int(self.ranking.motor[0]), int(self.ranking.reducer[0])
         else:

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import io
-import os
-import tempfile
 import zipfile
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 
 from openpyxl import Workbook
@@ -22,9 +20,9 @@ from pydantic import BaseModel
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.book.formats import number_format, sample
 from workbook.entries import rules
-from workbook.errors import WriteError
 from workbook.writing import archive, caches, charts, style
 from workbook.writing.cells import Cells, Strings
+from workbook.writing.place import refuse_existing, replace
 
 WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12
@@ -38,7 +36,7 @@ def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False
     Raises WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written.
     """
     refuse_existing(path, overwrite)
-    pack(parts(book, model), path)
+    pack(parts(book, model), path, overwrite)
 
 
 def parts(
@@ -150,37 +148,10 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
 
 
-def pack(parts: dict[str, bytes], path: Path) -> None:
+def pack(parts: dict[str, bytes], path: Path, overwrite: bool = False) -> None:
     """Write the parts as one file, as :func:`replace` does."""
 
     def written(beside: Path) -> None:
         beside.write_bytes(archive.zipped(parts, zipfile.ZIP_DEFLATED))
 
-    replace(path, written)
-
-
-def refuse_existing(path: Path, overwrite: bool) -> None:
-    """Raise WriteError where ``path`` exists and may not be replaced."""
-    if path.exists() and not overwrite:
-        raise WriteError(f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)")
-
-
-def replace(path: Path, write: Callable[[Path], None]) -> None:
-    """Let ``write`` fill a new file beside ``path``, then move it there; a failure leaves the old file whole."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
-    except OSError as error:
-        raise WriteError(f"{path}: cannot be written: {error.strerror or error}") from error
-    os.close(handle)
-    draft = Path(name)
-    try:
-        write(draft)
-        draft.chmod(0o644)
-        draft.replace(path)
-    except PermissionError as error:
-        raise WriteError(f"{path}: cannot be written; close it in the other program and try again") from error
-    except OSError as error:
-        raise WriteError(f"{path}: cannot be written: {error.strerror or error}") from error
-    finally:
-        draft.unlink(missing_ok=True)
+    replace(path, written, overwrite)

@@ -9,7 +9,7 @@ import openpyxl
 from workbook.judging.matching import Match
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
-from workbook.witnesses import by_cell
+from workbook.witnesses.agreed import agreed
 
 WORKBOOK, TYPES, STYLES = "xl/workbook.xml", "[Content_Types].xml", "xl/styles.xml"
 LINKS, STRINGS = "xl/_rels/workbook.xml.rels", "xl/sharedStrings.xml"
@@ -50,7 +50,7 @@ class Known:
     def __init__(self, path: Path):
         self.path = path
         self.file = open_book(path)
-        entries = Entries(self.file, by_cell().values)
+        entries = Entries(self.file, agreed)
         self.template, self.machine = entries.template, entries.machine()
         self.declared = self.template.declare(self.machine)
         self.match = Match(self.file, self.declared)

@@ -16,7 +16,8 @@ from workbook.judging.verify import present, verify
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES, by_cell, libreoffice
+from workbook.witnesses import WITNESSES, libreoffice
+from workbook.witnesses.agreed import agreed
 
 
 @pytest.fixture(scope="module", params=TEMPLATES)
@@ -189,7 +190,7 @@ def test_saved_numbers_that_are_shown_as_dates_are_numbers(cutting, tmp_path):
     opened.save(tmp_path / "b.xlsx")
     report = sums(verify(tmp_path / "b.xlsx", ["pycel", "formualizer"]))
     assert report.findings == []
-    entered = Entries(open_book(tmp_path / "b.xlsx"), by_cell().values).machine()
+    entered = Entries(open_book(tmp_path / "b.xlsx"), agreed).machine()
     assert entered == cutting.machine
 
 

@@ -17,7 +17,8 @@ from workbook.book.chart import Chart, Series
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.entries.types import SMALLEST, SUM_TOLERANCE, EntryError, Model, NotNegative, Number, Text
+from workbook.entries.texts import Text
+from workbook.entries.types import SMALLEST, SUM_TOLERANCE, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
 from workbook.laws.family import ENTRIES, Page, ShapeFormulas, Stacked
 

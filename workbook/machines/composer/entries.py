@@ -8,10 +8,11 @@ from pydantic import Field, model_validator
 
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.phase import PhaseEntry
-from workbook.entries.types import PLAIN, EntryError, Model, Number
+from workbook.entries.texts import NO_FORMULA, ONE_LINE
+from workbook.entries.types import EntryError, Model, Number
 
 MOST_PHASES = 24
-Unit = Annotated[str, Field(min_length=1, max_length=12, pattern=PLAIN)]
+Unit = Annotated[str, Field(min_length=1, max_length=12, pattern=NO_FORMULA), ONE_LINE]
 
 
 class ComposedMotion(Model):

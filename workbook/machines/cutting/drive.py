@@ -11,6 +11,7 @@ from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.drive import losses
 from workbook.drive.motor import limit_checks, limits_given, limits_table, plane
+from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, shown
 from workbook.machines.cutting.view import ROLLERS, Cutting
 
@@ -91,7 +92,7 @@ def workings(sheet: Sheet, machine: Cutting) -> None:
     sheet.heading("Workings")
     sheet.rows(
         calc("@no", "Number of the axis on Timing", "", "",
-             "=MATCH(@axis,axis_name,0)", names.index(machine.machine.drive.axis) + 1, format="0"),
+             "=MATCH(@axis,axis_name,0)", place_of(machine.machine.drive.axis, names) + 1, format="0"),
         calc("@tc", "Time of one turn", "t_c", "s", "=60/@rate", machine.asked.time, source="60 / n"),
         calc("@omega", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()*@rate/60", machine.drive_speed, source="2π n / 60"),

@@ -8,7 +8,8 @@ from pydantic import Field, model_validator
 
 from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
-from workbook.entries.types import ANGLE_TOLERANCE, PLAIN, Angle, EntryError, Model, Number, Positive, Text
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
+from workbook.entries.types import ANGLE_TOLERANCE, Angle, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawCode
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
@@ -33,7 +34,7 @@ class Phase(Model):
 class Axis(Model):
     """An axis of the timing diagram: what it does in each phase of one turn of the master shaft."""
 
-    name: Annotated[str, Field(min_length=1, max_length=24, pattern=PLAIN)]
+    name: Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
     group: Text
     closes: Literal["position", "feed"] = "position"
     phases: Annotated[list[Phase], Field(min_length=1)]
@@ -60,10 +61,7 @@ class Timing(Model):
 
     @model_validator(mode="after")
     def _distinct(self) -> Self:
-        names = [axis.name for axis in self.axes]
-        for i, name in enumerate(names):
-            if name in names[:i]:
-                raise EntryError(f"axes.{i}.name", f"a second axis is named {name!r}; expected a name of its own")
+        require_distinct((axis.name for axis in self.axes), "axis", "axes.{}.name")
         return self
 
 
@@ -79,7 +77,7 @@ class CuttingMachine(Machine):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         names = [axis.name for axis in self.timing.axes]
-        if self.drive.axis not in names:
+        if place_of(self.drive.axis, names) < 0:
             raise EntryError("drive.axis", f"no axis is named {self.drive.axis!r}; expected one of {', '.join(names)}")
         for path, filled, room in (
             *((f"timing.axes.{i}.phases", len(a.phases), self.sizes.phases) for i, a in enumerate(self.timing.axes)),

@@ -16,6 +16,7 @@ from engine.laws import Law
 from engine.laws.base import Array
 from engine.motion import Motion, MotionValues
 from engine.timing import Axis, Diagram, shaft_speed
+from workbook.entries.texts import place_of
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, si
 from workbook.machines.cutting import entries as entered
 
@@ -71,7 +72,8 @@ class Cutting:
     @cached_property
     def driven(self) -> Axis:
         """The axis that the drive moves."""
-        return self.diagram.axis(self.machine.drive.axis)
+        names = [axis.name for axis in self.diagram.axes]
+        return self.diagram.axis(names[place_of(self.machine.drive.axis, names)])
 
     @cached_property
     def parts(self) -> list[Part]:

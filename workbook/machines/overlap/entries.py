@@ -7,11 +7,13 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.entries.machine import Machine, Sizes
-from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive, Text
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
+from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive
 from workbook.laws.entries import RiseCode
 
 MOST_TOOLS = 6
 TURN = 360.0
+Name = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), LOOKED_UP]
 LEAST = 0.01  # degrees: no cam moves in less
 PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
 
@@ -19,7 +21,7 @@ PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
 class TransferEntry(Model):
     """The motion that brings the part."""
 
-    name: Text
+    name: Name
     law: RiseCode
     stroke: Positive  # mm
     angle: PartAngle  # degrees of the master shaft
@@ -46,7 +48,7 @@ class PassageEntry(Model):
 class ToolEntry(Model):
     """A motion that enters when the part is there, and is out before the next transfer."""
 
-    name: Text
+    name: Name
     law_in: RiseCode
     law_out: RiseCode
     stroke: Positive  # mm
@@ -66,10 +68,7 @@ class OverlapEntry(Model):
 
     @model_validator(mode="after")
     def _distinct(self) -> Self:
-        names = [tool.name for tool in self.tools]
-        for i, name in enumerate(names):
-            if name in names[:i]:
-                raise EntryError(f"tools.{i}.name", f"a second tool is named {name!r}; expected a name of its own")
+        require_distinct((tool.name for tool in self.tools), "tool", "tools.{}.name")
         return self
 
 

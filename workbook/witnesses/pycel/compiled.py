@@ -8,7 +8,7 @@ import keyword
 import math
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -86,8 +86,34 @@ def check_function(name: str) -> None:
         raise FormulaError("#NAME?", f"pycel has no function {name}")
 
 
+def signed(shape: str) -> str:
+    """Return a shape whose powers pycel takes as Excel does, signs first: ``-A1^A2`` is ``(0-A1)^A2``.
+
+    pycel knows that order, but writes its own tree to Python without parentheses, where the power goes first.
+    """
+    tokens = Tokenizer(shape).items
+    words = [token.value for token in tokens]
+    for i, token in enumerate(tokens):
+        if token.type == Token.OP_PRE:
+            last = last_of_operand(tokens, i + 1)
+            after = next((t for t in tokens[last + 1 :] if t.subtype != Token.CLOSE), token)
+            if after.value == "^":
+                words[i], words[last] = f"(0{words[i]}", f"{words[last]})"
+    return f"={''.join(words)}"
+
+
+def last_of_operand(tokens: Sequence[Token], first: int) -> int:
+    """Return the place of the last token of the operand that begins at ``first``, its signs and parentheses with it."""
+    depth = 0
+    for i in range(first, len(tokens)):
+        depth += (tokens[i].subtype == Token.OPEN) - (tokens[i].subtype == Token.CLOSE)
+        if depth == 0 and tokens[i].type != Token.OP_PRE:
+            return i
+    return len(tokens) - 1
+
+
 def _compiled(shape: str) -> Compiled:
-    formula = ExcelFormula(shape)
+    formula = ExcelFormula(signed(shape))
     code, names = formula.compiled_python
     made: list[Callable[[], Any]] = []
     _space["lambdas"] = made

@@ -1,0 +1,153 @@
+"""Names that are looked up: every program finds them again, or the description is refused when it is read."""
+
+import io
+
+import openpyxl
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from workbook.build import build
+from workbook.entries.texts import looked_up, place_of, require_distinct
+from workbook.entries.types import EntryError
+from workbook.errors import InputError
+from workbook.judging.verify import verify
+from workbook.reading.contents import Contents
+from workbook.reading.entries import checked, counted, read_machine
+from workbook.templates import TEMPLATES
+from workbook.witnesses.pycel.witness import PycelModel
+
+formualizer = pytest.importorskip("formualizer")
+CUTTING, OVERLAP = TEMPLATES["cutting-machine"], TEMPLATES["indexing-overlap"]
+TABLES = {
+    "axes": (CUTTING, lambda data: data["timing"]["axes"], "timing.axes[2].name"),
+    "tools": (OVERLAP, lambda data: data["overlap"]["tools"], "overlap.tools[2].name"),
+    "motors": (CUTTING, lambda data: data["selection"]["motors"], "selection.motors[2].name"),
+    "reducers": (CUTTING, lambda data: data["selection"]["reducers"], "selection.reducers[2].name"),
+}
+NO_NAMES = {
+    "A~1": "~", "A?": "?", "*": "*", " A": "blank", "A ": "blank", "\u00a0A": "blank", "#N/A": "value", "#n/a": "value",
+    "#REF!": "value", "#DIV/0!": "value", "#NAME?": "value", "#SPILL!": "value", "TRUE": "value", "false": "value",
+    "12": "value", "1e5": "value", "-1,5": "value", "50%": "value", "=A": "=", "A\tB": "U+0009", "A\u0085": "U+0085",
+}  # fmt: skip
+ALIKE = [("MC01", "mc01"), ("I", "\u0131"), ("i", "\u0131"), ("i", "\u0130"), ("Straße", "STRASSE"), ("K", "\u212a"),
+         ("Ä", "ä"), ("A", "\uff21"), ("é", "e\u0301"), ("s", "\u017f"), ("Σ", "ς"), ("A", "A")]  # fmt: skip
+
+
+def renamed(table, *names):
+    """Read a description whose table begins with these names."""
+    template, entries, _ = TABLES[table]
+    data = read_machine(template.description).model_dump()
+    rows = entries(data)
+    if len(rows) < len(names):
+        rows.append(rows[0] | {"name": "further"})
+    if table == "axes":
+        data["drive"]["axis"] = names[0]
+    for row, name in zip(rows, names, strict=False):
+        row["name"] = name
+    if table in ("motors", "reducers"):
+        data["selection"][table[:-1]] = names[0]
+    return checked(template, data, counted)
+
+
+@pytest.mark.parametrize("table", TABLES)
+@pytest.mark.parametrize(("name", "says"), NO_NAMES.items())
+def test_what_a_look_up_would_not_find_is_no_name(table, name, says):
+    with pytest.raises(InputError) as caught:
+        renamed(table, "first", name)
+    (line,) = caught.value.lines
+    assert line.startswith(TABLES[table][2])
+    assert says in line
+
+
+@pytest.mark.parametrize("table", TABLES)
+@pytest.mark.parametrize(("name", "other"), ALIKE)
+def test_names_that_some_program_takes_for_one_are_refused(table, name, other):
+    with pytest.raises(InputError) as caught:
+        renamed(table, name, other)
+    (line,) = caught.value.lines
+    assert line.startswith(TABLES[table][2])
+    assert "a second" in line
+
+
+@pytest.mark.parametrize(
+    "name", ["12 kW", "No. 3", "#3", "Schweißzange", "k\u0131sa", "A[1]", "A|B", "<A>", "a.b", "漢字", "'A"]
+)
+def test_other_names_are_names(name):
+    assert looked_up(name) == name
+
+
+def found_at(name, names):
+    """The places at which pycel and formualizer find a name, from 1."""
+    workbook = openpyxl.Workbook()
+    page = workbook.active
+    for row, each in enumerate(names, 1):
+        cell = page.cell(row, 1)
+        cell.value, cell.data_type = each, "s"
+    page["B1"].value, page["B1"].data_type = name, "s"
+    page["C1"] = f"=MATCH(B1,A1:A{len(names)},0)"
+    (ours,) = PycelModel(Contents(workbook)).evaluate().values()
+    data = io.BytesIO()
+    workbook.save(data)
+    filled = formualizer.recalculate_xlsx_bytes(data.getvalue())["bytes"]
+    theirs = openpyxl.load_workbook(io.BytesIO(filled), data_only=True).active["C1"].value
+    return ours, theirs
+
+
+LETTERS = "aAiIkKsSzZ01 .-_#'\"()[]{}|^$+<>&%@!,;:/\\\u0131\u0130ß\u017f\u212aÄäÉéΣσς\u0406\u0456\uff21\uff41ﬁ漢😀"
+NAMES = st.lists(st.text(LETTERS, min_size=1, max_size=3), min_size=1, max_size=4)
+
+
+@given(NAMES, st.sampled_from([str, str.lower, str.upper, str.swapcase]))
+def test_what_passes_is_found_again(names, change):
+    try:
+        for name in names:
+            looked_up(name)
+        require_distinct(names, "name", "{}")
+    except EntryError:
+        return
+    for name in names:
+        place = place_of(change(name), names)
+        if place >= 0:
+            assert found_at(change(name), names) == (place + 1, place + 1)
+    assert [place_of(name, names) for name in names] == list(range(len(names)))
+
+
+@pytest.mark.parametrize("name", ["mtp", "MTP", "Mtp"])
+def test_case_is_passed_over(name):
+    names = ["ACS", "MTP"]
+    assert place_of(name, names) == 1
+    assert found_at(name, names) == (2, 2)
+
+
+@pytest.fixture(scope="module")
+def small():
+    machine = read_machine(CUTTING.description)
+    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})})
+
+
+def test_law_codes_and_the_driven_axis_are_found_without_regard_to_case(small, tmp_path):
+    data = small.model_dump()
+    data["drive"]["axis"] = "mc01"
+    laws = [phase for axis in data["timing"]["axes"] for phase in axis["phases"]]
+    for phase in laws:
+        phase["law"] = phase["law"].lower()
+    machine = checked(CUTTING, data, counted)
+    assert machine.timing == small.timing
+    build(machine, tmp_path / "book.xlsx")
+    assert verify(tmp_path / "book.xlsx").findings == []
+
+
+def test_a_sheet_takes_a_law_and_an_axis_in_any_case(small, tmp_path):
+    path = tmp_path / "book.xlsx"
+    build(small, path)
+    workbook = openpyxl.load_workbook(path)
+    cells = [cell for title in ("Timing", "Drive") for row in workbook[title].iter_rows() for cell in row]
+    typed = {"Timing": ("MTP", "DWL"), "Drive": ("MC01",)}
+    changed = [cell for cell in cells if cell.style == "Input" and cell.value in typed[cell.parent.title]]
+    assert len(changed) > 5
+    for cell in changed:
+        cell.value = cell.value.lower()
+    workbook.save(path)
+    report = verify(path, ["pycel", "formualizer"])
+    assert report.findings == []

@@ -1,0 +1,116 @@
+"""Nothing of a file or a path reaches the terminal unescaped: control characters, new lines, rich's markup, emoji."""
+
+import json
+import os
+import shutil
+import sys
+import tomllib
+
+import pytest
+from rich.console import Console
+
+from workbook import cli
+from workbook.build import build
+from workbook.errors import InputError, MotionbookError
+from workbook.judging.many import Outcome
+from workbook.judging.report import Finding, Report
+from workbook.reading.entries import read_machine, write_machine
+from workbook.reports import console, summary
+from workbook.reports.terminal import say, say_data, shown
+from workbook.templates import TEMPLATES
+from workbook.visible import visible
+
+NASTY = "a\x1b[31mb\x9bc\nd\r\u2028e\u202ef[/red]g[bold]h:warning:i\x85\x00"
+PLAIN = r"a\x1b[31mb\x9bc\nd\r\u2028e\u202ef[/red]g[bold]h:warning:i\x85\x00"
+NAMES = ["a\x1b[31mb", "a\x9bb", "a\nb", "[/red]", "[bold]x", "x:warning:", "a\u202eb", "[link=file:x]y"]
+TEMPLATE = TEMPLATES["cutting-machine"]
+posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such names")
+
+
+def test_a_text_is_one_line():
+    assert visible(NASTY) == PLAIN
+    assert visible("Käse °C ∞ 漢字 😀") == "Käse °C ∞ 漢字 😀"
+    assert visible("a\nb", kept="\n") == "a\nb"
+
+
+@pytest.mark.parametrize("style", ["", "red"])
+def test_no_text_is_markup(style, capsys):
+    say(Console(force_terminal=False), NASTY, style)
+    assert capsys.readouterr().out == f"{PLAIN}\n"
+    assert shown(NASTY, style).plain == PLAIN
+
+
+def test_errors_are_lines_that_a_terminal_does_not_obey():
+    assert str(MotionbookError(NASTY)) == PLAIN
+    assert InputError([NASTY, NASTY]).lines == [PLAIN, PLAIN]
+
+
+def test_data_stays_data(capsys):
+    texts = {"text": NASTY.replace("\n", ""), "surrogate": "\udcff", "plain": "é😀"}
+    say_data(json.dumps(texts, ensure_ascii=False, indent=1))
+    printed = capsys.readouterr().out
+    assert json.loads(printed) == texts
+    assert all(line.isprintable() for line in printed.splitlines())
+    say_data('name = "a\u009bb"\n')
+    assert tomllib.loads(capsys.readouterr().out) == {"name": "a\u009bb"}
+
+
+def test_reports_are_not_obeyed(tmp_path, capsys):
+    finding = Finding(NASTY, "A1", "changed", NASTY, NASTY, what=NASTY, why=NASTY)
+    report = Report(tmp_path / NASTY.replace("\x00", ""), NASTY, notes=[NASTY])
+    report.findings, report.notices, report.unmatched = [finding], [finding], [NASTY]
+    report.cells = {NASTY: 1}
+    out = Console(width=2_000)
+    console.show_report(report, out)
+    summary.show_summary(
+        [Outcome(report.path, "disagrees", report), Outcome(report.path, "unreadable", reason="x")], out
+    )
+    printed = capsys.readouterr().out
+    assert all(line.isprintable() for line in printed.splitlines())
+    assert "[/red]" in printed
+    assert ":warning:" in printed
+
+
+@pytest.fixture(scope="module")
+def book(tmp_path_factory):
+    machine = read_machine(TEMPLATE.description)
+    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
+    path = tmp_path_factory.mktemp("book") / "book.xlsx"
+    build(machine.model_copy(update={"sizes": sizes}), path)
+    path.with_suffix(".toml").write_text(write_machine(read_machine(TEMPLATE.description)), encoding="utf-8")
+    return path
+
+
+@posix
+@pytest.mark.parametrize("name", NAMES)
+def test_names_of_files_are_not_obeyed(name, book, monkeypatch, capsys, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    for console_ in ("out", "err"):  # as on a terminal, with its status line
+        stream = console_ == "err"
+        monkeypatch.setattr(cli, console_, Console(stderr=stream, force_terminal=True, width=500, color_system=None))
+    tmp_path.joinpath(name).parent.mkdir(exist_ok=True)  # one of the names has a slash
+    shutil.copy(book, f"{name}.xlsx")
+    commands = [
+        ["inputs", f"{name}.xlsx", "-o", f"{name}.toml"], ["inputs", f"{name}.xlsx", "-o", f"{name}.toml"],
+        ["build", f"{name}.none"], ["verify", f"{name}.none", f"{name}.no"], ["verify", f"{name}.none"],
+        ["regenerate", f"{name}.xlsx", "-o", f"{name}.xlsx"], ["inputs", f"{name}.xlsx", "-o", f"{name}/x.toml"],
+    ]  # fmt: skip
+    for arguments in commands:
+        monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as left:
+            cli.main()
+        out, err = capsys.readouterr()
+        said = without_status(out + err)
+        assert left.value.code in (0, 2), said
+        assert "Traceback" not in said
+        assert "failed inside" not in said
+        assert visible(name) in said
+        assert [line for line in said.splitlines() if not line.isprintable()] == []
+
+
+def without_status(said):
+    """What is said without the codes by which rich itself moves the cursor."""
+    for code in ("\x1b[?25l", "\x1b[?25h", "\x1b[2K", "\x1b[1A", "\r"):
+        said = said.replace(code, "")
+    return said

@@ -1,0 +1,172 @@
+"""A formula that an engineer entered counts where two evaluators agree on it, and the saved value with them."""
+
+import re
+import sys
+from types import SimpleNamespace
+
+import openpyxl
+import pytest
+
+from tests.workbook.reading.fuzz import pack, unpack, without_charts
+from workbook.book.address import Address
+from workbook.build import build
+from workbook.cli import main
+from workbook.errors import DisputedError, WitnessError
+from workbook.reading.entries import read_machine
+from workbook.reading.files import open_book
+from workbook.templates import TEMPLATES
+from workbook.witnesses import agreed as module
+from workbook.witnesses.agreed import agreed, same
+
+CELL = Address("Timing", 1, 1)
+COMMANDS = [["inputs", "book.xlsx"], ["verify", "book.xlsx"], ["regenerate", "book.xlsx", "-o", "new.xlsx"]]
+
+
+def witness(value, kept=False, version="1"):
+    """A witness that says one thing; WitnessError where that is one."""
+
+    class Told:
+        asked = 0
+
+        def version(self):
+            return version
+
+        def values(self, file):
+            Told.asked += 1
+            if isinstance(value, WitnessError):
+                raise value
+            return {CELL: value}
+
+    Told.kept = kept
+    return Told
+
+
+def asked(monkeypatch, *witnesses, saved=None):
+    """The value that witnesses and a saved value agree on."""
+    named = {f"w{i}": each for i, each in enumerate(witnesses)}
+    monkeypatch.setattr(module, "WITNESSES", named)
+    return agreed(SimpleNamespace(saved={CELL: saved}), named)(CELL)
+
+
+FAILED = WitnessError("cannot")
+AGREED = {
+    "two": ([1300, 1300.0], None, 1300),
+    "two but for rounding": ([0.3, 0.1 + 0.2], None, 0.3),
+    "zero but for rounding": ([0, 5.6e-17], None, 0),
+    "two texts": (["MTP", "MTP"], None, "MTP"),
+    "two and the saved value": ([1300, 1300], 1300.0, 1300),
+    "the third where the first knows no such function": (["#NAME?", 5, 5], None, 5),
+    "the third where the second fails": ([5, FAILED, 5], None, 5),
+    "the third where the second has no value": ([5, None, 5], None, 5),
+    "two on an error": (["#DIV/0!", "#DIV/0!", 5], None, "#DIV/0!"),
+}
+
+
+@pytest.mark.parametrize(("values", "saved", "value"), AGREED.values(), ids=AGREED.keys())
+def test_a_value_is_agreed(values, saved, value, monkeypatch):
+    assert asked(monkeypatch, *map(witness, values), saved=saved) == value
+
+
+DISPUTED = {
+    "two": ([500, 1300], None, "w0 has 500, w1 has 1300"),
+    "the saved value": ([1300, 1300], 500.0, "the file as it was saved has 500"),
+    "an error saved": ([1, 1], "#NUM!", "the file as it was saved has '#NUM!'"),
+    "a truth value and a number": ([True, 1], None, "w0 has TRUE, w1 has 1"),
+    "a text and a number": (["1", 1], None, "w0 has '1', w1 has 1"),
+    "only one": ([5], None, "w0 has 5"),
+    "only one, and a saved value": ([5, FAILED], 5, "w0 has 5"),
+    "one, and errors": ([5, "#NAME?", "#VALUE!"], None, "w1 has '#NAME?'"),
+    "none": ([FAILED, FAILED], None, "cannot be computed"),
+    "different errors": (["#NAME?", "#VALUE!"], None, "cannot be computed"),
+    "infinite": ([1e308, -1e308], None, "w1 has -1e+308"),
+}
+
+
+@pytest.mark.parametrize(("values", "saved", "says"), DISPUTED.values(), ids=DISPUTED.keys())
+def test_a_value_is_disputed(values, saved, says, monkeypatch):
+    with pytest.raises(DisputedError, match=re.escape(says)):
+        asked(monkeypatch, *map(witness, values), saved=saved)
+
+
+def test_witnesses_that_keep_values_or_are_absent_are_not_asked(monkeypatch):
+    kept, absent, third = witness(7, kept=True), witness(8, version=None), witness(9)
+    assert asked(monkeypatch, kept, witness(5), absent, witness(5), third) == 5
+    assert kept.asked == absent.asked == third.asked == 0
+
+
+def test_only_rounding_is_passed_over():
+    assert same(1.0, 1 + 1e-12)
+    assert not same(1.0, 1 + 1e-8)
+    assert not same(True, 1)
+    assert not same("a", "b")
+
+
+# as a command
+
+
+@pytest.fixture(scope="module")
+def slim(tmp_path_factory):
+    """The bytes of a small book without charts."""
+    template = TEMPLATES["cutting-machine"]
+    machine = read_machine(template.description)
+    sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})
+    path = tmp_path_factory.mktemp("slim") / "book.xlsx"
+    build(machine.model_copy(update={"sizes": sizes}), path)
+    return without_charts(path.read_bytes())
+
+
+@pytest.fixture
+def book(tmp_path, slim, monkeypatch):
+    """Enter a formula as the rate, with a saved value or without."""
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "book.xlsx"
+
+    def entered(formula, saved=""):
+        path.write_bytes(slim)
+        place = open_book(path).places["timing_rate"]
+        number = openpyxl.load_workbook(path, read_only=True).sheetnames.index(place.sheet) + 1
+        sheet, cell = f"xl/worksheets/sheet{number}.xml", place.cell(0, 0)
+        rule = rf'(<c r="{cell.a1}"[^>]*>).*?</c>'.encode()
+        new = rb"\1<f>%s</f>%s</c>" % (formula.encode(), saved.encode())
+        parts = [(name, re.sub(rule, new, data) if name == sheet else data) for name, data in unpack(slim)]
+        path.write_bytes(pack(parts))
+        return str(cell)
+
+    return entered
+
+
+def run(monkeypatch, capsys, arguments):
+    """The exit code of a command and what it says."""
+    monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
+    capsys.readouterr()
+    with pytest.raises(SystemExit) as left:
+        main()
+    return left.value.code, "".join(capsys.readouterr())
+
+
+@pytest.mark.parametrize("saved", ["", "<v>200</v>"])
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda c: c[0])
+def test_a_formula_beyond_doubt_is_taken_alike(command, saved, book, monkeypatch, capsys):
+    book("-20^2-200", saved)
+    code, said = run(monkeypatch, capsys, command)
+    assert code == 0, said
+    assert "rate = 200.0" in said or command[0] != "inputs"
+
+
+@pytest.mark.parametrize(
+    ("formula", "saved", "says"),
+    [
+        ("-20^2-200", "<v>-600</v>", "the file as it was saved has -600"),
+        ("200+0*NOSUCH(1)", "<v>200</v>", "the file as it was saved has 200"),
+        ("RAND()+200", "", "formualizer has 200."),
+    ],
+)
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda c: c[0])
+def test_a_formula_in_doubt_is_refused_alike(command, formula, saved, says, book, monkeypatch, capsys, tmp_path):
+    cell = book(formula, saved)
+    code, said = run(monkeypatch, capsys, command)
+    assert code == 2
+    (line,) = said.splitlines()
+    assert line.startswith(f"book.xlsx: {cell} (")
+    assert says in line
+    assert [path.name for path in tmp_path.iterdir()] == ["book.xlsx"]

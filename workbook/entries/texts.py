@@ -1,0 +1,69 @@
+"""Texts as entered: in one line that every program shows, and names that every program finds again by MATCH."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Annotated
+from unicodedata import category, normalize
+
+from pydantic import AfterValidator, Field
+
+from workbook.entries.types import EntryError
+
+NO_FORMULA = r"^[^=]"
+NO_NAME = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA|TRUE|FALSE|[+-]?[0-9.,]+(?:E[+-]?[0-9]+)?%?", re.IGNORECASE)
+"""what a program takes for an error value, a truth value or a number"""
+PATTERN = "*?~"
+
+
+def one_line(text: str) -> str:
+    """Return a text; raise EntryError where it holds a character that some program, or a file, cannot show."""
+    for character in text:
+        if category(character) in ("Cc", "Cs", "Zl", "Zp") or is_none(ord(character)):
+            raise EntryError("", f"holds the character U+{ord(character):04X}; expected a text in one line, "
+                                 "of characters that a cell can show")  # fmt: skip
+    return text
+
+
+def is_none(number: int) -> bool:
+    """Whether a code point is none of a character (Unicode 15, 23.7)."""
+    return number & 0xFFFE == 0xFFFE or 0xFDD0 <= number <= 0xFDEF
+
+
+def looked_up(name: str) -> str:
+    """Return a name; raise EntryError where a look-up would find another than this, or none."""
+    one_line(name)
+    if NO_NAME.fullmatch(name):
+        raise EntryError("", f"{name!r} reads as a value, not as a name; expected a name")
+    signs = [sign for sign in PATTERN if sign in name]
+    if signs:
+        raise EntryError("", f"holds {signs[0]}, which look-ups take for a pattern; expected a name without {PATTERN}")
+    if name != name.strip():
+        raise EntryError("", "begins or ends with a blank; expected a name without")
+    return name
+
+
+ONE_LINE, LOOKED_UP = AfterValidator(one_line), AfterValidator(looked_up)
+Text = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), ONE_LINE]
+
+
+def place_of(name: str, names: Iterable[str]) -> int:
+    """Return the place of the first of ``names`` that MATCH finds, whatever the case of letters; −1 where none is."""
+    return next((i for i, each in enumerate(names) if each.lower() == name.lower()), -1)
+
+
+def alike(name: str) -> str:
+    """Return one text for all names that some program could take for one: by case, dots of an i, width, ß and ss."""
+    return normalize("NFKC", normalize("NFKC", name).upper().casefold()).replace("\u0307", "")
+
+
+def require_distinct(names: Iterable[str], kind: str, key: str) -> None:
+    """Raise EntryError, at ``key`` with the number of the entry, for a name that a look-up takes for one before it."""
+    seen: dict[str, str] = {}
+    for i, each in enumerate(names):
+        first = seen.get(alike(each))
+        if first is not None:
+            like = "" if first == each else f", which a look-up takes for {first!r}"
+            raise EntryError(key.format(i), f"a second {kind} is named {each!r}{like}; expected a name of its own")
+        seen[alike(each)] = each

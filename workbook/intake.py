@@ -1,0 +1,53 @@
+"""Texts that people hand over as files: what is no regular file is never opened, and no file is read beyond a limit."""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+
+from workbook.errors import ReadError
+
+MOST = 1_000_000  # bytes; the largest description or catalogue that fits into a book has 60,000
+KINDS = {stat.S_IFDIR: "this is a folder", stat.S_IFREG: ""}
+OTHER = "this is a device or a pipe"
+
+
+def odd(path: Path) -> str:
+    """Return in words what ``path`` is, or leads to, where that is no regular file; nothing where it is one.
+
+    Raises OSError where that cannot be told, as where there is none. Nothing is opened: a pipe would wait for ever.
+    """
+    return KINDS.get(stat.S_IFMT(path.stat().st_mode), OTHER)
+
+
+def require_file(path: Path, expected: str) -> None:
+    """Raise ReadError unless ``path`` is a regular file, or a link to one."""
+    try:
+        kind = odd(path)
+    except (FileNotFoundError, NotADirectoryError) as error:
+        raise ReadError(f"{path}: there is no such file") from error
+    except (OSError, ValueError) as error:
+        raise unread(path, error, expected) from error
+    if kind:
+        raise ReadError(f"{path}: {kind}; expected {expected}")
+
+
+def read_text(path: Path, expected: str) -> str:
+    """Return the text of a file in UTF-8; raise ReadError, which says that ``expected`` was, for anything else."""
+    require_file(path, expected)
+    try:
+        with path.open("rb") as file:
+            data = file.read(MOST + 1)
+    except OSError as error:
+        raise unread(path, error, expected) from error
+    if len(data) > MOST:
+        raise ReadError(f"{path}: {path.stat().st_size:,} bytes; expected {expected}, of at most {MOST:,}")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ReadError(f"{path}: this is not a text; expected {expected} in UTF-8") from error
+
+
+def unread(path: Path, error: Exception, expected: str) -> ReadError:
+    """Return the error for a file that the system does not give."""
+    return ReadError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}; expected {expected}")

@@ -1,0 +1,37 @@
+"""Texts of files and paths, made fit to be shown: no terminal obeys what they hold."""
+
+from __future__ import annotations
+
+from typing import Any
+from unicodedata import category
+
+LONGEST = 60  # characters that a message repeats of what was found
+UNFIT = ("Cc", "Cf", "Cs", "Cn", "Zl", "Zp")
+"""control, bidirectional and other marks, halves of characters, no characters, ends of lines and of paragraphs"""
+
+
+def visible(text: str, kept: str = "") -> str:
+    """Return a text in one line, with a visible escape for each character that is none to read, but those ``kept``."""
+    if text.isprintable():
+        return text
+    return "".join(escaped(c) if category(c) in UNFIT and c not in kept else c for c in text)
+
+
+def escaped(character: str) -> str:
+    r"""Return an escape such as ``\x1b``."""
+    return character.encode("unicode_escape", "surrogatepass").decode()
+
+
+def found(value: Any) -> str:
+    """Return what was found as an engineer wrote it, in short and in one line."""
+    if isinstance(value, bool):
+        return str(value).upper()
+    if isinstance(value, int) and abs(value) >= 10**LONGEST:
+        return f"a whole number of more than {LONGEST} digits"
+    try:
+        text = repr(value[: LONGEST + 1] if isinstance(value, str) else value)
+    except (RecursionError, ValueError):  # the latter of a whole number within, of more digits than Python writes
+        text = f"a {type(value).__name__} of too much to be shown"
+    if not isinstance(value, str | list | dict):
+        text = str(value)
+    return visible(text if len(text) <= LONGEST else f"{text[:LONGEST]}…")

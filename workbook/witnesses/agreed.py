@@ -1,0 +1,81 @@
+"""The value of a formula that an engineer entered where a number or a text is expected: it must be beyond doubt."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+from workbook.book.address import Address
+from workbook.errors import DisputedError, WitnessError
+from workbook.reading.contents import Cells
+from workbook.reading.files import BookFile
+from workbook.visible import found
+from workbook.witnesses import WITNESSES
+
+ENOUGH = 2  # evaluators that must agree
+DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
+MOST = 160  # characters of why a witness failed
+ERRORS = ("#NULL!", "#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#N/A")
+
+
+def agreed(file: BookFile, names: Iterable[str] = WITNESSES) -> Callable[[Address], Any]:
+    """Return what gives the value of a formula cell of ``file``.
+
+    Two witnesses, the first of ``names`` that are on this machine and can evaluate it, must agree on it, and the saved
+    value, if the file has one. What gives a value raises DisputedError where they do not, or where not two of them can
+    evaluate it; an error value that the first two give is a value.
+    """
+    return Evaluation(file, names).value
+
+
+class Evaluation:
+    """The values of a file by one witness after the other, each asked once, and only where it is needed."""
+
+    def __init__(self, file: BookFile, names: Iterable[str]) -> None:
+        self._file = file
+        self._asked: dict[str, Cells] = {}
+        self._failed: list[str] = []
+        self._others = iter(names)
+
+    def value(self, address: Address) -> Any:
+        """Return the value of a cell; raise DisputedError as :func:`agreed` says."""
+        said: dict[str, Any] = {}
+        for name, values in self._witnesses():
+            said[name] = values.get(address)
+            known = {name: value for name, value in said.items() if value not in (None, *ERRORS)}
+            if len(known) == ENOUGH or (len(said) == ENOUGH and not known and len({*said.values()}) == 1):
+                return self._undisputed(address, known or said)
+        why = [*(f"{name} has {found(value)}" for name, value in said.items()), *self._failed]
+        raise DisputedError(f"it cannot be computed by {ENOUGH} evaluators ({'; '.join(why)})")
+
+    def _undisputed(self, address: Address, said: dict[str, Any]) -> Any:
+        """Return the value that all have; raise DisputedError where one differs."""
+        saved = self._file.saved.get(address)
+        all_said = said if saved is None else said | {"the file as it was saved": saved}
+        first = next(iter(said.values()))
+        if not all(same(first, value) for value in all_said.values()):
+            raise DisputedError(", ".join(f"{name} has {found(value)}" for name, value in all_said.items()))
+        return first
+
+    def _witnesses(self) -> Iterator[tuple[str, Cells]]:
+        """Yield the witnesses that evaluate, with the values of all formula cells: those asked before, then others."""
+        yield from list(self._asked.items())
+        for name in self._others:
+            witness = WITNESSES[name]()
+            if witness.kept or witness.version() is None:
+                continue
+            try:
+                self._asked[name] = witness.values(self._file)
+            except WitnessError as error:
+                self._failed.append(str(error)[:MOST])
+                continue
+            yield name, self._asked[name]
+
+
+def same(value: Any, other: Any) -> bool:
+    """Whether two values are one but for rounding."""
+    numbers = all(isinstance(v, int | float) and not isinstance(v, bool) for v in (value, other))
+    if numbers:
+        return math.isclose(value, other, rel_tol=DEVIATION, abs_tol=ZERO)
+    return type(value) is type(other) and bool(value == other)

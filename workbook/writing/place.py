@@ -1,0 +1,87 @@
+"""A file takes its place whole or not at all, and never that of another unasked."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import stat
+from collections.abc import Callable
+from pathlib import Path
+
+from workbook.errors import WriteError
+from workbook.intake import odd
+
+
+def refuse_existing(path: Path, overwrite: bool) -> None:
+    """Raise WriteError where something stands at ``path`` that may not be replaced: only a file, and only if asked."""
+    try:
+        path.lstat()
+        if not overwrite:
+            raise WriteError(f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)")
+        kind = odd(path)
+    except (FileNotFoundError, NotADirectoryError):
+        return  # also a link to a file that is not there yet, when told to write
+    except (OSError, ValueError) as error:
+        raise unwritten(path, error) from error
+    if kind:
+        raise WriteError(f"{path}: {kind}; expected the name of a file")
+
+
+def replace(path: Path, write: Callable[[Path], None], overwrite: bool = False) -> None:
+    """Let ``write`` fill a new file beside ``path``, then move it there; a failure leaves the old file whole.
+
+    Raises WriteError where ``path`` exists and ``overwrite`` is not given, also where it came to exist meanwhile.
+    A link stays, and the file that it leads to is written.
+    """
+    refuse_existing(path, overwrite)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        target = Path(os.path.realpath(path)) if path.is_symlink() else path
+        draft = begun(target.parent)
+    except OSError as error:
+        raise unwritten(path, error) from error
+    try:
+        write(draft)
+        if overwrite:
+            keep_mode(target, draft)
+            draft.replace(target)
+        else:
+            place(draft, target)
+    except FileExistsError:
+        refuse_existing(path, overwrite)
+        raise
+    except PermissionError as error:
+        raise WriteError(f"{path}: cannot be written; close it in the other program and try again") from error
+    except OSError as error:
+        raise unwritten(path, error) from error
+    finally:
+        draft.unlink(missing_ok=True)
+
+
+def begun(folder: Path) -> Path:
+    """Return a new, empty file, with the permissions that the system gives to any; its name is none of a book."""
+    draft = folder / f".motionbook-{secrets.token_hex(8)}.part"
+    os.close(os.open(draft, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+    return draft
+
+
+def keep_mode(target: Path, draft: Path) -> None:
+    """Give a draft the permissions of the file that it replaces, where there is one."""
+    if target.exists():
+        draft.chmod(stat.S_IMODE(target.stat().st_mode))
+
+
+def place(draft: Path, target: Path) -> None:
+    """Give a draft its name unless that is taken, in one step; raise FileExistsError where it is."""
+    try:
+        os.link(draft, target)
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without links: the name is taken first, and then filled
+        os.close(os.open(target, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+        draft.replace(target)
+
+
+def unwritten(path: Path, error: Exception) -> WriteError:
+    """Return the error for a file that the system does not take."""
+    return WriteError(f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}")
