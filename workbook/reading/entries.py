@@ -19,6 +19,7 @@ from workbook.entries.types import EntryError
 from workbook.errors import DisputedError, InputError, ReadError
 from workbook.intake import read_text
 from workbook.reading.files import BookFile, Words
+from workbook.reading.work import require_little_work
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import LONGEST, found
@@ -108,6 +109,7 @@ class Entries:
     """The input cells of a workbook as a machine description; inputs that hold a formula are given to ``evaluate``."""
 
     def __init__(self, file: BookFile, evaluate: Evaluate) -> None:
+        require_little_work(file)
         self.file = file
         self._evaluate = evaluate
         self._value: Callable[[Address], Any] | None = None

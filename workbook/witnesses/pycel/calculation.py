@@ -12,6 +12,7 @@ from workbook.book.columns import Moved, Moving, Pattern
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import entered
 from workbook.witnesses.pycel.compiled import Compiled, compiled
+from workbook.witnesses.pycel.limits import Crossed
 from workbook.witnesses.pycel.numbering import Numbering
 from workbook.witnesses.pycel.order import ordered
 from workbook.witnesses.pycel.steps import FormulaStep, RangeStep, rows_of
@@ -59,6 +60,7 @@ class Calculation:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
         given = {self._input(address): entered(value) for address, value in (inputs or {}).items()}
         values = list(self._numbers.values)
+        Crossed.cells = 0
         for number, value in given.items():
             values[number] = value
         for number in self._order:
@@ -70,6 +72,7 @@ class Calculation:
         """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
         values: dict[int, Any] = {}
         results = {}
+        Crossed.cells = 0
         for address in wanted:
             number = self._numbers.cell(address)
             step = self._steps.get(number)

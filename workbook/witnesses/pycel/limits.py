@@ -22,6 +22,36 @@ MOST_DIGITS = 308  # of a number that a cell can hold
 MOST_TEXT = 32_767  # characters that a cell can hold
 MOST_PERIODS = 1_000_000
 MOST_WILDCARDS = 3  # in a criterion
+MOST_CROSSED = 1_000_000  # cells of all arrays that cross a row with a column, in one evaluation
+
+
+class Crossed:
+    """Counts the cells of arrays that formulas make of a row and a column, or by looking up each of a range."""
+
+    cells = 0
+
+
+def cross(*arrays: Any) -> None:
+    """Count an array as tall as the tallest of ``arrays`` and as wide as the widest, before it is made.
+
+    Raises ValueError beyond the limit. A reader cannot see it coming: two references of 10,000 cells make 100,000,000.
+    """
+    sizes = [(len(array), len(array[0])) for array in arrays if type(array) is tuple]
+    if len(set(sizes)) > 1:
+        spend(max(rows for rows, _ in sizes) * max(columns for _, columns in sizes))
+
+
+def count_searches(wanted: Any, array: Any) -> None:
+    """Count the cells that are passed through where each of a range is looked up in another."""
+    if type(wanted) is tuple and type(array) is tuple:
+        spend(len(wanted) * len(wanted[0]) * len(array) * len(array[0]))
+
+
+def spend(cells: int) -> None:
+    """Count cells; raise ValueError beyond the limit."""
+    Crossed.cells += cells
+    if Crossed.cells > MOST_CROSSED:
+        raise ValueError(f"the arrays of this workbook hold over {MOST_CROSSED:,} cells")
 
 
 def raised(number: float, exponent: float) -> Any:

@@ -13,7 +13,7 @@ from typing import Any
 
 from pycel.lib import lookup
 
-from workbook.witnesses.pycel.limits import OPERATORS, build_operators
+from workbook.witnesses.pycel.limits import OPERATORS, build_operators, count_searches, cross
 
 Function = Callable[..., Any]
 NUMBERS = frozenset((float, int))  # not bool, whose kind counts in comparisons
@@ -37,6 +37,7 @@ def operators() -> Callable[[Any, str, Any], Any]:
             if len(left) == len(right) and len(left[0]) == len(right[0]):
                 rows = zip(left, right, strict=True)
                 return tuple(tuple(map(operate, a, repeat(operator), b)) for a, b in rows)
+            cross(left, right)
         elif kind is tuple and other in NUMBERS:
             return tuple(tuple(map(operate, row, repeat(operator), repeat(right))) for row in left)
         elif other is tuple and kind in NUMBERS:
@@ -87,9 +88,20 @@ def condition(checked: Function) -> Function:
 
     def call(test: Any, true_value: Any, false_value: Any = 0) -> Any:
         if type(test) is not bool or (type(true_value) is tuple and type(false_value) is tuple):
+            cross(test, true_value, false_value)
             return checked(test, true_value, false_value)
         chosen, other = (true_value, false_value) if test else (false_value, true_value)
         return tuple((chosen,) * len(row) for row in other) if type(other) is tuple else chosen
+
+    return call
+
+
+def searching(checked: Function) -> Function:
+    """Return a look-up that counts what it passes through before it begins."""
+
+    def call(*arguments: Any) -> Any:
+        count_searches(*arguments[:2])
+        return checked(*arguments)
 
     return call
 
@@ -150,6 +162,10 @@ SHORTENED: dict[str, Callable[[Function], Function]] = {
     "ln": of_one(math.log),
     "abs_": of_one(abs),
     "if_": condition,
+    "match": searching,
+    "vlookup": searching,
+    "hlookup": searching,
+    "lookup": searching,
     "min_": of_many(min),
     "max_": of_many(max),
     "sum_": of_many(sum),

@@ -1,0 +1,42 @@
+"""How much work a file's formulas are, told before any of them is evaluated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from workbook.book.columns import Moved, Moving, Pattern
+from workbook.book.formula import Area, Formula
+from workbook.errors import ReadError
+from workbook.reading.files import BookFile
+
+MOST = 500_000_000  # cells that all formulas read together; the committed books have 3,000,000, the largest 200,000,000
+
+
+def require_little_work(file: BookFile) -> None:
+    """Raise ReadError, in one line, where the formulas of a file read more cells than any book's."""
+    read = cells_read(file.contents.formulas.values())
+    if read > MOST:
+        raise ReadError(f"{file.path}: its formulas read {read:,} cells together; at most {MOST:,} are expected: "
+                        "shorten their ranges")  # fmt: skip
+
+
+def cells_read(formulas: Iterable[Formula | Moved]) -> int:
+    """Return how many cells formulas read together, a cell counted as often as it is read."""
+    patterns: dict[int, tuple[int, list[Moving]]] = {}
+    read = 0
+    for formula in formulas:
+        if isinstance(formula, Moved):
+            pattern, row = formula
+            known = patterns.get(id(pattern)) or patterns.setdefault(id(pattern), parted(pattern))
+            read += known[0] + sum(a.at(row).size for a in known[1])
+        else:
+            read += sum(a.size for a in formula.arguments if isinstance(a, Area))
+    return read
+
+
+def parted(pattern: Pattern) -> tuple[int, list[Moving]]:
+    """Return how many cells a pattern's formulas read in every row, and the references that grow from row to row."""
+    areas = [a.area if isinstance(a, Moving) else a for a in pattern.arguments if not isinstance(a, str)]
+    growing = [a for a in pattern.arguments if isinstance(a, Moving) and (a.top is None) != (a.bottom is None)]
+    growing = [a for a in growing if not a.area.single]
+    return sum(a.size for a in areas) - sum(a.area.size for a in growing), growing
