@@ -7,7 +7,7 @@ from bisect import bisect_right
 from itertools import accumulate
 from typing import NamedTuple, Sequence
 
-from .law import ROUNDING, TOLERANCE, Law
+from .law import OUTSIDE, TOLERANCE, Law
 from .refused import NUM, VALUE, Refused
 
 
@@ -31,7 +31,7 @@ class Motion:
 
     def at(self, x: float) -> tuple[float, float, float]:
         """Return position, velocity per unit of x, acceleration per unit of x²; at a joint of the later phase."""
-        if not -ROUNDING * self.total <= x <= self.total * (1.0 + ROUNDING):
+        if not -OUTSIDE * self.total <= x <= self.total * (1.0 + OUTSIDE):
             raise Refused(NUM)
         k = max(bisect_right(self.begins, x + TOLERANCE * self.total) - 1, 0)
         law, duration, lift = self.phases[k]

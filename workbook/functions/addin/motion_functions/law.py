@@ -10,7 +10,7 @@ from .piece import Piece
 from .refused import NUM, Refused
 
 TOLERANCE = 2e-9  # a ξ this near to a break counts as on it
-ROUNDING = 1e-12  # by so much of its range an argument may lie outside it
+OUTSIDE = 1e-12  # by so much of its range an argument may lie outside it
 ROUNDING = 4e-16
 
 
@@ -65,7 +65,7 @@ class Law:
 
     def at(self, xi: float) -> tuple[float, float, float, float]:
         """Return s, v, a, j at ξ: of the later stage at a break, of the last at 1. Refuses a ξ outside [0, 1]."""
-        if not -ROUNDING <= xi <= 1.0 + ROUNDING:
+        if not -OUTSIDE <= xi <= 1.0 + OUTSIDE:
             raise Refused(NUM)
         inside = min(max(xi, 0.0), 1.0)
         reached = min(inside + TOLERANCE, 1.0 - TOLERANCE)
@@ -73,7 +73,7 @@ class Law:
 
     def xi_at(self, s: float) -> float:
         """Return the first ξ with the position s. The law must not move backwards. Refuses an s that it never has."""
-        if not (self.end > 0.0 and -ROUNDING <= s <= self.end + ROUNDING):
+        if not (self.end > 0.0 and -OUTSIDE <= s <= self.end + OUTSIDE):
             raise Refused(NUM)
         if s <= 0.0 or s >= self.end:
             return 0.0 if s <= 0.0 else 1.0
