@@ -193,8 +193,10 @@ def counted_in(pairs: Pairs, criterion: Criterion) -> float:
     return (float(pairs.score.max()) or 1.0) if criterion in ("size", "cost") and len(pairs) else 1.0
 
 
-def sorting_keys(pairs: Pairs, criterion: Criterion, place: ArrayLike, places: int, rows: int) -> Array:
-    """Return whole numbers that rise as the pairs rank for an engineer: the scores to ``places`` decimals (halves up),
-    then the ``place`` of each pair among ``rows`` of a table, so that the first of equals comes first."""
-    rounded = np.floor(pairs.score / counted_in(pairs, criterion) * 10**places + 0.5)
+def sorting_keys(pairs: Pairs, criterion: Criterion, place: ArrayLike, parts: int, rows: int) -> Array:
+    """Return whole numbers that rise as the pairs rank for an engineer: the scores in whole ``parts`` of
+    their unit (halves up), then the ``place`` of each pair among ``rows`` of a table, so that the first of equals comes
+    first.
+    """
+    rounded = np.floor(pairs.score / counted_in(pairs, criterion) * parts + 0.5)
     return np.asarray(rounded * rows + place)

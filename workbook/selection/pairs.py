@@ -88,7 +88,7 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
                 "INDEX([motors.figure],[m])+INDEX([reducers.figure],[r])),0)"),
                spread(view, view.scores), source="by the criterion", format=FINE),
         calc("order", "sorted by", "", "",
-             '=IF([counts]=1,ROUND([score]/sel_unit*10^sel_places,0)*sel_rows+[k],"–")',
+             '=IF([counts]=1,ROUND([score]/sel_unit*sel_parts,0)*sel_rows+[k],"–")',
              keys, source="score, then row", format="General"),
     )  # fmt: skip
 

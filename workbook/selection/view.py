@@ -21,7 +21,7 @@ from workbook.entries.units import RPM, si
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Selection, SelectionSizes
 
-PLACES = 6  # decimals in which scores are compared: equal to an engineer, equal in the ranking
+PARTS = 1_000_000  # of a unit, in which scores are compared: equal to an engineer, equal in the ranking
 
 
 def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
@@ -120,7 +120,7 @@ class Choosing:
         return counted_in(self.ranking, self.given.criterion)
 
     def _keys(self, pairs: Pairs) -> Array:
-        return sorting_keys(pairs, self.given.criterion, self.row(pairs), PLACES, self.rows)
+        return sorting_keys(pairs, self.given.criterion, self.row(pairs), PARTS, self.rows)
 
     def row(self, pairs: Pairs) -> NDArray[np.intp]:
         """Return the row of pairs in the table of all of them, from 1."""

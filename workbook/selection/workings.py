@@ -9,7 +9,7 @@ from engine.choice.task import NOTHING
 from workbook.book.declare import Sheet, calc, constant
 from workbook.drive import losses
 from workbook.entries.units import PER_RPM, RPM, shown
-from workbook.selection.view import PLACES, Choosing
+from workbook.selection.view import PARTS, Choosing
 
 OFF = -1.0  # left of the charts' edge: where what is not drawn lies
 
@@ -125,8 +125,8 @@ def constants(sheet: Sheet, view: Choosing) -> None:
         calc("sel_unit", "Scores are counted in", "", "",
              "=IF(AND(sel_no>2,MAX([pairs.score])>0),MAX([pairs.score]),1)", view.counted_in,
              source="the largest mass or cost, else 1"),
-        constant("sel_places", "Decimals in which scores are compared", "", "",
-                 PLACES, format="0", source="equal to an engineer, equal in the ranking"),
+        constant("sel_parts", "Parts of a unit in which scores are compared", "", "",
+                 PARTS, format="0", source="equal to an engineer, equal in the ranking"),
         calc("sel_rows", "Rows of all pairs", "", "",
              "=COUNT([pairs.k])", view.rows, format="0", source="equals rank in their order there"),
         losses.standstill(),

@@ -207,13 +207,13 @@ def scored(*scores):
 
 def test_keys_take_scores_for_equal_that_an_engineer_would_and_keep_their_order():
     pairs = scored(1.2000004, 1.2, 1.2000006, 1.1999996, 0.5)
-    keys = sorting_keys(pairs, "margin", [1, 2, 3, 4, 5], places=6, rows=10)
+    keys = sorting_keys(pairs, "margin", [1, 2, 3, 4, 5], parts=10**6, rows=10)
     assert np.argsort(keys).tolist() == [4, 0, 1, 3, 2]
     assert keys.tolist() == [12_000_001, 12_000_002, 12_000_013, 12_000_004, 5_000_005]
 
 
 def test_halves_are_rounded_up_as_in_cells():
-    keys = sorting_keys(scored(0.125, 0.375), "margin", [0, 0], places=2, rows=1)
+    keys = sorting_keys(scored(0.125, 0.375), "margin", [0, 0], parts=100, rows=1)
     assert keys.tolist() == [13, 38]
 
 
@@ -221,7 +221,7 @@ def test_sizes_and_costs_are_counted_in_the_largest_of_them():
     pairs = scored(20.0, 50.0, 5.0)
     assert [counted_in(pairs, c) for c in ("margin", "inertia match", "size", "cost")] == [1.0, 1.0, 50.0, 50.0]
     assert counted_in(scored(0.0, 0.0), "size") == counted_in(scored(), "cost") == 1.0
-    assert sorting_keys(pairs, "cost", [0, 0, 0], places=1, rows=1).tolist() == [4, 10, 1]
+    assert sorting_keys(pairs, "cost", [0, 0, 0], parts=10, rows=1).tolist() == [4, 10, 1]
 
 
 def test_for_a_load_at_rest_nothing_is_found():
