@@ -35,3 +35,7 @@ class WriteError(MotionbookError):
 
 class WitnessError(MotionbookError):
     """A witness that is absent, or that cannot evaluate the file."""
+
+
+class DisputedError(ValueError):
+    """A formula whose value is in doubt, in words that follow the formula."""

@@ -16,7 +16,7 @@ from workbook.book.declare import Block, Quantity
 from workbook.entries import rules
 from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError
-from workbook.errors import InputError, ReadError
+from workbook.errors import DisputedError, InputError, ReadError
 from workbook.intake import read_text
 from workbook.reading.files import BookFile, Words
 from workbook.reading.work import require_little_work
@@ -27,10 +27,6 @@ from workbook.visible import LONGEST, found
 Where = Callable[[str], str]
 Evaluate = Callable[[BookFile], Callable[[Address], Any]]  # gives what gives the value of a formula cell
 DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
-
-
-class DisputedError(ValueError):
-    """A formula whose value is in doubt, in words that follow the formula."""
 
 
 def template_named(name: object, where: str) -> AnyTemplate:

@@ -7,9 +7,8 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.errors import WitnessError
+from workbook.errors import DisputedError, WitnessError
 from workbook.reading.contents import Cells
-from workbook.reading.entries import DisputedError
 from workbook.reading.files import BookFile
 from workbook.visible import found
 from workbook.witnesses import WITNESSES

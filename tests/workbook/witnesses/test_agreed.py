@@ -11,8 +11,8 @@ from tests.workbook.reading.fuzz import pack, unpack, without_charts
 from workbook.book.address import Address
 from workbook.build import build
 from workbook.cli import main
-from workbook.errors import WitnessError
-from workbook.reading.entries import DisputedError, read_machine
+from workbook.errors import DisputedError, WitnessError
+from workbook.reading.entries import read_machine
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import agreed as module
