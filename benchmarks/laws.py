@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
+import pkgutil
 import time
 from collections.abc import Callable
+from importlib import import_module
 
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from engine.laws import CATALOGUE, Law, ModifiedTrapezoidal, Piece, PieceLaw
+import engine.laws
+from engine.laws import Entry, Law, ModifiedTrapezoidal, Piece, PieceLaw
+from engine.laws.double_harmonic import DoubleHarmonic
+from engine.laws.ends import Ends
+from engine.laws.polynomial_4567 import Polynomial4567
+from engine.laws.sine_constant_cosine import SineConstantCosine
+from engine.laws.spline import Spline
 
 SAMPLES = 10**6
 ROUNDS = 7
 GOAL = 12.0
+WIDE_GOAL = 20.0
+"""of laws of one's own, of points and of two sines"""
 
 MIXED = PieceLaw(
     [
@@ -24,12 +34,27 @@ MIXED = PieceLaw(
 )
 
 
+POINTS = Spline(tuple((k / 99, k / 99 + 0.01 * (-1) ** k if 0 < k < 99 else k / 99) for k in range(100)))
+BOTH_SINES = Piece(1.0, (1.0, -2.0, 3.0, -4.0, 5.0, -6.0), 6.0, 5.0, 0.1, 3.0, 11.0, 0.7)
+
+
 def laws() -> dict[str, Law]:
-    """Every law of the catalogue, and two that have all that can cost time."""
-    cases = {entry.code: entry.example() for entry in CATALOGUE}
+    """Every law of the engine, and some that have all that can cost time."""
+    modules = (import_module(f"engine.laws.{found.name}") for found in pkgutil.iter_modules(engine.laws.__path__))
+    entries = (getattr(module, "ENTRY", None) for module in modules)
+    cases = {entry.code: entry.example() for entry in entries if isinstance(entry, Entry)}
     cases["MTP, asymmetric"] = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
+    cases["SCC, at speed"] = SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, Ends(1.0, -0.4, 0.9))
+    cases["PO7, between ends"] = Polynomial4567().between(Ends(1.0, 0.4, -0.3, 1.0, 2.0, 3.0, 4.0))
+    cases["SPL, 100 points"] = POINTS
     cases["OWN, mixed pieces"] = MIXED
+    cases["OWN, two sines"] = PieceLaw([BOTH_SINES])
     return cases
+
+
+def goal(law: Law) -> float:
+    """The greatest ratio that is wanted of a law."""
+    return WIDE_GOAL if isinstance(law, PieceLaw | Spline | DoubleHarmonic) else GOAL
 
 
 def ratios(laws: dict[str, Law], xi: np.ndarray) -> tuple[dict[str, float], float]:
@@ -56,7 +81,8 @@ def main() -> None:
     table = Table("Law", "In order", "Shuffled", "Goal", title=f"s, v, a, j of {SAMPLES:,} samples / np.sin")
     for name in cases:
         worst = max(ordered[name], disordered[name])
-        verdict = f"≤ {GOAL:g} " + ("met" if worst <= GOAL else "missed")
+        wanted = goal(cases[name])
+        verdict = f"≤ {wanted:g} " + ("met" if worst <= wanted else "missed")
         table.add_row(name, f"{ordered[name]:.1f}", f"{disordered[name]:.1f}", verdict)
     console = Console()
     console.print(table)

@@ -1,12 +1,15 @@
 """The engine is what the product uses: nothing in it that neither the workbooks call nor an example shows."""
 
 import ast
+import contextlib
+import io
 import re
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 EXAMPLE = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PRINTED = re.compile(r"^ *print\(.*\)  # (.*)$", re.MULTILINE)
 
 Name = tuple[str, str]
 """A function or class by its module and name; a method by the empty text and its name, whosoever it is."""
@@ -107,6 +110,15 @@ def test_the_product_or_an_example_calls_all_that_the_engine_offers() -> None:
 def test_the_examples_run() -> None:
     for source in examples():
         exec(compile(source.tree, "example", "exec"), {})  # noqa: S102 - the project's own text
+
+
+def test_the_guides_examples_print_what_stands_beside() -> None:
+    for path in sorted((ROOT / "docs").rglob("*.md")):
+        for text in EXAMPLE.findall(path.read_text(encoding="utf-8")):
+            printed = io.StringIO()
+            with contextlib.redirect_stdout(printed):
+                exec(compile(text, path.name, "exec"), {})  # noqa: S102 - the project's own text
+            assert printed.getvalue().splitlines() == PRINTED.findall(text)
 
 
 def test_what_only_the_uncalled_call_counts_as_uncalled() -> None:

@@ -1,48 +1,36 @@
-"""Constant acceleration, symmetric (ACS)."""
+"""Constant acceleration (ACS)."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
-import numpy as np
-
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law, Shapes
+from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
-from engine.laws.piece import Piece
+from engine.laws.polynomial_pulse import CONSTANT
+from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.shares import require_share
 
 
 @dataclass(frozen=True)
-class ConstantAcceleration(Law):
-    """a = 4 over the first half of the rise, a = −4 over the second; s = 2ξ², then 1 − 2(1 − ξ)².
+class ConstantAcceleration(PulseLaw):
+    """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)².
 
-    Source: S3, figure 1 and 'ACS'; S1 quotes its C_a = 4.
+    ``share`` is λ, between 0 and 1, else ValueError.
+    Source: S3, figure 1 and 'ACS'; S1 quotes its C_a = 4. With λ: LCamHdl, ProfileTypes, D_D_PARABOLA.
     """
 
     code = "ACS"
     name = "Constant acceleration"
+    STAGES = (0, 2)
 
-    def _block(self, xi: Array) -> tuple[Array, Array, Array, float]:
-        late = xi >= 0.5 - BREAK_TOLERANCE
-        t = np.where(late, 1.0 - xi, xi)  # to the nearer end
-        travel = 2.0 * t * t
-        return np.where(late, 1.0 - travel, travel), 4.0 * t, np.where(late, -4.0, 4.0), 0.0
+    share: float = 0.5
+    ends: Ends = REST
 
-    def _coefficients(self) -> Coefficients:
-        return Coefficients(cv=2.0, ca_max=4.0, ca_min=-4.0, ca_rms=4.0, cj=math.inf, va_max=8.0, va_min=-8.0)
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
 
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """The middle, at which a turns round."""
-        return (0.5,)
-
-    def as_pieces(self) -> tuple[Piece, ...]:
-        """Return the two halves, a = 4 and a = −4."""
-        return Piece(0.5, (4.0, 0.0, 0.0, 0.0)), Piece(0.5, (-4.0, 0.0, 0.0, 0.0))
-
-    def shapes(self) -> Shapes:
-        """Return two constants of half the time each."""
-        return Shapes(flat_up=0.5, flat_down=0.5)
+    def _course(self) -> Course:
+        return Course(CONSTANT, self.share, 0.0, CONSTANT, 1.0 - self.share)
 
 
 ENTRY = Entry(
@@ -63,4 +51,5 @@ ENTRY = Entry(
         },
     ),
     example=ConstantAcceleration,
+    beyond=(ConstantAcceleration(0.3), ConstantAcceleration(0.6, Ends(1.0, 0.4, -0.2))),
 )

@@ -5,50 +5,40 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
-from engine.laws.base import Array, Coefficients, Law, Shapes
+from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
 from engine.laws.piece import Piece
+from engine.laws.pulse import CYCLOIDAL
+from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.shares import require_share
 
-TURN = 2.0 * math.pi
+FULL_SINE = Piece(1.0, amplitude=math.tau, omega=math.tau)
 
 
 @dataclass(frozen=True)
-class Cycloidal(Law):
-    """a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. Source: S3, 'CIC'."""
+class Cycloidal(PulseLaw):
+    """a = (π/λ) sin(πξ/λ) over the share λ of the time, −(π/μ) sin(π(ξ − λ)/μ) over the rest, μ = 1 − λ.
+
+    With λ = ½, a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. ``share`` is λ, between 0 and 1, else
+    ValueError. Source: S3, 'CIC'. With λ: LCamHdl, ProfileTypes, D_D_INCLINED_SINE.
+    """
 
     code = "CIC"
     name = "Cycloidal"
+    STAGES = (0, 2)
 
-    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        sin, cos = np.sin(TURN * xi), np.cos(TURN * xi)
-        return xi - sin / TURN, 1.0 - cos, TURN * sin, TURN**2 * cos
+    share: float = 0.5
+    ends: Ends = REST
 
-    def _coefficients(self) -> Coefficients:
-        power = TURN * 3.0 * math.sqrt(3.0) / 4.0  # 2π sin θ (1 − cos θ) at θ = 2π/3
-        return Coefficients(
-            cv=2.0,
-            ca_max=TURN,
-            ca_min=-TURN,
-            ca_rms=TURN / math.sqrt(2.0),
-            cj=TURN**2,
-            va_max=power,
-            va_min=-power,
-        )
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+
+    def _course(self) -> Course:
+        return Course(CYCLOIDAL, self.share, 0.0, CYCLOIDAL, 1.0 - self.share)
 
     @property
-    def breaks(self) -> tuple[float, ...]:
-        """None."""
-        return ()
-
-    def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one full sine, a = 2π sin 2πu."""
-        return (Piece(1.0, amplitude=TURN, omega=TURN),)
-
-    def shapes(self) -> Shapes:
-        """Return two quarters of the sine on either side of the middle."""
-        return Shapes(sine_up=0.5, sine_down=0.5)
+    def _whole(self) -> Piece | None:
+        return FULL_SINE if self.share == 0.5 and self.ends == REST else None
 
 
 ENTRY = Entry(
@@ -69,4 +59,5 @@ ENTRY = Entry(
         },
     ),
     example=Cycloidal,
+    beyond=(Cycloidal(0.3), Cycloidal(0.6, Ends(1.0, 0.8, -0.3))),
 )

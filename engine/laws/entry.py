@@ -46,13 +46,18 @@ class Entry:
     others: tuple[Law, ...] = ()
     """the law with other parameters, stages of no duration among them: breaks, pieces, shapes and coefficients are
     measured at these too"""
+    beyond: tuple[Law, ...] = ()
+    """the law between prescribed ends, and with parameters that its page does not enter: measured by the engine's
+    tests alone"""
 
     def __post_init__(self) -> None:
         law, example = self.law, self.example()
         _require(law.__name__, "the constant", ("code", "name"), dir(law))
         _require(law.__name__, "the claim of", (f.name for f in fields(Coefficients)), self.claims.coefficients)
         parameters = [f.name for f in fields(law)]  # type: ignore[arg-type]
-        changed = [p for p in parameters if any(getattr(o, p) != getattr(example, p) for o in self.others)]
+        changed = [
+            p for p in parameters if any(getattr(o, p) != getattr(example, p) for o in (*self.others, *self.beyond))
+        ]
         _require(law.__name__, "among its other examples one with another", parameters, changed)
 
     @property

@@ -1,65 +1,99 @@
-"""One piece of the engineer's own law, a(u) = polynomial + P sin(ωu + φ), and its integrals."""
+"""One piece of a law, a(u) = polynomial(u) + sines, and its integrals."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from engine.laws.base import Array, require_finite
 
+POWERS = 6
+"""coefficients of the polynomial, at most"""
+
+SINES = (POWERS, POWERS + 4)
+"""where the two sines stand in :attr:`Piece.row`"""
+
+Columns = Sequence[Array] | Array
+
 
 @dataclass(frozen=True)
 class Piece:
-    """a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ) over a duration, u from its begin.
+    """a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂) over a duration, u from its begin.
 
-    ``amplitude`` is P, ``omega`` ω, ``phase`` φ in rad. Raises ValueError for a negative duration, for
-    coefficients that are not four, and for what is not finite.
+    ``amplitude`` is P, ``omega`` ω, ``phase`` φ in rad; the second sine is for the one law that needs it. Raises
+    ValueError for a negative duration, for coefficients that are not four to six, and for what is not finite.
     """
 
     duration: float
-    c: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+    c: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)
     amplitude: float = 0.0
     omega: float = 0.0
     phase: float = 0.0
+    amplitude2: float = 0.0
+    omega2: float = 0.0
+    phase2: float = 0.0
 
     def __post_init__(self) -> None:
-        if len(self.c) != 4:
-            raise ValueError(f"{len(self.c)} coefficients of the polynomial are given; expected c0, c1, c2, c3")
+        if not 4 <= len(self.c) <= POWERS:
+            raise ValueError(f"{len(self.c)} coefficients of the polynomial are given; expected c0 to c3, c4 or c5")
         require_finite(duration=self.duration, amplitude=self.amplitude, omega=self.omega, phase=self.phase)
+        require_finite(amplitude2=self.amplitude2, omega2=self.omega2, phase2=self.phase2)
         require_finite(**{f"c{i}": c for i, c in enumerate(self.c)})
         if self.duration < 0.0:
             raise ValueError(f"the duration of a piece is {self.duration:g}; expected 0 or more")
         object.__setattr__(self, "c", tuple(float(c) for c in self.c))
 
     @property
+    def sines(self) -> tuple[tuple[float, float, float], ...]:
+        """P, ω, φ of each sine that is not 0."""
+        both = (self.amplitude, self.omega, self.phase), (self.amplitude2, self.omega2, self.phase2)
+        return tuple(sine for sine in both if sine[0])
+
+    @property
     def row(self) -> tuple[float, ...]:
-        """c0, c1, c2, c3, P, ω, sin φ, cos φ: what :func:`gains` needs."""
-        return (*self.c, self.amplitude, self.omega, math.sin(self.phase), math.cos(self.phase))
+        """c0 … c5, then P, ω, sin φ, cos φ of either sine: what :func:`gains` needs."""
+        c = self.c + (0.0,) * (POWERS - len(self.c))
+        first = self.amplitude, self.omega, math.sin(self.phase), math.cos(self.phase)
+        return (*c, *first, self.amplitude2, self.omega2, math.sin(self.phase2), math.cos(self.phase2))
 
 
 def gains(u: Array, row: Array) -> tuple[Array, Array, Array, Array]:
-    """Return ∬a, ∫a, a and da/du of pieces from their begin to u; ``row`` is :attr:`Piece.row`, in columns.
+    """Return ∬a, ∫a, a and da/du of pieces from their begin to u; ``row`` is :attr:`Piece.row`, in columns."""
+    return gains_of(u, row[:POWERS], [row[k : k + 4] for k in SINES if row[k].any()])
 
-    With h = ωu/2 and m, n the sine and cosine of φ + h, the integrals of the sine are
+
+def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Array, Array, Array]:
+    """Return ∬a, ∫a, a and da/du from the coefficients of a polynomial and the P, ω, sin φ, cos φ of sines.
+
+    With h = ωu/2 and m, n the sine and cosine of φ + h, the integrals of a sine are
     ∫ = u m sin h/h and ∬ = u² (sin φ (sin h/h)²/2 + cos φ (2h − sin 2h)/(2h)²): right for ω = 0 too.
     """
-    c0, c1, c2, c3, p, w, sin_phi, cos_phi = row
-    h = w * u / 2.0
-    sin, cos = np.sin(h), np.cos(h)
-    m, n = sin_phi * cos + cos_phi * sin, cos_phi * cos - sin_phi * sin
-    sinc = np.divide(sin, h, out=np.ones_like(h), where=h != 0.0)
-    s = u * u * (c0 / 2 + u * (c1 / 6 + u * (c2 / 12 + u * (c3 / 20))))
-    v = u * (c0 + u * (c1 / 2 + u * (c2 / 3 + u * (c3 / 4))))
-    a = c0 + u * (c1 + u * (c2 + u * c3))
-    j = c1 + u * (2 * c2 + u * 3 * c3)
-    return (
-        s + p * u * u * (sin_phi * sinc * sinc / 2.0 + cos_phi * lag(h, sin, cos)),
-        v + p * u * m * sinc,
-        a + p * (m * cos + n * sin),
-        j + p * w * (n * cos - m * sin),
-    )
+    s, v, a, j = (np.zeros_like(u) for _ in range(4))
+    for i in range(len(c) - 1, -1, -1):
+        s = s * u + c[i] / ((i + 1) * (i + 2))
+        v = v * u + c[i] / (i + 1)
+        j = j * u + a
+        a = a * u + c[i]
+    s, v = u * u * s, u * v
+    for p, w, sin_phi, cos_phi in sines:
+        h = w * u / 2.0
+        sin, cos = np.sin(h), np.cos(h)
+        m, n = sin_phi * cos + cos_phi * sin, cos_phi * cos - sin_phi * sin
+        sinc = np.divide(sin, h, out=np.ones_like(h), where=h != 0.0)
+        s = s + p * u * u * (sin_phi * sinc * sinc / 2.0 + cos_phi * lag(h, sin, cos))
+        v = v + p * u * m * sinc
+        a = a + p * (m * cos + n * sin)
+        j = j + p * w * (n * cos - m * sin)
+    return s, v, a, j
+
+
+def gains_at(piece: Piece, u: float) -> tuple[float, float]:
+    """Return ∬a and ∫a of a piece from its begin to one u."""
+    s, v, _, _ = gains(np.array([u]), np.array(piece.row)[:, None])
+    return float(s[0]), float(v[0])
 
 
 def lag(h: Array, sin: Array, cos: Array) -> Array:

@@ -1,70 +1,162 @@
-"""Where v, a, j and v·a of one piece a(u) = polynomial + P sin(ωu + φ) are stationary."""
+"""Where v, a, j and v·a of one piece are stationary, and the extremes of pieces one after the other."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
 
-from engine.laws.base import Array
+from engine.laws.base import Array, Coefficients
 from engine.laws.crossings import narrowed
+from engine.laws.ladder import Curve, Sine, zeros
 from engine.laws.piece import Piece, gains
 
-CELLS = 512  # at least, in which a piece is searched for changes of sign
+CELLS = 512  # at least, in which the power of a mixed piece is searched for changes of sign
 ROUNDS = 4  # of narrowing a cell: a stationary value is then right to the last digit
-NEGLIGIBLE = 1e-12  # a leading coefficient, against the largest, that would only spoil the roots
+JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
-def stationary(piece: Piece, v0: float) -> list[float]:
-    """Return abscissae within the piece, entered with velocity ``v0``, where v, a, j or v·a is stationary.
+def stationary(piece: Piece) -> list[float]:
+    """Return where v, a or j of a piece is stationary, by the ladder of derivatives, which misses none; in no order."""
+    a = acceleration(piece)
+    j = a.derivative()
+    return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
 
-    Found by changes of sign, refined by narrowing; of a polynomial also the roots, as two of them may
-    lie too near to each other to change a sign between samples. In no order.
+
+def acceleration(piece: Piece) -> Curve:
+    """Return a(u) of a piece as a curve of no higher degree than it has; a sine that does not turn is a constant."""
+    still = sum(p * math.sin(phi) for p, w, phi in piece.sines if w == 0.0)
+    c = [piece.c[0] + still, *piece.c[1:]]
+    while c and not c[-1]:
+        c.pop()
+    return Curve(tuple(c), tuple(sine for sine in piece.sines if sine[1]))
+
+
+def stationary_power(piece: Piece, v0: float) -> list[float]:
+    """Return where v·a of a piece that is entered with velocity ``v0`` is stationary.
+
+    Of a polynomial by the ladder; of one sine in closed form; of a piece of both, or of two sines, where the
+    slope a² + v j changes its sign between samples.
     """
-    found = _searched(piece, v0)
-    if not (piece.amplitude and piece.omega):
-        found += _polynomial(piece, v0)
-    return [u for u in found if 0.0 < u < piece.duration]
+    a = acceleration(piece)
+    if not a.sines:
+        return zeros(a.times(a.integral(v0)).derivative(), piece.duration) if a.c else []
+    if len(a.sines) == 1 and not a.c:
+        return _sine_power(a.sines[0], piece.duration, v0)
+    return _searched_power(piece, v0)
 
 
-def _searched(piece: Piece, v0: float) -> list[float]:
+def _sine_power(sine: Sine, duration: float, v0: float) -> list[float]:
+    """Return where 2g cos²x − k cos x = g, x = ωu + φ, with v = k − g cos x and a = P sin x, g = P/ω."""
+    p, w, phi = sine
+    g = p / w
+    if g == 0.0:
+        return []
+    k = v0 + g * math.cos(phi)
+    root = math.hypot(k, math.sqrt(8.0) * g)
+    far = (k + math.copysign(root, k)) / (4.0 * g)
+    low, high = sorted((phi, phi + w * duration))
+    found = []
+    for cos in (far, -0.5 / far):
+        angle = math.acos(cos) if abs(cos) <= 1.0 else None
+        for x in (angle, -angle) if angle is not None else ():
+            turns = range(math.ceil((low - x) / math.tau), math.floor((high - x) / math.tau) + 1)
+            found += [(x + n * math.tau - phi) / w for n in turns]
+    return found
+
+
+def _searched_power(piece: Piece, v0: float) -> list[float]:
     row = np.array(piece.row)[:, None]
 
-    def acceleration(u: Array) -> Array:
-        return gains(u, row)[2]
-
-    def jerk(u: Array) -> Array:
-        return gains(u, row)[3]
-
-    def snap(u: Array) -> Array:
-        sine = np.sin(piece.omega * u + piece.phase)
-        return 2.0 * piece.c[2] + 6.0 * piece.c[3] * u - piece.amplitude * piece.omega**2 * sine
-
-    def power_slope(u: Array) -> Array:
+    def rises(u: Array) -> NDArray[np.bool_]:
         _, v, a, j = gains(u, row)
-        return a * a + (v0 + v) * j
+        return np.asarray(a * a + (v0 + v) * j >= 0.0)
 
-    cells = CELLS + int(abs(piece.omega) * piece.duration * 16.0)
+    cells = CELLS + int(max(abs(w) for _, w, _ in piece.sines) * piece.duration * 16.0)
     grid = np.linspace(0.0, piece.duration, cells + 1)
-    return [u for f in (acceleration, jerk, snap, power_slope) for u in _roots(f, grid)]
+    up = rises(grid)
+    at = np.flatnonzero(up[1:] != up[:-1])
+    return [float(u) for u in narrowed(rises, grid[at], grid[at + 1], ROUNDS)]
 
 
-def _roots(f: Callable[[Array], Array], grid: Array) -> list[float]:
-    """Return where f changes sign between the points of a grid."""
-    positive = f(grid) >= 0.0
-    cells = np.flatnonzero(positive[1:] != positive[:-1])
-    return [float(u) for u in narrowed(lambda u: f(u) >= 0.0, grid[cells], grid[cells + 1], ROUNDS)]
+def power_extremes(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
+    """Return the largest and the lowest v·a of pieces one after the other, entered with velocity ``v0``."""
+    found = []
+    for piece in pieces:
+        if piece.duration > 0.0:
+            u = np.array([0.0, *stationary_power(piece, v0), piece.duration])
+            _, v, a, _ = gains(u, np.array(piece.row)[:, None])
+            found.append((v0 + v) * a)
+            v0 += float(v[-1])
+    power = np.concatenate(found)
+    return float(power.max()), float(power.min())
 
 
-def _polynomial(piece: Piece, v0: float) -> list[float]:
-    d = piece.duration
-    constant = piece.c[0] + piece.amplitude * math.sin(piece.phase)
-    a = Polynomial([c * d**i for i, c in enumerate((constant, *piece.c[1:]))])  # of u/d
-    v = d * a.integ() + v0
-    found: list[float] = []
-    for f in (a, a.deriv(), a.deriv(2), (v * a).deriv()):
-        roots = f.trim(NEGLIGIBLE * float(np.abs(f.coef).max())).roots()
-        found += [d * float(root.real) for root in roots]  # a split double root keeps its real part
-    return found
+def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
+    """Return the coefficients of pieces one after the other, entered with the velocity ``v0``.
+
+    C_j is infinite where a jumps between pieces that last, or from ``a0`` at the begin or to ``a1`` at the end.
+    """
+    lasting = [piece for piece in pieces if piece.duration > 0.0]
+    found = []
+    for piece in lasting:
+        found.append(_extremes(piece, v0, stationary(piece) + stationary_power(piece, v0)))
+        v0 = float(found[-1][0][-1])
+    v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
+    accelerations = [values[1] for values in found]
+    return Coefficients(
+        cv=float(np.abs(v).max()),
+        ca_max=float(a.max()),
+        ca_min=float(a.min()),
+        ca_rms=math.sqrt(sum(map(square_integral, lasting))),
+        cj=math.inf if _jumps(accelerations, a0, a1) else float(np.abs(j).max()),
+        va_max=float((v * a).max()),
+        va_min=float((v * a).min()),
+    )
+
+
+def _extremes(piece: Piece, v0: float, inside: Sequence[float]) -> tuple[Array, Array, Array]:
+    """Return v, a, j at the begin of a piece, at places inside it, and at its end."""
+    u = np.array([0.0, *inside, piece.duration])
+    _, v, a, j = gains(u, np.array(piece.row)[:, None])
+    return v0 + v, a, j
+
+
+def _jumps(accelerations: Sequence[Array], a0: float, a1: float) -> bool:
+    before = [a0, *(float(a[-1]) for a in accelerations)]
+    after = [*(float(a[0]) for a in accelerations), a1]
+    largest = max(float(np.abs(a).max()) for a in accelerations)
+    return max(abs(x - y) for x, y in zip(before, after, strict=True)) > JUMP * largest
+
+
+def square_integral(piece: Piece) -> float:
+    """Return ∫a² over a piece by Gauss-Legendre, exact for the polynomial, on at most half a turn of ωu."""
+    fastest = max((abs(w) for _, w, _ in piece.sines), default=0.0)
+    parts = 1 + int(fastest * piece.duration / math.pi)
+    width = piece.duration / parts
+    u = (np.arange(parts)[:, None] + (NODES + 1.0) / 2.0).ravel() * width
+    a = gains(u, np.array(piece.row)[:, None])[2]
+    return float(np.tile(WEIGHTS, parts) @ (a * a)) * width / 2.0
+
+
+class Extremes(NamedTuple):
+    """Lowest and largest v, a and j; of j where a does not jump."""
+
+    v: tuple[float, float]
+    a: tuple[float, float]
+    j: tuple[float, float]
+
+
+def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
+    """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
+    found = []
+    for piece in pieces:
+        if piece.duration > 0.0:
+            found.append(_extremes(piece, v0, stationary(piece)))
+            v0 = float(found[-1][0][-1])
+    v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
+    return Extremes(*((float(x.min()), float(x.max())) for x in (v, a, j)))

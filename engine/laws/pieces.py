@@ -7,17 +7,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
+from typing import NamedTuple
 
 import numpy as np
 
 from engine.laws.base import Array, Coefficients, Law, stage_of
 from engine.laws.entry import Claims, Entry
-from engine.laws.piece import Piece, gains
-from engine.laws.piece_extremes import stationary
+from engine.laws.piece import POWERS, SINES, Piece, gains, gains_of
+from engine.laws.piece_extremes import coefficients_of
 
 SUM_TOLERANCE = 1e-9
-JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+
+
+class Carried(NamedTuple):
+    """Columns of the pieces: begin, s and v there, the powers in use, and P, ω, sin φ, cos φ of the sines in use."""
+
+    table: Array
+    powers: int
 
 
 @dataclass(frozen=True)
@@ -40,34 +46,24 @@ class PieceLaw(Law):
             raise ValueError(f"the durations of the {len(self.pieces)} pieces sum to {total:.12g}; expected 1")
 
     @cached_property
-    def _carried(self) -> tuple[Array, Array, Array, Array]:
-        """Begin, position and velocity at the begin, and coefficients of each piece."""
+    def _carried(self) -> Carried:
         rows = np.array([p.row for p in self.pieces]).T
         durations = np.array([p.duration for p in self.pieces])
         ds, dv, _, _ = gains(durations, rows)
         starts, v = _before(durations), _before(dv)
-        return starts, _before(ds + v * durations), v, rows
+        powers = max((i + 1 for i in range(POWERS) if rows[i].any()), default=0)
+        sines = [rows[k : k + 4] for k in SINES if rows[k].any()]
+        return Carried(np.vstack([starts, _before(ds + v * durations), v, rows[:powers], *sines]), powers)
 
     def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        starts, s0, v0, rows = self._carried
-        k = stage_of(xi, starts)
-        u = xi - starts.take(k)
-        s, v, a, j = gains(u, rows.take(k, axis=1))
-        begin = v0.take(k)
-        return s0.take(k) + begin * u + s, begin + v, a, j
+        table, powers = self._carried
+        start, s0, v0, *row = table.take(stage_of(xi, table[0]), axis=1)
+        u = xi - start
+        s, v, a, j = gains_of(u, row[:powers], [row[k : k + 4] for k in range(powers, len(row), 4)])
+        return s0 + v0 * u + s, v0 + v, a, j
 
     def _coefficients(self) -> Coefficients:
-        found = [self._extremes(k) for k, p in enumerate(self.pieces) if p.duration > 0.0]
-        v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
-        return Coefficients(
-            cv=float(np.abs(v).max()),
-            ca_max=float(a.max()),
-            ca_min=float(a.min()),
-            ca_rms=self._rms(),
-            cj=math.inf if self._jumps([values[1] for values in found]) else float(np.abs(j).max()),
-            va_max=float((v * a).max()),
-            va_min=float((v * a).min()),
-        )
+        return coefficients_of(self.pieces)
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -80,32 +76,6 @@ class PieceLaw(Law):
 
     def shapes(self) -> None:
         """Return None: the pieces may be of any shape."""
-
-    def _extremes(self, k: int) -> tuple[Array, Array, Array]:
-        """Return v, a, j at the begin of a piece, where v, a, j or v·a is stationary, and at its end."""
-        piece, v0 = self.pieces[k], float(self._carried[2][k])
-        u = np.array([0.0, *stationary(piece, v0), piece.duration])
-        _, v, a, j = gains(u, np.array(piece.row)[:, None])
-        return v0 + v, a, j
-
-    @staticmethod
-    def _jumps(accelerations: list[Array]) -> bool:
-        """Whether a jumps between pieces that last, or at the ends against rest."""
-        before = [0.0, *(float(a[-1]) for a in accelerations)]
-        after = [*(float(a[0]) for a in accelerations), 0.0]
-        largest = max(float(np.abs(a).max()) for a in accelerations)
-        return max(abs(x - y) for x, y in zip(before, after, strict=True)) > JUMP * largest
-
-    def _rms(self) -> float:
-        """Return sqrt(∫a²) by Gauss-Legendre, exact for the polynomial, on at most half a turn of ωu."""
-        square = 0.0
-        for piece in self.pieces:
-            parts = 1 + int(abs(piece.omega) * piece.duration / math.pi)
-            width = piece.duration / parts
-            u = (np.arange(parts)[:, None] + (NODES + 1.0) / 2.0).ravel() * width
-            a = gains(u, np.array(piece.row)[:, None])[2]
-            square += float(np.tile(WEIGHTS, parts) @ (a * a)) * width / 2.0
-        return math.sqrt(square)
 
 
 def _before(gained: Array) -> Array:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
-import numpy as np
-
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Law, Shapes, require_finite
+from engine.laws.base import require_finite
+from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
-from engine.laws.piece import Piece
+from engine.laws.polynomial_pulse import CONSTANT
+from engine.laws.pulse_law import Course, PulseLaw
 
 
 @dataclass(frozen=True)
-class TrapezoidalVelocity(Law):
+class TrapezoidalVelocity(PulseLaw):
     """Constant acceleration A up to ξ = α_v, uniform velocity A α_v, constant deceleration B from ξ = α_w on.
 
     A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)).
@@ -27,69 +26,22 @@ class TrapezoidalVelocity(Law):
 
     rise_end: float = 1 / 3
     fall_start: float = 2 / 3
+    ends: Ends = REST
 
     def __post_init__(self) -> None:
-        require_finite(rise_end=self.rise_end, fall_start=self.fall_start)
-        if not 0.0 < self.rise_end <= self.fall_start < 1.0:
-            raise ValueError(
-                f"rise_end is {self.rise_end:g} and fall_start {self.fall_start:g}; "
-                "expected 0 < rise_end <= fall_start < 1"
-            )
+        require_breaks(self.rise_end, self.fall_start)
 
-    @property
-    def acceleration(self) -> float:
-        """A: the constant acceleration up to α_v."""
-        return 2.0 / (self.rise_end * (1.0 - self.rise_end + self.fall_start))
+    def _course(self) -> Course:
+        return Course(CONSTANT, self.rise_end, self.fall_start - self.rise_end, CONSTANT, 1.0 - self.fall_start)
 
-    @property
-    def deceleration(self) -> float:
-        """B: the constant deceleration from α_w on, positive."""
-        return 2.0 / ((1.0 - self.fall_start) * (1.0 - self.rise_end + self.fall_start))
 
-    def _block(self, xi: Array) -> tuple[Array, Array, Array, float]:
-        up, down = self.acceleration, self.deceleration
-        top = up * self.rise_end
-        fall = xi >= self.fall_start - BREAK_TOLERANCE
-        rise = xi < self.rise_end - BREAK_TOLERANCE
-        t = 1.0 - xi
-        s = np.where(
-            rise,
-            up / 2 * xi * xi,
-            np.where(fall, 1.0 - down / 2 * t * t, top * (xi - self.rise_end / 2)),
+def require_breaks(rise_end: float, fall_start: float) -> None:
+    """Raise ValueError unless 0 < rise_end ≤ fall_start < 1."""
+    require_finite(rise_end=rise_end, fall_start=fall_start)
+    if not 0.0 < rise_end <= fall_start < 1.0:
+        raise ValueError(
+            f"rise_end is {rise_end:g} and fall_start {fall_start:g}; expected 0 < rise_end <= fall_start < 1"
         )
-        v = np.where(rise, up * xi, np.where(fall, down * t, top))
-        return s, v, np.where(rise, up, np.where(fall, -down, 0.0)), 0.0
-
-    def _coefficients(self) -> Coefficients:
-        up, down = self.acceleration, self.deceleration
-        top = up * self.rise_end
-        square = self.rise_end * up**2 + (1.0 - self.fall_start) * down**2
-        return Coefficients(
-            cv=top,
-            ca_max=up,
-            ca_min=-down,
-            ca_rms=math.sqrt(square),
-            cj=math.inf,
-            va_max=top * up,
-            va_min=-top * down,
-        )
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """The break points α_v and α_w."""
-        return self.rise_end, self.fall_start
-
-    def as_pieces(self) -> tuple[Piece, ...]:
-        """Return acceleration A, uniform velocity, deceleration B."""
-        return (
-            Piece(self.rise_end, (self.acceleration, 0.0, 0.0, 0.0)),
-            Piece(self.fall_start - self.rise_end),
-            Piece(1.0 - self.fall_start, (-self.deceleration, 0.0, 0.0, 0.0)),
-        )
-
-    def shapes(self) -> Shapes:
-        """Return a constant of α_v and one of 1 − α_w."""
-        return Shapes(flat_up=self.rise_end, flat_down=1.0 - self.fall_start)
 
 
 ENTRY = Entry(
@@ -116,4 +68,5 @@ ENTRY = Entry(
     ),
     example=TrapezoidalVelocity,
     others=(TrapezoidalVelocity(0.1, 0.7), TrapezoidalVelocity(0.45, 0.45), TrapezoidalVelocity(0.02, 0.98)),
+    beyond=(TrapezoidalVelocity(0.2, 0.7, Ends(0.5, 1.0, 0.3)),),
 )

@@ -163,8 +163,8 @@ class Motion:
         for k in np.unique(index):
             here, phase = index == k, self.phases[k]
             values = phase.law.evaluate(xi[here])
-            per = phase.lift / phase.duration
-            table[0, here] = self._begins[k] + phase.lift * values.s
+            per = phase.scale / phase.duration
+            table[0, here] = self._begins[k] + phase.scale * values.s
             table[1, here] = per * values.v
             table[2, here] = per / phase.duration * values.a
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))

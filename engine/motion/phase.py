@@ -44,24 +44,29 @@ class Phase:
             raise ValueError(f"lift is {self.lift:g} in a dwell; expected 0")
 
     @property
+    def scale(self) -> float:
+        """What the law's s is multiplied by: the lift, h."""
+        return self.lift
+
+    @property
     def lack(self) -> float:
         """What the law leaves of the lift, h (1 − s(1)): 0 of a law that ends at 1."""
-        return self.lift * (1.0 - self.law.end.s)
+        return self.lift - self.scale * self.law.end.s
 
     @property
     def y1_max(self) -> float:
         """max |y'| = C_v |h|/δ."""
-        return self.law.coefficients.cv * abs(self.lift) / self.duration
+        return self.law.coefficients.cv * abs(self.scale) / self.duration
 
     @property
     def y2_max(self) -> float:
         """max |y''| = C_a |h|/δ². Source: S1, 'Timing diagram for a cutting machine'."""
-        return self.law.coefficients.ca * abs(self.lift) / self.duration**2
+        return self.law.coefficients.ca * abs(self.scale) / self.duration**2
 
     @property
     def y2_rms(self) -> float:
         """Root of the mean of y''² over the phase, C_a,rms |h|/δ²."""
-        return self.law.coefficients.ca_rms * abs(self.lift) / self.duration**2
+        return self.law.coefficients.ca_rms * abs(self.scale) / self.duration**2
 
 
 @dataclass(frozen=True)
@@ -88,8 +93,8 @@ class Ends(NamedTuple):
 
 def scaled(phase: Phase, y: float, at: Kinematics[float]) -> MotionValues[float]:
     """Return what a phase that begins at y makes of its law at one ξ."""
-    per = phase.lift / phase.duration
-    return MotionValues(y + phase.lift * at.s, per * at.v, per / phase.duration * at.a)
+    per = phase.scale / phase.duration
+    return MotionValues(y + phase.scale * at.s, per * at.v, per / phase.duration * at.a)
 
 
 def numbered_phase(number: int, one: Law, lift: float, duration: float) -> Phase:

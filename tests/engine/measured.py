@@ -46,7 +46,7 @@ def wrong_breaks(law):
 
 
 def wrong_pieces(law):
-    """Where the pieces of a law, carried on, are another law."""
+    """Where the pieces of a law, carried on from its first velocity, are another law."""
     xi = np.union1d(within(law, np.linspace(0, 1, 101)).ravel(), np.linspace(0, 1, 1001))
     made = PieceLaw(law.as_pieces())
     found = [
@@ -54,7 +54,9 @@ def wrong_pieces(law):
         for edge in breaks(law)
         if np.abs(np.cumsum([0.0, *(piece.duration for piece in made.pieces)]) - edge).min() > SAME
     ]
-    for name, peak, one, other in zip("svaj", peaks(law), law.evaluate(xi), made.evaluate(xi), strict=True):
+    carried = made.evaluate(xi)
+    carried = carried._replace(s=carried.s + law.start.v * xi, v=carried.v + law.start.v)
+    for name, peak, one, other in zip("svaj", peaks(law), law.evaluate(xi), carried, strict=True):
         off = np.abs(one - other) / peak
         if off.max() > 10 * SAME:
             found.append(f"pieces: {name} at {xi[off.argmax()]:.6g} is off by {off.max():.1e}")

@@ -3,12 +3,14 @@
 import argparse
 import os
 import sys
+import tempfile
 from concurrent.futures import ProcessPoolExecutor
 from itertools import chain, islice
+from pathlib import Path
 
 from rich.console import Console
 
-from tests.mutation import names
+from tests.mutation import looks, names
 from tests.mutation.bench import Bench, smaller
 from tests.mutation.examine import Tally, Verdict, examined, names_it_first
 from tests.mutation.machines import machines
@@ -36,6 +38,8 @@ def options(arguments: list[str] | None = None) -> argparse.Namespace:
                         help="random machines at which to look for survivors (default 60)")  # fmt: skip
     parser.add_argument("--names", type=int, default=20, metavar="N",
                         help="faults a template in names of blocks, columns and inputs (default 20 each)")  # fmt: skip
+    parser.add_argument("--looks", type=int, default=80, metavar="N",
+                        help="other number formats a template (default 80), beside labels, charts, parts")  # fmt: skip
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes")
     parser.add_argument("--show", type=int, default=100, metavar="N", help="survivors to print (default 100)")
     return parser.parse_args(arguments)
@@ -72,6 +76,14 @@ def misnamed(job: Job) -> list[tuple[str, bool]]:
     return [(str(f), names.outcome(bench, f) != "agrees") for f in islice(faults, share, None, given.jobs)]
 
 
+def misshown(job: Job) -> list[tuple[str, bool]]:
+    """Judge faults in what a template's book shows, and how: each in words, and whether it is found."""
+    name, given, _ = job
+    template = TEMPLATES[read_machine(FOLDER / f"{name}.toml").template]
+    with tempfile.TemporaryDirectory() as folder:
+        return list(looks.outcomes(template, Path(folder), given.looks, given.seed))
+
+
 def main() -> int:
     """Judge and print; exit code 1 if a mutant or a name survives, or another cell is named first."""
     given, console = options(), Console()
@@ -80,11 +92,17 @@ def main() -> int:
     with ProcessPoolExecutor(given.jobs) as pool:
         results = list(pool.map(work, jobs))
         renamed = list(chain.from_iterable(pool.map(misnamed, jobs)))
+        shown = list(pool.map(misshown, [(name, given, 0) for name in given.machines]))
     tally.verdicts = list(chain.from_iterable(verdicts for verdicts, _ in results))
     tally.whole = list(chain.from_iterable(whole for _, whole in results))
     tally.show(console, given.show)
     lost = [words for words, found in renamed if not found]
     console.print(f"{len(renamed) - len(lost)} of {len(renamed)} faults in names are found", highlight=False)
+    seen = list(chain.from_iterable(shown))
+    unseen = [words for words, found in seen if not found]
+    console.print(f"{len(seen) - len(unseen)} of {len(seen)} faults in what is shown, and how, are found",
+                  highlight=False)  # fmt: skip
+    lost += unseen
     for words in lost[: given.show]:
         console.print(f"Not found: {words}", highlight=False, markup=False, soft_wrap=True)
     return int(bool(tally.survivors or tally.not_first or lost))

@@ -37,6 +37,7 @@ def audit(match: Match, template: type[BaseModel], calls: Container[Address]) ->
     """Yield what is wrong with formulas, names and inputs of a matched workbook; ``calls`` may call MOTION.*."""
     yield from functions(match.file.contents, calls)
     yield from broken_names(match.file.workbook)
+    yield from own_names(match)
     for found in misled(match):
         yield Remark(
             found.place.sheet, found.place.cell(0, 0).a1, "name", f"{found.name}: {found.found}", found.expected
@@ -60,6 +61,16 @@ def broken_names(workbook: Workbook) -> Iterator[Remark]:
     for name, defined in workbook.defined_names.items():
         if name not in places and "#REF!" in (defined.attr_text or "").upper():
             yield Remark("", name, "name", str(defined.attr_text), "a name that leads to cells")
+
+
+def own_names(match: Match) -> Iterator[Remark]:
+    """Yield names that a generated sheet has for itself: its formulas take them for the book's of the same name."""
+    declared = {name.casefold() for name, _ in match.declared.names()}
+    ours = {pair.address.sheet for pair in match.pairs}
+    for sheet in match.file.workbook.worksheets:
+        for name, defined in sheet.defined_names.items() if sheet.title in ours else ():
+            if name.casefold() in declared:
+                yield Remark(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
 
 
 def unread_inputs(match: Match, template: type[BaseModel]) -> Iterator[Remark]:

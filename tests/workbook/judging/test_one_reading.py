@@ -141,7 +141,9 @@ def test_a_name_twice_is_refused_and_one_of_a_sheet_of_its_own_is_not(book, tmp_
     change = {WORKBOOK: sub(rb"(?=</definedNames>)", name % b"")}
     assert "defines the name" in refused(repacked(book.path, tmp_path / "a.xlsx", change))
     local = {WORKBOOK: sub(rb"(?=</definedNames>)", name % b' localSheetId="1"')}
-    assert open_book(repacked(book.path, tmp_path / "b.xlsx", local)).places["book_template"].sheet == "About"
+    path = repacked(book.path, tmp_path / "b.xlsx", local)
+    assert open_book(path).places["book_template"].sheet == "About"
+    assert [(f.kind, f.sheet, f.cell) for f in verify(path).findings] == [("name", "Motion", "book_template")]
 
 
 def test_a_second_list_of_sheets_is_refused(book, tmp_path):

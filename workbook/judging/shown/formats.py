@@ -123,16 +123,27 @@ def section_for(code: str, value: Any) -> tuple[Section | None, bool]:
         return (last, False) if len(parts) == 4 or (last.texts and len(parts) < 4) else (None, False)
     numeric = list(parts[:3]) if len(parts) > 3 or not parts[-1].texts or len(parts) == 1 else list(parts[:-1])
     if any(part.condition for part in numeric):
-        for part in numeric:
-            if part.condition is None or COMPARE[part.condition[0]](value, part.condition[1]):
-                below = part.condition is not None and part.condition[0] in ("<", "<=") and part.condition[1] <= 0
-                return part, not below
-        return None, True
+        return conditional(numeric, value)
     if len(numeric) > 1 and value < 0:
         return numeric[1], False
     if len(numeric) > 2 and value == 0:
         return numeric[2], False
     return numeric[0], True
+
+
+def conditional(parts: list[Section], value: float) -> tuple[Section | None, bool]:
+    """Return the part whose condition a number meets, or the one for all others.
+
+    One for negative numbers alone shows their size: the sign is its own affair.
+    """
+    for n, part in enumerate(parts):
+        if part.condition is None:
+            order, limit = (n == 1 and parts[0].condition) or ("", 0.0)
+            return part, not (order in (">", ">=") and limit <= 0)
+        order, limit = part.condition
+        if COMPARE[order](value, limit):
+            return part, not ((order == "<" and limit <= 0) or (order == "<=" and limit < 0))
+    return None, True
 
 
 @lru_cache(maxsize=4_000)
@@ -202,13 +213,16 @@ def sign_of(part: Section, signed: bool, value: float) -> str:
 def added(part: Section, unit: str) -> str:
     """Return what is wrong with the texts before and after the digits: digits, or another unit."""
     for text in (part.before.strip().lstrip("+-−–("), part.after.strip().rstrip(")")):
-        if HARMLESS.fullmatch(text) or units.compared(text.strip(), unit) == "same":
+        if HARMLESS.fullmatch(text) or text.split() == unit.split():
             continue
-        known = units.unit(text.strip())
-        letters = text.strip() in units.PREFIXES or (not known.words and text.strip(" .,:;()[]"))
-        if MISLEADING.search(text) or letters:
+        if MISLEADING.search(text) or (letters(text.strip()) and units.compared(text.strip(), unit) != "same"):
             return f"shown with {text!r} added"
     return ""
+
+
+def letters(text: str) -> bool:
+    """Whether a text beside a number reads as a unit, or as a factor such as k."""
+    return text in units.PREFIXES or (not units.unit(text).words and bool(text.strip(" .,:;()[]")))
 
 
 def empty(part: Section, value: float) -> str:

@@ -82,9 +82,18 @@ def unit_kind(style: str, found: str, expected: str, others: set[str]) -> str:
         ours, expected = parted(expected)
         if symbol != ours and any(parted(other)[0] == symbol for other in others):
             return "shown"
-        stands = units.compared(unit, expected)
-        return "shown" if stands == "other" else NOTICE if symbol != ours or stands == "reworded" else ""
-    return {"other": "shown", "reworded": NOTICE, "same": ""}[units.compared(found, expected)]
+        stands = standing(unit, expected, {parted(other)[1] for other in others})
+        return NOTICE if not stands and symbol != ours else stands
+    return standing(found, expected, others)
+
+
+def standing(found: str, expected: str, others: set[str]) -> str:
+    """Return of which kind a changed unit is: one of the sheet's other units has changed places with it."""
+    stands = units.compared(found, expected)
+    if stands == "same":
+        return ""
+    exchanged = bool(found.strip()) and any(same(found, other) for other in others)
+    return "shown" if exchanged or stands == "other" else NOTICE
 
 
 def parted(text: str) -> tuple[str, str]:

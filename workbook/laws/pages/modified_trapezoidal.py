@@ -4,7 +4,8 @@ from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 
-from engine.laws.modified_trapezoidal import CLASSIC, K, ModifiedTrapezoidal, Quarter
+from engine.laws.modified_trapezoidal import CLASSIC, ModifiedTrapezoidal
+from engine.laws.pulse import K, Quarter
 from workbook.book.declare import Quantity, calc
 from workbook.entries.types import SUM_TOLERANCE, EntryError, Share
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow, ShapeFormulas
@@ -39,13 +40,13 @@ def _workings(law: ModifiedTrapezoidal) -> list[Quantity]:
     return [
         calc("@k", "Mean of a quarter sine", "k", "", "=2/PI()", K, source="2/π"),
         calc("@m", "Velocity gained for A = 1", "m", "",
-             "=@k*@d1+@d2+@k*@d3", rise.velocities[2], source="k d1 + d2 + k d3"),
+             "=@k*@d1+@d2+@k*@d3", rise.velocity, source="k d1 + d2 + k d3"),
         calc("@n", "Velocity lost for B = 1", "n", "",
-             "=@k*@d5+@d6+@k*@d7", fall.velocities[2], source="k d5 + d6 + k d7"),
+             "=@k*@d5+@d6+@k*@d7", fall.velocity, source="k d5 + d6 + k d7"),
         calc("@sa", "Stroke of stages 1 to 3 for A = 1", "S_a", "",
-             "=@k*(1-@k)*@d1^2+@k*@d1*@d2+@d2^2/2+(@k*@d1+@d2)*@d3+(@k*@d3)^2", rise.travels[2], source=STROKE),
+             "=@k*(1-@k)*@d1^2+@k*@d1*@d2+@d2^2/2+(@k*@d1+@d2)*@d3+(@k*@d3)^2", rise.travel, source=STROKE),
         calc("@sd", "Stroke of stages 5 to 7 for B = 1", "S_d", "",
-             "=@k*(1-@k)*@d7^2+@k*@d7*@d6+@d6^2/2+(@k*@d7+@d6)*@d5+(@k*@d5)^2", fall.travels[2],
+             "=@k*(1-@k)*@d7^2+@k*@d7*@d6+@d6^2/2+(@k*@d7+@d6)*@d5+(@k*@d5)^2", fall.travel,
              source="the same from the end: d7, d6, d5"),
         *_power("@drive", "driving", ("=@ca_max*(@k*@d1+@d2)", "=@ca_max*@k*@d3"), drive),
         *_power("@brake", "braking", ("=-@ca_min*(@k*@d7+@d6)", "=-@ca_min*@k*@d5"), brake),

@@ -1,0 +1,130 @@
+"""Polynomials between prescribed ends: cubic (y, v), quintic (y, v, a) and septic (y, v, a, j)."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+
+from engine.laws.base import Array, Coefficients
+from engine.laws.ends import EndedLaw, Ends
+from engine.laws.piece import Piece
+from engine.laws.piece_extremes import coefficients_of
+from engine.laws.stages import Staged, carried
+
+
+@dataclass(frozen=True)
+class EndedPolynomial(EndedLaw):
+    """The polynomial of least degree between the given ends, in closed form from Hermite's conditions.
+
+    Its extremes are at zeros of its derivatives, found one from the other: those of a of a quintic in closed form
+    too, as its jerk is a parabola.
+    """
+
+    ends: Ends
+
+    @property
+    @abstractmethod
+    def polynomial(self) -> tuple[float, ...]:
+        """c0, c1, … of a(ξ)."""
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """None."""
+        return ()
+
+    @property
+    def own_acceleration(self) -> tuple[bool, bool]:
+        """Whether it begins and ends with an acceleration that follows from the other ends."""
+        follows = "a" not in self.takes
+        return follows, follows
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one piece."""
+        return (Piece(1.0, self.polynomial),)
+
+    def shapes(self) -> None:
+        """Return None: its acceleration is a polynomial."""
+
+    @cached_property
+    def _staged(self) -> Staged:
+        return Staged([*carried(self.as_pieces(), 1.0, 0.0, 0.0, self.ends.v0)])
+
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
+        return self._staged(xi)
+
+    def _coefficients(self) -> Coefficients:
+        e = self.ends
+        own = self.start.a, self.end.a
+        a0, a1 = (e.a0, e.a1) if "a" in self.takes else own
+        return coefficients_of(self.as_pieces(), e.v0, a0, a1)
+
+
+class EndedCubic(EndedPolynomial):
+    """c0 = 6H − 4v0 − 2v1, c1 = −12H + 6(v0 + v1): of all motions between these ends that of least ∫a².
+
+    Its acceleration at the ends follows from stroke and velocities, and counts as asked for in C_j.
+    Source: LCamHdl, ProfileTypes, POLY_3; TwinCAT, POLYNOM3_VV.
+    """
+
+    code = "CUB"
+    name = "Cubic"
+
+    @property
+    def polynomial(self) -> tuple[float, ...]:
+        """c0, c1."""
+        e = self.ends
+        return 6.0 * e.stroke - 4.0 * e.v0 - 2.0 * e.v1, -12.0 * e.stroke + 6.0 * (e.v0 + e.v1), 0.0, 0.0
+
+
+class EndedQuintic(EndedPolynomial):
+    """c0 = a0, and c1, c2, c3 that meet stroke, v1 and a1.
+
+    c1 = 3[20H − 12v0 − 8v1 − 3a0 + a1], c2 = 6[−30H + 16v0 + 14v1 + 3a0 − 2a1],
+    c3 = 10[12H − 6(v0 + v1) + a1 − a0].
+    Source: LCamHdl, ProfileTypes, POLY_5; TwinCAT, POLYNOM5_MM; CODESYS, Poly5.
+    """
+
+    code = "PO5"
+    name = "Polynomial 3-4-5"
+    TAKES = "va"
+
+    @property
+    def polynomial(self) -> tuple[float, ...]:
+        """c0 … c3."""
+        h, v0, v1, a0, a1, *_ = self.ends.values
+        return (
+            a0,
+            3.0 * (20.0 * h - 12.0 * v0 - 8.0 * v1 - 3.0 * a0 + a1),
+            6.0 * (-30.0 * h + 16.0 * v0 + 14.0 * v1 + 3.0 * a0 - 2.0 * a1),
+            10.0 * (12.0 * h - 6.0 * (v0 + v1) + a1 - a0),
+        )
+
+
+class EndedSeptic(EndedPolynomial):
+    """c0 = a0, c1 = j0, and c2 … c5 that meet stroke, v1, a1 and j1.
+
+    With what the begin leaves to be done, h = H − v0 − a0/2 − j0/6, w = v1 − v0 − a0 − j0/2, α = a1 − a0 − j0 and
+    β = j1 − j0: c2 = 12[35h − 15w + 5α/2 − β/6], c3 = 20[−84h + 39w − 7α + β/2],
+    c4 = 30[70h − 34w + 13α/2 − β/2], c5 = 42[−20h + 10w − 2α + β/6].
+    Source: LCamHdl, ProfileTypes, POLY_7; TwinCAT, POLYNOM7_MM; CODESYS, Poly7.
+    """
+
+    code = "PO7"
+    name = "Polynomial 4-5-6-7"
+    TAKES = "vaj"
+
+    @property
+    def polynomial(self) -> tuple[float, ...]:
+        """c0 … c5."""
+        stroke, v0, v1, a0, a1, j0, j1 = self.ends.values
+        h, w = stroke - v0 - a0 / 2.0 - j0 / 6.0, v1 - v0 - a0 - j0 / 2.0
+        alpha, gamma = a1 - a0 - j0, j1 - j0
+        return (
+            a0,
+            j0,
+            12.0 * (35.0 * h - 15.0 * w + 2.5 * alpha - gamma / 6.0),
+            20.0 * (-84.0 * h + 39.0 * w - 7.0 * alpha + 0.5 * gamma),
+            30.0 * (70.0 * h - 34.0 * w + 6.5 * alpha - 0.5 * gamma),
+            42.0 * (-20.0 * h + 10.0 * w - 2.0 * alpha + gamma / 6.0),
+        )

@@ -1,0 +1,143 @@
+"""What a movement has to meet at its two ends, and which laws can."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import astuple, dataclass, replace
+from typing import ClassVar, NamedTuple, Self
+
+from engine.laws.base import Law, require_finite
+
+NAMES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
+STILL = 1e-9
+"""of the law's own scale: a velocity or an acceleration below this is rounding"""
+
+
+class EndError(ValueError):
+    """A law cannot begin or end as the movement asks."""
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Stroke, and velocity, acceleration and jerk at begin and end, per unit of ξ: y' δ, y'' δ², y''' δ³.
+
+    Raises ValueError for what is not finite.
+    """
+
+    stroke: float = 1.0
+    v0: float = 0.0
+    v1: float = 0.0
+    a0: float = 0.0
+    a1: float = 0.0
+    j0: float = 0.0
+    j1: float = 0.0
+
+    def __post_init__(self) -> None:
+        require_finite(stroke=self.stroke, v0=self.v0, v1=self.v1, a0=self.a0, a1=self.a1, j0=self.j0, j1=self.j1)
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """Stroke, v0, v1, a0, a1, j0, j1."""
+        return astuple(self)
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether nothing but a stroke is asked for."""
+        return not any(self.values[1:])
+
+    def asked(self, quantity: str) -> tuple[float, float]:
+        """Return the values of ``quantity`` (v, a or j) at begin and end."""
+        return getattr(self, f"{quantity}0"), getattr(self, f"{quantity}1")
+
+
+REST = Ends()
+
+
+class EndedLaw(Law):
+    """A law whose ends may be prescribed: ``ends`` is a field of every class made of this one.
+
+    With ``ends`` as they are by default it is the law of unit stroke between two rests; else s(1) is the stroke.
+    """
+
+    TAKES: ClassVar[str] = "v"
+
+    ends: Ends
+
+    @property
+    def takes(self) -> str:
+        """The quantities that may be prescribed at its ends: of v, a, j."""
+        return self.TAKES
+
+    @property
+    @abstractmethod
+    def own_acceleration(self) -> tuple[bool, bool]:
+        """Whether it begins, and whether it ends, with an acceleration of its own."""
+
+    def between(self, ends: Ends) -> EndedLaw:
+        """Return the law between these ends, with their stroke; raise EndError, with the reason, if it has none."""
+        require_ends(self, ends, self.takes)
+        return self._with(ends)
+
+    def opened(self, begin: bool, end: bool) -> EndedLaw:
+        """Return the law where nothing precedes it (``begin``) or follows it (``end``): most laws rest there."""
+        del begin, end
+        return self
+
+    def _with(self, ends: Ends) -> Self:
+        return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
+
+
+class Scaled(NamedTuple):
+    """A law, and what its s, v, a and j are to be multiplied by."""
+
+    law: Law
+    scale: float
+
+
+def between(law: Law, ends: Ends) -> Scaled:
+    """Return any law between two ends: between rests the law itself, to be multiplied by the stroke.
+
+    Raises EndError, with the reason, for an end that the law cannot have.
+    """
+    if ends.at_rest:
+        return Scaled(law, ends.stroke)
+    if isinstance(law, EndedLaw):
+        return Scaled(law.between(ends), 1.0)
+    require_ends(law, ends, "")
+    raise AssertionError("ends that are not at rest ask for something")
+
+
+def require_ends(law: Law, ends: Ends, takes: str) -> None:
+    """Raise EndError for the first end that is asked of a law but not among what it takes (of v, a, j)."""
+    for quantity, name in NAMES.items():
+        for verb, value in zip(("begin", "end"), ends.asked(quantity), strict=True):
+            if value and quantity not in takes:
+                raise EndError(f"{law.name} cannot {verb} with a prescribed {name}: {_reason(takes)}")
+
+
+def _reason(takes: str) -> str:
+    if not takes:
+        return "its ends follow from its own pieces; a polynomial of degree 3, 5 or 7 or a modified sine can"
+    known = " and ".join(NAMES[quantity] for quantity in takes)
+    return f"it takes {known} there; a polynomial of degree 5 takes an acceleration, of degree 7 a jerk too"
+
+
+def kind(v: float, a: float) -> str:
+    """Return what VDI 2143 calls an end: R rest, G constant velocity, U reversal, B general motion.
+
+    ``v`` and ``a`` are those of the end in units of the motion's own peaks: below 1e-9 they are none.
+    """
+    moves, accelerates = abs(v) > STILL, abs(a) > STILL
+    return ("B" if accelerates else "G") if moves else ("U" if accelerates else "R")
+
+
+def kinds(law: Law) -> tuple[str, str]:
+    """Return the kinds of end, of R, G, U and B, that a law can have at its begin and at its end."""
+    if not isinstance(law, EndedLaw):
+        scale = law.coefficients
+        ends = [(end.v / (scale.cv or 1.0), end.a / (scale.ca or 1.0)) for end in (law.start, law.end)]
+        return kind(*ends[0]), kind(*ends[1])
+    if "a" in law.takes:
+        return "RGUB", "RGUB"
+    begin, end = (("UB" if own else "RG")[: 1 + len(law.takes)] for own in law.own_acceleration)
+    return begin, end

@@ -1,0 +1,94 @@
+"""Every zero of a polynomial plus a sine: each derivative's zeros bracket those of the function before it."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+
+STEPS = 100  # of Newton's method, or of halving where that leaves the bracket: to the last digit
+CELLS = 64  # a half turn, in which two sines together are searched: they have no ladder
+
+Sine = tuple[float, float, float]
+"""P, ω, φ of P sin(ωu + φ)"""
+
+
+@dataclass(frozen=True)
+class Curve:
+    """f(u) = Σ c_i uⁱ + Σ P sin(ωu + φ)."""
+
+    c: tuple[float, ...]
+    sines: tuple[Sine, ...] = ()
+
+    def __call__(self, u: float) -> float:
+        """Return f(u)."""
+        value = 0.0
+        for c in reversed(self.c):
+            value = value * u + c
+        return value + sum(p * math.sin(w * u + phi) for p, w, phi in self.sines)
+
+    def derivative(self) -> Curve:
+        """Return f'."""
+        c = tuple(i * c for i, c in enumerate(self.c))[1:]
+        return Curve(c, tuple((p * w, w, phi + math.pi / 2.0) for p, w, phi in self.sines))
+
+    def integral(self, start: float) -> Curve:
+        """Return ∫f from ``start`` at u = 0. Raises ValueError for a curve with a sine."""
+        if self.sines:
+            raise ValueError("a curve with a sine is given; expected a polynomial")
+        return Curve((start, *(c / (i + 1) for i, c in enumerate(self.c))))
+
+    def times(self, other: Curve) -> Curve:
+        """Return the product of two polynomials."""
+        product = [0.0] * (len(self.c) + len(other.c) - 1)
+        for (i, a), (k, b) in itertools.product(enumerate(self.c), enumerate(other.c)):
+            product[i + k] += a * b
+        return Curve(tuple(product))
+
+
+def zeros(f: Curve, d: float) -> list[float]:
+    """Return every u from 0 to d at which f changes its sign, rising.
+
+    Between two neighbouring zeros of f' the function is monotone and has at most one zero, so that nothing rests
+    on how dense a search is: a polynomial of degree n with a sine needs n + 1 rungs down to the sine alone, whose
+    zeros are (kπ − φ)/ω. Two sines without a polynomial are searched in cells.
+    """
+    if not f.c and len(f.sines) < 2:
+        return _of_sine(f.sines[0], d) if f.sines else []
+    slope = f.derivative()
+    points = [0.0, *zeros(slope, d), d] if f.c else _cells(f, d)
+    values = map(f, points)
+    cells = zip(itertools.pairwise(points), itertools.pairwise(values), strict=True)
+    return [_root(f, slope, *cell) for cell, ends in cells if min(ends) < 0.0 < max(ends)]
+
+
+def _of_sine(sine: Sine, d: float) -> list[float]:
+    amplitude, w, phi = sine
+    if not amplitude or not w:
+        return []
+    low, high = sorted((phi / math.pi, (phi + w * d) / math.pi))
+    found = ((k * math.pi - phi) / w for k in range(math.ceil(low), math.floor(high) + 1))
+    return sorted(min(max(u, 0.0), d) for u in found)
+
+
+def _cells(f: Curve, d: float) -> list[float]:
+    fastest = max(abs(w) for _, w, _ in f.sines)
+    n = CELLS * (1 + int(fastest * d / math.pi))
+    return [d * k / n for k in range(n + 1)]
+
+
+def _root(f: Curve, slope: Curve, low: float, high: float) -> float:
+    """Return the zero between two points of different sign, by Newton's method kept within them."""
+    rises = f(high) > 0.0
+    u = 0.5 * (low + high)
+    for _ in range(STEPS):
+        value, rate = f(u), slope(u)
+        if value == 0.0:
+            break
+        low, high = (low, u) if (value > 0.0) == rises else (u, high)
+        newton = u - value / rate if rate else low
+        following = newton if low < newton < high else 0.5 * (low + high)
+        if following in (u, low, high):
+            break
+        u = following
+    return u

@@ -1,0 +1,73 @@
+"""An own law that misses its rise or does not come to rest, with its entries scaled so that it does."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from engine.laws.piece import Piece, gains_at
+
+NONE = 1e-12
+"""a velocity gained by a piece below this is none, in units of the largest that any piece could gain"""
+
+
+@dataclass(frozen=True)
+class Misses:
+    """By how much a law misses: s(1) − 1 and v(1)."""
+
+    s: float
+    v: float
+
+
+def misses(pieces: Sequence[Piece]) -> Misses:
+    """Return by how much pieces, one after the other from rest, miss the rise 1 and rest at its end."""
+    found = _gained(pieces)
+    return Misses(math.fsum(s for s, _ in found) - 1.0, math.fsum(v for _, v in found))
+
+
+def mended(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+    """Return the pieces with c0 … c5 and P scaled so that the law ends at s = 1 and at rest.
+
+    All pieces that gain velocity have one factor α, all that lose it another, β: with S and V what either group
+    adds to s(1) and v(1), α S⁺ + β S⁻ = 1 and α V⁺ + β V⁻ = 0. Where v(1) = 0 already, both are 1/s(1).
+    Raises ValueError where no positive factors do: a law that only speeds up, or moves away from its rise.
+    """
+    found = _gained(pieces)
+    least = NONE * max((_size(piece) for piece in pieces), default=0.0)
+    slows = [v < -least for _, v in found]
+    s1, v1, s2, v2 = (
+        math.fsum(one[i] for one, slow in zip(found, slows, strict=True) if slow == side)
+        for side in (False, True)
+        for i in (0, 1)
+    )
+    under = s1 * v2 - s2 * v1
+    if any(slows) or v1 > least:
+        up, down = (v2 / under, -v1 / under) if under else (0.0, 0.0)
+    else:
+        up = down = 1.0 / s1 if s1 > 0.0 else 0.0
+    if not min(up, down) > 0.0:
+        raise ValueError("no factors bring the own law to rest at its rise; expected it to speed up, then slow down")
+    return tuple(_times(piece, down if slow else up) for piece, slow in zip(pieces, slows, strict=True))
+
+
+def _gained(pieces: Sequence[Piece]) -> list[tuple[float, float]]:
+    """Return what each piece adds to s and v at the end: ∬a and ∫a over it, and its ∫a over the time that follows."""
+    rest = math.fsum(piece.duration for piece in pieces)
+    found = []
+    for piece in pieces:
+        rest -= piece.duration
+        s, v = gains_at(piece, piece.duration)
+        found.append((s + v * rest, v))
+    return found
+
+
+def _times(piece: Piece, factor: float) -> Piece:
+    c = tuple(factor * c for c in piece.c)
+    return replace(piece, c=c, amplitude=factor * piece.amplitude, amplitude2=factor * piece.amplitude2)
+
+
+def _size(piece: Piece) -> float:
+    """Return no less than the largest |a| of a piece times its duration."""
+    powers = sum(abs(c) * piece.duration**i for i, c in enumerate(piece.c))
+    return piece.duration * (powers + abs(piece.amplitude) + abs(piece.amplitude2))

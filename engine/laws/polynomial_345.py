@@ -1,0 +1,49 @@
+"""Polynomial 3-4-5 (PO5)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from engine.laws.ended_polynomial import EndedQuintic
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
+from engine.laws.polynomial_law import HalvedPolynomial
+from engine.laws.polynomial_pulse import HALF_345
+
+
+@dataclass(frozen=True)
+class Polynomial345(HalvedPolynomial):
+    """s = 10ξ³ − 15ξ⁴ + 6ξ⁵; v = 30ξ²(1 − ξ)²; a = 60ξ − 180ξ² + 120ξ³.
+
+    Source: LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'.
+    """
+
+    code = "PO5"
+    name = "Polynomial 3-4-5"
+    TAKES = "va"
+    HALF = HALF_345
+    WHOLE = Piece(1.0, (0.0, 60.0, -180.0, 120.0))
+    ENDED = EndedQuintic
+
+
+ENTRY = Entry(
+    law=Polynomial345,
+    aliases=("3-4-5", "quintic", "polynomial of degree 5", "Polynom 5. Grades"),
+    source="LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'",
+    claims=Claims(
+        order_ends=2,
+        order_inside=math.inf,
+        coefficients={
+            "cv": "15/8",
+            "ca_max": "10/sqrt(3)",
+            "ca_min": "-ca_max",
+            "ca_rms": "sqrt(120/7)",
+            "cj": "60",
+            "va_max": "6075/(343*sqrt(7))",
+            "va_min": "-va_max",
+        },
+    ),
+    example=Polynomial345,
+    beyond=(Polynomial345(0.3),),
+)

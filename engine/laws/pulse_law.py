@@ -1,0 +1,181 @@
+"""Laws of two pulses and a cruise: from one velocity to the greatest, and on to another, by one formula."""
+
+from __future__ import annotations
+
+import math
+from abc import abstractmethod
+from functools import cached_property
+from itertools import accumulate
+from typing import ClassVar, NamedTuple, TypeVar
+
+from engine.laws.base import Array, Coefficients, Shapes
+from engine.laws.ends import EndedLaw
+from engine.laws.piece import Piece
+from engine.laws.piece_extremes import power_extremes
+from engine.laws.piece_rules import stretched
+from engine.laws.pulse import Pulse
+from engine.laws.stages import Staged, carried
+
+JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
+
+T = TypeVar("T")
+
+
+class Course(NamedTuple):
+    """A pulse over T₁, a cruise over T_c, and a pulse told backwards over T₂; the times sum to 1."""
+
+    rise: Pulse
+    rise_time: float
+    cruise: float
+    fall: Pulse
+    fall_time: float
+
+
+class Lobe(NamedTuple):
+    """Velocity gained, and travel from rest, of a pulse of unit height over its time: w T and κ w T²."""
+
+    velocity: float
+    travel: float
+
+
+class PulseLaw(EndedLaw):
+    """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H::
+
+        V = [H − v0 T₁ (1 − κ₁) − v1 T₂ (1 − κ₂)] / (κ₁ T₁ + T_c + κ₂ T₂)
+        A = (V − v0)/(w₁ T₁)      B = (V − v1)/(w₂ T₂)
+
+    where w = ∫p and κ = ∫(1 − x)p dx/w of each pulse, the second told backwards. A and B are the heights of the
+    pulses, a = A p and then a = −B p, and may have either sign: ∫a² = A² q₁ T₁ + B² q₂ T₂, the extremes of v are
+    among v0, V and v1, and the travel T (v + κ (V − v)) of the pulses and V T_c add up to H.
+    """
+
+    STAGES: ClassVar[tuple[int, ...] | None] = None
+    """which of the pieces of first pulse, cruise and second pulse the family has; all by default"""
+
+    @abstractmethod
+    def _course(self) -> Course:
+        """Return the pulses with their durations."""
+
+    @cached_property
+    def course(self) -> Course:
+        """The pulses with their durations."""
+        return self._course()
+
+    @property
+    def lobes(self) -> tuple[Lobe, Lobe]:
+        """Both pulses for unit height."""
+        c = self.course
+        up, down = c.rise.gain * c.rise_time, c.fall.gain * c.fall_time
+        return Lobe(up, c.rise.lead * up * c.rise_time), Lobe(down, c.fall.lead * down * c.fall_time)
+
+    @cached_property
+    def top(self) -> float:
+        """V: the velocity between the two pulses."""
+        c, e = self.course, self.ends
+        travelled = e.v0 * c.rise_time * (1.0 - c.rise.lead) + e.v1 * c.fall_time * (1.0 - c.fall.lead)
+        return (e.stroke - travelled) / (c.rise.lead * c.rise_time + c.cruise + c.fall.lead * c.fall_time)
+
+    @cached_property
+    def acceleration(self) -> float:
+        """A: the height of the first pulse."""
+        return (self.top - self.ends.v0) / (self.course.rise.gain * self.course.rise_time)
+
+    @cached_property
+    def deceleration(self) -> float:
+        """B: the height of the second pulse, downwards."""
+        return (self.top - self.ends.v1) / (self.course.fall.gain * self.course.fall_time)
+
+    @property
+    def _stages(self) -> tuple[int, ...] | None:
+        return self.STAGES
+
+    @property
+    def own_acceleration(self) -> tuple[bool, bool]:
+        """Whether the first pulse begins, and the second ends, above 0."""
+        return self.course.rise.outer != 0.0, self.course.fall.outer != 0.0
+
+    @property
+    def _whole(self) -> Piece | None:
+        """The one piece that both pulses together are; None, as in most laws, if they are not."""
+        return None
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The ends of all stages but the last; none where both pulses together are one piece."""
+        c = self.course
+        rise, fall = ([piece.duration for piece in pulse.pieces] for pulse in (c.rise, c.fall.turned))
+        times = (*(d * c.rise_time for d in rise), c.cruise, *(d * c.fall_time for d in fall))
+        return () if self._whole else tuple(accumulate(self._taken(times)[:-1]))
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
+        if self._whole:
+            return (self._whole,)
+        c = self.course
+        rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
+        fall = [stretched(piece, -self.deceleration, c.fall_time) for piece in c.fall.turned.pieces]
+        return self._taken((*rise, Piece(c.cruise), *fall))
+
+    def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
+        return stages if self._stages is None else tuple(stages[k] for k in self._stages)
+
+    def shapes(self) -> Shapes | None:
+        """Return the shares of each stage's shape; None between prescribed ends and where a pulse is a polynomial."""
+        c = self.course
+        up, down = c.rise.shape, c.fall.shape
+        if up is None or down is None or not self.ends.at_rest:
+            return None
+        ups, downs = ([share * t for share in shape] for shape, t in ((up, c.rise_time), (down, c.fall_time)))
+        return Shapes(ups[0], downs[0], ups[1], downs[1], ups[2], downs[2])
+
+    @cached_property
+    def _staged(self) -> Staged:
+        """The first pulse and the cruise from the begin, the second pulse backwards from the end."""
+        c, e = self.course, self.ends
+        rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
+        fall = [stretched(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
+        travel = c.rise_time * (e.v0 + c.rise.lead * (self.top - e.v0))
+        coast = carried([Piece(c.cruise)], 1.0, c.rise_time, travel, self.top)
+        backwards = [*carried(fall, -1.0, c.rise_time + c.cruise + c.fall_time, e.stroke, e.v1)]
+        return Staged([*carried(rise, 1.0, 0.0, 0.0, e.v0), *coast, *backwards[::-1]])
+
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
+        return self._staged(xi)
+
+    def _coefficients(self) -> Coefficients:
+        c, e, up, down = self.course, self.ends, self.acceleration, self.deceleration
+        a = [0.0] if c.cruise > 0.0 else []
+        a += [up, up * c.rise.least, -down, -down * c.fall.least]
+        va_max, va_min = self._power()
+        return Coefficients(
+            cv=max(abs(e.v0), abs(self.top), abs(e.v1)),
+            ca_max=max(a),
+            ca_min=min(a),
+            ca_rms=math.sqrt(up**2 * c.rise.square * c.rise_time + down**2 * c.fall.square * c.fall_time),
+            cj=math.inf if self._jumps() else self.jerk_between_jumps,
+            va_max=va_max,
+            va_min=va_min,
+        )
+
+    @property
+    def jerk_between_jumps(self) -> float:
+        """Largest |j| where a does not jump."""
+        c = self.course
+        rise = abs(self.acceleration) * c.rise.jerk / c.rise_time
+        return max(rise, abs(self.deceleration) * c.fall.jerk / c.fall_time)
+
+    def _jumps(self) -> bool:
+        """Whether a jumps: at an end, where it should be 0, or between the pulses and the cruise."""
+        c, up, down = self.course, self.acceleration, self.deceleration
+        inner = [up * c.rise.inner, down * c.fall.inner]
+        if not c.cruise > 0.0:
+            inner = [inner[0] + inner[1]]
+        return max(map(abs, (up * c.rise.outer, down * c.fall.outer, *inner))) > JUMP * max(abs(up), abs(down))
+
+    def _power(self) -> tuple[float, float]:
+        """Return the largest and the lowest v·a: of the pulses alone between rests, else piece by piece."""
+        c = self.course
+        if self.ends.v0 or self.ends.v1:
+            return power_extremes(self.as_pieces(), self.ends.v0)
+        rise = self.acceleration**2 * c.rise_time * c.rise.power
+        return rise, -(self.deceleration**2) * c.fall_time * c.fall.power

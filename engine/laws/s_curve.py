@@ -1,0 +1,129 @@
+"""Jerk-limited S-curve with seven durations (SCV)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple, Self
+
+from engine.laws.base import require_finite
+from engine.laws.ends import REST, Ends
+from engine.laws.entry import Claims, Entry
+from engine.laws.pulse import LinearEdged
+from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.seven_stages import course_of
+from engine.laws.shares import seven_durations
+
+HALVINGS = 200
+
+
+class Limits(NamedTuple):
+    """Greatest velocity, acceleration, deceleration, and jerk while speeding up and while slowing down."""
+
+    velocity: float
+    acceleration: float
+    deceleration: float
+    jerk_up: float
+    jerk_down: float
+
+
+class Timed(NamedTuple):
+    """A law and the time that it takes."""
+
+    law: SCurve
+    time: float
+
+
+@dataclass(frozen=True)
+class SCurve(PulseLaw):
+    """Seven stages: j = A/t1, 0, −A/t3, 0, −B/t5, 0, B/t7: each ramp of velocity with a jerk of its own.
+
+    ``durations`` are the seven shares of the time: not negative, of sum 1 (within 1e-9), neither the first three
+    nor the last three all zero; else ValueError.
+    Source: the seven phases of TwinCAT NC's set-point generator; without limits of jerk it is the trapezoid of S1.
+    """
+
+    code = "SCV"
+    name = "Jerk-limited S-curve"
+
+    durations: tuple[float, ...] = (1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12)
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "durations", seven_durations(self.durations))
+
+    def _course(self) -> Course:
+        return course_of(self.durations, LinearEdged)
+
+    @classmethod
+    def of_shares(cls, ramp: float, jerk: float) -> Self:
+        """Return the symmetric curve whose ramps last ``ramp`` each, the part ``jerk`` of them under jerk.
+
+        Raises ValueError unless 0 < ramp ≤ 1/2 and 0 ≤ jerk ≤ 1.
+        """
+        if not (0.0 < ramp <= 0.5 and 0.0 <= jerk <= 1.0):
+            raise ValueError(f"ramp is {ramp:g} and jerk {jerk:g}; expected 0 < ramp <= 0.5 and 0 <= jerk <= 1")
+        edge, flat = jerk * ramp / 2.0, (1.0 - jerk) * ramp
+        return cls((edge, flat, edge, 1.0 - 2.0 * ramp, edge, flat, edge))
+
+    @classmethod
+    def of_limits(cls, stroke: float, limits: Limits) -> Timed:
+        """Return the quickest curve within the limits over a stroke, and its time, in the limits' units.
+
+        A ramp to V takes V/A + A/J, or 2√(V/J) where A is never reached, and travels half of V times that; where
+        both ramps travel farther than the stroke, V is lowered until they do not.
+        Raises ValueError unless all are positive.
+        """
+        if not min(stroke, *limits) > 0.0:
+            raise ValueError(f"the stroke is {stroke:g} and the limits {tuple(limits)}; expected them positive")
+        require_finite(stroke=stroke, **limits._asdict())
+
+        def ramps(v: float) -> tuple[tuple[float, float], tuple[float, float]]:
+            return _ramp(v, limits.acceleration, limits.jerk_up), _ramp(v, limits.deceleration, limits.jerk_down)
+
+        def travel(v: float) -> float:
+            return sum(v * (edge + flat / 2.0) for edge, flat in ramps(v))
+
+        top = limits.velocity
+        if travel(top) > stroke:
+            low = 0.0
+            for _ in range(HALVINGS):
+                middle = 0.5 * (low + top)
+                low, top = (low, middle) if travel(middle) > stroke else (middle, top)
+        (up, flat_up), (down, flat_down) = ramps(top)
+        cruise = max(stroke - travel(top), 0.0) / top
+        times = (up, flat_up, up, cruise, down, flat_down, down)
+        return Timed(cls(tuple(t / sum(times) for t in times)), sum(times))
+
+
+def _ramp(velocity: float, acceleration: float, jerk: float) -> tuple[float, float]:
+    """Return how long the jerk lasts on each side of a ramp from rest, and the constant acceleration between."""
+    edge = min(acceleration / jerk, math.sqrt(velocity / jerk))
+    return edge, max(velocity / (jerk * edge) - edge, 0.0)
+
+
+ENTRY = Entry(
+    law=SCurve,
+    aliases=("S-curve", "jerk-limited", "seven-segment profile", "ruckbegrenztes Profil"),
+    source="TwinCAT NC, set-point generator with seven phases",
+    claims=Claims(
+        order_ends=2,
+        order_inside=2,
+        coefficients={
+            "cv": "3/2",
+            "ca_max": "6",
+            "ca_min": "-6",
+            "ca_rms": "4",
+            "cj": "72",
+            "va_max": "15/2",
+            "va_min": "-15/2",
+        },
+    ),
+    example=SCurve,
+    others=(
+        SCurve((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2)),
+        SCurve((0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25)),
+        SCurve((0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0)),
+    ),
+    beyond=(SCurve((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2), Ends(-1.0, 0.5, 1.5)),),
+)

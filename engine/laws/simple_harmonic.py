@@ -1,0 +1,59 @@
+"""Simple harmonic (SHM)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from engine.laws.ends import REST, Ends
+from engine.laws.entry import Claims, Entry
+from engine.laws.pulse import SineEdged
+from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.shares import require_share
+
+FALLING = SineEdged(0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True)
+class SimpleHarmonic(PulseLaw):
+    """s = (1 − cos πξ)/2; with the share λ, a quarter of a cosine over λ and one of a sine over 1 − λ.
+
+    It begins and ends with an acceleration: a law from reversal to reversal. Raises ValueError unless λ, the
+    ``share``, is between 0 and 1. Source: LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE.
+    """
+
+    code = "SHM"
+    name = "Simple harmonic"
+    STAGES = (2, 4)
+
+    share: float = 0.5
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+
+    def _course(self) -> Course:
+        return Course(FALLING, self.share, 0.0, FALLING, 1.0 - self.share)
+
+
+ENTRY = Entry(
+    law=SimpleHarmonic,
+    aliases=("harmonic", "basic sine", "einfache Sinuslinie"),
+    source="LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE",
+    claims=Claims(
+        order_ends=1,
+        order_inside=math.inf,
+        coefficients={
+            "cv": "pi/2",
+            "ca_max": "pi**2/2",
+            "ca_min": "-ca_max",
+            "ca_rms": "pi**2/(2*sqrt(2))",
+            "cj": "inf",
+            "va_max": "pi**3/8",
+            "va_min": "-va_max",
+        },
+    ),
+    example=SimpleHarmonic,
+    others=(SimpleHarmonic(0.3),),
+    beyond=(SimpleHarmonic(0.6, Ends(1.0, 0.3, 1.2)),),
+)

@@ -1,0 +1,192 @@
+"""Points joined by a cubic spline (SPL)."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, require_finite
+from engine.laws.ends import REST, EndedLaw, Ends
+from engine.laws.entry import Claims, Entry
+from engine.laws.piece import Piece
+from engine.laws.piece_extremes import coefficients_of
+
+MOST = 100
+NARROWEST = 1e-6  # of the time, between two points
+CELLS = 16  # an interval on average, of which each knows the points within it
+
+Point = tuple[float, float]
+Slopes = tuple[float | None, float | None]
+
+
+@dataclass(frozen=True)
+class Spline(EndedLaw):
+    """The cubic spline through points (ξ, s): v and a are continuous, a is linear between two points.
+
+    ``points`` are 2 to 100, of rising ξ, the first (0, 0) and the last (1, 1). ``slopes`` are the velocities at
+    begin and end where they are entered; what is None follows from the neighbouring phase, 0 beside a dwell.
+    ``natural`` says which ends are free, with a = 0 there instead of a prescribed velocity. Else ValueError.
+    Source: the cubic spline with clamped or natural ends, in moments; TwinCAT, MC_MotionFunctionType, CubicSpline.
+    """
+
+    code = "SPL"
+    name = "Cubic spline"
+
+    points: tuple[Point, ...]
+    slopes: Slopes = (None, None)
+    natural: tuple[bool, bool] = (False, False)
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        points = tuple((float(xi), float(s)) for xi, s in self.points)
+        _require(points)
+        for name, slope in zip(("first", "last"), self.slopes, strict=True):
+            if slope is not None:
+                require_finite(**{f"the {name} slope": slope})
+        object.__setattr__(self, "points", points)
+
+    def opened(self, begin: bool, end: bool) -> Spline:
+        """Return the spline with natural ends where nothing precedes or follows it, and no slope is entered."""
+        free = [self.natural[k] or (open_ and self.slopes[k] is None) for k, open_ in enumerate((begin, end))]
+        return replace(self, natural=(free[0], free[1]))
+
+    @property
+    def own_acceleration(self) -> tuple[bool, bool]:
+        """Whether an end is not natural: it then begins with what the points ask for."""
+        return not self.natural[0], not self.natural[1]
+
+    @cached_property
+    def moments(self) -> Array:
+        """a at each point: with the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points,
+
+        d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k + d_k a_{k+1} = 6(m_k − m_{k−1}),
+        and at an end with the slope v, 2 d_0 a_0 + d_0 a_1 = 6(m_0 − v).
+        """
+        xi, s = self._knots
+        d = np.diff(xi)
+        m = np.concatenate([[self._slope(0)], np.diff(s) / d, [self._slope(1)]])
+        d = np.concatenate([[0.0], d, [0.0]])
+        diagonal, right = 2.0 * (d[:-1] + d[1:]), 6.0 * np.diff(m)
+        below, above = d[1:-1].copy(), d[1:-1].copy()
+        for end, free in zip((0, -1), self.natural, strict=True):
+            if free:
+                diagonal[end], right[end] = 1.0, 0.0
+                (above if end == 0 else below)[end] = 0.0
+        return tridiagonal(below, diagonal, above, right)
+
+    def _slope(self, end: int) -> float:
+        entered = self.slopes[end]
+        return (self.ends.v0, self.ends.v1)[end] if entered is None else entered * self.ends.stroke
+
+    @cached_property
+    def _knots(self) -> tuple[Array, Array]:
+        xi, s = np.array(self.points).T
+        return xi, s * self.ends.stroke
+
+    @cached_property
+    def _table(self) -> Array:
+        """ξ, s, v, a and j at the begin of each interval, in columns."""
+        (xi, s), a = self._knots, self.moments
+        d = np.diff(xi)
+        v = np.diff(s) / d - d * (2.0 * a[:-1] + a[1:]) / 6.0
+        return np.array([xi[:-1], s[:-1], v, a[:-1], np.diff(a) / d])
+
+    @cached_property
+    def _cells(self) -> tuple[NDArray[np.intp], float, int]:
+        """The interval in which each of many equal cells begins, cells in all, and points in one cell at most."""
+        xi = self._knots[0][:-1] - BREAK_TOLERANCE
+        cells = CELLS * xi.size
+        at = np.arange(cells + 1) / cells
+        first = np.searchsorted(xi, at, side="right") - 1
+        return first, float(cells), int(np.diff(first, append=xi.size - 1).max())
+
+    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
+        first, cells, most = self._cells
+        k = first.take((xi * cells).astype(np.intp))
+        starts = np.append(self._table[0] - BREAK_TOLERANCE, np.inf)
+        for _ in range(most):
+            k += xi >= starts.take(k + 1)
+        start, s, v, a, j = self._table.take(k, axis=1)
+        u = xi - start
+        bend = u * j
+        return s + u * (v + u * (a / 2.0 + bend / 6.0)), v + u * (a + bend / 2.0), a + bend, j
+
+    def _coefficients(self) -> Coefficients:
+        return coefficients_of(self.as_pieces(), float(self._table[2, 0]))
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """The points between the first and the last."""
+        return tuple(xi for xi, _ in self.points[1:-1])
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one cubic an interval."""
+        d = np.diff(self._knots[0])
+        return tuple(
+            Piece(float(t), (float(a), float(j), 0.0, 0.0)) for t, a, j in zip(d, *self._table[3:], strict=True)
+        )
+
+    def shapes(self) -> None:
+        """Return None: the lines of its acceleration begin anywhere."""
+
+
+def _require(points: Sequence[Point]) -> None:
+    if not 2 <= len(points) <= MOST:
+        raise ValueError(f"{len(points)} points are given; expected 2 to {MOST}")
+    for k, (xi, s) in enumerate(points, 1):
+        if not (math.isfinite(xi) and math.isfinite(s)):
+            raise ValueError(f"point {k} is ({xi}, {s}); expected finite numbers")
+    if points[0] != (0.0, 0.0) or points[-1] != (1.0, 1.0):
+        raise ValueError(f"the points lead from {points[0]} to {points[-1]}; expected from (0, 0) to (1, 1)")
+    for k, ((before, _), (after, _)) in enumerate(itertools.pairwise(points), 2):
+        if not after - before >= NARROWEST:
+            raise ValueError(f"point {k} is at {after:g}, the one before at {before:g}; expected them to rise")
+
+
+def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
+    """Return x of a tridiagonal system whose diagonal dominates: forward elimination, then back substitution.
+
+    ``diagonal`` and ``right`` are of shape (n,), ``below`` and ``above`` of shape (n − 1,).
+    """
+    d, x = diagonal.tolist(), right.tolist()
+    for k, (low, high) in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
+        share = low / d[k]
+        d[k + 1] -= share * high
+        x[k + 1] -= share * x[k]
+    x[-1] /= d[-1]
+    for k in range(len(d) - 2, -1, -1):
+        x[k] = (x[k] - float(above[k]) * x[k + 1]) / d[k]
+    return np.array(x)
+
+
+EXAMPLE = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1.0, 1.0))
+WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
+
+ENTRY = Entry(
+    law=Spline,
+    aliases=("points", "spline"),
+    source="the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline",
+    claims=Claims(
+        order_ends=1,
+        order_inside=2,
+        where={"a": "192/35", "b": "24/7"},  # moments at ξ = 0 and ¼; by symmetry 0 at ½
+        coefficients={
+            "cv": "(a + 2*b)/8",
+            "ca_max": "a",
+            "ca_min": "-a",
+            "ca_rms": "sqrt((a**2 + a*b + 2*b**2)/6)",
+            "cj": "inf",
+            "va_max": "(a + b)/8*b",
+            "va_min": "-va_max",
+        },
+    ),
+    example=lambda: Spline(EXAMPLE),
+    others=(Spline(WAVE),),
+    beyond=(Spline(EXAMPLE, (0.5, None), (False, True)), Spline(WAVE, ends=Ends(2.0, 1.0, -3.0))),
+)

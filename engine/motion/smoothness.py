@@ -1,0 +1,116 @@
+"""How smooth a motion is: every jump of velocity, acceleration or jerk, at the joints and within the laws."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from engine.laws.piece import gains
+from engine.laws.piece_extremes import Extremes, extremes_of
+from engine.motion.joining import Rates, slope
+from engine.motion.motion import Motion
+from engine.motion.phase import Phase
+
+Smoothness = Literal["velocity", "acceleration", "jerk"]
+ORDERS: tuple[Smoothness, ...] = ("velocity", "acceleration", "jerk")
+JUMP = 1e-9
+"""of the motion's largest velocity, acceleration or jerk: a smaller jump is rounding"""
+
+
+class Shortfall(NamedTuple):
+    """Where a motion is less smooth than asked: what jumps first, by how much, at which x, and why.
+
+    ``before`` and ``after`` are the phases on either side, counted from 0: the same phase twice where its law jumps
+    within itself.
+    """
+
+    quantity: Smoothness
+    jump: float
+    x: float
+    before: int
+    after: int
+    reason: str
+
+
+class _Stretch(NamedTuple):
+    """A piece of a phase that lasts: where it begins, and the rates at its begin and its end."""
+
+    phase: int
+    x: float
+    begin: Rates
+    end: Rates
+
+
+def phase_extremes(phase: Phase) -> Extremes:
+    """Return the lowest and largest y', y'' and y''' of a phase, exact, whatever its law; y''' where y'' is smooth."""
+    found = extremes_of(phase.law.as_pieces(), phase.law.start.v)
+    bounds = []
+    for order, (low, high) in enumerate(found, 1):
+        per = phase.scale / phase.duration**order
+        bounds.append((min(per * low, per * high), max(per * low, per * high)))
+    return Extremes(*bounds)
+
+
+def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tuple[Shortfall, ...]:
+    """Return every joint, and every place within a law, at which a motion is less smooth than asked, in order of x.
+
+    "velocity" asks for a continuous y', "acceleration" for y'' too and "jerk" for y''' too; of a periodic motion
+    also from its end to its begin.
+    """
+    asked, scales = ORDERS.index(smooth) + 1, _scales(motion)
+    stretches = [one for k in range(len(motion.phases)) for one in _stretches(motion, k)]
+    pairs = list(itertools.pairwise(stretches))
+    if periodic:
+        pairs.append((stretches[-1], stretches[0]._replace(x=float(motion.edges[-1]))))
+    return tuple(
+        Shortfall(quantity, jump, other.x, one.phase, other.phase, _reason(motion, one, other))
+        for one, other in pairs
+        for quantity, jump in _first_jump(one.end, other.begin, scales, asked)
+    )
+
+
+def _scales(motion: Motion) -> Rates:
+    """Return the largest |y'|, |y''| and |y'''| of any phase."""
+    found = [[max(map(abs, bounds)) for bounds in phase_extremes(phase)] for phase in motion.phases]
+    return Rates(*(max(values) for values in zip(*found, strict=True)))
+
+
+def _stretches(motion: Motion, k: int) -> Iterator[_Stretch]:
+    phase, x = motion.phases[k], float(motion.edges[k])
+    v = phase.law.start.v
+    for piece in phase.law.as_pieces():
+        if piece.duration > 0.0:
+            ends = np.array([0.0, piece.duration])
+            _, dv, a, j = gains(ends, np.array(piece.row)[:, None])
+            begin, end = (
+                _rates(phase, *values) for values in zip((v + dv).tolist(), a.tolist(), j.tolist(), strict=True)
+            )
+            yield _Stretch(k, x, begin, end)
+            v += float(dv[1])
+        x += piece.duration * phase.duration
+
+
+def _rates(phase: Phase, v: float, a: float, j: float) -> Rates:
+    d = phase.duration
+    return Rates(phase.scale * v / d, phase.scale * a / d**2, phase.scale * j / d**3)
+
+
+def _first_jump(one: Rates, other: Rates, scales: Rates, asked: int) -> list[tuple[Smoothness, float]]:
+    """Return the lowest derivative that jumps, of those asked for, and by how much; nothing where none does."""
+    for quantity, before, after, scale in list(zip(ORDERS, one, other, scales, strict=True))[:asked]:
+        if abs(after - before) > JUMP * scale:
+            return [(quantity, after - before)]
+    return []
+
+
+def _reason(motion: Motion, one: _Stretch, other: _Stretch) -> str:
+    before, after = (motion.phases[stretch.phase] for stretch in (one, other))
+    if one.phase == other.phase and other.x < motion.edges[one.phase + 1]:
+        return f"{before.law.name} jumps within itself"
+    slopes = slope(before), slope(after)
+    if None not in slopes:
+        return f"two straight lines of different slope: {slopes[0]:g} and {slopes[1]:g}"
+    return f"{before.law.name} does not end as {after.law.name} begins"

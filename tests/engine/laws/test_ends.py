@@ -1,0 +1,196 @@
+"""Laws between prescribed ends: what they meet, what they are wanted to have, what is refused, kinds of end."""
+
+import math
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from engine.laws import PieceLaw
+from engine.laws.cubic import Cubic
+from engine.laws.cycloidal import Cycloidal
+from engine.laws.ends import EndedLaw, EndError, Ends, between, kind, kinds
+from engine.laws.harmonic_combination import HarmonicCombination
+from engine.laws.modified_sine import ModifiedSine
+from engine.laws.piece_extremes import extremes_of
+from engine.laws.polynomial_345 import Polynomial345
+from engine.laws.polynomial_4567 import Polynomial4567
+from engine.laws.s_curve import Limits, SCurve
+from engine.laws.simple_harmonic import SimpleHarmonic
+from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+from tests.engine.families import EXAMPLES
+
+EVERY = pytest.mark.parametrize("law", [law for _, law in EXAMPLES], ids=[name for name, _ in EXAMPLES])
+number = st.floats(-3.0, 3.0)
+
+limit = st.floats(0.1, 10.0)
+
+
+@given(stroke=limit, v=limit, a=limit, b=limit, up=limit, down=limit)
+def test_an_s_curve_of_limits_keeps_each_and_touches_enough_of_them(stroke, v, a, b, up, down):
+    law, time = SCurve.of_limits(stroke, Limits(v, a, b, up, down))
+    k, (rise, fall) = law.coefficients, law.course[::3]
+    speed, shape = k.cv * stroke / time, stroke / time**2
+    assert speed <= v * (1 + 1e-9)
+    for height, top, jerk, greatest, pulse, share in (
+        (k.ca_max * shape, a, up, rise.jerk, rise, law.course.rise_time),
+        (-k.ca_min * shape, b, down, fall.jerk, fall, law.course.fall_time),
+    ):
+        assert height <= top * (1 + 1e-9)
+        assert height * greatest / (share * time) == pytest.approx(jerk, rel=1e-9)
+        assert pulse.flat < 1e-6 or height == pytest.approx(top, rel=1e-9)
+    assert law.course.cruise < 1e-9 or speed == pytest.approx(v, rel=1e-9)
+
+
+@pytest.mark.parametrize("limits", [Limits(0, 1, 1, 1, 1), Limits(1, 1, 1, -1, 1), Limits(1, math.nan, 1, 1, 1)])
+def test_an_s_curve_needs_positive_limits(limits):
+    with pytest.raises(ValueError, match="expected"):
+        SCurve.of_limits(1.0, limits)
+
+
+@given(v0=number, v1=number, b=st.floats(2.0, 20.0))
+def test_a_modified_sine_of_wanted_deceleration_has_it(v0, v1, b):
+    ends = Ends(1.0, v0, v1)
+    try:
+        law = ModifiedSine.with_deceleration(b, ends)
+    except EndError:
+        return
+    assert law.deceleration == pytest.approx(b, rel=1e-9)
+    assert (law.end.s, law.end.v) == pytest.approx((1.0, v1), abs=1e-10)
+
+
+def test_the_classic_deceleration_belongs_to_half():
+    law = ModifiedSine.with_deceleration(4 * math.pi**2 / (4 + math.pi), Ends())
+    assert law.share == pytest.approx(0.5, rel=1e-14)
+
+
+@given(b=st.floats(0.5, 40.0))
+def test_a_harmonic_combination_of_wanted_end_acceleration_has_it(b):
+    """μ = 2Q/((4 + π) + √((4 + π)² + 4(4 − π)Q)), Q = 2π²/B, between rest and reversal."""
+    q, sum_, less = 2 * math.pi**2 / b, 4 + math.pi, 4 - math.pi
+    late = 2 * q / (sum_ + math.sqrt(sum_**2 + 4 * less * q))
+    if late >= 1:
+        with pytest.raises(EndError, match="no share"):
+            HarmonicCombination().between(Ends(a1=-b))
+        return
+    law = HarmonicCombination().between(Ends(a1=-b))
+    assert law.share == pytest.approx(1 - late, abs=1e-12)
+    assert law.end.a == pytest.approx(-b, rel=1e-11)
+    back = HarmonicCombination(reversal="start").between(Ends(-1.0, a0=-b))
+    assert (back.start.a, back.end.s) == pytest.approx((-b, -1.0), rel=1e-11)
+
+
+@given(v0=st.floats(0.0, 1.5), b=st.floats(1.0, 20.0))
+def test_a_harmonic_combination_from_a_velocity_has_the_wanted_end_acceleration(v0, b):
+    try:
+        law = HarmonicCombination().between(Ends(1.0, v0, a1=-b))
+    except EndError:
+        return
+    assert (law.start.v, law.end.s, law.end.a) == pytest.approx((v0, 1.0, -b), rel=1e-9, abs=1e-12)
+
+
+@given(values=st.tuples(*[number] * 7))
+def test_a_quintic_and_a_septic_meet_all_their_ends(values):
+    ends = Ends(*values)
+    septic, quintic = Polynomial4567().between(ends), Polynomial345().between(replace(ends, j0=0.0, j1=0.0))
+    cubic = Cubic().between(Ends(*values[:3]))
+    for law, upto in ((cubic, 2), (quintic, 3), (septic, 4)):
+        begin, end = law.start, law.end
+        assert begin[:upto] == pytest.approx([0.0, ends.v0, ends.a0, ends.j0][:upto], abs=1e-12)
+        assert end[:upto] == pytest.approx([ends.stroke, ends.v1, ends.a1, ends.j1][:upto], abs=2e-10)
+
+
+@given(values=st.tuples(*[number] * 5))
+def test_the_quintics_acceleration_is_extreme_at_the_roots_of_its_jerk(values):
+    """The parabola c1 + 2c2u + 3c3u² in a form that is safe for c3 → 0."""
+    law = Polynomial345().between(Ends(*values))
+    c0, c1, c2, c3 = law.polynomial
+    found, under = [0.0, 1.0], c2 * c2 - 3 * c1 * c3
+    if under >= 0:
+        q = -(c2 + math.copysign(math.sqrt(under), c2))
+        found += [u for u in (q / (3 * c3) if c3 else -1, c1 / q if q else -1) if 0 < u < 1]
+    a = [c0 + u * (c1 + u * (c2 + u * c3)) for u in found]
+    k = law.coefficients
+    size = 1 + max(map(abs, a))
+    assert (k.ca_max, k.ca_min) == pytest.approx((max(a), min(a)), abs=1e-12 * size)
+
+
+@given(v0=number, v1=number, stroke=number)
+def test_of_all_motions_between_two_velocities_the_cubic_has_the_least_square(v0, v1, stroke):
+    cubic = Cubic().between(Ends(stroke, v0, v1))
+    expected = 12 * (stroke - (v0 + v1) / 2) ** 2 + (v1 - v0) ** 2
+    assert cubic.coefficients.ca_rms**2 == pytest.approx(expected, rel=1e-9, abs=1e-9)
+    for law in (ModifiedSine(), TrapezoidalVelocity(), SCurve(), Cycloidal()):
+        assert law.between(Ends(stroke, v0, v1)).coefficients.ca_rms ** 2 >= expected * (1 - 1e-9) - 1e-9
+
+
+@pytest.mark.parametrize("family", [Cubic, Polynomial345, Polynomial4567])
+def test_polynomials_between_rests_are_those_of_the_catalogue(family):
+    (whole,) = family().as_pieces()
+    assert family.ENDED(Ends()).as_pieces() == (whole,)
+
+
+def test_half_a_polynomial_345_leads_from_rest_to_a_velocity():
+    """H = 8VT/15: the quintic from rest to V is the half of the polynomial 3-4-5."""
+    law = Polynomial345().between(Ends(8 / 15, 0.0, 1.0))
+    assert law.polynomial == pytest.approx((0.0, 8.0, -12.0, 4.0), abs=1e-12)
+    assert law.coefficients.ca == pytest.approx(8 / (3 * math.sqrt(3)), rel=1e-12)
+
+
+@pytest.mark.parametrize(("ratio", "turns"), [(0.399, True), (0.401, False), (0.599, False), (0.601, True)])
+def test_a_quintic_into_a_velocity_is_monotone_between_two_and_three_fifths(ratio, turns):
+    law = Polynomial345().between(Ends(ratio, 0.0, 1.0))
+    low, high = extremes_of(law.as_pieces(), 0.0).v
+    assert (low < -1e-9 or high > 1 + 1e-9) == turns
+
+
+@pytest.mark.parametrize(
+    ("law", "ends", "reason"),
+    [
+        (ModifiedSine(), Ends(a0=1.0), "Modified sine cannot begin with a prescribed acceleration: it takes velocity"),
+        (SCurve(), Ends(j1=1.0), "Jerk-limited S-curve cannot end with a prescribed jerk"),
+        (Polynomial345(), Ends(j0=1.0), "Polynomial 3-4-5 cannot begin with a prescribed jerk: it takes velocity and"),
+        (Cubic(), Ends(a1=1.0), "Cubic cannot end with a prescribed acceleration"),
+        (Polynomial345(0.3), Ends(v1=1.0), "with the share 0.3 is made of two halves that begin and end at rest"),
+        (PieceLaw(Polynomial345().as_pieces()), Ends(v0=1.0), "Own law cannot begin with a prescribed velocity: its"),
+        (HarmonicCombination(), Ends(a0=1.0), "Harmonic combination cannot begin with a prescribed acceleration"),
+        (HarmonicCombination(), Ends(a1=9.0), "no share between 0 and 1 gives a harmonic combination"),
+    ],
+)
+def test_an_end_that_a_law_cannot_have_is_refused_with_the_reason(law, ends, reason):
+    with pytest.raises(EndError, match=reason):
+        between(law, ends)
+
+
+@EVERY
+def test_between_rests_a_law_is_itself(law):
+    assert between(law, Ends(3.0)) == (law, 3.0)
+
+
+@pytest.mark.parametrize(
+    ("law", "expected"),
+    [
+        (ModifiedSine(), ("RG", "RG")), (ModifiedSine(0.5, 0.25, 0.0), ("RG", "UB")), (SCurve(), ("RG", "RG")),
+        (SimpleHarmonic(), ("UB", "UB")), (HarmonicCombination(), ("RG", "UB")),
+        (HarmonicCombination(reversal="start"), ("UB", "RG")), (Polynomial345(), ("RGUB", "RGUB")),
+        (Polynomial345(0.4), ("R", "R")), (Cubic(), ("UB", "UB")), (Cubic(0.4), ("U", "U")),
+    ],
+)  # fmt: skip
+def test_kinds_of_end(law, expected):
+    assert kinds(law) == expected
+
+
+@pytest.mark.parametrize(("v", "a", "expected"), [(0, 0, "R"), (1, 0, "G"), (0, -1, "U"), (-1, 1, "B")])
+def test_kind_of_an_end(v, a, expected):
+    assert kind(v, a) == kind(v + 1e-12, a - 1e-12) == expected
+
+
+@EVERY
+def test_the_kinds_of_a_law_are_what_its_ends_show(law):
+    """Between rests a law is one of R and U at either end; with a velocity, one of G and B."""
+    if not isinstance(law, EndedLaw) or "v" not in law.takes:
+        return
+    ended = law.between(Ends(1.0, 0.7, 0.4))
+    for allowed, at in zip(kinds(law), (ended.start, ended.end), strict=True):
+        assert kind(at.v, at.a / (ended.coefficients.ca or 1.0)) in allowed

@@ -1,0 +1,160 @@
+"""Coefficients of the families to 13 digits, worked out with forty: quadrature and dense searches refined."""
+
+import math
+
+import pytest
+
+from engine.laws.constant_acceleration import ConstantAcceleration
+from engine.laws.cubic import Cubic
+from engine.laws.cycloidal import Cycloidal
+from engine.laws.double_harmonic import DoubleHarmonic
+from engine.laws.ends import REST
+from engine.laws.harmonic_combination import HarmonicCombination
+from engine.laws.modified_sine import ModifiedSine
+from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
+from engine.laws.piece_extremes import extremes_of
+from engine.laws.polynomial_345 import Polynomial345
+from engine.laws.polynomial_4567 import Polynomial4567
+from engine.laws.polynomial_pulse import PolynomialPulse
+from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.s_curve import SCurve
+from engine.laws.simple_harmonic import SimpleHarmonic
+from engine.laws.sine_constant_cosine import SineConstantCosine
+from engine.laws.sine_ramps import SineRamps
+from engine.laws.sine_straight_sine import SineStraightSine
+from engine.laws.straight_line import StraightLine
+from engine.laws.trapezoid_by_share import TrapezoidByShare
+from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+
+INF = math.inf
+
+
+class TwoQuartics(PulseLaw):
+    """Two pulses 4x(1 − x): a law of the pulses' formula that no family is."""
+
+    code = name = "two quartics"
+    ends = REST
+
+    def __init__(self, share):
+        self.share = share
+
+    def _course(self):
+        pulse = PolynomialPulse((0.0, 4.0, -4.0))
+        return Course(pulse, self.share, 0.0, pulse, 1.0 - self.share)
+
+
+def straight(part):
+    """Modified sine with a part at constant velocity."""
+    return SineConstantCosine((1 - part) / 4, 0.0, 3 * (1 - part) / 4, part)
+
+
+SYMMETRIC = [
+    # law, C_v, C_a, C_a,rms, C_j between jumps, (va), E, C_j is finite
+    (StraightLine(), 1, 0, 0, 0, 0, 0, True),
+    (Cubic(), 1.5, 6, 3.464101615138, 12, 3.464101615138, 1, False),
+    (SimpleHarmonic(), 1.570796326795, 4.934802200545, 3.489432099819, 15.50313834015, 3.875784585037,
+     1.014678031604, False),
+    (TrapezoidalVelocity(), 1.5, 4.5, 3.674234614175, 0, 6.75, 1.125, False),
+    (TrapezoidalVelocity(0.25, 0.75), 1.333333333333, 5.333333333333, 3.771236166328, 0, 7.111111111111,
+     1.185185185185, False),
+    (straight(0.2), 1.527538675879, 5.998630352770, 3.793866951235, 94.22626523932, 5.141368390317,
+     1.199452203639, True),
+    (straight(1 / 3), 1.404086978319, 6.616604004132, 3.820098102907, 124.7200471866, 5.212709977676,
+     1.216095792986, True),
+    (SineStraightSine(), 1.222030940703, 7.678246851546, 3.839123425773, 48.24384780253, 4.691527611473,
+     1.228239056527, False),
+    (ModifiedSine(), 1.759603385954, 5.527957070544, 3.908855930690, 69.46635728872, 5.457752762719,
+     1.273262890574, True),
+    (ConstantAcceleration(), 2, 4, 4, 0, 8, 1.333333333333, False),
+    (straight(0.5), 1.275258172903, 8.012683414843, 4.006341707422, 201.3806988129, 5.733377092131,
+     1.337564489719, True),
+    (SCurve(), 1.5, 6, 4, 72, 7.5, 1.333333333333, True),
+    (SCurve.of_shares(1 / 3, 0.5), 1.5, 6, 4, 72, 7.5, 1.333333333333, True),
+    (SineRamps(1 / 3, 2 / 3), 1.5, 7.068583470577, 4.081048569527, 66.61982970735, 6.886769461077,
+     1.387913118903, True),
+    (Polynomial345(), 1.875, 5.773502691896, 4.140393356054, 60, 6.694268727496, 1.428571428571, True),
+    (SineRamps(), 1.333333333333, 8.377580409573, 4.188790204786, 105.2757802783, 7.255197456937,
+     1.462163614976, True),
+    (ModifiedTrapezoidal(), 2, 4.888123762813, 4.233239355439, 61.42597481237, 8.089980982313, 1.493359620036, True),
+    (SineConstantCosine(), 2, 5.278810157861, 4.310130445260, 49.75161363490, 8.097972240976, 1.548102037930, True),
+    (TwoQuartics(0.5), 2, 6, 4.381780460041, 48, 7.921674282790, 1.6, True),
+    (Cycloidal(), 2, 6.283185307180, 4.442882938158, 39.47841760436, 8.162097139054, 1.644934066848, True),
+    (SCurve.of_shares(0.5, 1.0), 2, 8, 4.618802153517, 32, 8.709296863229, 1.777777777778, True),
+    (Polynomial4567(), 2.1875, 7.513188404399, 5.045249791095, 52.5, 10.75022616403, 2.121212121212, True),
+]  # fmt: skip
+
+ASYMMETRIC = [
+    # law, C_v, C_a+, C_a-, C_a,rms, C_j between jumps, (va)+, (va)-
+    (DoubleHarmonic(), 2.040524284763, 5.551652475613, -9.869604401089, 4.934802200545, 42.41372003138,
+     7.751569170075, -9.894846852688),
+    (SimpleHarmonic(0.3), 1.570796326795, 8.224670334241, -3.524858714675, 3.807282554722, 43.06427316708,
+     6.459640975062, -2.768417560741),
+    (Cycloidal(0.3), 2.0, 10.47197551197, -4.487989505128, 4.847582706652, 109.6622711232, 13.60349523176,
+     -5.830069385039),
+    (Cubic(0.3), 1.5, 10.0, -4.285714285714, 3.779644730092, 33.33333333333, 5.773502691896, -2.474358296527),
+    (ConstantAcceleration(0.3), 2.0, 6.666666666667, -2.857142857143, 4.36435780472, 0.0, 13.33333333333,
+     -5.714285714286),
+    (Polynomial345(0.3), 1.875, 9.622504486494, -4.123930494212, 4.517539514526, 166.6666666667, 11.15711454583,
+     -4.78162051964),
+    (Polynomial4567(0.3), 2.1875, 12.521980674, -5.366563145999, 5.504818825632, 145.8333333333, 17.91704360671,
+     -7.678732974305),
+    (ModifiedSine(0.3), 1.759603385954, 9.21326178424, -3.948540764674, 4.264911472158, 192.9621035798,
+     9.096254604532, -3.898394830514),
+    (TrapezoidByShare(0.3), 2.0, 8.146872938022, -3.491516973438, 4.618842805039, 170.6277078121, 13.48330163719,
+     -5.778557844509),
+    (TwoQuartics(0.3), 2.0, 10.0, -4.285714285714, 4.780914437338, 133.3333333333, 13.20279047132, -5.658338773421),
+    (ModifiedSine(0.3, 0.25, 0.4), 1.85315683808, 9.703106514101, -4.158474220329, 4.491665520494, 203.2213876113,
+     10.08921513547, -4.699078141165),
+    (SineRamps(0.2, 0.7), 1.333333333333, 10.47197551197, -6.981317007977, 4.27516610054, 164.4934066848,
+     9.068996821171, -6.045997880781),
+    (TrapezoidalVelocity(0.2, 0.7), 1.333333333333, 6.666666666667, -4.444444444444, 3.849001794598, 0.0,
+     8.888888888889, -5.925925925926),
+    (SCurve.of_shares(0.3, 0.4), 1.428571428571, 5.952380952381, -5.952380952381, 3.948362845661, 99.20634920635,
+     7.440476190476, -7.440476190476),
+    (ModifiedTrapezoidal((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2)), 1.714218375908, 5.801215507610, -4.833578128229,
+     4.032855208420, 182.250560206, 8.073228158859, -5.958798342942),
+    (SCurve((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2)), 1.705426356589, 6.201550387597, -5.684754521964,
+     4.141896674629, 124.0310077519, 8.653326122228, -6.463286794998),
+    (SineConstantCosine(0.1, 0.6, 0.3), 1.873879575450, 4.385149851380, -4.385149851380, 3.922197263683,
+     137.7635455798, 6.622837385730, -6.622837385730),
+    (HarmonicCombination(), 1.659847930380, 5.214566064158, -5.214566064158, 3.687255024911, 65.52816975527,
+     4.856471927851, -4.327693344711),
+    (HarmonicCombination(0.3), 1.623042512402, 8.498230722375, -3.642098881018, 3.933916407640, 177.9865280395,
+     7.739142096100, -2.955640659131),
+    (SineStraightSine(0.3, 0.4), 1.122352176853, 14.69155563975, -9.794370426501, 4.645877819271, 192.3120136152,
+     8.244549726813, -5.496366484542),
+    (TrapezoidByShare(0.5, "end"), 1.848293503297, 4.517343697060, -4.517343697060, 3.912134399279, 56.76661508970,
+     None, None),
+]  # fmt: skip
+
+
+def digits(wanted):
+    """Half a unit of the thirteenth digit."""
+    unit = 10.0 ** (math.floor(math.log10(abs(wanted))) - 12) if wanted else 1e-12
+    return pytest.approx(wanted, rel=0, abs=0.501 * unit)
+
+
+def jerk_between_jumps(law):
+    return max(map(abs, extremes_of(law.as_pieces(), law.start.v).j))
+
+
+@pytest.mark.parametrize("row", SYMMETRIC, ids=lambda row: f"{row[0].code} {row[1]}")
+def test_figures_of_symmetric_laws(row):
+    law, cv, ca, rms, cj, va, e, finite = row
+    k = law.coefficients
+    for got, wanted in ((k.cv, cv), (k.ca_max, ca), (-k.ca_min, ca), (k.ca_rms, rms), (k.va_max, va), (-k.va_min, va)):
+        assert got == digits(wanted)
+    assert jerk_between_jumps(law) == digits(cj)
+    assert k.ca_rms**2 / 12 == digits(e)
+    assert math.isfinite(k.cj) == finite
+    assert k.cj == (pytest.approx(jerk_between_jumps(law), rel=1e-12) if finite else INF)
+
+
+@pytest.mark.parametrize("row", ASYMMETRIC, ids=lambda row: f"{row[0].code} {row[1]} {row[2]}")
+def test_figures_of_asymmetric_laws(row):
+    law, cv, *figures, cj, va_max, va_min = row
+    k = law.coefficients
+    for got, wanted in zip((k.cv, k.ca_max, k.ca_min, k.ca_rms, k.va_max, k.va_min), (cv, *figures, va_max, va_min),
+                           strict=True):  # fmt: skip
+        assert wanted is None or got == digits(wanted)
+    assert jerk_between_jumps(law) == digits(cj)

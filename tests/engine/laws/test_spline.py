@@ -1,0 +1,131 @@
+"""The spline: its system against a dense solution, its conditions, points that cannot be."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from engine.laws import PieceLaw
+from engine.laws.ends import Ends, kinds
+from engine.laws.spline import Spline, tridiagonal
+
+step = st.floats(0.05, 1.0)
+height = st.floats(-2.0, 2.0)
+
+
+@st.composite
+def points(draw, most=12):
+    steps = draw(st.lists(step, min_size=1, max_size=most))
+    xi = np.cumsum(steps) / sum(steps)
+    inner = [(float(x), draw(height)) for x in xi[:-1]]
+    return ((0.0, 0.0), *inner, (1.0, 1.0))
+
+
+def many(n, seed=4):
+    rng = np.random.default_rng(seed)
+    xi = np.cumsum(rng.uniform(0.1, 1.0, n))
+    xi = (xi - xi[0]) / (xi[-1] - xi[0])
+    return ((0.0, 0.0), *zip(xi[1:-1].tolist(), rng.normal(size=n - 2).tolist(), strict=True), (1.0, 1.0))
+
+
+@given(st.lists(st.tuples(st.floats(-1, 1), st.floats(2.5, 4), st.floats(-1, 1), height), min_size=2, max_size=30))
+def test_a_tridiagonal_system_against_a_dense_one(rows):
+    below, diagonal, above, right = np.array(rows).T
+    dense = np.diag(diagonal) + np.diag(below[1:], -1) + np.diag(above[:-1], 1)
+    assert tridiagonal(below[1:], diagonal, above[:-1], right) == pytest.approx(
+        np.linalg.solve(dense, right), abs=1e-12
+    )
+
+
+def dense_moments(law, v0, v1):
+    """a at the points by a dense system of the conditions as they are taught, in slopes."""
+    xi, s = np.array(law.points).T
+    d, n = np.diff(xi), len(xi)
+    matrix, right = np.zeros((n, n)), np.zeros(n)
+    for k in range(1, n - 1):
+        matrix[k, k - 1 : k + 2] = 1 / d[k - 1], 2 / d[k - 1] + 2 / d[k], 1 / d[k]
+        right[k] = 3 * ((s[k] - s[k - 1]) / d[k - 1] ** 2 + (s[k + 1] - s[k]) / d[k] ** 2)
+    matrix[0, 0], matrix[-1, -1], right[0], right[-1] = 1.0, 1.0, v0, v1
+    if law.natural[0]:
+        matrix[0, :2], right[0] = (2 / d[0], 1 / d[0]), 3 * (s[1] - s[0]) / d[0] ** 2
+    if law.natural[1]:
+        matrix[-1, -2:], right[-1] = (1 / d[-1], 2 / d[-1]), 3 * (s[-1] - s[-2]) / d[-1] ** 2
+    v = np.linalg.solve(matrix, right)
+    begins = (6 * np.diff(s) / d - 4 * v[:-1] - 2 * v[1:]) / d
+    last = (-6 * (s[-1] - s[-2]) / d[-1] + 2 * v[-2] + 4 * v[-1]) / d[-1]
+    return np.append(begins, last)
+
+
+@given(points(), height, height, st.booleans(), st.booleans())
+def test_the_moments_against_the_dense_system_of_slopes(given_, v0, v1, free0, free1):
+    law = Spline(given_, (v0, v1), (free0, free1))
+    expected = dense_moments(law, v0, v1)
+    assert law.moments == pytest.approx(expected, abs=1e-10 * (1 + np.abs(expected).max()))
+
+
+@given(points(), height, height, st.floats(-2, 2))
+def test_points_slopes_and_continuity(given_, v0, v1, stroke):
+    law = Spline(given_, ends=Ends(stroke, v0, v1))
+    xi, s = np.array(given_).T
+    at = law.evaluate(xi)
+    size = largest = 1 + np.abs(law.moments).max()
+    assert at.s == pytest.approx(stroke * s, abs=1e-13 * size)
+    assert (law.start.v, law.end.v) == pytest.approx((v0, v1), abs=1e-12 * size)
+    left = law.evaluate(np.maximum(xi - 1e-9, 0.0))
+    assert left.v == pytest.approx(at.v, abs=1e-8 * largest)
+    assert left.a == pytest.approx(at.a, abs=1e-7 * (1 + np.abs(at.j).max()))
+
+
+@pytest.mark.parametrize("n", [2, 3, 50, 100])
+def test_many_points_evaluate_as_their_pieces(n):
+    law = Spline(many(n), natural=(True, True))
+    own = PieceLaw(law.as_pieces())
+    xi = np.random.default_rng(0).uniform(size=2001)
+    at, carried = law.evaluate(xi), own.evaluate(xi)
+    v0 = law.start.v
+    sizes = np.abs(at.v).max(), np.abs(at.a).max(), np.abs(at.j).max()
+    assert at.s == pytest.approx(v0 * xi + carried.s, abs=1e-11)
+    for value, other, size in zip(at[1:], (carried.v + v0, carried.a, carried.j), sizes, strict=True):
+        assert value == pytest.approx(other, abs=1e-11 * size)
+
+
+def test_points_close_together_are_each_found():
+    near = [0.5 + k * 2e-6 for k in range(40)]
+    law = Spline(((0.0, 0.0), *((x, x) for x in near), (1.0, 1.0)), (1.0, 1.0))
+    xi = np.array(near) + 1e-6
+    assert law.s(xi) == pytest.approx(xi, abs=1e-12)
+
+
+def test_two_points_at_rest_are_the_cubic_and_three_a_parabola_more():
+    law = Spline(((0.0, 0.0), (1.0, 1.0)))
+    assert law.moments == pytest.approx((6.0, -6.0), rel=1e-15)
+    assert Spline(((0.0, 0.0), (0.5, 0.5), (1.0, 1.0))).moments == pytest.approx((6.0, 0.0, -6.0), abs=1e-14)
+
+
+def test_an_open_end_is_natural_unless_its_slope_is_entered():
+    law = Spline(many(5), (None, 0.3)).opened(True, True)
+    assert law.natural == (True, False)
+    assert (law.start.a, law.end.v) == pytest.approx((0.0, 0.3), abs=1e-12)
+    assert kinds(law) == ("RG", "UB")
+
+
+@pytest.mark.parametrize(
+    ("given_", "reason"),
+    [
+        (((0.0, 0.0),), "1 points are given; expected 2 to 100"),
+        (many(101), "101 points are given"),
+        (((0.0, 0.0), (0.5, math.nan), (1.0, 1.0)), r"point 2 is \(0.5, nan\)"),
+        (((0.0, 0.1), (1.0, 1.0)), r"expected from \(0, 0\) to \(1, 1\)"),
+        (((0.0, 0.0), (0.6, 0.1), (0.6, 0.2), (1.0, 1.0)), "point 3 is at 0.6, the one before at 0.6"),
+    ],
+)
+def test_points_that_cannot_be(given_, reason):
+    with pytest.raises(ValueError, match=reason):
+        Spline(given_)
+
+
+def test_a_slope_that_is_no_number():
+    with pytest.raises(ValueError, match="the last slope is inf"):
+        Spline(((0.0, 0.0), (1.0, 1.0)), (None, math.inf))

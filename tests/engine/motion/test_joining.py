@@ -1,0 +1,270 @@
+"""Phases that hand over at speed: velocities taken over, entries, faults, kinds of end, and every jump left."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from engine.laws import Dwell, Piece, PieceLaw
+from engine.laws.constant_acceleration import ConstantAcceleration
+from engine.laws.cubic import Cubic
+from engine.laws.cycloidal import Cycloidal
+from engine.laws.double_harmonic import DoubleHarmonic
+from engine.laws.harmonic_combination import HarmonicCombination
+from engine.laws.modified_sine import ModifiedSine
+from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
+from engine.laws.polynomial_345 import Polynomial345
+from engine.laws.polynomial_4567 import Polynomial4567
+from engine.laws.s_curve import SCurve
+from engine.laws.simple_harmonic import SimpleHarmonic
+from engine.laws.sine_constant_cosine import SineConstantCosine
+from engine.laws.sine_ramps import SineRamps
+from engine.laws.spline import Spline
+from engine.laws.straight_line import StraightLine
+from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+from engine.motion import Phase
+from engine.motion.joining import Fault, Rates, joined
+from engine.motion.smoothness import phase_extremes, shortfalls
+
+OWN = PieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))])
+POINTS = Spline(((0.0, 0.0), (0.3, 0.6), (0.7, 0.4), (1.0, 1.0)))
+SMOOTH = (ModifiedSine(), ModifiedSine(0.3), SCurve(), ModifiedTrapezoidal(), SineRamps(), SineConstantCosine(),
+          Cycloidal(0.4), Polynomial345(), Polynomial4567())  # fmt: skip
+CURVED = (*SMOOTH, Cubic(), ConstantAcceleration(0.4), TrapezoidalVelocity(), SimpleHarmonic())
+
+
+def line(lift, duration):
+    return Phase(StraightLine(), lift, duration)
+
+
+def dwell(duration):
+    return Phase(Dwell(), 0.0, duration)
+
+
+@pytest.mark.parametrize("law", SMOOTH, ids=lambda law: law.code)
+def test_rise_to_line_speed_run_in_step_and_return(law):
+    """Three phases and a dwell, without being told any velocity."""
+    phases = [Phase(law, 30.0, 1.2), line(40.0, 0.7), Phase(law, -70.0, 3.1), dwell(1.3)]
+    found = joined(phases)
+    assert found.faults == ()
+    assert found.kinds == (("R", "G"), ("G", "G"), ("G", "R"), ("R", "R"))
+    assert shortfalls(found.motion, "acceleration") == ()
+    speed = 40.0 / 0.7
+    at = found.motion.at(np.array([1.2 - 1e-9, 1.5, 1.9 + 1e-9]))
+    assert at.y1 == pytest.approx(speed, rel=1e-6)
+    assert at.y[1] == pytest.approx(30 + 0.3 * speed)
+    assert found.motion.at(6.3).y == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_velocity_is_taken_over_across_the_end_of_the_cycle():
+    phases = [line(10.0, 1.0), Phase(ModifiedSine(), 5.0, 1.0), line(4.0, 0.5), Phase(SCurve(), -19.0, 2.0)]
+    found = joined(phases)
+    assert (found.faults, shortfalls(found.motion, "acceleration")) == ((), ())
+    last = found.motion.phases[3].law
+    assert (last.start.v / 2.0, last.end.v / 2.0) == pytest.approx((8.0, 10.0))
+    opened = joined(phases, periodic=False)
+    assert opened.motion.phases[3].law.end.v == pytest.approx(0.0, abs=1e-12)
+    assert opened.kinds[3] == ("G", "R")
+
+
+rate = st.integers(-300, 300).map(lambda n: n / 100)
+lift = st.integers(-50, 50).map(lambda n: n / 10)
+duration = st.integers(2, 40).map(lambda n: n / 10)
+phase = st.one_of(
+    st.builds(Phase, st.sampled_from(CURVED), lift, duration),
+    st.builds(line, lift, duration),
+    st.builds(dwell, duration),
+)
+
+
+def straight(one):
+    return isinstance(one.law, StraightLine | Dwell)
+
+
+@settings(max_examples=200)
+@given(st.lists(phase, min_size=1, max_size=7), st.booleans(), st.data())
+def test_random_phases_join_without_a_jump_that_was_not_asked_for(phases, periodic, data):
+    """Velocity jumps exactly between two straight lines of different slope; position never."""
+    n = len(phases)
+    free = [k for k in range(n) if (k or periodic) and not (straight(phases[k - 1]) or straight(phases[k]))]
+    through = {k: Rates(data.draw(rate)) for k in free if data.draw(st.booleans())}
+    found = joined(phases, through, periodic)
+    assert found.faults == ()
+    motion = found.motion
+    joints = motion.junctions(periodic)
+    allowed = {
+        k for k in range(n) if (k or periodic) and straight(phases[k - 1]) and straight(phases[k])
+        and not math.isclose(phases[k - 1].lift / phases[k - 1].duration, phases[k].lift / phases[k].duration,
+                             rel_tol=1e-9, abs_tol=1e-9)
+    }  # fmt: skip
+    size = 1 + max(max(map(abs, phase_extremes(one).v)) for one in motion.phases)
+    for joint in joints:
+        assert joint.after == 0 or abs(joint.jump_y) <= 1e-11 * (1 + size * sum(one.duration for one in phases))
+        if joint.after not in allowed:
+            assert abs(joint.jump_v) <= 1e-11 * size
+    told = {one.after for one in shortfalls(motion, "velocity", periodic)}
+    assert told <= allowed
+    assert all(abs(joints[k - 1].jump_v) <= 1e-9 * size for k in allowed - told)
+    for k, rates in through.items():
+        assert joints[k - 1].jump_v == pytest.approx(0.0, abs=1e-11 * size)
+        begin = motion.phases[k]
+        assert begin.scale * begin.law.start.v / begin.duration == pytest.approx(rates.v, abs=1e-11 * size)
+
+
+@settings(max_examples=100)
+@given(
+    st.lists(st.tuples(st.sampled_from([Polynomial345(), Polynomial4567()]), lift, duration), min_size=2, max_size=5),
+    st.data(),
+)
+def test_polynomials_through_entered_velocities_and_accelerations_are_smooth(drawn, data):
+    through = {k: Rates(data.draw(rate), data.draw(rate)) for k in range(len(drawn))}
+    found = joined([Phase(*one) for one in drawn], through)
+    assert found.faults == ()
+    assert shortfalls(found.motion, "acceleration") == ()
+    assert found.kinds == tuple(
+        (name(through[k]), name(through[(k + 1) % len(drawn)])) for k in range(len(drawn))
+    )  # fmt: skip
+
+
+def name(rates):
+    return ("B" if rates.a else "G") if rates.v else ("U" if rates.a else "R")
+
+
+def test_septics_join_with_an_entered_jerk():
+    phases = [Phase(Polynomial4567(), 2.0, 1.0), Phase(Polynomial4567(), -2.0, 1.5)]
+    through = {0: Rates(0.5, -1.0, 3.0), 1: Rates(0.0, -20.0, 8.0)}
+    found = joined(phases, through)
+    assert shortfalls(found.motion, "jerk") == ()
+    assert found.kinds == (("B", "U"), ("U", "B"))
+    without = joined([Phase(Polynomial345(), 2.0, 1.0), phases[1]], {0: Rates(0.5, -1.0), 1: Rates(0.0, -20.0)})
+    assert shortfalls(without.motion, "acceleration") == ()
+    assert {one.quantity for one in shortfalls(without.motion, "jerk")} == {"jerk"}
+
+
+def test_two_straight_lines_of_different_slope_jump_and_say_so():
+    found = joined([line(1.0, 2.0), line(3.0, 2.0), Phase(Cycloidal(), -4.0, 3.0)])
+    (one,) = shortfalls(found.motion, "acceleration")
+    assert (one.quantity, one.x, one.before, one.after) == ("velocity", 2.0, 0, 1)
+    assert one.jump == pytest.approx(1.0)
+    assert one.reason == "two straight lines of different slope: 0.5 and 1.5"
+    assert found.faults == ()
+
+
+def test_two_straight_lines_of_one_slope_do_not_jump():
+    found = joined([line(1.0, 2.0), line(0.5, 1.0), Phase(Cycloidal(), -1.5, 3.0)])
+    assert shortfalls(found.motion, "jerk")[0].quantity == "jerk"
+    assert shortfalls(found.motion, "acceleration") == ()
+
+
+@pytest.mark.parametrize(
+    ("law", "reason"),
+    [
+        (OWN, "Own law cannot end with a prescribed velocity"),
+        (DoubleHarmonic(), "Double harmonic cannot end with a prescribed velocity"),
+        (Polynomial345(0.3), "Polynomial 3-4-5 with the share 0.3 is made of two halves"),
+    ],
+)
+def test_a_law_that_cannot_have_its_end_is_named_with_the_reason_and_rests(law, reason):
+    found = joined([dwell(1.0), Phase(law, 2.0, 1.0), line(3.0, 1.0), Phase(ModifiedSine(), -5.0, 2.0)])
+    (fault,) = found.faults
+    assert fault.phase == 1
+    assert fault.reason.startswith(reason)
+    assert found.motion.phases[1].law == law
+    (jump,) = [one for one in shortfalls(found.motion, "velocity") if one.quantity == "velocity"]
+    assert (jump.before, jump.after, jump.jump) == (1, 2, pytest.approx(3.0))
+    assert jump.reason == f"{law.name} does not end as Straight line begins"
+
+
+def test_an_entered_acceleration_needs_a_law_that_takes_it():
+    phases = [Phase(ModifiedSine(), 1.0, 1.0), Phase(Polynomial345(), -1.0, 1.0)]
+    found = joined(phases, {1: Rates(0.0, -5.0)})
+    assert found.faults == (
+        Fault(0, "Modified sine cannot end with a prescribed acceleration: it takes velocity there; "
+                 "a polynomial of degree 5 takes an acceleration, of degree 7 a jerk too"),
+    )  # fmt: skip
+
+
+def test_an_entry_beside_a_straight_line_may_only_repeat_it():
+    phases = [line(2.0, 1.0), Phase(ModifiedSine(), -2.0, 1.0)]
+    assert joined(phases, {1: Rates(2.0)}).faults == ()
+    faults = joined(phases, {1: Rates(1.0, 3.0)}).faults
+    assert faults == (Fault(0, "a straight line has y' = 2 and no acceleration; 1, 3, 0 are entered"),)
+
+
+def test_two_harmonic_combinations_turn_round_without_a_jump():
+    """Between rest and rest: the acceleration at the reversal is entered, and each finds its share."""
+    up, down = Phase(HarmonicCombination(), 3.0, 1.0), Phase(HarmonicCombination(reversal="start"), -3.0, 1.4)
+    plain = joined([up, down, dwell(0.6)])
+    (jump,) = shortfalls(plain.motion, "acceleration")
+    assert (jump.quantity, jump.before, jump.after) == ("acceleration", 0, 1)
+    found = joined([up, down, dwell(0.6)], {1: Rates(0.0, -13.0)})
+    assert found.faults == ()
+    assert shortfalls(found.motion, "acceleration") == ()
+    assert found.kinds == (("R", "U"), ("U", "R"), ("R", "R"))
+    assert found.motion.at(1.0).y2 == pytest.approx(-13.0)
+
+
+def test_what_two_curved_laws_have_of_themselves_is_a_reversal():
+    """s = sin⁴ up and down: a = −π² on both sides."""
+    found = joined([Phase(DoubleHarmonic(), 1.0, 1.0), Phase(DoubleHarmonic("start"), -1.0, 1.0)])
+    assert found.kinds == (("R", "U"), ("U", "R"))
+    assert shortfalls(found.motion, "acceleration") == ()
+    assert found.motion.at(1.0).y2 == pytest.approx(-(math.pi**2))
+
+
+def test_a_constant_acceleration_falls_short_of_acceleration_at_its_ends_and_within():
+    found = joined([dwell(1.0), Phase(ConstantAcceleration(), 2.0, 2.0), dwell(1.0), Phase(Cycloidal(), -2.0, 2.0)])
+    told = shortfalls(found.motion, "acceleration")
+    assert [(one.quantity, one.x, one.before, one.after) for one in told] == [
+        ("acceleration", 1.0, 0, 1), ("acceleration", 2.0, 1, 1), ("acceleration", 3.0, 1, 2),
+    ]  # fmt: skip
+    assert [one.jump for one in told] == pytest.approx([2.0, -4.0, 2.0])
+    assert told[1].reason == "Constant acceleration jumps within itself"
+    assert told[2].reason == "Constant acceleration does not end as Dwell begins"
+    assert shortfalls(found.motion, "velocity") == ()
+
+
+def test_jerk_is_asked_for_within_laws_and_across_the_cycle():
+    found = joined([Phase(Polynomial4567(), 1.0, 1.0), Phase(ModifiedSine(), -1.0, 1.0)])
+    assert [(one.before, one.after, round(one.x, 3)) for one in shortfalls(found.motion, "jerk")] == [
+        (0, 1, 1.0), (1, 0, 2.0)]  # fmt: skip
+    assert shortfalls(joined([Phase(Polynomial4567(), 1.0, 1.0), dwell(1.0)]).motion, "jerk", periodic=False) == ()
+
+
+def test_a_spline_is_natural_at_an_open_end_and_at_rest_beside_a_dwell():
+    phases = [Phase(POINTS, 10.0, 2.0), dwell(1.0)]
+    law = joined(phases, periodic=False).motion.phases[0].law
+    assert law.natural == (True, False)
+    assert (law.start.a, law.end.v) == pytest.approx((0.0, 0.0), abs=1e-12)
+    assert joined(phases).motion.phases[0].law == POINTS
+
+
+def test_a_spline_takes_the_velocity_of_a_line_unless_its_slope_is_entered():
+    def found(slopes):
+        return joined([Phase(Spline(POINTS.points, slopes), 10.0, 2.0), line(6.0, 1.0), Phase(SCurve(), -16.0, 2.0)])
+
+    assert shortfalls(found((None, None)).motion, "velocity") == ()
+    (jump,) = shortfalls(found((None, 1.0)).motion, "velocity")
+    assert jump.jump == pytest.approx(6.0 - 5.0)
+
+
+def test_a_curve_that_returns_where_it_began_has_no_lift_and_yet_moves():
+    found = joined([line(1.0, 1.0), Phase(Polynomial345(), 0.0, 2.0), line(-1.0, 1.0), Phase(ModifiedSine(), 0.0, 2.0)])
+    assert (found.faults, shortfalls(found.motion, "acceleration")) == ((), ())
+    assert found.motion.at(2.0).y > 1.2
+    assert found.motion.at(3.0).y == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("law", [*CURVED, POINTS, OWN, DoubleHarmonic()], ids=lambda law: law.code)
+@pytest.mark.parametrize("lift", [2.5, -2.5])
+def test_extremes_of_a_phase_are_the_largest_of_many_samples(law, lift):
+    one = joined([Phase(law, lift, 0.8)]).motion.phases[0]
+    xi = np.linspace(0, 1, 20001)
+    at = one.law.evaluate(xi)
+    for order, (values, (low, high)) in enumerate(zip(at[1:], phase_extremes(one), strict=True), 1):
+        shown = lift * values / 0.8**order
+        room = 3e-3 * (1 + np.abs(shown).max())
+        assert low - 1e-9 * room <= shown.min() <= low + room
+        assert high - room <= shown.max() <= high + 1e-9 * room
