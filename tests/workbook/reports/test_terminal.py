@@ -114,3 +114,19 @@ def without_status(said):
     for code in ("\x1b[?25l", "\x1b[?25h", "\x1b[2K", "\x1b[1A", "\r"):
         said = said.replace(code, "")
     return said
+
+
+@pytest.mark.parametrize("fault", [RuntimeError("[/red]\x1b"), RecursionError("deep"), MemoryError()])
+def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, monkeypatch, capsys, tmp_path):
+    def fail(*_, **__):
+        raise fault
+
+    monkeypatch.setattr(cli.make, "described", fail)
+    monkeypatch.setattr(sys, "argv", ["motionbook", "build", "-o", str(tmp_path / "book.xlsx")])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    out, err = capsys.readouterr()
+    assert (left.value.code, out) == (2, "")
+    (line,) = err.splitlines()
+    assert line.startswith("motionbook failed inside")
+    assert line.isprintable()

@@ -48,6 +48,17 @@ def test_operators_in_the_documented_order(formula, value):
     assert (ours, theirs) == (expected, expected)
 
 
+@pytest.mark.parametrize(
+    ("formula", "value"),
+    [("=(-8)^(1/3)", -2), ("=-8^(1/3)", -2), ("=(-32)^0.2", -2), ("=(-8)^-(1/3)", -0.5), ("=(-4)^0.5", "#NUM!"),
+     ("=(-8)^(2/3)", "#NUM!"), ("=(-8)^0.33", "#NUM!"), ("=0^(1/3)", 0),
+     ("=POWER(-8,1/3)", -2), ("=POWER(-2,3)", -8), ("=POWER(-4,0.5)", "#NUM!")],
+)  # fmt: skip
+def test_pycel_takes_odd_roots_of_negative_numbers(formula, value):
+    """As Excel, LibreOffice, formulon and IronCalc do; formualizer does not (docs/witnesses.md)."""
+    assert computed(formula)[0] == (pytest.approx(value, rel=1e-14) if value != "#NUM!" else value)
+
+
 OPERANDS = st.sampled_from(["1", "2", "3", "A1", "A2", "2%", "SUM(A1,A2)"])
 EXPRESSIONS = st.recursive(
     OPERANDS,

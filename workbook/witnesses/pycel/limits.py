@@ -59,13 +59,19 @@ def raised(number: float, exponent: float) -> Any:
     if number and exponent * math.log10(abs(number)) > MOST_DIGITS:
         return NUM_ERROR
     result = number**exponent
-    return NUM_ERROR if isinstance(result, complex) else result
+    return odd_root(number, exponent) if isinstance(result, complex) else result
+
+
+def odd_root(number: float, exponent: float) -> Any:
+    """Return a negative number to the power of 1/3, 1/5 and so on, as Excel's ``^`` takes these; else #NUM!."""
+    root = round(1 / exponent)
+    odd = root % 2 == 1 and math.isclose(root * exponent, 1)
+    return -(abs(number) ** exponent) if odd else NUM_ERROR
 
 
 def _power(number: float, power: float) -> Any:
-    if number and raised(number, power) == NUM_ERROR:
-        return NUM_ERROR
-    return excellib.power(number, power)
+    result = raised(number, power) if number else None
+    return result if result == NUM_ERROR or number < 0 else excellib.power(number, power)
 
 
 def _round(number: float, num_digits: float = 0) -> Any:
