@@ -74,8 +74,11 @@ class Task:
 
     @property
     def load_factor(self) -> float:
-        """β = 2 (ω̇_L,rms T*_L,rms + (ω̇_L T*_L)_mean), in Nm rad/s². Source: S5, eq. (15)."""
-        return 2.0 * (self.acceleration_rms * self.torque_rms + self.power_rate_mean)
+        """β = 2 (ω̇_L,rms T*_L,rms + (ω̇_L T*_L)_mean), in Nm rad/s²; 0 of a load that does not move.
+
+        Source: S5, eq. (15).
+        """
+        return 2.0 * (self.acceleration_rms * self.torque_rms + self.power_rate_mean) if self.moves else 0.0
 
     def required_accelerating_factor(self, efficiency: float = 1.0) -> float:
         """Return β/η: a motor with a smaller α cannot do the task with any ratio.

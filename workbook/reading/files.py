@@ -11,9 +11,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import openpyxl
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
+from openpyxl.reader.excel import ExcelReader
 from openpyxl.utils.cell import range_boundaries
 
 from workbook.book.address import Address, Place
@@ -21,6 +21,7 @@ from workbook.errors import ReadError
 from workbook.intake import require_file
 from workbook.reading.contents import Cells, Contents, entered
 from workbook.reading.guard import guard
+from workbook.reading.points import WithoutPoints
 from workbook.reading.refusal import SAVE_AS
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW
 from workbook.reading.saved import saved_values, undated
@@ -105,7 +106,10 @@ def parsed(path: Path) -> Workbook:
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints one of its complaints
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
-            return openpyxl.load_workbook(path, keep_links=False)
+            reader = ExcelReader(str(path), keep_links=False)
+            reader.archive.__class__ = WithoutPoints
+            reader.read()
+            return reader.wb
     except PermissionError as error:
         raise ReadError(f"{path}: cannot be read; close it in the other program and try again") from error
     except MemoryError as error:

@@ -18,6 +18,7 @@ from typing import IO
 from workbook.errors import ReadError
 from workbook.reading.count import Count
 from workbook.reading.package import needed, package
+from workbook.reading.points import without_points
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
 from workbook.reading.rows import Rows, Saved
 from workbook.reading.scan import Scan
@@ -98,7 +99,7 @@ def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dic
         if not is_xml(info.filename, data):
             continue
         scan = Scan(info.filename, count)
-        scan.read(data)
+        scan.read(without_points(info.filename, data))
         if scan.rows is not None:
             rows[info.filename] = scan.rows
         if needed(info.filename):

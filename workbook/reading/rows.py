@@ -19,6 +19,7 @@ MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
 KINDS = frozenset({"n", "s", "str", "b", "e", "inlineStr", "d"})
 FORMULAS = frozenset({"normal", "array", "shared", "dataTable"})
+USUAL = frozenset({"r", "s", "t"})  # attributes of almost every cell
 IN_CELL = frozenset({"f", "v", "is", "extLst"})
 WITHIN = {"is": frozenset({"t", "r", "rPh", "phoneticPr"}), "r": frozenset({"rPr", "t"}), "rPh": frozenset({"t"})}
 FREE = frozenset({"extLst", "rPr"})  # what stands in these is no part of a text
@@ -69,7 +70,7 @@ class Rows:
         self.row = self.column = self.last_row = self.last_column = self.cells = 0
         self._rows: set[int] = set()
         self._columns: set[int] = set()
-        self._path: list[str] = []  # the elements that are open within the row
+        self.path: list[str] = []  # the elements that are open within the row
         self._met: list[str] = []  # those that the cell has, or the text that is open
         self._kind = "n"
         self._text: list[str] = []
@@ -98,13 +99,13 @@ class Rows:
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         """Begin an element within a row."""
-        path = self._path
+        path = self.path
         self.count.in_row(1 + len(attributes))
         if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
             raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
         name = tag.removeprefix(self.prefix)
         if FREE.isdisjoint(path):
-            if ":" in name or any(key.startswith("xmlns") for key in attributes):
+            if ":" in name or not (attributes.keys() <= USUAL or plain(attributes)):
                 raise self._damaged(f"<{shown(tag)}> within a row")
             if path:
                 self._in_cell(name, attributes)
@@ -120,16 +121,16 @@ class Rows:
 
     def end(self, tag: str) -> None:
         """End an element within a row."""
-        name = self._path.pop()
-        if len(self._path) == 1 and FREE.isdisjoint(self._path):
+        name = self.path.pop()
+        if len(self.path) == 1 and FREE.isdisjoint(self.path):
             self._end_in_cell(name)
-        elif not self._path and name == "c":
+        elif not self.path and name == "c":
             self._end_cell()
 
     def characters(self, text: str) -> None:
         """Take the text of an element."""
-        if self._path and self._path[-1] in MOST_LONG and FREE.isdisjoint(self._path):
-            name = self._path[-1]
+        if self.path and self.path[-1] in MOST_LONG and FREE.isdisjoint(self.path):
+            name = self.path[-1]
             self._text.append(text)
             self._length += len(text)
             if self._length > MOST_LONG[name]:
@@ -157,7 +158,7 @@ class Rows:
             raise self._damaged(f"a cell of an unknown kind, {shown(self._kind)}")
 
     def _in_cell(self, name: str, attributes: dict[str, str]) -> None:
-        path, met = self._path, self._met
+        path, met = self.path, self._met
         self._text, self._length = [], 0
         if len(path) == 1:
             if name not in IN_CELL or name in met:
@@ -201,6 +202,11 @@ class Rows:
 
     def _damaged(self, what: str) -> Refusal:
         return Refusal(f"damaged: {self.name} holds {what}; {SAVE_AS}")
+
+
+def plain(attributes: dict[str, str]) -> bool:
+    """Whether attributes declare no namespace."""
+    return not any(key.startswith("xmlns") for key in attributes)
 
 
 def refuse_two_texts(name: str, met: list[str], part: str) -> None:

@@ -107,23 +107,15 @@ class Scan:
     def hand_over(self, rows: Rows) -> None:
         """Let the parser tell what stands within a row."""
         parser = self._parser
-        depth = 0
-
-        def start(tag: str, attributes: dict[str, str]) -> None:
-            nonlocal depth
-            depth += 1
-            rows.start(tag, attributes)
 
         def end(tag: str) -> None:
-            nonlocal depth
-            if depth:
-                depth -= 1
+            if rows.path:
                 rows.end(tag)
             else:
                 self.listen()
                 self.end(tag)
 
-        parser.StartElementHandler, parser.EndElementHandler = start, end
+        parser.StartElementHandler, parser.EndElementHandler = rows.start, end
         parser.CharacterDataHandler = rows.characters
         parser.CommentHandler = parser.ProcessingInstructionHandler = rows.aside
 

@@ -77,7 +77,7 @@ class Choosing:
     @property
     def load_factor(self) -> float:
         """β, step 2; 0 for a load that there is nothing to choose for."""
-        return self.task.load_factor if self.task.moves else 0.0
+        return self.task.load_factor
 
     @cached_property
     def ranges(self) -> Ranges:

@@ -228,6 +228,7 @@ def test_for_a_load_at_rest_nothing_is_found():
     m, r = motors(), reducers()
     found = ratio_ranges(AT_REST, m.rated_torque, m.inertia, m.max_speed)
     assert not AT_REST.moves
+    assert AT_REST.load_factor == 0.0
     assert not found.accepted.any()
     assert not found.strong.any()
     assert np.isnan([found.tau_min, found.tau_max, found.tau_opt, found.tau_limit, found.lowest]).all()

@@ -113,3 +113,7 @@ def test_rollers_next_to_nothing_verify_clean(radius, resists, tmp_path):
     data["drive"] |= {"radius": radius, "resists": resists}
     build(TEMPLATE.model.model_validate(data), tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx", ["pycel", "formualizer"]).findings == []
+
+
+def test_samples_that_all_fall_on_rests_leave_nothing_to_choose_and_cells_and_engine_agree():
+    assert disagreeing(TEMPLATE, described(cycle=4, law=4, own_law=4))[0] == []
