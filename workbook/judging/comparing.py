@@ -80,7 +80,11 @@ class Comparison:
             expected = pair.cell.expected
             if expected is None:  # unfinished
                 continue
-            deviation = difference(values.get(address), expected, self.right.peak(address))
+            value = values.get(address)
+            if value == expected and type(value) is type(expected):
+                deviation = 0.0
+            else:
+                deviation = difference(value, expected, self.right.peak(address))
             if first and math.isfinite(deviation):
                 self.report.deviations[address.sheet] = max(self.report.deviations.get(address.sheet, 0.0), deviation)
             if not deviation <= TOLERANCE:

@@ -23,11 +23,8 @@ class Pair(NamedTuple):
     cell: Cell
     address: Address
     held: Any
-
-    @property
-    def declared_formula(self) -> bool:
-        """Whether a formula belongs here."""
-        return is_formula(self.cell.content)
+    declared_formula: bool
+    """whether a formula belongs here"""
 
     @property
     def what(self) -> str:
@@ -70,7 +67,7 @@ class Match:
             j = cell.column - block.column
             if cell.i < place.rows and j < place.columns:
                 address = place.cell(cell.i, j)
-                yield Pair(cell, address, self.file.value(address))
+                yield Pair(cell, address, self.file.value(address), is_formula(cell.content))
 
     @cached_property
     def addresses(self) -> set[Address]:

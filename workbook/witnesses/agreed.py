@@ -67,7 +67,7 @@ class Evaluation:
                 continue
             try:
                 self._asked[name] = witness.values(self._file)
-            except WitnessError as error:
+            except (WitnessError, OSError) as error:  # the latter of a file that is gone since it was opened
                 self._failed.append(str(error)[:MOST])
                 continue
             yield name, self._asked[name]
