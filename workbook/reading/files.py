@@ -62,7 +62,9 @@ class BookFile:
             return None
         if isinstance(cell.value, str) and cell.data_type != "f" and cell.value.startswith("="):
             return Words(cell.value)
-        return self.contents.arrays.get(address, entered(cell.value, self.workbook.epoch))
+        if address in self.contents.arrays:
+            return self.contents.arrays[address]
+        return cell.value if type(cell.value) is float else entered(cell.value, self.workbook.epoch)
 
     @property
     def as_built(self) -> bool:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from openpyxl.utils import column_index_from_string
 
-from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, Count
+from workbook.reading.count import MOST_DEPTH, MOST_IN_ROWS, MOST_IN_TAG, MOST_LONG, Count
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
 
 MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
@@ -67,6 +67,7 @@ class Rows:
         self.numbers: dict[tuple[int, int], str] = {}
         self.met = False  # the element that all rows stand in
         self.own = tuple(prefix + name for name in ("worksheet", "sheetData", "row", "c"))
+        self.of_cell = {prefix + name: name for name in ("f", "v")}
         self.row = self.column = self.last_row = self.last_column = self.cells = 0
         self._rows: set[int] = set()
         self._columns: set[int] = set()
@@ -99,8 +100,12 @@ class Rows:
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         """Begin an element within a row."""
-        path = self.path
-        self.count.in_row(1 + len(attributes))
+        path, count = self.path, self.count
+        count.in_rows += 1 + len(attributes)
+        if count.in_rows > MOST_IN_ROWS:
+            count.in_row(0)
+        if not attributes and len(path) == 1 and self._plain(tag):
+            return
         if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
             raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
         name = tag.removeprefix(self.prefix)
@@ -119,12 +124,25 @@ class Rows:
         if len(path) > MOST_DEPTH:
             raise Refusal(f"{self.name} is nested more than {MOST_DEPTH} deep")
 
+    def _plain(self, tag: str) -> bool:
+        """Begin the formula or the value of a cell, as most of all elements are; return whether it is one."""
+        name, met = self.of_cell.get(tag), self._met
+        if name is None or self.path[0] != "c" or name in met:
+            return False
+        met.append(name)
+        self.path.append(name)
+        self._text, self._length = [], 0
+        if name == "f":
+            self._shared = None
+        return True
+
     def end(self, tag: str) -> None:
         """End an element within a row."""
-        name = self.path.pop()
-        if len(self.path) == 1 and FREE.isdisjoint(self.path):
+        path = self.path
+        name = path.pop()
+        if len(path) == 1 and path[0] not in FREE:
             self._end_in_cell(name)
-        elif not self.path and name == "c":
+        elif not path and name == "c":
             self._end_cell()
 
     def characters(self, text: str) -> None:
