@@ -10,6 +10,7 @@ import pytest
 
 from workbook.build import build
 from workbook.cli import main
+from workbook.reading import files
 from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
@@ -301,7 +302,7 @@ def test_book_open_elsewhere_is_refused(refused, monkeypatch, book, tmp_path):
     def locked(*_, **__):
         raise PermissionError(13, "The process cannot access the file")
 
-    monkeypatch.setattr(openpyxl, "load_workbook", locked)
+    monkeypatch.setattr(files, "ExcelReader", locked)
     assert "close it in the other program" in refused("inputs", "book.xlsx")
 
 
