@@ -1,0 +1,32 @@
+"""Charts are read without the points that they were saved with, and with all else."""
+
+import zipfile
+
+import pytest
+
+from workbook.reading.files import open_book
+from workbook.reading.points import without_points
+from workbook.templates import TEMPLATES
+
+BOOK = TEMPLATES["motion-composer"].book
+
+
+@pytest.mark.parametrize("prefix", ["", "c:"])
+def test_points_are_left_out_and_nothing_else(prefix):
+    point = f'<{prefix}pt idx="0"><{prefix}v>1.5</{prefix}v></{prefix}pt>'
+    around = (
+        f"<{prefix}numRef><{prefix}f>A!$B$1:$B$2</{prefix}f><{prefix}numCache>%s</{prefix}numCache></{prefix}numRef>"
+    )
+    whole, left = (around % (point * 2)).encode(), (around % "").encode()
+    assert without_points("xl/charts/chart1.xml", whole) == left
+    assert without_points("xl/worksheets/sheet1.xml", whole) == whole
+
+
+def test_a_book_s_charts_keep_their_series_and_come_without_points():
+    with zipfile.ZipFile(BOOK) as archive:
+        assert b"<pt " in archive.read("xl/charts/chart1.xml")
+    charts = [chart for sheet in open_book(BOOK).workbook.worksheets for chart in sheet._charts]
+    series = [one for chart in charts for one in chart.series]
+    assert len(charts) > 3
+    assert all("!" in one.yVal.numRef.f for one in series)
+    assert all(not one.yVal.numRef.numCache.pt for one in series)
