@@ -58,7 +58,7 @@ def test_data_stays_data(capsys):
 def test_reports_are_not_obeyed(tmp_path, capsys):
     finding = Finding(NASTY, "A1", "changed", NASTY, NASTY, what=NASTY, why=NASTY)
     report = Report(tmp_path / NASTY.replace("\x00", ""), NASTY, notes=[NASTY])
-    report.findings, report.notices, report.unmatched = [finding], [finding], [NASTY]
+    report.findings, report.notices, report.own = [finding], [finding], [NASTY]
     report.cells = {NASTY: 1}
     out = Console(width=2_000)
     console.show_report(report, out)
