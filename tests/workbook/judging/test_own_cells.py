@@ -248,8 +248,8 @@ METADATA = b"""<metadata xmlns="http://schemas.openxmlformats.org/spreadsheetml/
  xmlns:xda="http://schemas.microsoft.com/office/spreadsheetml/2017/dynamicarray"><metadataTypes count="1">
 <metadataType name="XLDAPR" minSupportedVersion="120000" cellMeta="1"/></metadataTypes>
 <futureMetadata name="XLDAPR" count="1">
-<bk><extLst><ext uri="{bdbb8cdc-fa1e-496e-a857-3c3f30c029c3}"><xda:dynamicArrayProperties fDynamic="1" fCollapsed="0"/></ext>
-</extLst></bk></futureMetadata><cellMetadata count="1"><bk><rc t="1" v="0"/></bk></cellMetadata></metadata>"""
+<bk><extLst><ext uri="{bdbb8cdc-fa1e-496e-a857-3c3f30c029c3}"><xda:dynamicArrayProperties fDynamic="1" fCollapsed="0"/>
+</ext></extLst></bk></futureMetadata><cellMetadata count="1"><bk><rc t="1" v="0"/></bk></cellMetadata></metadata>"""
 CELLS = b"""<row r="9000"><c r="A9000" cm="1"><f t="array" aca="1" ref="A9000:A9002" ca="1">_xlfn.SEQUENCE(3)</f>
 <v>1</v></c>
 <c r="C9000"><f t="dataTable" ref="C9000:C9002" dt2D="0" dtr="0" r1="B9000"/><v>2</v></c>

@@ -116,6 +116,36 @@ def without_status(said):
     return said
 
 
+NASTY_WORD = "a\x1b[31mb\x9bc\n[/red]:warning:\u202e"
+MISUSED = [
+    ["verify", "--nope", NASTY_WORD], ["verify", f"--{NASTY_WORD}"], ["verify", f"-{NASTY_WORD}"], [NASTY_WORD],
+    ["laws", NASTY_WORD], ["verify", "x", "--with", NASTY_WORD], ["verify", "x", "--jobs", NASTY_WORD],
+    ["verify", "x", f"--json={NASTY_WORD}"], ["regenerate", NASTY_WORD], ["inputs"], ["--nope"],
+    ["build", "a.toml", NASTY_WORD, NASTY_WORD], ["verify", "x", "--jobs", "0"], ["build", "-o"],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("arguments", MISUSED, ids=lambda words: " ".join(words).encode("unicode_escape").decode())
+def test_a_misused_command_is_told_in_one_line(arguments, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    out, err = capsys.readouterr()
+    assert (left.value.code, out) == (2, "")
+    (line,) = err.splitlines()
+    assert line.isprintable()
+    assert line.endswith("See --help.")
+
+
+def test_help_is_shown_where_nothing_is_asked(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["motionbook"])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    out, err = capsys.readouterr()
+    assert left.value.code == 2
+    assert "verify" in out + err
+
+
 @pytest.mark.parametrize("fault", [RuntimeError("[/red]\x1b"), RecursionError("deep"), MemoryError()])
 def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, monkeypatch, capsys, tmp_path):
     def fail(*_, **__):
