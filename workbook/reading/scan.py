@@ -98,6 +98,7 @@ class Scan:
         place = [rows.own[0], rows.own[1]]
         if tag == rows.own[1] and self.path == place[:1] and not rows.met:
             rows.met = True
+            rows.span = (self._parser.CurrentByteIndex, 0)
         elif tag == rows.own[2] and self.path == place:
             rows.begin(attributes)
             self.hand_over(rows)
@@ -108,14 +109,12 @@ class Scan:
         """Let the parser tell what stands within a row."""
         parser = self._parser
 
-        def end(tag: str) -> None:
-            if rows.path:
-                rows.end(tag)
-            else:
-                self.listen()
-                self.end(tag)
+        def leave(tag: str) -> None:
+            self.listen()
+            self.end(tag)
 
-        parser.StartElementHandler, parser.EndElementHandler = rows.start, end
+        rows.leave = leave
+        parser.StartElementHandler, parser.EndElementHandler = rows.start, rows.end
         parser.CharacterDataHandler = rows.characters
         parser.CommentHandler = parser.ProcessingInstructionHandler = rows.aside
 
@@ -133,6 +132,8 @@ class Scan:
     def end(self, tag: str) -> None:
         """Leave an element; count a name's formula."""
         self.path.pop()
+        if self.rows is not None and self.rows.met and not self.rows.span[1] and tag == self.rows.own[1]:
+            self.rows.span = (self.rows.span[0], self._parser.CurrentByteIndex)
         if self.inside == "definedName":
             self.count.formula(self.length)
         self.inside = ""
