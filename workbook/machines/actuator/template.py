@@ -50,7 +50,7 @@ def declare(given: ActuatorSizing) -> Book:
     )  # fmt: skip
     actuator_sheet(book, view)
     cycle_sheet(book, view, shelf.stack)
-    rms_sheet(book, view, shelf.laws)
+    rms_sheet(book, view, shelf.named)
     selection_sheet(book, LOAD, choosing(view, given))
     printed_sheet(book, view)
     shelf.sheets(book)
