@@ -9,13 +9,11 @@ from functools import cached_property
 from itertools import accumulate
 from typing import Any, NamedTuple
 
-from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, located, motion_pieces
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
-from workbook.laws.stack import CODES
 
 RAISED = ("", "", "²", "³", "⁴", "⁵", "⁶", "⁷")
 
@@ -98,15 +96,10 @@ class PieceRows:
         return Found((place.piece + 1).astype(float), place.u, place.angle)
 
 
-def number_of(law: Law) -> int:
-    """Return the number of a law in its book."""
-    return 1 if isinstance(law, Dwell) else CODES.index(law.code) + 1
-
-
 def rows_of(motion: Motion, stack: Pieces, room: int) -> PieceRows:
     """Return the pieces of a motion; ``room`` is the number of rows of its phases, spare ones of a dwell."""
     pieces = motion_pieces(motion)
-    firsts = filled((stack.first[number_of(phase.law)] for phase in motion.phases), room, stack.first[1])
+    firsts = filled((stack.first[stack.number(phase.law)] for phase in motion.phases), room, stack.first[1])
     rows = [firsts[piece.phase] + piece.number for piece in pieces]
     rates = filled((phase.rate for phase in motion.phases), room)
     return PieceRows(pieces, rows, firsts, rates, *motion.edges[[0, -1]].tolist())

@@ -96,7 +96,6 @@ class ActuatorSizing(Machine):
             ("actuator.gears", len(a.gears), self.sizes.gears, "gears"),
             ("actuator.parts", len(a.parts), self.sizes.rotors, "rotors"),
             ("actuator.phases", len(a.phases), self.sizes.phases, "phases"),
-            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces, "pieces"),
         ):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")

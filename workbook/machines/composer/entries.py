@@ -41,10 +41,7 @@ class MotionComposer(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        for path, filled, room in (
-            ("motion.phases", len(self.motion.phases), self.sizes.phases),
-            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces),
-        ):
+        for path, filled, room in (("motion.phases", len(self.motion.phases), self.sizes.phases),):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         settle(self, {"motion.phases": [phase.law for phase in self.motion.phases]}, self.sizes.phases + WIDEST)
