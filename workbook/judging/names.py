@@ -38,9 +38,8 @@ def columns(match: Match) -> Iterator[Misled]:
         if place is None:
             continue
         j = block.columns[column] - block.column
-        right = place._replace(column=place.column + j, columns=1)
-        found = places.get(name)
-        if found != right:
+        right, found = place.part(j), places.get(name)
+        if right.column and (found is None or found.corners != right.corners):
             yield Misled(found or right, name, said(found), said(right))
 
 
@@ -122,5 +121,5 @@ def said(place: Place | None) -> str:
     """Return a place in words."""
     if place is None:
         return "no cells"
-    last = place.cell(place.rows - 1, place.columns - 1)
-    return f"{place.cell(0, 0)}:{last.a1}"
+    first, last = place.corners
+    return f"{first}:{last.a1}"

@@ -15,6 +15,7 @@ from workbook.errors import ReadError, WitnessError
 from workbook.judging.audit import audit
 from workbook.judging.comparing import Comparison, count
 from workbook.judging.functions import notes
+from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match
 from workbook.judging.report import ORDER, Finding, Ran, Report
 from workbook.judging.settings import settings
@@ -72,7 +73,8 @@ def judge(
     ``shapes`` false leaves the text of formulas aside, so that values alone must tell. ``given`` are the values of
     inputs that hold a formula.
     """
-    match = Match(file, template.declare(machine))
+    match, machine = laid_out(file, template, machine)
+    report.findings += layout(match)
     suspects = structure(match, report, shapes)
     report.notes += notes(file.workbook)
     for remark in audit(match, template.model):
@@ -89,6 +91,7 @@ def judge(
             comparison.elsewhere(map(template.declare, variants), len(variants), suspects)
     report.checks = checks(match, comparison.values)
     displayed(match, comparison.values, report)
+    follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
 

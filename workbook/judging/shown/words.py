@@ -62,6 +62,8 @@ def judge(match: Match, word: Word, place: Place, others: set[str], report: Repo
     """Enter what is wrong with one text."""
     style, expected = word.text.style, word.text.text
     near = around(match, word, place)
+    if style in ABOVE and not near[0].column:  # the column is gone, which is told
+        return
     if any(same(match.file.value(at), expected) for at in near):
         return
     held = match.file.value(near[0])
