@@ -1,6 +1,6 @@
 """What Excel does to a book in which rows or columns are inserted or deleted, or cells are cut and pasted.
 
-openpyxl moves cells and leaves what refers to them as it is. Here formulas, names, charts, rules and validations follow,
+openpyxl moves cells and leaves what refers to them as it is. Here formulas, names, charts, rules, validations follow,
 as Excel documents it: a range grows and shrinks with what is put in or taken out within it; what refers to deleted
 cells is #REF!; what refers to cut cells follows them, a range only where it lies wholly in what was cut.
 """

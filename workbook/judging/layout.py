@@ -124,7 +124,7 @@ def follow(match: Match, report: Report, suspects: set[Address]) -> None:
     A cell with its own formula that computes something else does so for these; and so does a formula that they have
     left without a cell to refer to.
     """
-    torn = any(f.kind == LAYOUT for f in report.findings)
+    torn = any(fit.inserted or fit.lost or fit.gone for fit in match.file.fits.values()) or bool(match.misfits)
     less = any(fit.lost or fit.gone for fit in match.file.fits.values())
     gone = torn or any(place is None for _, place in match.misfits)
     if not gone:

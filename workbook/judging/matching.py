@@ -90,7 +90,7 @@ class Match:
             return True
         block = pair.cell.block
         try:
-            declared = read(pair.cell.content, block.sheet.title, self._declared_area)
+            declared = read(pair.cell.content, block.sheet.title, self.declared_area)
             held = read(pair.held, pair.address.sheet, self._held_area)
         except FormulaError:
             return False
@@ -98,6 +98,23 @@ class Match:
             return False
         arguments = zip(declared.arguments, held.arguments, strict=True)
         return all(self._same(one, other) for one, other in arguments)
+
+    def apart(self, pair: Pair) -> Iterator[tuple[tuple[str, int, int], tuple[str, int, int]]]:
+        """Yield the corners by which a formula of the declared shape differs: declared, and held."""
+        try:
+            declared = read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area)
+            held = read(pair.held, pair.address.sheet, self._held_area)
+        except FormulaError:
+            return
+        if (declared.shape, declared.anchors) == (held.shape, held.anchors):
+            for one, other in zip(declared.arguments, held.arguments, strict=True):
+                if not isinstance(one, str) and not isinstance(other, str) and not self._same(one, other):
+                    for ours, theirs in zip(corners(one), corners(other), strict=True):
+                        yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
+
+    def declared_shape(self, pair: Pair) -> str:
+        """Return the shape of the formula that is declared for a cell."""
+        return read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area).shape
 
     def _same(self, declared: Area | str, held: Area | str) -> bool:
         """Whether two arguments mean the same: every cell is named by its block and its place in the block."""
@@ -107,10 +124,16 @@ class Match:
             [index.get(corner, corner) for corner in corners(area)]
             for area, index in ((declared, self._declared_index), (held, self._held_index))
         )
+        if declared.single and held.single and self._is_header(ours[0], theirs[0]):
+            return True
         return declared.single == held.single and all(map(self._same_cell, ours, theirs))
 
+    def _is_header(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
+        """Whether the header of a table is meant, and stands where its table was before that was moved away."""
+        return declared[1] == -1 and isinstance(held, Address) and isinstance(self.file.value(held), str | None)
+
     def _same_cell(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
-        """Whether two cells are one; in a table that has lost rows also by the row's number, and if each is the last."""
+        """Whether two cells are one; in a table that has lost rows also by a row's number, and if each is the last."""
         if declared == held:
             return True
         (name, i, j), (other, h, k) = declared, held
@@ -139,6 +162,15 @@ class Match:
                 return up
         return 1
 
+    def headless(self, block: Block) -> bool:
+        """Whether nothing stands above a table of the file, where the declaration has its headings."""
+        place = self.file.places.get(block.name)
+        if place is None or not block.is_table:
+            return False
+        above = [(block.sheet.title, block.row - up, column) for up in (1, 2, 3) for column in block.columns.values()]
+        held = (self.file.value(place.cell(-up, j)) for up in (1, 2, 3) if up < place.row for j in range(place.columns))
+        return any(map(self._texts.get, above)) and not any(isinstance(value, str) for value in held)
+
     @cached_property
     def _texts(self) -> dict[tuple[str, int, int], str]:
         return {(s.title, text.row, text.column): text.text for s in self.declared.sheets for text in s.texts}
@@ -151,7 +183,8 @@ class Match:
     def _held_names(self) -> dict[str, Area]:
         return {name.lower(): area_of(place) for name, place in find_places(self.file.workbook).items()}
 
-    def _declared_area(self, name: str, sheet: str) -> Area:
+    def declared_area(self, name: str, sheet: str) -> Area:
+        """Return what a name means in the declaration."""
         return resolve(name, self._declared_names, {s.title for s in self.declared.sheets})
 
     def _held_area(self, name: str, sheet: str) -> Area:

@@ -13,8 +13,8 @@ from workbook.judging.matching import Pair
 LAYOUT = "layout"
 """The kind of rows and columns that were put into tables, or are gone."""
 ORDER = (
-    LAYOUT, "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value", "follows",
-    "saved", "shown", "witness",
+    LAYOUT, "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value",
+    "follows", "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
 NOTICE = "notice"

@@ -30,6 +30,7 @@ from workbook.visible import LONGEST, found
 
 Where = Callable[[str], str]
 Evaluate = Callable[[BookFile], Callable[[Address], Any]]  # gives what gives the value of a formula cell
+Mend = Callable[[BookFile, Book], list[Any]]  # puts back what was moved, and says what that was
 DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
 
 
@@ -127,10 +128,19 @@ def unnamed(key: str, named: dict[str, str]) -> str:
     return key
 
 
-class Entries:
-    """The input cells of a workbook as a machine description; inputs that hold a formula are given to ``evaluate``."""
+def as_it_is(file: BookFile, layout: Book) -> list[Any]:
+    """Put nothing back."""
+    return []
 
-    def __init__(self, file: BookFile, evaluate: Evaluate) -> None:
+
+class Entries:
+    """The input cells of a workbook as a machine description.
+
+    Inputs that hold a formula are given to ``evaluate``. ``mend`` puts cells that were moved back into their tables;
+    ``moved`` is what it says of them.
+    """
+
+    def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend = as_it_is) -> None:
         require_little_work(file)
         self.file = file
         self._evaluate = evaluate
@@ -146,8 +156,9 @@ class Entries:
         default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
-        layout = self.template.declare(default.model_copy(update={"sizes": type(default.sizes)(**small)}))
+        layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
         self._fit(layout)
+        self.moved = mend(file, layout)
         for block in layout.blocks.values():
             self._read_block(block)
 
@@ -175,9 +186,13 @@ class Entries:
 
     def _lost(self) -> list[str]:
         """Return in a line each where rows are gone from tables, for entries that without them make no machine."""
-        lost = ((fit.place.sheet, row, name) for name, fit in self.file.fits.items() for row, _ in fit.lost)
-        return [f"{self.file.path.name}: {sheet}: above row {row}, a row is gone from the table {name}, and what is left "
-                "does not go together; undo that, or take the table from a copy" for sheet, row, name in lost]  # fmt: skip
+        name = self.file.path.name
+        what = "and what is left does not go together; undo that, or take the table from a copy"
+        return [
+            f"{name}: {fit.place.sheet}: above row {row}, a row is gone from the table {table}, {what}"
+            for table, fit in self.file.fits.items()
+            for row, _ in fit.lost
+        ]
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return what is entered with the book's own laws by their names, and for each of these names its key."""
@@ -217,8 +232,8 @@ class Entries:
     def _fit(self, layout: Book) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""
         self.file.fits |= fitted(self.file, layout)
-        for name, found in self.file.fits.items():
-            self.file.places[name] = found.place
+        for name, fit in self.file.fits.items():
+            self.file.places[name] = fit.place
         for size, (block, extra) in self.template.sizes.items():
             if block in self.file.fits:
                 self.data["sizes"][size] = self.file.fits[block].size - extra
@@ -275,6 +290,15 @@ class Entries:
             key = key.rpartition(".")[0]
             best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
         return f"{self.file.path.name}: {best or key}"
+
+
+def within(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:
+    """Return sizes, those beyond their limits at these: rows may have been put into a table."""
+    try:
+        return model(**sizes)
+    except ValidationError as error:
+        limits = {str(fault["loc"][0]): fault.get("ctx", {}) for fault in error.errors()}
+        return model(**{key: limits.get(key, {}).get("le", size) for key, size in sizes.items()})
 
 
 def put(data: Any, path: list[str], value: Any) -> None:

@@ -45,7 +45,8 @@ class BookFile:
     """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside.
 
     ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that. ``fits`` are
-    the tables whose rows or columns are not those of their names, as whoever knows the tables finds them.
+    the tables whose rows or columns are not those of their names, as whoever knows the tables finds them; and
+    ``mended`` is one in which cells were put back into their tables, so that it is not as the file is.
     """
 
     path: Path
@@ -54,6 +55,7 @@ class BookFile:
     notes: list[str] = field(default_factory=list)
     saved: Cells = field(default_factory=dict)
     fits: dict[str, Fit] = field(default_factory=dict)
+    mended: bool = False
 
     def value(self, address: Address) -> Any:
         """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty.

@@ -12,6 +12,7 @@ from typing import Any
 
 from workbook.book.address import Address, Fit, Place
 from workbook.book.declare import Block, Book
+from workbook.book.formula import area_of
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile
 
@@ -67,7 +68,7 @@ def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], 
 def by_numbers(
     numbers: Sequence[int | None], empty: Sequence[bool], first: int, leads_up: Callable[[int], int | None]
 ) -> tuple[list[int], list[tuple[int, int]]] | None:  # fmt: skip
-    """Return what :func:`rows_of` does from the number in each row, which begin at ``first``; None where they do not say.
+    """Return what :func:`rows_of` does by the number in each row, from ``first`` on; None where they do not say.
 
     ``empty`` are rows without formulas; ``leads_up`` tells which row the formulas of a row take for the one above.
     """
@@ -96,18 +97,12 @@ def by_numbers(
 
 def leads_up(file: BookFile, place: Place, r: int) -> int | None:
     """Return the row of a place above row ``r`` to which single references in its formulas lead."""
-    formulas = file.contents.formulas
+    own = area_of(place)
     for j in range(place.columns):
-        formula = formulas.get(place.cell(r, j))
+        formula = file.contents.formulas.get(place.cell(r, j))
         for area in formula.arguments if formula is not None else ():
-            if (
-                not isinstance(area, str)
-                and area.single
-                and area.sheet == place.sheet
-                and 0 <= area.top - place.row < r
-            ):
-                if place.cell(0, 0).column <= area.left <= place.cell(0, place.columns - 1).column:
-                    return area.top - place.row
+            if not isinstance(area, str) and area.single and own.holds(area.first) and area.top < place.row + r:
+                return area.top - place.row
     return None
 
 
