@@ -110,6 +110,9 @@ def verify(
     force: Annotated[bool, typer.Option("--force", help="Replace the report files if they exist.")] = False,
     witnesses: With = None,
     jobs: Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")] = None,
+    everything: Annotated[
+        bool, typer.Option("--all", help="List every finding, also what only follows from others.")
+    ] = False,
 ) -> None:
     """Compare every formula cell of workbooks with the engine, at the values entered in them.
 
@@ -120,7 +123,7 @@ def verify(
     """
     from workbook.commands.verify import verify as run
 
-    raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs))
+    raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything))
 
 
 @app.command()

@@ -15,7 +15,7 @@ from workbook.reports.terminal import ERR, OUT
 
 def verify(
     books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, force: bool,
-    witnesses: Sequence[str] | None, jobs: int | None,
+    witnesses: Sequence[str] | None, jobs: int | None, everything: bool,
 ) -> int:  # fmt: skip
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
     page.ready(report, (".html", ".htm"), force)
@@ -24,7 +24,8 @@ def verify(
     targets, failed = many.find(books)
     with summary.progress(ERR, len(targets)) as done:
         outcomes = many.verify_many(targets, asked, jobs, done) + failed
-    summary.show(outcomes, OUT, ERR, as_json, alone=len(books) == 1 and not many.is_folder(books[0]))
+    alone = len(books) == 1 and not many.is_folder(books[0])
+    summary.show(outcomes, OUT, ERR, as_json, alone, everything)
     when = datetime.now().astimezone()
     page.write(report, lambda: page.page(outcomes, when), force)
     page.write(junit, lambda: junit_xml(outcomes, when), force)
