@@ -99,12 +99,16 @@ def build(
     reducers: Annotated[Path | None, catalogue("REDUCERS.csv", "Reducers to choose among, likewise.")] = None,
     force: Force = False,
 ) -> None:
-    """Build a workbook from a machine description."""
+    """Build a workbook from a machine description.
+
+    What of its numbers does not do, or is missing, is built too: its checks FAIL, and are named here.
+    """
     source = machine or TEMPLATES["cutting-machine"].description
     target = output or Path(f"{source.stem}.xlsx")
     with err.status(shown(f"Building {target} …")):
-        make.build(make.described(source, motors, reducers), target, overwrite=force)
+        failing = make.build(make.described(source, motors, reducers), target, overwrite=force)
     say(out, f"Built {target.absolute()}")
+    show_failing(failing)
 
 
 @app.command()
@@ -163,9 +167,10 @@ def regenerate(
     """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
     with err.status(shown(f"Regenerating {book} …")):
         machine, notes = make.inputs(book)
-        make.build(machine, output, overwrite=force)
+        failing = make.build(machine, output, overwrite=force)
     show_notes(notes)
     say(out, f"Built {output.absolute()}")
+    show_failing(failing)
 
 
 @app.command()
@@ -202,6 +207,12 @@ def laws(as_json: Json = False) -> None:
         say_data(f"{json.dumps(show.catalogue(), ensure_ascii=False, indent=1)}\n")
     else:
         show.show_catalogue(out)
+
+
+def show_failing(failing: list[str]) -> None:
+    """Print the machine's own checks that do not hold."""
+    for check in failing:
+        say(err, f"FAIL  {check}", "yellow")
 
 
 def show_notes(notes: list[str]) -> None:

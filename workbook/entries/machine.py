@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any, NamedTuple
 
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from workbook.entries.texts import Text
 from workbook.entries.types import Model
@@ -22,6 +22,36 @@ class Sizes(Model):
     pieces: Annotated[int, Field(ge=2, le=60)] = 8
 
 
+class Fault(NamedTuple):
+    """What is wrong with the numbers of a design: the entry to blame, and the rule that it breaks.
+
+    ``where`` is the place of the entries that the rule is about, the entry itself for its own limits (``rule`` is
+    empty then); ``said`` the sentence. ``fits`` would do; ``turn`` counts what had been replaced before it was seen.
+    """
+
+    key: str
+    where: str
+    rule: str
+    said: str
+    value: Any = None
+    fits: Any = None
+    turn: int = 0
+
+
+class Replaced(NamedTuple):
+    """What was entered where the engine is given another entry, and in which turn that was replaced."""
+
+    value: Any
+    turn: int
+
+
+class Design(NamedTuple):
+    """What was entered of an unfinished design, by key, and all that is wrong with it; nothing of a finished one."""
+
+    replaced: dict[str, Replaced]
+    faults: tuple[Fault, ...] = ()
+
+
 class Machine(Model):
     """What every machine description has, whatever its template."""
 
@@ -29,3 +59,9 @@ class Machine(Model):
     title: Text
     laws: Laws = Laws()
     sizes: Sizes = Sizes()
+    _design: Design = PrivateAttr(default_factory=lambda: Design({}))
+
+    @property
+    def design(self) -> Design:
+        """What was entered in place of this machine's entries, where they do not do."""
+        return self._design

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import types
+from collections.abc import Callable
 from dataclasses import astuple
 from typing import Any, Literal, Union, get_args, get_origin
 
@@ -12,6 +13,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from workbook.book.declare import Quantity
+from workbook.book.limits import Limit
 from workbook.entries.types import LARGEST, SMALLEST
 
 
@@ -58,6 +60,54 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     rule.prompt = clip(f"Enter {expected}{unit}.", 255)
     rule.error = clip(f"Expected {expected}{unit}.", 255)
     return rule
+
+
+def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
+    """Return what gives the limits of an entry in cells, by its key: of a number, or of a word that must be there."""
+
+    def limit(key: str) -> Limit | None:
+        kind, constraints = field_at(model, key)
+        if get_origin(kind) is list:
+            return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "")
+        required = is_required(model, key)
+        if kind is float:
+            return Limit(required, bounds(constraints), expectation(kind, constraints))
+        return Limit(True, (), "one entry of the list") if get_origin(kind) is Literal and required else None
+
+    return limit
+
+
+def is_required(model: type[BaseModel], key: str) -> bool:
+    """Whether an entry must be there: it has no default."""
+    above, _, last = key.rpartition(".")
+    if last == "*" or last.isdigit():
+        return True
+    kind, _ = field_at(model, above)
+    return bool(kind.model_fields[last].is_required())
+
+
+def is_table(kind: Any) -> bool:
+    """Whether a list is one of rows, of any number, each of several entries."""
+    rows = get_args(kind)[0]
+    return isinstance(rows, type) and issubclass(rows, BaseModel)
+
+
+def within(kind: Any, constraints: list[Any]) -> Any:
+    """Return an entry that keeps to its constraints: a number near 1, or the first word."""
+    if get_origin(kind) is Literal:
+        return get_args(kind)[0]
+    low = max((astuple(c)[0] for c in constraints if isinstance(c, Gt | Ge)), default=-LARGEST)
+    high = min((astuple(c)[0] for c in constraints if isinstance(c, Lt | Le)), default=LARGEST)
+    return 1.0 if low < 1.0 < high else (low + high) / 2
+
+
+SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}
+
+
+def bounds(constraints: list[Any]) -> tuple[tuple[str, float], ...]:
+    """Return the bounds of a number as signs of formulas and numbers, each that no other implies."""
+    found = [(SIGNS[type(c)], float(astuple(c)[0])) for c in constraints if type(c) in SIGNS]
+    return tuple(found) or ((">=", -LARGEST), ("<=", LARGEST))
 
 
 def number_rule(constraints: list[Any]) -> DataValidation:
