@@ -72,7 +72,7 @@ class Unfinished:
             known |= self._verdict(guard.check, said)
         for _, q in self.book.checks:
             where, _, rule = q.rule.partition(":")
-            if rule and not q.rule.startswith(":"):
+            if rule:
                 told = self._told(q, where, rule, turns)
                 known |= {} if told is None else self._verdict(q.name, told)
         return known

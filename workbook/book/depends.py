@@ -31,6 +31,11 @@ class Word(NamedTuple):
     value: Any
 
 
+def together(arguments: list[list[Any]]) -> list[Any]:
+    """Return the words of several arguments."""
+    return [word for argument in arguments for word in argument]
+
+
 class Dependence:
     """What the formula cells of a book refer to."""
 
@@ -97,15 +102,15 @@ class Dependence:
                 condition, *branches = node.arguments
                 truth = self._truth(condition)
                 yield from self._used(condition)
-                yield from self._used(branches[0 if truth else 1] if truth is not None else sum(branches, []))
+                yield from self._used(branches[0 if truth else 1] if truth is not None else together(branches))
             elif node.name == "CHOOSE":
                 choice, *branches = node.arguments
                 number = self._value(choice)
                 yield from self._used(choice)
                 taken = branches[number - 1 : number] if isinstance(number, int) and number > 0 else branches
-                yield from self._used(sum(taken, []))
+                yield from self._used(together(taken))
             else:
-                yield from self._used(sum(node.arguments, []))
+                yield from self._used(together(node.arguments))
 
     def _indexed(self, place: list[Any], number: list[Any]) -> Iterator[Area]:
         yield from self._used(number)

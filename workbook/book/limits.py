@@ -68,10 +68,10 @@ def of_cells(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -
     guard = Guard(name, tuple(entries))
     says = quoted("")
     for q, limit in reversed(entries):
-        said = f"{quoted(f'{q.label}: ')}&{shown(q.name)}&{quoted(f'; expected {limit.expected}')}"
+        said = f"{quoted(f'{q.label}: ')}&{figure_of(q.name)}&{quoted(f'; expected {limit.expected}')}"
         says = f"IF({limit.holds(q.name)},{says},{said})"
     condition = ",".join(limit.holds(q.name) for q, limit in entries)
-    return guard, check(name, label, f"AND({condition})", True, "", f":{name}", says)
+    return guard, check(name, label, f"AND({condition})", True, says=says)
 
 
 def of_rows(
@@ -95,7 +95,7 @@ def of_rows(
     says = quoted("")
     for number, (words, name, expected) in reversed(list(enumerate(told, 1))):
         row = f"MATCH({number},[{table}.{COLUMN}],0)"
-        said = f"{quoted(f'{words}, row ')}&{row}&{quoted(': ')}&{shown(f'INDEX([{table}.{name}],{row})')}"
+        said = f"{quoted(f'{words}, row ')}&{row}&{quoted(': ')}&{figure_of(f'INDEX([{table}.{name}],{row})')}"
         said += f"&{quoted(expected)}" if expected else ""
         says = f"IF(COUNTIF([{table}.{COLUMN}],{number})>0,{said},{says})"
     condition = f"SUM([{table}.{COLUMN}])=0"
@@ -103,9 +103,4 @@ def of_rows(
     if filled and counted:
         condition = f"AND(COUNT([{table}.{counted}])>0,{condition})"
         says = f"IF(SUM([{table}.{COLUMN}])=0,{quoted(EMPTY)},{says})"
-    return guard, column, check(guard.check, label, condition, True, "", f":{guard.check}", says)
-
-
-def shown(cell: str) -> str:
-    """Return the formula that shows what is entered in a cell."""
-    return f'IF(ISNUMBER({cell}),{figure_of(cell)}&"","empty")'
+    return guard, column, check(guard.check, label, condition, True, says=says)

@@ -5,10 +5,14 @@ from __future__ import annotations
 import re
 from typing import Any
 
-DIGITS = 4
-"""decimals to which the figures of a sentence are rounded"""
+DIGITS = 9
+"""decimals that are shown of an entry, at most"""
+LARGEST = 1e9
+"""of the entries that are shown"""
+BEYOND = "beyond 1E9"
 _FIGURE = re.compile(r"-?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?")
-_ROUNDED = 1.1 * 10.0**-DIGITS
+_ROUNDED = 1.1e-3
+"""figures may be rounded to three decimals, each program in its way"""
 
 
 class Sentence(str):
@@ -36,12 +40,13 @@ def near(one: float, other: float) -> bool:
 
 def figure(value: float) -> str:
     """Return a number as sentences show it."""
-    return f"{round(value, DIGITS) + 0.0:.15g}"
+    return f"{round(value, DIGITS) + 0.0:.15g}" if abs(value) < LARGEST else BEYOND
 
 
 def figure_of(cell: str) -> str:
-    """Return the formula that shows the number of a cell, or of an expression."""
-    return f"ROUND({cell},{DIGITS})"
+    """Return the formula that shows what is entered in a cell."""
+    number = f'IF(ABS({cell})<{LARGEST:.0f},ROUND({cell},{DIGITS})&"",{quoted(BEYOND)})'
+    return f'IF(ISNUMBER({cell}),{number},"empty")'
 
 
 def quoted(text: str) -> str:

@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
+from workbook.entries.phase import resting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawCode
@@ -28,8 +29,7 @@ class Phase(Model):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a dwell that is to lift."""
-        if self.law == "DWL" and self.lift != 0:
-            yield DesignError("lift", "", "dwell", 0.0)
+        yield from resting(self.law, self.lift)
 
 
 class Axis(Model):

@@ -9,8 +9,9 @@ from engine import timing as engine_timing
 from engine.laws.base import Array
 from engine.timing import Movement, lane, turn_time
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, RowRule, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.entries.phase import AT_REST
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import phases as joined_phases
 from workbook.laws import sampling
@@ -150,20 +151,20 @@ def phases(sheet: Sheet, machine: Cutting, i: int) -> None:
         calc("jump_a", "jump of y''", "Δy''", "m/rad²",
              f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)",
              filled([j.jump_a for j in junctions], n), source="reported, no fault"),
-        rules=[RowRule("dwell", 'OR([law]<>"DWL",[lift]+0=0)', "lift", "lift of a dwell, which has none")],
+        rules=[AT_REST],
     )  # fmt: skip
 
 
-ENDS = "ROUND(INDEX([{0}.stop],{1}),4)"
+ENDS = "ROUND(INDEX([{0}.stop],{1}),9)"
 BACKWARDS = (
-    f'" ends at "&{ENDS}&"°, "&ROUND(INDEX([{{0}}.start],{{1}})-INDEX([{{0}}.stop],{{1}}),4)&"° before it begins"'
+    f'" ends at "&{ENDS}&"°, "&ROUND(INDEX([{{0}}.start],{{1}})-INDEX([{{0}}.stop],{{1}}),9)&"° before it begins"'
 )
 PARTED = (
-    '" begins at "&ROUND(INDEX([{0}.start],{1}),4)&"°, "&ROUND(ABS(INDEX([{0}.gap],{1})),4)'
+    '" begins at "&ROUND(INDEX([{0}.start],{1}),9)&"°, "&ROUND(ABS(INDEX([{0}.gap],{1})),9)'
     '&IF(INDEX([{0}.gap],{1})>0,"° after ","° before ")&IF({1}=1,"0°","row "&({1}-1)&" ends")'
 )
 UNFILLED = (
-    '" ends at "&ROUND(MAX([{0}.stop]),4)&"°, "&ROUND(ABS(360-MAX([{0}.stop])),4)'
+    '" ends at "&ROUND(MAX([{0}.stop]),9)&"°, "&ROUND(ABS(360-MAX([{0}.stop])),9)'
     '&IF(MAX([{0}.stop])<360,"° before 360°","° after 360°")'
 )
 

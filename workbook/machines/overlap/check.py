@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from engine.laws.inverse import is_monotone
-from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, EntryError
+from workbook.book.sentence import figure
+from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError
 from workbook.laws.library import laws
-from workbook.machines.overlap.entries import TURN, IndexingOverlap
+from workbook.laws.registry import RISING
+from workbook.machines.overlap.entries import LEAST, TURN, IndexingOverlap
 from workbook.machines.overlap.view import Overlapping, Station
 
 
 def check(machine: IndexingOverlap) -> None:
-    """Raise EntryError where the own law cannot be inverted, or a tool's schedule takes more than a turn."""
+    """Raise DesignError where the own law cannot be inverted, or a tool's schedule takes more than a turn."""
     require_rising(machine)
     for station in Overlapping(machine, laws(machine.laws, machine.sizes.own_law)).stations:
         require_one_turn(station)
 
 
 def require_rising(machine: IndexingOverlap) -> None:
-    """Raise EntryError where a motion has the own law, and that moves backwards or does not end at 1."""
+    """Raise DesignError where a motion has the own law, and that moves backwards or does not end at 1."""
     given = machine.overlap
     used = {"transfer.law": given.transfer.law}
     for i, tool in enumerate(given.tools):
@@ -27,17 +29,17 @@ def require_rising(machine: IndexingOverlap) -> None:
         return
     own = laws(machine.laws, machine.sizes.own_law)["OWN"]
     if not is_monotone(own):
-        raise EntryError(f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout")
+        raise DesignError(f"overlap.{entry}", "the own law moves backwards", "rises", RISING[0])
     if abs(own.end.s - 1) > END_TOLERANCE:
         message = f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
-        raise EntryError(f"overlap.{entry}", message)
+        raise DesignError(f"overlap.{entry}", message, "reaches", RISING[0])
 
 
 def require_one_turn(station: Station) -> None:
-    """Raise EntryError where the schedule that is built takes more than a turn."""
+    """Raise DesignError where the schedule that is built takes more than a turn."""
     tool, (way_in, way_out) = station.given, station.angles_set
     taken = way_in + way_out + tool.dwell
     if taken > TURN + ANGLE_TOLERANCE:
         name = "angle_in" if tool.angle_in is not None else "angle_out"
-        message = f"way in, dwell and way out take {taken:g}°; expected at most 360°"
-        raise EntryError(f"{station.key}.{name}", message)
+        said = f"way in, dwell and way out take {figure(taken)}°; expected at most 360°"
+        raise DesignError(f"{station.key}.{name}", said, f"turn{station.number}", LEAST)
