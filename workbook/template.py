@@ -42,7 +42,7 @@ class Template(Generic[M]):
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
-        return with_entries(self.finished(machine), machine.design)
+        return with_entries(self.finished(machine), machine)
 
     @property
     def description(self) -> Path:

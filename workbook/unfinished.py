@@ -19,24 +19,27 @@ from workbook.book.limits import COLUMN, EMPTY, Guard
 from workbook.book.quantity import HOLDS, SAYS
 from workbook.book.rows import as_rows, filled
 from workbook.book.sentence import Sentence
-from workbook.entries.machine import Design, Fault
+from workbook.entries.machine import Design, Fault, Machine
+from workbook.laws.entries import key_of
+from workbook.laws.library import named
 
 OK = "OK"
 MOST_TURNS = 1000
 
 
-def with_entries(book: Book, design: Design) -> Book:
+def with_entries(book: Book, machine: Machine) -> Book:
     """Return the book of a machine, with what was entered of its unfinished design."""
-    if not design.replaced:
+    if not machine.design.replaced:
         return book
-    return Unfinished(book, design).book
+    laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws, machine.sizes.own_law)}
+    return Unfinished(book, machine.design, laws).book
 
 
 class Unfinished:
     """A book that is being changed: entries first, then what is known of the checks, then what hangs on entries."""
 
-    def __init__(self, book: Book, design: Design) -> None:
-        self.book, self.design = book, design
+    def __init__(self, book: Book, design: Design, laws: dict[str, str]) -> None:
+        self.book, self.design, self.laws = book, design, laws
         self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
         self.dependence = Dependence(book)
         self.values: dict[tuple[str, int], list[Any]] = {}
@@ -58,7 +61,7 @@ class Unfinished:
         """Put what was entered into the inputs; yield those cells, and the turn in which each was replaced."""
         for at, cell in self.at.items():
             q = cell.quantity
-            old = self.design.replaced.get(q.key.replace("*", str(cell.i))) if q.role == "input" else None
+            old = self.design.replaced.get(self._key(q.key, cell.i)) if q.role == "input" else None
             if old is not None:
                 self._put(at, old.value)
                 yield at, old.turn
@@ -73,7 +76,7 @@ class Unfinished:
         for _, q in self.book.checks:
             where, _, rule = q.rule.partition(":")
             if rule:
-                told = self._told(q, where, rule, turns)
+                told = self._told(q, self._key(where), rule, turns)
                 known |= {} if told is None else self._verdict(q.name, told)
         return known
 
@@ -82,14 +85,14 @@ class Unfinished:
         found: list[tuple[int, int, Any]] = []
         for place, (q, _) in enumerate(guard.entries):
             for i in range(guard.rows):
-                key = q.key.replace("*", str(i))
+                key = self._key(q.key, i)
                 found += [(place, i, fault.value) for fault in self._faults(key, "")]
-        above = guard.entries[0][0].key.partition(".*")[0]
+        above = self._key(guard.entries[0][0].key.partition(".*")[0])
         for place, rule in enumerate(guard.rules, len(guard.entries)):
             column = next(q.key for q in self.book.blocks[guard.table].quantities if q.name == rule.column)
             for i in range(guard.rows):
                 if any(self._faults(f"{above}.{i}", rule.rule)):
-                    found.append((place, i, self._held(column.replace("*", str(i)))))
+                    found.append((place, i, self._held(self._key(column, i))))
         if guard.table and any(self._faults(above, "")):
             return filled([], guard.rows, 0), EMPTY
         first = {i: place for place, i, _ in sorted(found, key=lambda each: each[:2], reverse=True)}
@@ -126,7 +129,12 @@ class Unfinished:
         if key in self.design.replaced:
             return self.design.replaced[key].value
         cells = (c for c in self.at.values() if c.quantity.role == "input")
-        return next((c.content for c in cells if c.quantity.key.replace("*", str(c.i)) == key), None)
+        return next((c.content for c in cells if self._key(c.quantity.key, c.i) == key), None)
+
+    def _key(self, key: str, row: int = 0) -> str:
+        """Return the key of an entry in a row, with the law's name where cells have its number."""
+        begin = ".".join(key.split(".")[:2])
+        return f"{self.laws.get(begin, begin)}{key.removeprefix(begin)}".replace("*", str(row))
 
     def _column(self, name: str, rows: int) -> Iterator[Address]:
         """Yield the addresses of a column, named ``block.quantity``."""

@@ -45,7 +45,8 @@ def figure(value: float) -> str:
 
 def figure_of(cell: str) -> str:
     """Return the formula that shows what is entered in a cell."""
-    number = f'IF(ABS({cell})<{LARGEST:.0f},ROUND({cell},{DIGITS})&"",{quoted(BEYOND)})'
+    small = f"ROUND(MIN(MAX({cell},-{LARGEST:.0f}),{LARGEST:.0f}),{DIGITS})"  # pycel rounds before it asks
+    number = f'IF(ABS({cell})<{LARGEST:.0f},{small}&"",{quoted(BEYOND)})'
     return f'IF(ISNUMBER({cell}),{number},"empty")'
 
 

@@ -7,7 +7,8 @@ entered is kept beside it, with all that is wrong: the book shows the one, and i
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from typing import Any, Literal, TypeVar, get_origin
 
@@ -16,6 +17,7 @@ from pydantic import BaseModel, ValidationError
 from workbook.entries import rules
 from workbook.entries.machine import Design, Fault, Machine, Replaced
 from workbook.entries.types import DesignError, TogetherError
+from workbook.laws.entries import key_of
 
 M = TypeVar("M", bound=Machine)
 BEYOND = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
@@ -38,13 +40,13 @@ def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], e
     Entries that do not do are replaced by ``example``'s, or by those that a rule says would fit, one after the other
     until the rest goes together; ``check`` says what only the engine can see.
     """
-    replaced: dict[str, int] = {}
+    replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []
     tried = data
     for turn in range(MOST_ROUNDS):
         machine, found = attempted(model, check, tried)
         if machine is not None:
-            kept = {key: Replaced(*old) for key, old in differing(data, machine.model_dump(), replaced).items()}
+            kept = differing(model, data, machine.model_dump(), replaced)
             machine._design = Design(kept, tuple(faults))
             return machine
         if turn == 0:
@@ -52,12 +54,12 @@ def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], e
         for fault in found:
             path = fault.key
             while path in replaced and path:
-                path = path.rpartition(".")[0]
+                path = joined(parts(path)[:-1])
             if not path:
                 raise RefusedError(found)
             whole = path == fault.key
-            value = fault.fits if whole and fault.fits is not None else fitting(model, path, dumped, at(tried, path))
-            set_at(tried, path.split("."), value)
+            fits = whole and fault.fits is not None
+            set_at(tried, parts(path), fault.fits if fits else fitting(model, path, dumped, tried))
             replaced.setdefault(path, turn)
             if whole:
                 faults.append(fault._replace(turn=turn))
@@ -82,18 +84,18 @@ def attempted(model: type[M], check: Callable[[M], None], data: dict[str, Any]) 
 
 def numeric(fault: Any, model: type[BaseModel]) -> bool:
     """Whether a fault of pydantic's is one of numbers: beyond bounds, not there, or not going together."""
-    key = ".".join(map(str, fault["loc"]))
+    key, rule = keys_of(fault["loc"])
     if isinstance(fault.get("ctx", {}).get("error"), TogetherError):
         return True
     if key.startswith("sizes") or fault["type"] == "extra_forbidden":
         return False
-    kind, _ = rules.field_at(model, key)
+    kind, constraints = rules.field_at(model, rule)
     if fault["type"] in BEYOND:
         return isinstance(fault["input"], int | float) and finite(fault["input"])
     if fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
         return rules.is_table(kind)
     empty = fault["type"] == "missing" or fault["input"] is None or fault["input"] == {}
-    return empty and (kind is float or get_origin(kind) is Literal)
+    return empty and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
 
 
 def finite(value: float) -> bool:
@@ -106,14 +108,14 @@ def finite(value: float) -> bool:
 
 def numbers_of(fault: Any, model: type[BaseModel]) -> Iterator[Fault]:
     """Yield the faults of a design that one of pydantic's tells."""
-    key = ".".join(map(str, fault["loc"]))
+    key, rule = keys_of(fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, TogetherError):
         for error in cause.found:
             yield of_rule(key, error)
     else:
         value = fault["input"] if fault["type"] in BEYOND else None
-        yield Fault(key, key, "", f"expected {rules.expectation(*rules.field_at(model, key))}", value)
+        yield Fault(key, key, "", f"expected {rules.expectation(*rules.field_at(model, rule))}", value)
 
 
 def of_rule(where: str, error: DesignError) -> Fault:
@@ -121,13 +123,44 @@ def of_rule(where: str, error: DesignError) -> Fault:
     return Fault(f"{where}.{error.field}".strip("."), where, error.rule, str(error), None, error.fits)
 
 
-def fitting(model: type[BaseModel], path: str, example: dict[str, Any], held: Any) -> Any:
+def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: dict[str, Any]) -> Any:
     """Return an entry, or all below a place, that does: the example's, with the words that are held."""
-    found = at(example, path)
+    rule = ruled(path, tried)
+    found = at(example, rule)
     if found is NONE or found is None:
-        kind, constraints = rules.field_at(model, path)
-        return rules.within(kind, constraints)
-    return refilled(held, found)
+        return rules.within(*rules.field_at(model, rule))
+    return refilled(at(tried, path), found)
+
+
+def keys_of(loc: tuple[int | str, ...]) -> tuple[str, str]:
+    """Return the key of a fault of pydantic's, and of the rule for it: a law's entries have those of its family."""
+    given = [*map(str, loc)]
+    if len(given) < 3 or given[0] != "laws":
+        return ".".join(given), ".".join(given)
+    _, name, family, *rest = given
+    return joined(["laws", name, *rest]), ".".join(["laws", family, *rest])
+
+
+def ruled(path: str, data: dict[str, Any]) -> str:
+    """Return the key of the rule for an entry: of a law that has a name of its own, that of its family."""
+    names = parts(path)
+    if len(names) > 1 and names[0] == "laws":
+        entry = data.get("laws", {}).get(names[1], {})
+        names[1] = entry.get("family", names[1])
+    return joined(names)
+
+
+PART = re.compile(r'"([^"]*)"|([^.]+)')
+
+
+def parts(path: str) -> list[str]:
+    """Return the names of a path; those of laws may stand in quotes."""
+    return [quoted or plain for quoted, plain in PART.findall(path)]
+
+
+def joined(names: Sequence[str]) -> str:
+    """Return the path of names."""
+    return ".".join([key_of(name) if i == 1 and names[0] == "laws" else name for i, name in enumerate(names)])
 
 
 def refilled(held: Any, example: Any) -> Any:
@@ -142,7 +175,7 @@ def refilled(held: Any, example: Any) -> Any:
 
 def at(data: Any, path: str) -> Any:
     """Return what a description has at a place, of a list too short its last; NONE where there is nothing."""
-    for part in filter(None, path.split(".")):
+    for part in parts(path):
         if isinstance(data, list) and data:
             data = data[min(int(part), len(data) - 1)]
         elif isinstance(data, dict) and part in data:
@@ -163,24 +196,28 @@ def set_at(data: Any, path: list[str], value: Any) -> None:
         data[last] = value
 
 
-def differing(entered: Any, made: Any, replaced: dict[str, int]) -> dict[str, tuple[Any, int]]:
-    """Return by key the entries below the places that were replaced, where they differ: as entered, and the round."""
-    found: dict[str, tuple[Any, int]] = {}
+def differing(
+    model: type[BaseModel], entered: dict[str, Any], made: dict[str, Any], replaced: dict[str, int]
+) -> dict[str, Replaced]:
+    """Return by key the entries below the places that were replaced, where they differ."""
+    found: dict[str, Replaced] = {}
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
         old = dict(leaves(exactly(entered, path), path))
         for key, value in leaves(exactly(made, path), path):
-            was = old.pop(key, None)
-            if was != value and key not in found:
-                found[key] = (None if was == {} else was, turn)
+            was = old.pop(key, NONE)
+            if was is NONE or was == {}:
+                was = rules.default_at(model, ruled(key, entered))
+            if was != value:
+                found.setdefault(key, Replaced(was, turn))
         for key, was in old.items():
             if was is not None and was != {}:
-                found.setdefault(key, (was, turn))
+                found.setdefault(key, Replaced(was, turn))
     return found
 
 
 def exactly(data: Any, path: str) -> Any:
     """Return what a description has at a place; None where there is nothing."""
-    for part in filter(None, path.split(".")):
+    for part in parts(path):
         if isinstance(data, list):
             data = data[int(part)] if int(part) < len(data) else None
         else:
@@ -192,7 +229,7 @@ def leaves(data: Any, path: str) -> Iterator[tuple[str, Any]]:
     """Yield the entries at and below a place by their keys."""
     if isinstance(data, dict) and data:
         for key, value in data.items():
-            yield from leaves(value, f"{path}.{key}")
+            yield from leaves(value, joined([*parts(path), key]))
     elif isinstance(data, list):
         for i, value in enumerate(data):
             yield from leaves(value, f"{path}.{i}")
@@ -204,7 +241,7 @@ def as_entered(machine: Machine) -> dict[str, Any]:
     """Return the description of a machine with what was entered, finished or not."""
     data = machine.model_dump(exclude_none=True)
     for key, old in machine.design.replaced.items():
-        put_back(data, key.split("."), old.value)
+        put_back(data, parts(key), old.value)
     return {key: emptied(value) for key, value in data.items()}
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, NamedTuple, Self
 
-from pydantic import Field, PrivateAttr
+from pydantic import Field, PrivateAttr, model_validator
 
 from workbook.entries.texts import Text
-from workbook.entries.types import Model
-from workbook.laws.entries import Laws
+from workbook.entries.types import EntryError, Model
+from workbook.laws.entries import Laws, key_of, resolve
 
 
 class Sizes(Model):
@@ -20,6 +20,7 @@ class Sizes(Model):
     phases: Annotated[int, Field(ge=2, le=60)] = 8
     rotors: Annotated[int, Field(ge=2, le=60)] = 6
     pieces: Annotated[int, Field(ge=2, le=60)] = 8
+    motion_pieces: Annotated[int, Field(ge=10, le=800)] | None = None  # None: a few more than the motion has
 
 
 class Fault(NamedTuple):
@@ -57,7 +58,7 @@ class Machine(Model):
 
     template: str
     title: Text
-    laws: Laws = Laws()
+    laws: Laws = Laws({})
     sizes: Sizes = Sizes()
     _design: Design = PrivateAttr(default_factory=lambda: Design({}))
 
@@ -65,3 +66,12 @@ class Machine(Model):
     def design(self) -> Design:
         """What was entered in place of this machine's entries, where they do not do."""
         return self._design
+
+    @model_validator(mode="after")
+    def _named(self) -> Self:
+        resolve(self, self.laws)
+        for name, own in self.laws.of("OWN").items():
+            if len(own.pieces) > self.sizes.pieces:
+                key = f"laws.{key_of(name)}.pieces"
+                raise EntryError(key, f"{len(own.pieces)} rows do not fit into {self.sizes.pieces}; raise sizes.pieces")
+        return self

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from workbook.book.limits import RowRule
 from workbook.entries.types import DesignError, Model, Number, Positive
-from workbook.laws.entries import LawCode
+from workbook.laws.entries import LawName
 
 
 class PhaseEntry(Model):
     """One phase: a law, carried out over a lift in a duration, in the units of the motion."""
 
-    law: LawCode = "DWL"
+    law: LawName = "DWL"
     lift: Number = 0.0
     duration: Positive
 

@@ -15,6 +15,8 @@ from pydantic.fields import FieldInfo
 from workbook.book.declare import Quantity
 from workbook.book.limits import Limit
 from workbook.entries.types import LARGEST, SMALLEST
+from workbook.laws.entries import TakesLaw
+from workbook.laws.registry import RISING
 
 
 def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
@@ -22,7 +24,9 @@ def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
     kind: Any = model
     constraints: list[Any] = []
     for part in filter(None, key.split(".")):
-        if part == "*" or part.isdigit():
+        if hasattr(kind, "entry_at"):
+            kind, constraints = kind.entry_at(part), []
+        elif part == "*" or part.isdigit():
             kind, constraints = unwrap(get_args(kind)[0], [])
         else:
             kind, constraints = unwrap(kind.model_fields[part].annotation, kind.model_fields[part].metadata)
@@ -72,7 +76,8 @@ def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
         required = is_required(model, key)
         if kind is float:
             return Limit(required, bounds(constraints), expectation(kind, constraints))
-        return Limit(True, (), "one entry of the list") if get_origin(kind) is Literal and required else None
+        listed = get_origin(kind) is Literal or takes_law(constraints)
+        return Limit(True, (), "one entry of the list") if listed and required else None
 
     return limit
 
@@ -86,6 +91,21 @@ def is_required(model: type[BaseModel], key: str) -> bool:
     return bool(kind.model_fields[last].is_required())
 
 
+def default_at(model: type[BaseModel], key: str) -> Any:
+    """Return what an entry is where nothing is entered; None where it has no default."""
+    above, _, last = key.rpartition(".")
+    if last.isdigit():
+        return None
+    kind, _ = field_at(model, above)
+    field = getattr(kind, "model_fields", {}).get(last)
+    return None if field is None or field.is_required() else field.get_default(call_default_factory=True)
+
+
+def takes_law(constraints: list[Any]) -> bool:
+    """Whether an entry names a law."""
+    return any(isinstance(c, TakesLaw) for c in constraints)
+
+
 def is_table(kind: Any) -> bool:
     """Whether a list is one of rows, of any number, each of several entries."""
     rows = get_args(kind)[0]
@@ -96,6 +116,8 @@ def within(kind: Any, constraints: list[Any]) -> Any:
     """Return an entry that keeps to its constraints: a number near 1, or the first word."""
     if get_origin(kind) is Literal:
         return get_args(kind)[0]
+    if takes_law(constraints):
+        return RISING[0]
     low = max((astuple(c)[0] for c in constraints if isinstance(c, Gt | Ge)), default=-LARGEST)
     high = min((astuple(c)[0] for c in constraints if isinstance(c, Lt | Le)), default=LARGEST)
     return 1.0 if low < 1.0 < high else (low + high) / 2

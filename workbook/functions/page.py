@@ -12,12 +12,12 @@ from workbook.book.rows import filled
 from workbook.functions.declared import FUNCTIONS, TAKES, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
 from workbook.laws.family import value_at
-from workbook.laws.registry import FAMILIES
+from workbook.laws.registry import BASIC
 
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
     family.code: f"[{family.code}.{names[0]}]:[{family.code}.{names[-1]}]"
-    for family in FAMILIES
+    for family in BASIC
     if (names := [parameter.column for parameter in family.page.parameters])
 }
 """where the parameters of each law stand that takes any, a table a law"""
@@ -78,10 +78,10 @@ def entries(sheet: Sheet, shown: Shown) -> None:
 
 def parameters(sheet: Sheet, shown: Shown) -> None:
     """Declare the parameters of the laws that take any."""
-    laws, pieces = shown.laws, shown.laws.OWN.pieces
+    laws, pieces = shown.laws, shown.laws["OWN"].pieces
     sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
-    for family in (family for family in FAMILIES if family.page.parameters):
-        code, entered = family.code, getattr(laws, family.code)
+    for family in (family for family in BASIC if family.page.parameters):
+        code, entered = family.code, laws[family.code]
         sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
             given(one.column, one.short, "", "",
                   [value_at(entered, one.key)], f"laws.{code}.{one.key}", format="0.0000")
@@ -114,7 +114,7 @@ def results(shown: Shown) -> list[Any]:
     law, motion, k = shown.one.evaluate(shown.xi), shown.motion.at(shown.x), shown.one.coefficients
     xi = "#NUM!" if shown.law == "DWL" else inverse(shown.one, shown.s)
     jerk = k.cj if isfinite(k.cj) else "#NUM!"
-    return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion, shown.reduced, shown.rms]
+    return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion[:3], shown.reduced, shown.rms]
 
 
 LAW_CURVES = (
@@ -198,5 +198,5 @@ def samples(sheet: Sheet, shown: Shown) -> None:
         *(result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
           for name, words, symbol, key, values in zip(
               ("y", "y1", "y2"), ("position", "velocity", "acceleration"), ("y", "y'", "y''"), ("POS", "VEL", "ACC"),
-              shown.moved, strict=True)),
+              shown.moved[:3], strict=True)),
         constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1))))  # fmt: skip

@@ -11,7 +11,7 @@ from engine.motion import Motion
 from workbook.book.declare import Quantity, calc
 from workbook.book.rows import filled
 from workbook.laws import sampling
-from workbook.laws.stack import CODES
+from workbook.laws.entries import Laws
 
 LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
 CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
@@ -35,9 +35,9 @@ def kinds(laws: Sequence[str], lifts: Sequence[float], rows: int) -> list[str]:
     return filled(used, rows, "spare")
 
 
-def law_numbers(laws: Sequence[str], rows: int) -> list[int]:
+def law_numbers(names: Sequence[str], laws: Laws, rows: int) -> list[int]:
     """Return the number of each phase's law, with the spare rows filled up."""
-    return filled([CODES.index(law) + 1 for law in laws], rows, 1)
+    return filled([laws.number(name) for name in names], rows, 1)
 
 
 def located(
@@ -50,7 +50,7 @@ def located(
     two. Labels begin with ``of``, names end with ``suffix``.
     """
     index, share = motion.phase_index(x), motion.xi(x)
-    numbers = np.array([CODES.index(p.law.code) + 1 for p in motion.phases])[index]
+    numbers = np.array([pieces.number(p.law) for p in motion.phases])[index]
     found = np.empty((3, len(x)))
     values = {d: np.empty(len(x)) for d in "sva"}
     for k in np.unique(index):

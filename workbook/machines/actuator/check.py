@@ -13,13 +13,16 @@ SIZES = {"lead screw": "turns"}
 """what a mechanism's last element is entered by, if not by its diameter"""
 
 
+BACKWARDS = "a law moves backwards: see its sheet, or Laws"
+
+
 def check(machine: ActuatorSizing) -> None:
-    """Raise DesignError where the mechanism lacks its size, or a phase has an own law that moves backwards."""
+    """Raise DesignError where the mechanism lacks its size, or a phase has a law that moves backwards."""
     require_size(machine)
-    used = [phase.law for phase in machine.actuator.phases]
-    if "OWN" in used and not is_monotone(laws(machine.laws, machine.sizes.own_law)["OWN"]):
-        said = "the own law moves backwards"
-        raise DesignError(f"actuator.phases.{used.index('OWN')}.law", said, "rises", RISING[0])
+    used, library = [phase.law for phase in machine.actuator.phases], laws(machine.laws, machine.sizes.own_law)
+    for name in dict.fromkeys(used):
+        if not is_monotone(library[name]):
+            raise DesignError(f"actuator.phases.{used.index(name)}.law", BACKWARDS, "rises", RISING[0])
 
 
 def require_size(machine: ActuatorSizing) -> None:

@@ -14,14 +14,16 @@ from workbook.drive.motor import limit_checks, limits_given, plane
 from workbook.drive.stages import gears_table, parts_table, stages_table
 from workbook.entries.units import RPM, shown
 from workbook.machines.actuator.entries import Kind
-from workbook.machines.actuator.tables import motion
+from workbook.machines.actuator.tables import AT, motion
 from workbook.machines.actuator.view import Sized
+from workbook.motion.cells import PieceRows
+from workbook.motion.pieces import room_check
 
 SCOPE = "act_"
 BELOW_CHARTS = 66  # the row from which the sheet is free in its whole width
 
 
-def actuator_sheet(book: Book, machine: Sized) -> None:
+def actuator_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
     """Declare the sheet."""
     e, sizes, chain = machine.given, machine.sizes, machine.mechanism
     sheet = book.sheet("Actuator", "What a cycle of moves asks of the motor behind a mechanism.")
@@ -33,7 +35,7 @@ def actuator_sheet(book: Book, machine: Sized) -> None:
         draw(sheet)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         sheet.heading("What to enter, continued")
-        motion(sheet, machine)
+        motion(sheet, machine, rows)
         gears_table(sheet, e.gears, sizes.gears, "actuator.gears")
         parts_table(sheet, e.parts, machine.parts, chain, e.method, sizes.rotors, "actuator.parts")
         workings(sheet, machine)
@@ -162,6 +164,7 @@ SHAFTS = (
     '"row "&MATCH(MAX([@parts.on]),[@parts.on],0)&": behind "&ROUND(MAX([@parts.on]),9)&" gears, of "'
     "&COUNT([@gears.ratio])"
 )
+BACK = '"a law moves backwards: see its sheet, or Laws"'
 HOT = 'ROUND(MAX(@temp,@temp_rated),9)&" °C; expected less than the limit, "&ROUND(@temp_limit,9)&" °C"'
 SIZE = "IF(@no=1,@turns,@diameter)"
 
@@ -172,8 +175,9 @@ def verdicts(sheet: Sheet, machine: Sized) -> None:
     cool = "AND(@temp<@temp_limit,@temp_rated<@temp_limit)"
     sheet.checks(
         *limit_checks(machine.reserve, "", "@rated_left", "continuous torque", "derated by the temperature"),
+        room_check("@ok_pieces", AT),
         check("@ok_rises", "The laws never move backwards", rises, True,
-              "an own law may not, or driving and braking mix", ":rises", '"the own law moves backwards"'),
+              "an own law may not, or driving and braking mix", ":rises", BACK),
         check("@ok_shafts", "Every part turns behind a gear that is there",
               "MAX([@parts.on])<=COUNT([@gears.ratio])", True, "", "actuator:shafts", SHAFTS),
         check("@ok_temp", "The motor is cooler than its limit", cool, True, "", "actuator.motor:cool", HOT),

@@ -8,7 +8,10 @@ from workbook.book.rows import filled
 from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.actuator.view import Sized
+from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.pieces import phase_columns
 
+AT = Cells("phases", "act_pieces", "act_pieces_all", "act_time", "act_eps", x="s")
 FILL = (
     "Phases of the motion: fill one row each, in order; S4's profile of thirds is TVP, "
     "its break points stand on the sheet TVP"
@@ -20,7 +23,7 @@ PARTS = (
 )
 
 
-def motion(sheet: Sheet, machine: Sized) -> None:
+def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
     """Declare the phases: what is entered, what each asks for, and to the right the workings."""
     n, entered, phases, sides = machine.sizes.phases, machine.given.phases, machine.phases, machine.sides
     laws, lifts = [p.law for p in entered], [p.lift for p in entered]
@@ -43,7 +46,7 @@ def motion(sheet: Sheet, machine: Sized) -> None:
                  f"=INDEX([extremes.torque],3*([k]-1)+{j + 1})", torques[j], scale=sides.torque, source=source)
           for j, (name, words, symbol, source) in enumerate(PARTS)),
         constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
+        calc("no", "law number", "", "", joined.LAW_NUMBER, filled(machine.numbers, n, 1), format="0"),
         calc("h", "lift used", "h", "",
              "=[lift]*@unit", filled([p.lift for p in phases], n), scale=sides.lift, source="in m, or rad"),
         calc("span", "duration used", "t", "s",
@@ -51,8 +54,6 @@ def motion(sheet: Sheet, machine: Sized) -> None:
         calc("begin", "begins at", "", "s",
              '=IF([kind]="spare",2*@time,IF([k]=1,0,[begin-1]+[span-1]))',
              filled(moved.edges[:-1], n, total + total), scale=total, source="spare rows: out of reach"),
-        calc("share", "begins at, of the cycle", "", "",
-             "=[begin]/@time", filled(moved.shares, n, 2.0), source="what a sample looks up"),
         calc("y0", "position at its begin", "x_0", "",
              "=IF([k]=1,0,[y0-1]+[h-1])", filled(moved.at(moved.edges[:-1]).y, n, moved.lifts_sum), scale=sides.lift,
              source="lifts before, in m or rad"),
@@ -62,6 +63,7 @@ def motion(sheet: Sheet, machine: Sized) -> None:
              '=IF([kind]="spare",0,SIGN([h]))', machine.of_moves(lambda move: move.direction), format="0"),
         calc("base", "resists", "", "N or Nm",
              '=IF([kind]="spare",0,IF([dir]=0,@hold,@steady+@rubbing*[dir]))', resists(machine), scale=sides.force),
+        *phase_columns(AT, rows),
         rules=[AT_REST],
     )  # fmt: skip
 

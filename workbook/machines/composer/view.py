@@ -17,12 +17,18 @@ class Composition:
     """The engine's view of a composed motion, in the units entered."""
 
     def __init__(self, machine: MotionComposer, library: dict[str, Law]) -> None:
+        self.laws = machine.laws
         self.given, self.sizes = machine.motion, machine.sizes
         phases = [Phase(library[p.law], p.lift, p.duration) for p in self.given.phases]
         self.motion = Motion(phases, position=self.given.position)
         self.repeats = self.given.cycle == "closes"
         self.axis = Axis("motion", self.motion, feed=not self.repeats)
         self.junctions = self.motion.junctions(periodic=self.repeats)
+
+    @property
+    def room(self) -> int:
+        """Rows of the table of pieces."""
+        return self.sizes.motion_pieces or 0
 
     @cached_property
     def abscissa(self) -> Array:

@@ -13,7 +13,8 @@ from workbook.entries.machine import Machine
 from workbook.entries.phase import resting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
-from workbook.laws.entries import LawCode
+from workbook.laws.entries import LawName
+from workbook.motion.room import WIDEST, settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 TURN = 360.0  # degrees
@@ -25,7 +26,7 @@ class Phase(Model):
     start: Angle
     stop: Angle
     lift: Number = 0.0
-    law: LawCode = "DWL"
+    law: LawName = "DWL"
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a dwell that is to lift."""
@@ -118,9 +119,10 @@ class CuttingMachine(Machine):
         for path, filled, room in (
             *((f"timing.axes.{i}.phases", len(a.phases), self.sizes.phases) for i, a in enumerate(self.timing.axes)),
             ("drive.rotors", len(self.drive.rotors), self.sizes.rotors),
-            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces),
         ):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
+        laws = {f"timing.axes.{i}.phases": [p.law for p in axis.phases] for i, axis in enumerate(self.timing.axes)}
+        settle(self, laws, self.sizes.phases + WIDEST)
         return self

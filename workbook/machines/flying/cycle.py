@@ -5,7 +5,6 @@ from __future__ import annotations
 from workbook.book.declare import Book, calc, constant, result
 from workbook.entries.units import DEGREE, MM, RPM, shown
 from workbook.laws import sampling
-from workbook.laws.stack import CODES
 from workbook.machines.flying.view import Flying
 
 PART = "=IF([t]>=fly_tr-fly_eps,3,IF(AND([t]>fly_stop+fly_eps,[t]<fly_stop+fly_wait-fly_eps),2,1))"
@@ -16,7 +15,7 @@ def cycle_sheet(book: Book, machine: Flying, pieces: sampling.Pieces) -> None:
     sheet = book.sheet("Cycle", "The tool over one cycle: it re-positions first, then works at line speed.")
     cut, at, shaft, t, scale = machine.cut, machine.samples, machine.shaft, machine.times, machine.scales
     part, waited, xi = cut.state(t)
-    number, mm = CODES.index(machine.given.law) + 1, shown(scale.length, MM)
+    number, mm = pieces.number(machine.law), shown(scale.length, MM)
     law = dict(zip("sva", machine.law.evaluate(xi), strict=False))
     sheet.row += 1
     sheet.table(

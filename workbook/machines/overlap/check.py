@@ -10,29 +10,30 @@ from workbook.laws.registry import RISING
 from workbook.machines.overlap.entries import LEAST, TURN, IndexingOverlap
 from workbook.machines.overlap.view import Overlapping, Station
 
+BACKWARDS = "a law moves backwards: see its sheet, or Laws"
+
 
 def check(machine: IndexingOverlap) -> None:
-    """Raise DesignError where the own law cannot be inverted, or a tool's schedule takes more than a turn."""
+    """Raise DesignError where a law cannot be inverted, or a tool's schedule takes more than a turn."""
     require_rising(machine)
     for station in Overlapping(machine, laws(machine.laws, machine.sizes.own_law)).stations:
         require_one_turn(station)
 
 
 def require_rising(machine: IndexingOverlap) -> None:
-    """Raise DesignError where a motion has the own law, and that moves backwards or does not end at 1."""
+    """Raise DesignError where a motion has a law that moves backwards or does not end at 1."""
     given = machine.overlap
     used = {"transfer.law": given.transfer.law}
     for i, tool in enumerate(given.tools):
         used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
-    entry = next((entry for entry, code in used.items() if code == "OWN"), None)
-    if entry is None:
-        return
-    own = laws(machine.laws, machine.sizes.own_law)["OWN"]
-    if not is_monotone(own):
-        raise DesignError(f"overlap.{entry}", "the own law moves backwards", "rises", RISING[0])
-    if abs(own.end.s - 1) > END_TOLERANCE:
-        message = f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
-        raise DesignError(f"overlap.{entry}", message, "reaches", RISING[0])
+    library = laws(machine.laws, machine.sizes.own_law)
+    for entry, name in used.items():
+        law = library[name]
+        if not is_monotone(law):
+            raise DesignError(f"overlap.{entry}", BACKWARDS, "rises", RISING[0])
+        if abs(law.end.s - 1) > END_TOLERANCE:
+            said = f"the law {name} ends at s = {law.end.s:g}; expected a law that ends at 1"
+            raise DesignError(f"overlap.{entry}", said, "reaches", RISING[0])
 
 
 def require_one_turn(station: Station) -> None:

@@ -12,7 +12,6 @@ from engine.overlap.picture import LANE_SHARE, lane
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
-from workbook.laws.stack import CODES
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
 
@@ -43,13 +42,14 @@ class AtAngles:
         given, library = self.station.given, self.station.machine.library
         codes = np.array(["DWL", given.law_out, "DWL", given.law_in])
         since, part, xi = self.state
-        numbers = np.array([CODES.index(code) + 1 for code in codes])[part - 1]
+        names = [*library]
+        numbers = np.array([names.index(code) + 1 for code in codes])[part - 1]
         found = np.empty((3, len(xi)))
         values = {d: np.empty(len(xi)) for d in "sa"}
         for number in np.unique(numbers):
             here = numbers == number
             found[:, here] = self.pieces.locate(int(number), xi[here])
-            at = library[CODES[number - 1]].evaluate(xi[here])
+            at = library[names[number - 1]].evaluate(xi[here])
             values["s"][here], values["a"][here] = at.s, at.a
         row_in, row_out = self.station.law_rows
         q, u, x = found
@@ -81,7 +81,8 @@ class AtAngles:
 
 def transfer_columns(machine: Overlapping, theta: Array, pieces: sampling.Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
-    moved, number, angle = machine.transfer, CODES.index(machine.given.transfer.law) + 1, si(theta, DEGREE)
+    moved, angle = machine.transfer, si(theta, DEGREE)
+    number = pieces.number(moved.law)
     xi = moved.xi(angle)
     return [
         result("yt", "travel of the transfer", "y_t", "mm",

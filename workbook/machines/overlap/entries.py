@@ -10,8 +10,8 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
-from workbook.entries.types import Angle, DesignError, EntryError, Model, NotNegative, Positive
-from workbook.laws.entries import RiseCode
+from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
+from workbook.laws.entries import RisingLaw
 
 MOST_TOOLS = 6
 TURN = 360.0
@@ -24,7 +24,7 @@ class TransferEntry(Model):
     """The motion that brings the part."""
 
     name: Name
-    law: RiseCode
+    law: RisingLaw
     stroke: Positive  # mm
     angle: PartAngle  # degrees of the master shaft
 
@@ -49,8 +49,8 @@ class ToolEntry(Model):
     """A motion that enters when the part is there, and is out before the next transfer."""
 
     name: Name
-    law_in: RiseCode
-    law_out: RiseCode
+    law_in: RisingLaw
+    law_out: RisingLaw
     stroke: Positive  # mm
     dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
     angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
@@ -97,7 +97,4 @@ class IndexingOverlap(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        filled, room = len(self.laws.OWN.pieces), self.sizes.pieces
-        if filled > room:
-            raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
         return self

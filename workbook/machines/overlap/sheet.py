@@ -86,7 +86,8 @@ def entries(sheet: Sheet, machine: Overlapping) -> None:
         given("overlap_rate", "Production rate", "N", "pieces/h",
               e.rate, "overlap.rate", format="0.0##", source="one piece a turn of the master shaft; S2: 2000"),
         given("overlap_transfer", "Transfer", "", "", t.name, "overlap.transfer.name"),
-        given("overlap_law", "its law", "", "", t.law, "overlap.transfer.law", source="S2: cycloidal, CIC"),
+        given("overlap_law", "its law", "", "",
+              t.law, "overlap.transfer.law", choices="=law_code", source="S2: cycloidal, CIC"),
         given("overlap_pitch", "its stroke", "h_t", "mm",
               t.stroke, "overlap.transfer.stroke", format="0.0##", source="S2: 100 mm"),
         given("overlap_angle", "its angle", "B_t", "°",
@@ -103,7 +104,7 @@ def rising() -> Quantity:
         True,
         "only a law that rises throughout can be inverted",
         ":rises",
-        '"the own law moves backwards"',
+        '"a law moves backwards: see its sheet, or Laws"',
     )
 
 
