@@ -268,6 +268,8 @@ class Book:
     limit: Callable[[str], Limit | None] = lambda key: None
     """the limits of the entry at a key of the description, if it has any"""
     guards: list[Guard] = field(default_factory=list)
+    keyed: set[str] = field(default_factory=set)
+    """columns ``table.column`` of keys 2 · number + share, of which a look-up reads those of its number alone"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
         """Add a sheet behind the ones that are there."""

@@ -31,6 +31,9 @@ class Word(NamedTuple):
     value: Any
 
 
+TWICE = Word("number", 2.0)
+
+
 def together(arguments: list[list[Any]]) -> list[Any]:
     """Return the words of several arguments."""
     return [word for argument in arguments for word in argument]
@@ -47,6 +50,7 @@ class Dependence:
         self._by_area: dict[str, dict[Area, list[Address]]] = defaultdict(lambda: defaultdict(list))
         self._known: dict[Address, frozenset[Area]] = {}
         self._titles = {sheet.title for sheet in book.sheets}
+        self._keyed = {self._column(*name.split(".")) for name in book.keyed}
         readers = {sheet.title: Formulas(sheet.title, self._area) for sheet in book.sheets}
         for cell in book.cells():
             title = cell.block.sheet.title
@@ -98,6 +102,8 @@ class Dependence:
                     yield node.value
             elif node.name == "INDEX" and len(node.arguments) == 2:
                 yield from self._indexed(*node.arguments)
+            elif node.name == "MATCH" and len(node.arguments) == 3:
+                yield from self._matched(*node.arguments[:2])
             elif node.name == "IF" and len(node.arguments) == 3:
                 condition, *branches = node.arguments
                 truth = self._truth(condition)
@@ -120,6 +126,18 @@ class Dependence:
             yield area._replace(top=area.top + row - 1, bottom=area.top + row - 1)
         else:
             yield from self._used(place)
+
+    def _matched(self, key: list[Any], place: list[Any]) -> Iterator[Area]:
+        """Yield what a look-up reads: in a column of keys 2 · number + share those of its number."""
+        yield from self._used(key)
+        area = place[0].value if len(place) == 1 and isinstance(place[0], Word) else None
+        number = self._value(key[2:3]) if len(key) > 2 and key[0] == TWICE else None
+        if area not in self._keyed or not isinstance(number, int):
+            yield from self._used(place)
+            return
+        rows = [i for i, cell in enumerate(area.cells()) if number <= self._values[cell] / 2 < number + 1]
+        if rows:
+            yield area._replace(top=area.top + rows[0], bottom=area.top + rows[-1])
 
     def _value(self, nodes: list[Any]) -> Any:
         """Return what a plain word stands for, or None; a whole number as one."""
@@ -165,8 +183,12 @@ class Dependence:
         if name in book.blocks:
             block = book.blocks[name]
             return placed(block, block.column, len(block.quantities))
-        table, column = book.column_names[name]
-        return placed(book.blocks[table], book.blocks[table].columns[column], 1)
+        return self._column(*book.column_names[name])
+
+    def _column(self, table: str, column: str) -> Area:
+        """Return the area of a column of a table."""
+        block = self._book.blocks[table]
+        return placed(block, block.columns[column], 1)
 
 
 def placed(block: Block, column: int, columns: int) -> Area:
