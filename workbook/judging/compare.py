@@ -7,7 +7,6 @@ from typing import Any
 
 from workbook.book.sentence import Sentence
 
-ERRORS = frozenset(("#N/A", "#VALUE!", "#REF!", "#DIV/0!", "#NUM!", "#NAME?", "#NULL!", "#CYCLE!"))
 TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
 
 
