@@ -16,8 +16,9 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
     source = machine or TEMPLATES["cutting-machine"].description
     target = output or Path(f"{source.stem}.xlsx")
     with ERR.status(shown(f"Building {target} …")):
-        making.build(making.described(source, motors, reducers), target, overwrite=force)
+        failing = making.build(making.described(source, motors, reducers), target, overwrite=force)
     say(OUT, f"Built {target.absolute()}")
+    show_failing(failing)
 
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:
@@ -36,9 +37,10 @@ def regenerate(book: Path, output: Path, force: bool) -> None:
     """Build a workbook anew from what was entered into an old one."""
     with ERR.status(shown(f"Regenerating {book} …")):
         machine, notes = making.inputs(book)
-        making.build(machine, output, overwrite=force)
+        failing = making.build(machine, output, overwrite=force)
     show_notes(notes)
     say(OUT, f"Built {output.absolute()}")
+    show_failing(failing)
 
 
 def templates(check: bool) -> int:
@@ -53,6 +55,12 @@ def templates(check: bool) -> int:
     if check and not stale:
         OUT.print(f"{len(making.committed())} workbooks up to date")
     return DISAGREES if stale else AGREES
+
+
+def show_failing(failing: list[str]) -> None:
+    """Print the machine's own checks that do not hold."""
+    for check in failing:
+        say(ERR, f"FAIL  {check}", "yellow")
 
 
 def show_notes(notes: list[str]) -> None:

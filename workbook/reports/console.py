@@ -44,7 +44,9 @@ def report_data(report: Report) -> dict[str, Any]:
 
 def checks_data(report: Report) -> dict[str, Any]:
     """Return the machine's own verdict as JSON's object."""
-    failing = [{"sheet": c.sheet, "cell": c.cell, "what": c.what, "found": c.found} for c in report.failing]
+    failing = [
+        {"sheet": c.sheet, "cell": c.cell, "what": c.what, "found": c.found, "says": c.says} for c in report.failing
+    ]
     return {"holds": report.holds, "all": len(report.checks), "failing": failing, "unfinished": report.unfinished}
 
 
@@ -95,7 +97,7 @@ def verdict(report: Report) -> list[str]:
     said = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
     lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
     lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {said}.")
-    lines += [f"FAIL  {c.sheet}!{c.cell}  {c.what}" for c in report.failing[:MOST]]
+    lines += [c.line for c in report.failing[:MOST]]
     if len(report.failing) > MOST:
         lines.append(f"… and {len(report.failing) - MOST} more")
     return [*lines, f"The machine's own checks: {own_verdict(report)}."]

@@ -92,7 +92,7 @@ def worst(outcome: Outcome) -> list[str]:
     if outcome.report is None:
         return []
     found = [line(finding) for finding in outcome.report.findings]
-    found += [f"{c.sheet}!{c.cell} ({c.what}): {c.found}" for c in outcome.report.failing]
+    found += [check.line for check in outcome.report.failing]
     lines = [f"{outcome.path}: {text}" for text in found[:WORST]]
     more = len(found) - WORST
     return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines
