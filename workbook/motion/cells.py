@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
@@ -53,6 +53,22 @@ class Cells:
     def unit(self, order: int) -> str:
         """Return the unit of a derivative of the motion."""
         return f"{self.y}/{self.x}{RAISED[order]}" if order and self.x else self.y
+
+
+class Part(Protocol):
+    """A part of a motion: its law, the first piece that it has of it (from 0), and 1/δ."""
+
+    @property
+    def law(self) -> Law:
+        """The law."""
+
+    @property
+    def first(self) -> int:
+        """The number of its first piece."""
+
+    @property
+    def rate(self) -> float:
+        """1/δ."""
 
 
 class Found(NamedTuple):
@@ -101,6 +117,14 @@ class PieceRows:
 def number_of(law: Law) -> int:
     """Return the number of a law in its book."""
     return 1 if isinstance(law, Dwell) else CODES.index(law.code) + 1
+
+
+def rows_of_parts(parts: Sequence[Part], pieces: Sequence[MotionPiece], stack: Pieces, end: float) -> PieceRows:
+    """Return the pieces of a motion of parts, from 0 to its ``end``; each part may begin with any piece of its law."""
+    starts = [stack.first[number_of(part.law)] for part in parts]
+    firsts = [start + part.first for start, part in zip(starts, parts, strict=True)]
+    rows = [starts[piece.phase] + piece.number for piece in pieces]
+    return PieceRows(pieces, rows, firsts, [part.rate for part in parts], 0.0, end)
 
 
 def rows_of(motion: Motion, stack: Pieces, room: int) -> PieceRows:

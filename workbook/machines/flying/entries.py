@@ -9,9 +9,11 @@ from pydantic import Field, model_validator
 from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RiseCode
+from workbook.motion.room import WIDEST, settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
+MORE = 3  # pieces of the tool's motion beside the law's: a wait, the piece that it interrupts, the work
 
 
 class DrumEntry(Model):
@@ -111,4 +113,5 @@ class FlyingCutter(Machine):
         if filled > room:
             raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
         require_room(self.selection, self.sizes)
+        settle(self, {"cutter.law": [self.cutter.law]}, WIDEST + MORE, MORE)
         return self

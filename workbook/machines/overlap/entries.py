@@ -10,9 +10,11 @@ from workbook.entries.machine import Machine, Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive
 from workbook.laws.entries import RiseCode
+from workbook.motion.room import WIDEST, settle
 
 MOST_TOOLS = 6
 TURN = 360.0
+REST = 2  # pieces of a motion beside those of its laws: a tool's dwell and its rest
 Name = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), LOOKED_UP]
 LEAST = 0.01  # degrees: no cam moves in less
 PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
@@ -92,6 +94,8 @@ class IndexingOverlap(Machine):
             raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
         for i, tool in enumerate(self.overlap.tools):
             self._leaves_angles(f"overlap.tools.{i}", tool)
+        tools = {f"overlap.tools.{i}.law_in": [t.law_in, t.law_out] for i, t in enumerate(self.overlap.tools)}
+        settle(self, tools | {"overlap.transfer.law": [self.overlap.transfer.law]}, REST + WIDEST + WIDEST, REST)
         return self
 
     def _leaves_angles(self, key: str, tool: ToolEntry) -> None:
