@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from workbook.entries.texts import Text
-from workbook.entries.types import Model
-from workbook.laws.entries import Laws
+from workbook.entries.types import EntryError, Model
+from workbook.laws.entries import Laws, key_of, resolve
 
 
 class Sizes(Model):
@@ -28,5 +28,14 @@ class Machine(Model):
 
     template: str
     title: Text
-    laws: Laws = Laws()
+    laws: Laws = Laws({})
     sizes: Sizes = Sizes()
+
+    @model_validator(mode="after")
+    def _named(self) -> Self:
+        resolve(self, self.laws)
+        for name, own in self.laws.of("OWN").items():
+            if len(own.pieces) > self.sizes.pieces:
+                key = f"laws.{key_of(name)}.pieces"
+                raise EntryError(key, f"{len(own.pieces)} rows do not fit into {self.sizes.pieces}; raise sizes.pieces")
+        return self

@@ -7,13 +7,13 @@ from typing import Self
 from pydantic import model_validator
 
 from workbook.entries.types import EntryError, Model, Number, Positive
-from workbook.laws.entries import LawCode
+from workbook.laws.entries import LawName
 
 
 class PhaseEntry(Model):
     """One phase: a law, carried out over a lift in a duration, in the units of the motion."""
 
-    law: LawCode = "DWL"
+    law: LawName = "DWL"
     lift: Number = 0.0
     duration: Positive
 

@@ -20,7 +20,9 @@ def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
     kind: Any = model
     constraints: list[Any] = []
     for part in filter(None, key.split(".")):
-        if part == "*" or part.isdigit():
+        if hasattr(kind, "entry_at"):
+            kind, constraints = kind.entry_at(part), []
+        elif part == "*" or part.isdigit():
             kind, constraints = unwrap(get_args(kind)[0], [])
         else:
             kind, constraints = unwrap(kind.model_fields[part].annotation, kind.model_fields[part].metadata)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from workbook.book.rows import filled
-from workbook.laws.stack import CODES
+from workbook.laws.entries import Laws
 
 LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
 CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
@@ -29,6 +29,6 @@ def kinds(laws: Sequence[str], lifts: Sequence[float], rows: int) -> list[str]:
     return filled(used, rows, "spare")
 
 
-def law_numbers(laws: Sequence[str], rows: int) -> list[int]:
+def law_numbers(names: Sequence[str], laws: Laws, rows: int) -> list[int]:
     """Return the number of each phase's law, with the spare rows filled up."""
-    return filled([CODES.index(law) + 1 for law in laws], rows, 1)
+    return filled([laws.number(name) for name in names], rows, 1)

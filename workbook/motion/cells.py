@@ -15,7 +15,6 @@ from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, located, motion_pieces
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
-from workbook.laws.stack import CODES
 
 RAISED = ("", "", "²", "³", "⁴", "⁵", "⁶", "⁷")
 
@@ -83,11 +82,13 @@ class Found(NamedTuple):
 class PieceRows:
     """The engine's pieces of a motion, each with its row in the stack of all laws' pieces.
 
-    ``firsts`` and ``rates`` are, for each row of phases, the row of its law's first piece, and 1/δ (0 of a spare row).
+    ``numbers``, ``firsts`` and ``rates`` are, for each row of phases, the number of its law, the row of the first piece
+    that it has of it, and 1/δ (0 of a spare row).
     """
 
     pieces: Sequence[MotionPiece]
     rows: Sequence[int]
+    numbers: Sequence[int]
     firsts: Sequence[int]
     rates: Sequence[float]
     begin: float
@@ -114,23 +115,25 @@ class PieceRows:
         return Found((place.piece + 1).astype(float), place.u, place.angle)
 
 
-def number_of(law: Law) -> int:
-    """Return the number of a law in its book."""
-    return 1 if isinstance(law, Dwell) else CODES.index(law.code) + 1
+def number_of(stack: Pieces, law: Law) -> int:
+    """Return the number of a law in its book, which has one dwell."""
+    return 1 if isinstance(law, Dwell) else stack.number(law)
 
 
 def rows_of_parts(parts: Sequence[Part], pieces: Sequence[MotionPiece], stack: Pieces, end: float) -> PieceRows:
     """Return the pieces of a motion of parts, from 0 to its ``end``; each part may begin with any piece of its law."""
-    starts = [stack.first[number_of(part.law)] for part in parts]
+    numbers = [number_of(stack, part.law) for part in parts]
+    starts = [stack.first[number] for number in numbers]
     firsts = [start + part.first for start, part in zip(starts, parts, strict=True)]
     rows = [starts[piece.phase] + piece.number for piece in pieces]
-    return PieceRows(pieces, rows, firsts, [part.rate for part in parts], 0.0, end)
+    return PieceRows(pieces, rows, numbers, firsts, [part.rate for part in parts], 0.0, end)
 
 
 def rows_of(motion: Motion, stack: Pieces, room: int) -> PieceRows:
     """Return the pieces of a motion; ``room`` is the number of rows of its phases, spare ones of a dwell."""
     pieces = motion_pieces(motion)
-    firsts = filled((stack.first[number_of(phase.law)] for phase in motion.phases), room, stack.first[1])
+    numbers = filled((number_of(stack, phase.law) for phase in motion.phases), room, 1)
+    firsts = [stack.first[number] for number in numbers]
     rows = [firsts[piece.phase] + piece.number for piece in pieces]
     rates = filled((phase.rate for phase in motion.phases), room)
-    return PieceRows(pieces, rows, firsts, rates, *motion.edges[[0, -1]].tolist())
+    return PieceRows(pieces, rows, numbers, firsts, rates, *motion.edges[[0, -1]].tolist())

@@ -13,12 +13,13 @@ SIZES = {"lead screw": "turns"}
 
 
 def check(machine: ActuatorSizing) -> None:
-    """Raise EntryError where the mechanism lacks its size, or a phase has an own law that moves backwards."""
+    """Raise EntryError where the mechanism lacks its size, or a phase has a law that moves backwards."""
     require_size(machine)
-    used = [phase.law for phase in machine.actuator.phases]
-    if "OWN" in used and not is_monotone(laws(machine.laws, machine.sizes.own_law)["OWN"]):
-        message = "the own law moves backwards; expected a law that rises throughout"
-        raise EntryError(f"actuator.phases.{used.index('OWN')}.law", message)
+    used, library = [phase.law for phase in machine.actuator.phases], laws(machine.laws, machine.sizes.own_law)
+    for name in dict.fromkeys(used):
+        if not is_monotone(library[name]):
+            message = f"the law {name} moves backwards; expected a law that rises throughout"
+            raise EntryError(f"actuator.phases.{used.index(name)}.law", message)
 
 
 def require_size(machine: ActuatorSizing) -> None:

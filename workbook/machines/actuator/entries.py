@@ -10,7 +10,7 @@ from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
-from workbook.motion.room import WIDEST, settle
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
@@ -96,12 +96,11 @@ class ActuatorSizing(Machine):
             ("actuator.gears", len(a.gears), self.sizes.gears, "gears"),
             ("actuator.parts", len(a.parts), self.sizes.rotors, "rotors"),
             ("actuator.phases", len(a.phases), self.sizes.phases, "phases"),
-            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces, "pieces"),
         ):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")
         require_room(self.selection, self.sizes)
-        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases + WIDEST)
+        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases)
         for i, part in enumerate(a.parts):
             if part.shaft > len(a.gears):
                 expected = f"0 to {len(a.gears)}, the number of gears"

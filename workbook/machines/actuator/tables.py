@@ -45,7 +45,7 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
                  f"=INDEX([extremes.torque],3*([k]-1)+{j + 1})", torques[j], scale=sides.torque, source=source)
           for j, (name, words, symbol, source) in enumerate(PARTS)),
         constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
+        calc("no", "law number", "", "", joined.LAW_NUMBER, filled(machine.numbers, n, 1), format="0"),
         calc("h", "lift used", "h", "",
              "=[lift]*@unit", filled([p.lift for p in phases], n), scale=sides.lift, source="in m, or rad"),
         calc("span", "duration used", "t", "s",

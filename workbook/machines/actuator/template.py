@@ -52,7 +52,7 @@ def declare(given: ActuatorSizing) -> Book:
     rows = rows_of(view.sizing.motion, shelf.stack, given.sizes.phases)
     actuator_sheet(book, view, rows)
     cycle_sheet(book, view, rows)
-    rms_sheet(book, view, shelf.laws)
+    rms_sheet(book, view, shelf.named)
     selection_sheet(book, LOAD, choosing(view, given))
     printed_sheet(book, view)
     shelf.sheets(book)

@@ -161,7 +161,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         result("rms", "RMS acceleration", "y''rms", PER2,
                f"={joined.RMS}", of(p.y2_rms for p in moved), scale=a, source="C_a,rms h/δ²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
+        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, machine.laws, n), format="0"),
         calc("h", "lift used", "h", "lift",
              '=IF([kind]="spare",0,[lift]+0)', of(lifts), scale=h, source="0 if empty"),
         calc("span", "duration used", "δ", "x",

@@ -10,8 +10,8 @@ from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, EntryError, Model, Number, Positive
-from workbook.laws.entries import LawCode
-from workbook.motion.room import WIDEST, settle
+from workbook.laws.entries import LawName
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 
@@ -21,7 +21,7 @@ class Phase(Model):
     start: Angle
     stop: Angle
     lift: Number = 0.0
-    law: LawCode = "DWL"
+    law: LawName = "DWL"
 
     @model_validator(mode="after")
     def _forward(self) -> Self:
@@ -83,11 +83,10 @@ class CuttingMachine(Machine):
         for path, filled, room in (
             *((f"timing.axes.{i}.phases", len(a.phases), self.sizes.phases) for i, a in enumerate(self.timing.axes)),
             ("drive.rotors", len(self.drive.rotors), self.sizes.rotors),
-            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces),
         ):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
         laws = {f"timing.axes.{i}.phases": [p.law for p in axis.phases] for i, axis in enumerate(self.timing.axes)}
-        settle(self, laws, self.sizes.phases + WIDEST)
+        settle(self, laws, self.sizes.phases)
         return self

@@ -8,8 +8,8 @@ from pydantic import Field, model_validator
 
 from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
-from workbook.laws.entries import RiseCode
-from workbook.motion.room import WIDEST, settle
+from workbook.laws.entries import RisingLaw
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
@@ -84,7 +84,7 @@ class CutterEntry(Model):
     kind: Literal["drum", "saw"] = "drum"
     line_speed: Positive  # m/min
     product_length: Positive  # mm
-    law: RiseCode
+    law: RisingLaw
     beyond: Literal["standstill", "reversal"] = "standstill"
     drum: DrumEntry
     saw: SawEntry
@@ -109,9 +109,6 @@ class FlyingCutter(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        filled, room = len(self.laws.OWN.pieces), self.sizes.pieces
-        if filled > room:
-            raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
         require_room(self.selection, self.sizes)
-        settle(self, {"cutter.law": [self.cutter.law]}, WIDEST + MORE, MORE)
+        settle(self, {"cutter.law": [self.cutter.law]}, MORE, more=MORE)
         return self

@@ -7,7 +7,7 @@ from workbook.book.declare import Sheet, calc, constant
 from workbook.laws import sampling
 from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import Flying
-from workbook.motion.cells import Cells, PieceRows, number_of, rows_of_parts
+from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, phase_table_columns, pieces_in_all, pieces_table
 from workbook.motion.stack import last_before
 
@@ -36,11 +36,10 @@ def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces)
 def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
     """Declare where the law is at its fastest, and so the tool where it waits."""
     at, law = machine.xi_fastest, machine.law
-    number = number_of(law)
     sheet.table(
         "standing", "The law where it is fastest", 1,
         calc("xi", "abscissa", "ξ_v", "", "=fly_peak", at),
-        *sampling.finding("fly_no", "xi", stack.locate(number, at)),
+        *sampling.finding("fly_no", "xi", stack.locate(machine.number, at)),
         *sampling.columns({"s": law.s(at)}, "s"),
     )  # fmt: skip
 

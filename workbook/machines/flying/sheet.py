@@ -5,7 +5,6 @@ from __future__ import annotations
 from engine.flying import LONGER, SAME_LENGTH, Beyond
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
-from workbook.laws.stack import CODES
 from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
@@ -51,7 +50,7 @@ def entries(sheet: Sheet, machine: Flying) -> None:
               e.product_length, "cutter.product_length", **plain, source="one product a cycle"),
         given("fly_line", "Line speed", "v_L", "m/min", e.line_speed, "cutter.line_speed", **plain),
         given("fly_law", "Law of the superimposed motion", "", "",
-              e.law, "cutter.law", align="center", source="ACS, TVP, CIC, CUB, MTP or OWN: see Laws"),
+              e.law, "cutter.law", choices="=law_code", align="center", source="of those on the sheet Laws"),
         given("fly_kind", "Kind of machine", "", "",
               e.kind, "cutter.kind", align="center", source="its tools go round, or its slide comes back"),
         given("fly_tools", "Drum: number of tools", "n", "", drum.tools, "cutter.drum.tools", format="0"),
@@ -234,7 +233,7 @@ def strategies(sheet: Sheet, machine: Flying) -> None:
 def workings(sheet: Sheet, machine: Flying) -> None:
     """Declare the way from the entries to the motion, as S5 goes it."""
     cut, tool, law, s = machine.cut, machine.tool, machine.law.coefficients, machine.scales
-    number, mm, turn = CODES.index(machine.given.law) + 1, shown(s.length, MM), 360.0
+    number, mm, turn = machine.number, shown(s.length, MM), 360.0
     lengths = (tool.design_length, tool.tool_length, tool.repositioning_length)
     pitch, sync, back = (shown(tool.angle(length), DEGREE) for length in lengths)
     sheet.heading("Workings")

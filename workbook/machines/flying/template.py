@@ -57,7 +57,7 @@ def declare(given: FlyingCutter) -> Book:
     lengths_sheet(book, view)
     cycle_sheet(book, view, rows_of(view, shelf.stack), shelf.stack)
     selection_sheet(book, LOAD, choosing(view, given))
-    turning_sheet(book, view, shelf.stack)
+    turning_sheet(book, view, shelf.named, shelf.stack)
     shelf.sheets(book)
     return finish(book, "Flying machining", ("S5", "S1", "S3"))
 

@@ -56,6 +56,7 @@ class Flying:
     def __init__(self, machine: FlyingCutter, library: dict[str, Law]) -> None:
         self.given, self.sizes, self.library = machine.cutter, machine.sizes, library
         self.tool, self.law = tool_of(self.given), library[self.given.law]
+        self.number = machine.laws.number(self.given.law)
         self.line = si(self.given.line_speed, PER_MINUTE)
         load = self.given.load
         self.load = Load(self.tool.load_inertia(load.inertia, load.mass), load.torque)

@@ -10,27 +10,27 @@ from workbook.machines.overlap.view import Overlapping, Station
 
 
 def check(machine: IndexingOverlap) -> None:
-    """Raise EntryError where the own law cannot be inverted, or a tool's schedule takes more than a turn."""
+    """Raise EntryError where a law cannot be inverted, or a tool's schedule takes more than a turn."""
     require_rising(machine)
     for station in Overlapping(machine, laws(machine.laws, machine.sizes.own_law)).stations:
         require_one_turn(station)
 
 
 def require_rising(machine: IndexingOverlap) -> None:
-    """Raise EntryError where a motion has the own law, and that moves backwards or does not end at 1."""
+    """Raise EntryError where a motion has a law that moves backwards or does not end at 1."""
     given = machine.overlap
     used = {"transfer.law": given.transfer.law}
     for i, tool in enumerate(given.tools):
         used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
-    entry = next((entry for entry, code in used.items() if code == "OWN"), None)
-    if entry is None:
-        return
-    own = laws(machine.laws, machine.sizes.own_law)["OWN"]
-    if not is_monotone(own):
-        raise EntryError(f"overlap.{entry}", "the own law moves backwards; expected a law that rises throughout")
-    if abs(own.end.s - 1) > END_TOLERANCE:
-        message = f"the own law ends at s = {own.end.s:g}; expected a law that ends at 1"
-        raise EntryError(f"overlap.{entry}", message)
+    library = laws(machine.laws, machine.sizes.own_law)
+    for entry, name in used.items():
+        law, fault = library[name], ""
+        if not is_monotone(law):
+            fault = "moves backwards; expected a law that rises throughout"
+        elif abs(law.end.s - 1) > END_TOLERANCE:
+            fault = f"ends at s = {law.end.s:g}; expected a law that ends at 1"
+        if fault:
+            raise EntryError(f"overlap.{entry}", f"the law {name} {fault}")
 
 
 def require_one_turn(station: Station) -> None:

@@ -16,7 +16,7 @@ from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
-from workbook.motion.cells import Cells, PieceRows, number_of, rows_of_parts
+from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, ROOM, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.sampled import derivative, finding
 
@@ -212,7 +212,7 @@ def phases(
         at.phases, title, len(parts),
         constant("what", "phase", "", "", list(names), align="left"),
         constant("k", "row", "k", "", [k for k, _ in enumerate(parts, 1)]),
-        calc("no", "law number", "", "", formulas["no"], [number_of(part.law) for part in parts], format="0"),
+        calc("no", "law number", "", "", formulas["no"], list(rows.numbers), format="0"),
         calc("h", "lift", "h", "m", formulas["h"], [part.h for part in parts], scale=size(0)),
         calc("angle", "duration", "δ", "°", formulas["angle"], degrees, scale=TURN),
         calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),

@@ -9,8 +9,8 @@ from pydantic import Field, model_validator
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive
-from workbook.laws.entries import RiseCode
-from workbook.motion.room import WIDEST, settle
+from workbook.laws.entries import RisingLaw
+from workbook.motion.room import settle
 
 MOST_TOOLS = 6
 TURN = 360.0
@@ -24,7 +24,7 @@ class TransferEntry(Model):
     """The motion that brings the part."""
 
     name: Name
-    law: RiseCode
+    law: RisingLaw
     stroke: Positive  # mm
     angle: PartAngle  # degrees of the master shaft
 
@@ -51,8 +51,8 @@ class ToolEntry(Model):
     """A motion that enters when the part is there, and is out before the next transfer."""
 
     name: Name
-    law_in: RiseCode
-    law_out: RiseCode
+    law_in: RisingLaw
+    law_out: RisingLaw
     stroke: Positive  # mm
     dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
     angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
@@ -89,13 +89,10 @@ class IndexingOverlap(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        filled, room = len(self.laws.OWN.pieces), self.sizes.pieces
-        if filled > room:
-            raise EntryError("laws.OWN.pieces", f"{filled} rows do not fit into {room}; raise sizes.pieces")
         for i, tool in enumerate(self.overlap.tools):
             self._leaves_angles(f"overlap.tools.{i}", tool)
         tools = {f"overlap.tools.{i}.law_in": [t.law_in, t.law_out] for i, t in enumerate(self.overlap.tools)}
-        settle(self, tools | {"overlap.transfer.law": [self.overlap.transfer.law]}, REST + WIDEST + WIDEST, REST)
+        settle(self, tools | {"overlap.transfer.law": [self.overlap.transfer.law]}, REST, at_once=2, more=REST)
         return self
 
     def _leaves_angles(self, key: str, tool: ToolEntry) -> None:

@@ -77,8 +77,10 @@ def entries(sheet: Sheet, station: Station) -> None:
     sheet.rows(*quoting(
         station,
         given("@name", "Tool", "", "", tool.name, f"{key}.name"),
-        given("@law_in", "its law, way in", "", "", tool.law_in, f"{key}.law_in", source="S2: cycloidal, CIC"),
-        given("@law_out", "its law, way out", "", "", tool.law_out, f"{key}.law_out", source="S2: cycloidal, CIC"),
+        given("@law_in", "its law, way in", "", "",
+              tool.law_in, f"{key}.law_in", choices="=law_code", source="S2: cycloidal, CIC"),
+        given("@law_out", "its law, way out", "", "",
+              tool.law_out, f"{key}.law_out", choices="=law_code", source="S2: cycloidal, CIC"),
         given("@stroke", "its stroke", "h_m", "mm", tool.stroke, f"{key}.stroke", format="0.0##", source="S2: 50 mm"),
         given("@dwell", "its dwell at the part", "", "°",
               tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
