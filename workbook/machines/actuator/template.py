@@ -5,6 +5,7 @@ from __future__ import annotations
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.actuator.check import check
 from workbook.machines.actuator.cycle import cycle_sheet
@@ -38,7 +39,7 @@ def declare(given: ActuatorSizing) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     view = Sized(given, shelf.laws)
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     peak, fastest = view.sizing.peak_torque, view.sizing.max_speed
     torque, speed = view.sides.torque, view.sides.motor_speed
     about_sheet(

@@ -8,6 +8,7 @@ from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.composer.view import Composition
 from workbook.motion.cells import Cells, PieceRows
@@ -108,8 +109,6 @@ def checks(sheet: Sheet, machine: Composition) -> None:
     """Declare the checks of the motion."""
     motion = machine.motion
     sheet.checks(
-        check("move_ok_rows", "Every phase lasts", 'COUNTIF([phases.span],">0")=move_count', True,
-              "no phase without a duration"),
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
               "each law reaches its lift"),
@@ -183,6 +182,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         calc("a1", "y'' at end", "", PER2,
              joined.AT_END.format("a1", "^2"), of(end.y2 for end in ends), scale=a),
         *phase_columns(rows),
+        rules=[AT_REST],
     )  # fmt: skip
 
 

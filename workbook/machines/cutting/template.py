@@ -7,6 +7,7 @@ import numpy as np
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.cutting.drive import drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
@@ -36,7 +37,7 @@ def declare(given: CuttingMachine) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     reference = Cutting(given, shelf.laws)
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     movements = reference.diagram.movements(reference.rate)
     names = [axis.name for axis in given.timing.axes]
     greatest = [max((m.a_max for m in movements if m.axis == name), default=0.0) for name in names]

@@ -166,6 +166,11 @@ def load(sheet: Sheet, machine: Flying) -> None:
     )  # fmt: skip
 
 
+SHORT = "ROUND(IF(fly_length<fly_lt*fly_longer,fly_length,fly_short),9)"
+RANGE = '"from "&ROUND(fly_short,9)&" mm to "&ROUND(fly_long,9)&" mm; expected a longest above the shortest"'
+IN_STEP = 'ROUND(fly_tools,9)&" tools in step over "&ROUND(fly_angle,9)&"° each take more than 360°"'
+
+
 def verdicts(sheet: Sheet, machine: Flying) -> None:
     """Declare the checks."""
     holds = machine.holds
@@ -182,12 +187,20 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
               f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none"),
         check("fly_ok_length", "The products leave time to re-position",
-              "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T"),
+              "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T", ":length",
+              f'"a product of "&{SHORT}&" mm; expected at least "&ROUND(fly_lt*fly_longer,9)&" mm"'),
+        check("fly_ok_tools", "A drum has whole tools", f"OR(NOT({IS_DRUM}),fly_tools=INT(fly_tools))", True, "",
+              "cutter:whole", 'ROUND(fly_tools,9)&" tools; expected a whole number"'),
+        check("fly_ok_load", "The shaft has something to move", "fly_inertia+fly_mass>0", True, "",
+              "cutter.load:heavy", '"inertia and mass are 0; expected one of them above"'),
+        check("fly_ok_range", "The range of product lengths rises", "fly_long>fly_short", True, "",
+              "cutter.lengths:ordered", RANGE),
         room_check("fly_ok_pieces", AT),
         check("fly_ok_angle", "The angle in step is less than between the tools",
-              f"OR(NOT({IS_DRUM}),AND(fly_tools>=1,fly_angle*fly_tools<360))", True, "θ_T < θ_0"),
+              f"OR(NOT({IS_DRUM}),fly_angle*fly_tools<360)", True, "θ_T < θ_0", "cutter:angle", IN_STEP),
         check("fly_ok_law", "The law speeds up once and slows down once", f"AND({own},fly_cv>=fly_least_cv)", True,
-              "from rest to rest; S5, 'Motion law parameters'"),
+              "from rest to rest; S5, 'Motion law parameters'", ":law",
+              '"the law "&fly_law&" does not: see its sheet, or Laws"'),
     )  # fmt: skip
 
 

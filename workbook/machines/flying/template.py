@@ -5,6 +5,7 @@ from __future__ import annotations
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.entries.rules import limits
 from workbook.entries.units import PER_MINUTE, RPM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.flying.check import check
@@ -38,7 +39,7 @@ def declare(given: FlyingCutter) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     view = Flying(given, shelf.laws)
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     cut, scale = view.cut, view.scales
     fastest, dw, beta = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration, view.asked(cut).factor
     about_sheet(

@@ -103,6 +103,8 @@ def rising() -> Quantity:
         "OR(COUNTIF([used.no],OWN_no)=0,MIN([own_samples.v])>=0-check_zero)",
         True,
         "only a law that rises throughout can be inverted",
+        ":rises",
+        '"a law moves backwards: see its sheet, or Laws"',
     )
 
 
