@@ -63,7 +63,7 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
              '=IF([kind]="spare",0,SIGN([h]))', machine.of_moves(lambda move: move.direction), format="0"),
         calc("base", "resists", "", "N or Nm",
              '=IF([kind]="spare",0,IF([dir]=0,@hold,@steady+@rubbing*[dir]))', resists(machine), scale=sides.force),
-        *phase_columns(AT, rows),
+        *phase_columns(rows),
         rules=[AT_REST],
     )  # fmt: skip
 

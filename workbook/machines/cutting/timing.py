@@ -19,7 +19,7 @@ from workbook.machines.cutting.entries import Axis
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table, room_check
-from workbook.motion.sampled import derivative, finding
+from workbook.motion.sampled import POSITION, derivative, finding
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
@@ -60,9 +60,9 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     sheet.heading("Table over the cycle")
     cycle(sheet, machine, rows)
     sheet.heading("Workings: the motions as pieces", ABOUT)
-    for i, (axis, of_axis) in enumerate(zip(machine.axes, rows, strict=True), 1):
-        sheet.rows(pieces_in_all(f"axis{i}_count", cells(i), of_axis))
-        pieces_table(sheet, f"Pieces of {axis.name}", cells(i), of_axis, machine.room, axis.motion.size)
+    for axis, of_axis in zip(machine.axes, rows, strict=True):
+        sheet.rows(pieces_in_all(of_axis))
+        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, machine.room, axis.motion.size)
     sheet.print_columns = 17
 
 
@@ -163,7 +163,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
         calc("jump_a", "jump of y''", "Δy''", "m/rad²",
              f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)",
              filled([j.jump_a for j in junctions], n), source="reported, no fault"),
-        *phase_columns(cells(i), rows),
+        *phase_columns(rows),
         rules=[AT_REST],
     )  # fmt: skip
 
@@ -219,12 +219,16 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     """Declare the table over the cycle: results of the three axes, then the workings of each."""
     at = si(machine.angles, DEGREE)
     numbered = list(enumerate(machine.axes, 1))
-    results = [column for i, axis in numbered for column in moved(i, axis, at, machine.speed)]
+    results = [
+        column
+        for (i, axis), found in zip(numbered, rows, strict=True)
+        for column in moved(i, axis, found, at, machine.speed)
+    ]
     lanes = [in_lane(i, axis, at, len(numbered) - i) for i, axis in numbered]
     workings = [
         column
         for (i, axis), found in zip(numbered, rows, strict=True)
-        for column in finding(cells(i), found, "theta", at, f"{axis.name} ", str(i))
+        for column in finding(found, "theta", at, f"{axis.name} ", str(i))
     ]
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(at),
@@ -235,16 +239,16 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     )  # fmt: skip
 
 
-def moved(i: int, axis: engine_timing.Axis, at: Array, speed: float) -> list[Quantity]:
+def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: float) -> list[Quantity]:
     """Return the results of one axis: position, geometric and in time."""
     geometric, timed, name = axis.motion.at(at), axis.motion.at_speed(at, speed), axis.name
 
     def of(order: int) -> str:
-        return derivative(cells(i), order, str(i))
+        return derivative(rows, order, str(i))
 
     return [
         result(f"y{i}", f"{name} position", "y", "mm",
-               f"=({of(0)})*1000", shown(geometric.y, MM), source="c0 + c1 u + … + A sin x"),
+               f"=({of(0)})*1000", shown(geometric.y, MM), source=POSITION),
         result(f"g{i}", f"{name} geometric velocity", "y'", "m/rad",
                f"={of(1)}", geometric.y1, source="dy/du"),
         result(f"gg{i}", f"{name} geometric acceleration", "y''", "m/rad²",
