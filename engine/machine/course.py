@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -11,23 +11,17 @@ import numpy as np
 
 from engine.drivetrain.losses import loss_factor
 from engine.laws.base import Array
-from engine.laws.crossings import narrowed
 from engine.laws.ladder import Curve, root, zeros
+from engine.machine.searching import NOISE, crossed
 from engine.machine.train import Force, Motion3, ShaftMotion, Train, Weights
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, motion_pieces
-
-NOISE = 1e-9
-"""of a quantity's size in its piece: what is smaller at an end has no sign, and a change of sign there is none"""
 
 NARROW = 1e-9
 """of a piece: what is shorter is no stretch"""
 
 NODES = 32
 """a stretch, and each half turn of its sines, in which functions without a ladder are searched"""
-
-ROUNDS = 6
-"""of narrowing: to the last digit"""
 
 
 @dataclass(frozen=True)
@@ -60,8 +54,14 @@ class Stretch:
 
     def load(self, u: Array) -> Motion3:
         """Return the motion of the load (m or rad, in s)."""
-        at = self.piece.at(u)
-        return Motion3(at.y, at.y1 * self.speed, at.y2 * self.speed**2)
+        y, velocity, acceleration = (evaluated(curve, u) for curve in self.curves)
+        return Motion3(y, velocity * self.speed, acceleration * self.speed**2)
+
+    @cached_property
+    def curves(self) -> tuple[Curve, Curve, Curve]:
+        """y, y' and y'' over u."""
+        y = position(self.piece)
+        return y, y.derivative(), y.derivative().derivative()
 
     def shaft(self, u: Array) -> ShaftMotion:
         """Return the motion of the mechanism's own shaft."""
@@ -101,13 +101,23 @@ class Stretch:
         """Return where the torque of a shaft changes its sign."""
         curve = self.curve(shaft)
         if curve is None:
-            return crossings(lambda u: self.torque(u, shaft), self.low, self.high, self.nodes)
+            return crossed(lambda u: self.torque(u, shaft), self.low, self.high, self.nodes)
         return sign_changes(curve, self.low, self.high)
 
 
 def position(piece: MotionPiece) -> Curve:
     """Return y of a piece as a curve over u."""
     return Curve(piece.c, tuple(sine for sine in piece.sines if sine[0]))
+
+
+def evaluated(curve: Curve, u: Array) -> Array:
+    """Return the values of a curve."""
+    value = np.zeros(u.shape)
+    for c in reversed(trimmed(curve).c):
+        value = value * u + c
+    for p, w, phi in curve.sines:
+        value = value + p * np.sin(w * u + phi)
+    return value
 
 
 def force_curve(piece: MotionPiece, speed: float, force: Force, share: float = 1.0, inertia: float = 0.0) -> Curve:
@@ -152,18 +162,6 @@ def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
     noise = NOISE * max(map(abs, values))
     kept = [(u, value) for u, value in zip(points, values, strict=True) if abs(value) > noise]
     return [root(f, slope, one[0], other[0]) for one, other in pairwise(kept) if (one[1] > 0.0) != (other[1] > 0.0)]
-
-
-def crossings(function: Callable[[Array], Array], low: float, high: float, nodes: int) -> list[float]:
-    """Return where a function changes its sign, by nodes between which it does so once at most."""
-    u = np.linspace(low, high, nodes + 1)
-    values = function(u)
-    kept = np.abs(values) > NOISE * float(np.abs(values).max())
-    u, positive = u[kept], values[kept] > 0.0
-    at = np.flatnonzero(positive[1:] != positive[:-1])
-    if not at.size:
-        return []
-    return [float(one) for one in narrowed(lambda u: function(u) > 0.0, u[at], u[at + 1], ROUNDS)]
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,15 @@ from functools import lru_cache
 import numpy as np
 
 from engine.laws.base import Array
+from engine.laws.crossings import narrowed
 
 PARTS = 16
-ROUNDS = 12  # of narrowing a bracket, to an eighth by each
-TOPS = 8  # of which are narrowed, at most
+ROUNDS = 9  # of narrowing a bracket, to an eighth by each
+TOPS = 4  # of which are narrowed, at most
+NOISE = 1e-9
+"""of a quantity's size in its piece: what is smaller at an end has no sign, and a change of sign there is none"""
+
+LAST_ROUNDS = 6  # of narrowing a change of sign: to the last digit
 ORDERS = (16, 32, 64, 128)
 TOLERANCE = 1e-13
 """of the integral of the size"""
@@ -46,6 +51,18 @@ def largest(function: Function, low: float, high: float, nodes: int) -> tuple[fl
             top, place = float(found[one, k[one]]), float(points[one, k[one]])
         left, right = points[each, np.maximum(k - 1, 0)], points[each, np.minimum(k + 1, PARTS)]
     return top, place
+
+
+def crossed(function: Function, low: float, high: float, nodes: int) -> list[float]:
+    """Return where a function changes its sign, by nodes between which it does so once at most."""
+    u = np.linspace(low, high, nodes + 1)
+    values = function(u)
+    kept = np.abs(values) > NOISE * float(np.abs(values).max())
+    u, positive = u[kept], values[kept] > 0.0
+    at = np.flatnonzero(positive[1:] != positive[:-1])
+    if not at.size:
+        return []
+    return [float(one) for one in narrowed(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
 
 
 @lru_cache(maxsize=8)
