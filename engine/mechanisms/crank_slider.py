@@ -32,5 +32,7 @@ def crank_slider(
     inner, outer = (math.sqrt((rod + way * crank) ** 2 - offset**2) for way in (-1.0, 1.0))
     names = "inner dead centre", "outer dead centre"
     begin, direction, ends = (inner, 1, names) if zero == "inner" else (outer, -1, names[::-1])
+    side = 1 if branch == "ahead" else -1
+    start = math.atan2(offset, begin) + (side * math.pi if zero == "inner" else 0.0)
     reach = Reach(0.0, outer - inner, *ends)
-    return SlideLinkage("crank-slider", crank, rod, offset, 1 if branch == "ahead" else -1, direction, begin, reach)
+    return SlideLinkage("crank-slider", crank, rod, offset, side, direction, begin, start, reach)

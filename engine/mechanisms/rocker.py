@@ -44,7 +44,8 @@ def rocker(
     if direction < 0:
         low, high = (2.0 * zero - high[0], high[1]), (2.0 * zero - low[0], low[1])
     reach = Reach(low[0] - zero, high[0] - zero, low[1], high[1])
-    return SlideLinkage("rocker", lever, link, offset, side, 1 if direction > 0 else -1, zero, reach)
+    start = float(lever_angle(lever, link, offset, side, np.array(zero)))
+    return SlideLinkage("rocker", lever, link, offset, side, 1 if direction > 0 else -1, zero, start, reach)
 
 
 def _ends(lever: float, link: float, offset: float, side: int) -> list[tuple[float, str]]:

@@ -16,7 +16,8 @@ class SlideLinkage(Linkage):
 
     The slide is at x = r cos ψ ± √(l² − (r sin ψ − e)²), ψ the lever's angle from the line's direction; its position is
     y = ``direction`` (x − ``zero``). ``side`` is 1 where the lever is ahead of the line from the shaft to the slide in
-    the sense of ψ, else −1. φ is the lever's way from y = 0, counted so that it rises with y.
+    the sense of ψ, else −1. φ is the lever's way from y = 0, where it
+    stands at ``start``, counted so that it rises with y.
     """
 
     name: str
@@ -26,6 +27,7 @@ class SlideLinkage(Linkage):
     side: int
     direction: int
     zero: float
+    start: float
     bounds: Reach
 
     @property
@@ -37,10 +39,9 @@ class SlideLinkage(Linkage):
         """Return φ = ±(ψ − ψ0), φ' = 1/|dx/dψ|, φ'' from dx/dψ and d²x/dψ² in closed form."""
         x = self.zero + self.direction * y
         psi = lever_angle(self.lever, self.link, self.offset, self.side, x)
-        psi0 = lever_angle(self.lever, self.link, self.offset, self.side, np.array(self.zero))
         first, second = slopes(self.lever, self.offset, psi, x)
         sense = self.direction * np.sign(first)
-        return ShaftAngles(sense * (psi - psi0), 1.0 / np.abs(first), -sense * second / first**3)
+        return ShaftAngles(sense * (psi - self.start), 1.0 / np.abs(first), -sense * second / first**3)
 
 
 def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -> Array:
