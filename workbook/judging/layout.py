@@ -11,7 +11,6 @@ from pydantic import ValidationError
 from workbook.book.address import Address, Fit
 from workbook.book.declare import Block
 from workbook.entries.machine import Machine
-from workbook.errors import InputError
 from workbook.judging.matching import Match
 from workbook.judging.report import LAYOUT, Finding, Report
 from workbook.reading.files import BookFile
@@ -33,8 +32,11 @@ def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[M
         if not best.misfits or any(place is None for _, place in best.misfits):
             break
         for more in NEAR:
-            other = resized(template, given, size, more)
-            match = Match(file, template.declare(other)) if other is not None else best
+            other = resized(given, size, more)
+            try:
+                match = Match(file, template.declare(other)) if other is not None else best
+            except ValueError:  # too small for what is entered
+                continue
             if other is not None and amiss(match) < amiss(best):
                 best, machine = match, other
     return best, machine
@@ -46,13 +48,14 @@ def amiss(match: Match) -> int:
     return sum(1 if held < size else 2 for size, held in sizes)
 
 
-def resized(template: AnyTemplate, machine: Machine, size: str, more: int) -> Machine | None:
-    """Return a machine whose tables of a size have so many rows more; None where there is none."""
+def resized(machine: Machine, size: str, more: int) -> Machine | None:
+    """Return a machine whose tables of a size have so many rows more; None where that is beyond a limit."""
     sizes = machine.sizes.model_dump()
     try:
-        return template.model.model_validate(machine.model_dump() | {"sizes": sizes | {size: sizes[size] + more}})
-    except (ValidationError, InputError):
+        made = type(machine.sizes)(**sizes | {size: sizes[size] + more})
+    except ValidationError:
         return None
+    return machine.model_copy(update={"sizes": made})
 
 
 def layout(match: Match) -> Iterator[Finding]:

@@ -17,9 +17,11 @@ ORDER = (
     "follows", "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
+FOLLOWS = "follows"
+"""The kind of what is wrong only because of other cells."""
 NOTICE = "notice"
 """The kind of what is reworded or gone, and misleads nobody."""
-OK = "OK"
+OK, FAIL = "OK", "FAIL"
 
 
 @dataclass(frozen=True)
@@ -65,17 +67,24 @@ class Ran:
 
 @dataclass(frozen=True)
 class Check:
-    """A check of the machine's own: where it stands, what it is about, what it says; nothing where it says nothing."""
+    """A check of the machine's own: where it stands, what it is about, its verdict; where it fails and by how much."""
 
     sheet: str
     cell: str
     what: str
     found: str
+    says: str = ""
 
     @property
     def holds(self) -> bool:
         """Whether the check says OK."""
         return self.found == OK
+
+    @property
+    def line(self) -> str:
+        """The check in one line."""
+        said = f": {self.says}" if self.says else ""
+        return f"{self.sheet}!{self.cell} ({self.what}): {self.found}{said}"
 
 
 @dataclass

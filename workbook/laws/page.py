@@ -44,7 +44,7 @@ def law_sheet(book: Book, one: NamedLaw, intervals: int, stack: sampling.Pieces)
             "On each piece a(u) = c0 + c1 u + P sin(ωu + φ), u = ξ − ξ_k; velocity and position are carried on.",
         )
         pieces_table(sheet, page, law)
-        checks(sheet, page, one.called)
+        checks(sheet, one)
         draw(sheet, one.called)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = 19
@@ -115,10 +115,12 @@ def risen(sheet: Sheet, one: NamedLaw, rise: Rise) -> None:
     )  # fmt: skip
 
 
-def checks(sheet: Sheet, page: Page, name: str) -> None:
+def checks(sheet: Sheet, one: NamedLaw) -> None:
     """Declare the law's own checks, and that it ends where it should."""
+    name = one.called
     sheet.checks(
-        *(check(one.name, f"{name}: {one.label}", one.condition, True) for one in page.checks),
+        *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
+          for each in one.page.checks),
         check("@ends", f"{name} ends at s = 1, at rest",
               "AND(ABS([@samples.s.last]-1)<check_zero,ABS([@samples.v.last])<check_zero)", True),
     )  # fmt: skip

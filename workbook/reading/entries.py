@@ -15,7 +15,8 @@ from pydantic import BaseModel, ValidationError
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
-from workbook.entries.machine import Machine
+from workbook.entries.design import RefusedError, as_entered, designed, keys_of
+from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import EntryError
 from workbook.errors import DisputedError, InputError, ReadError
 from workbook.intake import read_text
@@ -70,18 +71,26 @@ def counted(key: str) -> str:
 
 def write_machine(machine: Machine) -> str:
     """Return the TOML of a machine description."""
-    return tomli_w.dumps(machine.model_dump(exclude_none=True))
+    return tomli_w.dumps(as_entered(machine))
 
 
 def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
-    """Validate entries; raise InputError whose lines say where each fault is and what is expected."""
+    """Validate entries; raise InputError whose lines say where each fault of structure or type is.
+
+    Numbers that do not do, or are missing, make an unfinished design of it: see :mod:`workbook.entries.design`.
+    """
     try:
-        machine = template.model.model_validate(data)
-    except ValidationError as error:
-        faults = error.errors(include_url=False)
-        raise InputError([told(fault, template.model, where) for fault in faults]) from None
-    require_possible(template, machine, where)
-    return machine
+        return designed(template.model, template.check, data, lambda: read_machine(template.description))
+    except RefusedError as error:
+        lines = [refused(fault, template.model, where) for fault in error.faults]
+        raise InputError(lines) from None
+    except EntryError as error:
+        raise InputError([f"{where(error.field)}: {error}"]) from None
+
+
+def refused(fault: Any, model: type[BaseModel], where: Where) -> str:
+    """Return the line of a fault of pydantic's, or of a design that nothing can be made of."""
+    return f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
 
 
 def require_possible(template: Template[M], machine: M, where: Where) -> None:
@@ -108,15 +117,6 @@ def told(fault: Any, model: type[BaseModel], where: Where) -> str:
     if fault["type"] == "missing" or fault["input"] == {}:
         return f"{where(key)}: empty; expected {expected}"
     return f"{where(key)}: found {found(fault['input'])}; expected {expected}"
-
-
-def keys_of(loc: tuple[int | str, ...]) -> tuple[str, str]:
-    """Return the key of a fault, and the key of the rule for it: a law's entries have those of its family."""
-    parts = [*map(str, loc)]
-    if len(parts) < 3 or parts[0] != "laws":
-        return ".".join(parts), ".".join(parts)
-    _, name, family, *rest = parts
-    return ".".join(["laws", key_of(name), *rest]), ".".join(["laws", family, *rest])
 
 
 def unnamed(key: str, named: dict[str, str]) -> str:

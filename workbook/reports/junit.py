@@ -60,7 +60,7 @@ def design(book: str, report: Report) -> Element:
     """Return the case of the machine itself: failed where its own checks are."""
     if report.holds:
         return testcase(book, DESIGN)
-    lines = "\n".join(f"{c.sheet}!{c.cell} ({c.what}): {c.found}" for c in report.failing)
+    lines = "\n".join(check.line for check in report.failing)
     return testcase(book, DESIGN, e("failure", lines, message=own_verdict(report), type="design"))
 
 

@@ -160,9 +160,10 @@ def own_verdict(report: Report) -> str:
 def checks(report: Report) -> list[Element]:
     """Return the table of the machine's own checks that do not hold."""
     rows: list[list[Content]] = [
-        [e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found] for c in report.failing
+        [e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found, c.says] for c in report.failing
     ]
-    return [e("h3", "The machine's own checks that fail"), table(("Cell", "Check", "Says"), rows, ())] if rows else []
+    headings = ("Cell", "Check", "Says", "Where, and by how much")
+    return [e("h3", "The machine's own checks that fail"), table(headings, rows, ())] if rows else []
 
 
 def notices(report: Report) -> list[Element]:

@@ -28,10 +28,10 @@ TABLES = [
         ("cutting-machine", "axis1"), ("cutting-machine", "axis3"), ("cutting-machine", "rotors"),
         ("cutting-machine", "motors"), ("cutting-machine", "reducers"), ("cutting-machine", "cycle"),
         ("motion-composer", "own_pieces"), ("indexing-overlap", "own_pieces"),
-        ("indexing-overlap-stations", "own_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"), ("flying-cutter-saw", "own_pieces"),
-        ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"), ("actuator-sizing", "motors"),
-        ("actuator-sizing-conveyor", "phases"), ("motion-composer-example-1", "phases"),
-        ("motion-composer-example-2", "phases"),
+        ("indexing-overlap-stations", "own_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
+        ("flying-cutter-saw", "own_pieces"), ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"),
+        ("actuator-sizing", "motors"), ("actuator-sizing-conveyor", "phases"),
+        ("motion-composer-example-1", "phases"), ("motion-composer-example-2", "phases"),
     )),
 ]  # fmt: skip
 
