@@ -31,8 +31,8 @@ HEAD = """\
 # What the functions take
 
 Made by `python -m docs.functions`: the functions MOTION.* are asked what docs/witnesses.md asks of every program, where
-it concerns them, on a sheet with nothing in A1, the texts 0.25 and 0.75 in B1:C1, TRUE in D1, the numbers 0, 0.25, 1 in
-E1:E3 and the text 2 in F1. The rule: a text is never a number, as in a range that SUM reads; an empty cell is 0; a law is
+it concerns them, on a sheet with nothing in A1, the texts 0.25 and 0.75 in B1:C1, TRUE in D1, numbers 0, 0.25, 1 in
+E1:E3, the text 2 in F1. The rule: a text is never a number, as in a range that SUM reads; an empty cell is 0; a law is
 its code, in any case and with spaces around it, never a number or a pattern; an error is handed on; what a law does not
 take is not looked at. Empty where a program agrees: the LAMBDA names in two programs, the add-in in LibreOffice.
 

@@ -1,4 +1,4 @@
-"""Damaged files and hostile inputs through the command, each as a program: one line or a verdict, small and soon done."""
+"""Damaged files and hostile inputs through the command as a program: one line or a verdict, small and soon done."""
 
 import os
 import resource
