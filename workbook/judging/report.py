@@ -15,6 +15,8 @@ ORDER = (
     "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
+FOLLOWS = "follows"
+"""The kind of what is wrong only because of other cells."""
 NOTICE = "notice"
 """The kind of what is reworded or gone, and misleads nobody."""
 OK, FAIL = "OK", "FAIL"

@@ -24,12 +24,11 @@ from workbook.judging.verdict import checks
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import AnyTemplate
-from workbook.witnesses import WITNESSES, by_cell
 from workbook.witnesses.agreed import agreed
 from workbook.witnesses.bare import without
+from workbook.witnesses.names import ALL
+from workbook.witnesses.registry import WITNESSES, by_cell
 from workbook.witnesses.witness import CellWitness, Witness
-
-ALL = "all"
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:

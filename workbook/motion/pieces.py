@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import perm
 
 from engine.motion.pieces import MotionPiece
@@ -10,7 +10,7 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.cells import Cells, PieceRows
-from workbook.motion.stack import FIRST, LAST, POWERS, SINES, of_law
+from workbook.motion.stack import FIRST, POWERS, SINES, last_before, of_law
 
 TITLE = "The motion as pieces"
 ABOUT = (
@@ -25,11 +25,18 @@ Sizes = Callable[[int], float]
 
 def phase_columns(at: Cells, rows: PieceRows) -> list[Quantity]:
     """Return the columns by which a table of phases tells where its pieces are."""
+    return phase_table_columns(at, rows, FIRST, f"=IF([span]>0,{last_before('[no]', '1')}-[first]+1,0)")
+
+
+def phase_table_columns(
+    at: Cells, rows: PieceRows, first: str | Sequence[str], pieces: str | Sequence[str]
+) -> list[Quantity]:
+    """Return those columns with other formulas for the first piece's row on Laws, and how many pieces there are."""
     return [
         calc("rate", "per duration", "1/δ", f"1/{at.x}" if at.x else "",
              "=IF([span]>0,1/[span],0)", list(rows.rates), source="0 if spare"),
-        calc("first", "row of its law's first piece", "", "", FIRST, list(rows.firsts), format="0", source="on Laws"),
-        calc("pieces", "pieces", "", "", f"=IF([span]>0,{LAST}-[first]+1,0)", rows.counts, format="0"),
+        calc("first", "row of its law's first piece", "", "", first, list(rows.firsts), format="0", source="on Laws"),
+        calc("pieces", "pieces", "", "", pieces, rows.counts, format="0"),
         calc("before", "pieces before", "", "", "=IF([k]=1,0,[before-1]+[pieces-1])", rows.before, format="0"),
     ]  # fmt: skip
 
@@ -67,7 +74,8 @@ def pieces_table(sheet: Sheet, title: str, at: Cells, rows: PieceRows, room: int
         at.pieces, title, room,
         constant("r", "piece", "r", "", list(range(1, room + 1))),
         calc("p", "phase", "", "",
-             f"=MATCH({place},[{at.phases}.before],1)", of(lambda piece: piece.phase + 1), format="0"),
+             f'=COUNTIF([{at.phases}.before],"<="&{place})', of(lambda piece: piece.phase + 1), format="0",
+             source="the last with no more before it"),
         calc("m", "row on Laws", "", "",
              f"={at.of_phase('first')}+{place}-{at.of_phase('before')}", filled(rows.rows, room, rows.rows[-1]),
              format="0"),
@@ -85,10 +93,12 @@ def power(at: Cells, i: int, of: Callable[[Callable[[MotionPiece], float]], list
     h, per = at.of_phase("h"), at.of_phase("rate")
     if i == 0:
         drift = f"+{at.of_phase('drift')}*{at.of_phase('span')}*{of_law('xi')}" if at.drifts else ""
-        formula, source = f"={at.of_phase('y0')}+{h}*{of_law('s0')}{drift}", "y_0 + h S0"
+        sines = "".join(f"-[A{one.mark}]*SIN([ph{one.mark}])" for one in SINES)
+        formula, source = f"={at.of_phase('y0')}+{h}*{of_law('s')}{drift}{sines}", "y_0 + h s_k − A sin φ"
     elif i == 1:
         drift = f"+{at.of_phase('drift')}" if at.drifts else ""
-        formula, source = f"={h}*{of_law('s1')}*{per}{drift}", "h S1/δ"
+        sines = "".join(f"-[A{one.mark}]*[om{one.mark}]*COS([ph{one.mark}])" for one in SINES)
+        formula, source = f"={h}*{of_law('v')}*{per}{drift}{sines}", "h v_k/δ − A ω cos φ"
     else:
         share = perm(i, 2)
         formula, source = f"={h}*{of_law(f'c{i - 2}')}/{share}*{per}^{i}", f"h c{i - 2}/({share} δ^{i})"

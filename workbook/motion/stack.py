@@ -21,8 +21,11 @@ SINES = (Sine("ps", "omega", "phi", ""),)
 
 FIRST = "=MATCH([no],piece_number,0)"
 """the row of the first piece of a phase's law"""
-LAST = "MATCH(2*[no]+1-break_tolerance,piece_key,1)"
-"""the row of the last that begins before the law ends: the spare rows of an own law do not"""
+
+
+def last_before(number: str, xi: str) -> str:
+    """Return the formula of the row of a law's last piece that begins before ξ: before 1, no spare row does."""
+    return f"MATCH(2*{number}+{xi}-break_tolerance,piece_key,1)"
 
 
 def of_law(column: str) -> str:

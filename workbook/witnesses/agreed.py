@@ -11,8 +11,8 @@ from workbook.errors import DisputedError, WitnessError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.visible import found
-from workbook.witnesses import WITNESSES
 from workbook.witnesses.bare import without
+from workbook.witnesses.registry import WITNESSES
 from workbook.witnesses.witness import Witness
 
 ENOUGH = 2  # evaluators that must agree

@@ -12,7 +12,7 @@ from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.types import DesignError, EntryError, Model, NotNegative, Number, Positive
-from workbook.motion.room import WIDEST, settle
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
@@ -113,5 +113,5 @@ class ActuatorSizing(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")
         require_room(self.selection, self.sizes)
-        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases + WIDEST)
+        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases)
         return self

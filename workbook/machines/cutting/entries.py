@@ -14,7 +14,7 @@ from workbook.entries.phase import resting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawName
-from workbook.motion.room import WIDEST, settle
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 TURN = 360.0  # degrees
@@ -124,5 +124,5 @@ class CuttingMachine(Machine):
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
         laws = {f"timing.axes.{i}.phases": [p.law for p in axis.phases] for i, axis in enumerate(self.timing.axes)}
-        settle(self, laws, self.sizes.phases + WIDEST)
+        settle(self, laws, self.sizes.phases)
         return self

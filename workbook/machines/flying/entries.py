@@ -11,10 +11,12 @@ from workbook.book.sentence import figure
 from workbook.entries.machine import Machine
 from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
 TURN = 360.0
+MORE = 3  # pieces of the tool's motion beside the law's: a wait, the piece that it interrupts, the work
 
 
 class DrumEntry(Model):
@@ -111,4 +113,5 @@ class FlyingCutter(Machine):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         require_room(self.selection, self.sizes)
+        settle(self, {"cutter.law": [self.cutter.law]}, MORE, more=MORE)
         return self

@@ -8,7 +8,9 @@ from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
+from workbook.machines.flying.motion import AT
 from workbook.machines.flying.view import CASES, Flying, does
+from workbook.motion.pieces import room_check
 
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 DOES = (
@@ -193,6 +195,7 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
               "cutter.load:heavy", '"inertia and mass are 0; expected one of them above"'),
         check("fly_ok_range", "The range of product lengths rises", "fly_long>fly_short", True, "",
               "cutter.lengths:ordered", RANGE),
+        room_check("fly_ok_pieces", AT),
         check("fly_ok_angle", "The angle in step is less than between the tools",
               f"OR(NOT({IS_DRUM}),fly_angle*fly_tools<360)", True, "θ_T < θ_0", "cutter:angle", IN_STEP),
         check("fly_ok_law", "The law speeds up once and slows down once", f"AND({own},fly_cv>=fly_least_cv)", True,
@@ -286,10 +289,10 @@ def workings(sheet: Sheet, machine: Flying) -> None:
         calc("fly_stop", "When the drum comes to a standstill", "", "s",
              "=IF(fly_waits=1,fly_peak*fly_tm,fly_tr)", cut.wait[0], scale=cut.cycle_time, source="t_R: not at all"),
         calc("fly_eps", "Tolerance of a time", "ε", "s",
-             "=fly_tc*fly_near", cut.time_tolerance, format="0E+00",
+             "=fly_tc*break_tolerance", cut.time_tolerance, format="0E+00",
              source="a sample this near to an event counts as on it"),
         constant("fly_near", "What counts as the same", "ε", "",
-                 SAME_LENGTH, format="0E+00", source="of a length, a time, a speed, a share of the law"),
+                 SAME_LENGTH, format="0E+00", source="of a length, a speed, a share of the law"),
         constant("fly_longer", "Shortest product, in tool lengths", "", "", LONGER, format="0.000"),
         constant("fly_least_cv", "Least coefficient of velocity", "", "",
                  LEAST_CV, format="0.000", source="with less, no drum comes to a standstill"),

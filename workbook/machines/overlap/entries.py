@@ -12,9 +12,11 @@ from workbook.entries.machine import Machine, Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
+from workbook.motion.room import settle
 
 MOST_TOOLS = 6
 TURN = 360.0
+REST = 2  # pieces of a motion beside those of its laws: a tool's dwell and its rest
 Name = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), LOOKED_UP]
 LEAST = 0.01  # degrees: no cam moves in less
 PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
@@ -97,4 +99,6 @@ class IndexingOverlap(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        tools = {f"overlap.tools.{i}.law_in": [t.law_in, t.law_out] for i, t in enumerate(self.overlap.tools)}
+        settle(self, tools | {"overlap.transfer.law": [self.overlap.transfer.law]}, REST, at_once=2, more=REST)
         return self

@@ -50,7 +50,8 @@ TEMPLATE = Template(
     IndexingOverlap,
     declare,
     variants,
-    LAW_SIZES | {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1)},
+    LAW_SIZES
+    | {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)},
     check,
     laid_out,
 )

@@ -269,5 +269,5 @@ def corners(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         result("free", "clearance", "", "mm",
                "=IF([inside]=1,@clearance-[y],@clearance)", shown(at.free, MM),
                source="c − y; c where it is out of the way"),
-        *AtAngles(station, station.as_set, theta, pieces).columns("", 3),
+        *AtAngles(station, "a", theta, pieces).columns(""),
     )  # fmt: skip
