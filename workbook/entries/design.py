@@ -204,8 +204,8 @@ def differing(
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
         old = dict(leaves(exactly(entered, path), path))
         for key, value in leaves(exactly(made, path), path):
-            was = old.pop(key, NONE)
-            if was is NONE or was == {}:
+            was = old.pop(key, None)
+            if was is None or was == {}:
                 was = rules.default_at(model, ruled(key, entered))
             if was != value:
                 found.setdefault(key, Replaced(was, turn))
