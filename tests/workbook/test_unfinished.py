@@ -54,7 +54,7 @@ CASES = {
         "a negative inertia": ([("drive", "rotors", 0, "inertia", -1e-5)], ROTORS,
                                "inertia of one, row 1: -1e-05; expected a number of at least 0"),
         "teeth of one gear": ([("drive", "rotors", 1, "teeth_driven", None)], ROTORS,
-                              "teeth of one gear alone, of the driver, row 2: 31"),
+                              "teeth of one gear alone, of the driver, row 2: 90"),
         "half a curve": ([("selection", "motors", 0, "end_torque", 1.0)], None,
                          "half of the curve is empty: peak torque up to, row 1: empty"),
         "several": ([("timing", "rate", 0.0), (*AXIS, 1, "start", 95.0), ("drive", "radius", -1.0)],
