@@ -53,8 +53,10 @@ def room_check(name: str, at: Cells, of: str = "") -> Quantity:
     return check(name, label, f"{at.count}<=MAX([{at.pieces}.r])", True, ROOM)
 
 
-def pieces_table(sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes) -> None:
-    """Declare the table of a motion's pieces."""
+def pieces_table(
+    sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity
+) -> None:  # fmt: skip
+    """Declare the table of a motion's pieces, and ``more`` columns."""
     at = rows.at
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
     length = f"DEGREES({span})" if at.degrees else span
@@ -87,6 +89,7 @@ def pieces_table(sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Si
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
+        *more,
     )  # fmt: skip
 
 

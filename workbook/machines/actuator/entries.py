@@ -12,6 +12,7 @@ from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.types import DesignError, EntryError, Model, NotNegative, Number, Positive
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
@@ -69,6 +70,7 @@ class ActuatorEntry(Model):
     mechanism: Kind
     method: Literal["physical", "document"] = "physical"
     holding: Literal["motor", "brake"] = "motor"
+    smoothness: Smoothness = "acceleration"
     output: Output
     gears: list[Gear] = Field(default_factory=list)
     parts: list[PlacedParts] = Field(default_factory=list)

@@ -10,6 +10,7 @@ from workbook.entries.machine import Machine, Sizes
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.texts import NO_FORMULA, ONE_LINE
 from workbook.entries.types import EntryError, Model, Number
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle
 
 MOST_PHASES = 24
@@ -23,6 +24,7 @@ class ComposedMotion(Model):
     lift_unit: Unit = "°"
     position: Number = 0.0
     cycle: Literal["closes", "open"] = "closes"
+    smoothness: Smoothness = "acceleration"
     phases: Annotated[list[PhaseEntry], Field(min_length=1, max_length=MOST_PHASES)]
 
 

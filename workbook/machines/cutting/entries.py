@@ -14,6 +14,7 @@ from workbook.entries.phase import resting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawName
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
@@ -39,6 +40,7 @@ class Axis(Model):
     name: Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
     group: Text
     closes: Literal["position", "feed"] = "position"
+    smoothness: Smoothness = "acceleration"
     phases: Annotated[list[Phase], Field(min_length=1)]
 
     def design_faults(self) -> Iterator[DesignError]:
