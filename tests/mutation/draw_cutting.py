@@ -19,7 +19,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     data["timing"]["rate"] = drawn.uniform(5, 600)
     for axis in data["timing"]["axes"]:
         moved = within(phases(drawn, sizes["phases"]), data["laws"], sizes["motion_pieces"])
-        axis.update(closes=drawn.choice(("feed", "position")), smoothness=drawn.choice(get_args(Smoothness)), phases=moved)
+        smoothness = drawn.choice(get_args(Smoothness))
+        axis.update(closes=drawn.choice(("feed", "position")), smoothness=smoothness, phases=moved)
     drive.update(
         rate=drawn.uniform(5, 600), force=drawn.choice((0.0, drawn.uniform(-900, 900))), radius=drawn.uniform(0.02, 2),
         resists=drawn.choice(("always", "moving")), axis=drawn.choice(data["timing"]["axes"])["name"],

@@ -223,7 +223,7 @@ def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
               rule=f"{key}:fills", says=f"INDEX([axes.name],{i})&{UNFILLED.format(t)}"),
         check(f"{t}_position", f"{name}: no jump of position",
               f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete),
-        room_check(f"{t}_room", cells(i), name),
+        room_check(f"{t}_room", cells(i), i, name),
         check(f"{t}_velocity", f"{name}: no jump of velocity",
               f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth()),
         joints.check(f"{t}_smooth", f"{name}: as smooth as asked"),
