@@ -16,8 +16,9 @@ from workbook.judging.verify import present, verify
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
+from workbook.witnesses import libreoffice
 from workbook.witnesses.agreed import agreed
-from workbook.witnesses.registry import WITNESSES, libreoffice
+from workbook.witnesses.registry import WITNESSES
 
 
 @pytest.fixture(scope="module", params=TEMPLATES)
@@ -236,7 +237,7 @@ def test_one_asked_by_name_and_absent_is_refused(cutting, monkeypatch):
 
 
 def test_the_command_ends_with_2_where_a_named_witness_is_absent(cutting):
-    run = "from workbook.witnesses.registry import libreoffice; libreoffice.program = lambda: None; " \
+    run = "from workbook.witnesses import libreoffice; libreoffice.program = lambda: None; " \
           "import sys; from workbook.cli import main; sys.argv[1:] = {!r}; main()"  # fmt: skip
     arguments = ["verify", str(cutting.path), "--with", "libreoffice"]
     done = subprocess.run([sys.executable, "-c", run.format(arguments)], capture_output=True, text=True)

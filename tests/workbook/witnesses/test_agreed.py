@@ -15,8 +15,8 @@ from workbook.errors import DisputedError, WitnessError
 from workbook.reading.entries import read_machine
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
+from workbook.witnesses import agreed as module
 from workbook.witnesses.agreed import agreed, same
-from workbook.witnesses.registry import agreed as module
 
 CELL = Address("Timing", 1, 1)
 COMMANDS = [["inputs", "book.xlsx"], ["verify", "book.xlsx"], ["regenerate", "book.xlsx", "-o", "new.xlsx"]]

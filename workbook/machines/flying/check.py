@@ -29,7 +29,7 @@ def check(machine: FlyingCutter) -> None:
     ):
         if length < least:
             said = f"a product of {figure(length)} mm; expected at least {figure(least)} mm"
-            raise DesignError(f"cutter.{entry}", said, "length", 2 * least)
+            raise DesignError(f"cutter.{entry}", said, "length", least + least)
 
 
 def require_law(code: str, given: Laws, sizes: Sizes) -> None:
