@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from workbook.laws.registry import FAMILIES, FAMILY, RISING
+from workbook.laws.registry import CODES, FAMILY, RISING
 
 MOVING = RISING
-PAGED = tuple(family.code for family in FAMILIES if family.page.has_sheet)
+PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
 
 
 def blended(code: str, dice: Any) -> dict[str, Any]:

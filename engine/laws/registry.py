@@ -23,6 +23,7 @@ MODULES = (
     "cubic",
     "modified_trapezoidal",
     "pieces",
+    "modified_sine",
 )
 
 

@@ -30,7 +30,7 @@ from typing import Literal, NamedTuple
 
 from engine.laws.entry import IncompleteError
 from workbook.laws.family import ENTRIES
-from workbook.laws.registry import FAMILIES
+from workbook.laws.registry import BASIC, CODES
 
 NAMESPACE = "MOTION"
 Kind = Literal["code", "number", "cells", "table"]
@@ -71,8 +71,7 @@ class Function:
         return f"{NAMESPACE}.{self.key}"
 
 
-CODES = tuple(family.code for family in FAMILIES)
-PARAMETERS = {family.code: len(family.page.parameters) for family in FAMILIES if family.code != "OWN"}
+PARAMETERS = {family.code: len(family.page.parameters) for family in BASIC if family.code != "OWN"}
 """Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
 OWN_WIDTH = len(ENTRIES)
 TAKES = {

@@ -12,12 +12,12 @@ from workbook.book.rows import filled
 from workbook.functions.declared import FUNCTIONS, TAKES, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
 from workbook.laws.family import value_at
-from workbook.laws.registry import FAMILIES
+from workbook.laws.registry import BASIC
 
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
     family.code: f"[{family.code}.{names[0]}]:[{family.code}.{names[-1]}]"
-    for family in FAMILIES
+    for family in BASIC
     if (names := [parameter.column for parameter in family.page.parameters])
 }
 """where the parameters of each law stand that takes any, a table a law"""
@@ -78,10 +78,10 @@ def entries(sheet: Sheet, shown: Shown) -> None:
 
 def parameters(sheet: Sheet, shown: Shown) -> None:
     """Declare the parameters of the laws that take any."""
-    laws, pieces = shown.laws, shown.laws.OWN.pieces
+    laws, pieces = shown.laws, shown.laws["OWN"].pieces
     sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
-    for family in (family for family in FAMILIES if family.page.parameters):
-        code, entered = family.code, getattr(laws, family.code)
+    for family in (family for family in BASIC if family.page.parameters):
+        code, entered = family.code, laws[family.code]
         sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
             given(one.column, one.short, "", "",
                   [value_at(entered, one.key)], f"laws.{code}.{one.key}", format="0.0000")

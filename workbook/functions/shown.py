@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from engine.drivetrain import Part, reflected_inertia
 from engine.laws import Law
 from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase
 from workbook.entries.types import Model, NotNegative, Number, Positive, Share
-from workbook.laws.entries import LawCode, Laws
-from workbook.laws.registry import FAMILY
+from workbook.laws.entries import Laws, as_listed
+from workbook.laws.registry import CODES, FAMILY
 
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2
 WIDTH = 8  # parameters of a phase's law, at most: an own law of one piece
+
+if TYPE_CHECKING:
+    LawCode = str
+else:
+    LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]
+    """a law that the functions know"""
 
 
 class ShownPhase(Model):
@@ -57,7 +63,7 @@ class Shown(Model):
     xi: Share = 0.3
     s: Share = 0.3
     x: NotNegative = 120.0
-    laws: Laws = Laws()
+    laws: Laws = Laws({})
     phases: list[ShownPhase]
     shafts: list[Shaft]
     profile: list[Interval]
@@ -70,7 +76,7 @@ class Shown(Model):
     @property
     def parameters(self) -> list[float]:
         """The numbers that the chosen law takes, piece after piece those of the own law."""
-        return FAMILY[self.law].page.numbers(getattr(self.laws, self.law, None))
+        return FAMILY[self.law].page.numbers(self.laws[self.law])
 
     @cached_property
     def xis(self) -> NDArray[np.float64]:

@@ -15,9 +15,11 @@ ORDER = (
     "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
+FOLLOWS = "follows"
+"""The kind of what is wrong only because of other cells."""
 NOTICE = "notice"
 """The kind of what is reworded or gone, and misleads nobody."""
-OK = "OK"
+OK, FAIL = "OK", "FAIL"
 
 
 @dataclass(frozen=True)
@@ -63,17 +65,24 @@ class Ran:
 
 @dataclass(frozen=True)
 class Check:
-    """A check of the machine's own: where it stands, what it is about, what it says; nothing where it says nothing."""
+    """A check of the machine's own: where it stands, what it is about, its verdict; where it fails and by how much."""
 
     sheet: str
     cell: str
     what: str
     found: str
+    says: str = ""
 
     @property
     def holds(self) -> bool:
         """Whether the check says OK."""
         return self.found == OK
+
+    @property
+    def line(self) -> str:
+        """The check in one line."""
+        said = f": {self.says}" if self.says else ""
+        return f"{self.sheet}!{self.cell} ({self.what}): {self.found}{said}"
 
 
 @dataclass
@@ -90,7 +99,8 @@ class Report:
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
     cells: dict[str, int] = field(default_factory=dict)  # declared formula cells of each sheet
     witnesses: list[Ran] = field(default_factory=list)
-    unmatched: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
+    own: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
+    not_evaluated: int = 0  # of these
     notes: list[str] = field(default_factory=list)
 
     @property
@@ -112,6 +122,13 @@ class Report:
     def holds(self) -> bool:
         """Whether the design is finished and passes its own checks."""
         return not self.failing and not self.unfinished
+
+    @property
+    def own_words(self) -> str:
+        """How many cells of the engineer's own were not evaluated; nothing where there are none."""
+        if not self.own:
+            return ""
+        return f"{self.not_evaluated:,} of {len(self.own):,} formula cells of your own were not evaluated"
 
     @property
     def witness(self) -> str:

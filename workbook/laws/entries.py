@@ -1,42 +1,243 @@
-"""What a description says of the laws: the parameters of each family, and the codes that name them."""
+"""What a description says of the laws: named entries, each of a family, and the names by which phases take them."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union
 
-from pydantic import BeforeValidator, create_model
+from pydantic import (
+    BeforeValidator,
+    Field,
+    PrivateAttr,
+    RootModel,
+    SerializerFunctionWrapHandler,
+    create_model,
+    model_serializer,
+    model_validator,
+)
 
-from workbook.entries.texts import place_of
-from workbook.entries.types import Model
-from workbook.laws.registry import FAMILIES, RISING
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
+from workbook.entries.types import EntryError, Model
+from workbook.laws.registry import CODES, FAMILIES, FAMILY
+from workbook.visible import found
 
-CODES = [family.code for family in FAMILIES]
+LONGEST = 40  # characters of a law's name
+NUMBERED = re.compile(r"([A-Z][A-Z0-9]{2})(\d*)")
+PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
-def as_listed(code: Any) -> Any:
-    """Return the code as the sheet Laws lists it: MATCH passes over the case of letters, and so does a description."""
-    place = place_of(code, CODES) if isinstance(code, str) else -1
-    return code if place < 0 else CODES[place]
+@dataclass(frozen=True)
+class TakesLaw:
+    """Marks an entry that names one of the book's laws; ``moves`` where the dwell does not do."""
 
+    moves: bool = False
+
+
+def as_listed(name: Any) -> Any:
+    """Return a code as the sheet Laws lists it: MATCH passes over the case of letters, and so does a description."""
+    place = place_of(name, CODES) if isinstance(name, str) else -1
+    return name if place < 0 else CODES[place]
+
+
+NAME = Field(min_length=1, max_length=LONGEST, pattern=NO_FORMULA)
+LawName = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw()]
+"""the name of any law of the book"""
+RisingLaw = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw(moves=True)]
+"""the name of a law that moves"""
+
+
+def entries_of(code: str) -> type[Model]:
+    """Return the model of a family's entries, which say of which family they are."""
+    page = FAMILY[code].page
+    base = page.entries or Model
+    fields: dict[str, Any] = {"family": (Literal[code], code)}
+    return create_model(f"{code}Entries", __base__=base, __module__=__name__, **fields)
+
+
+ENTRIES: dict[str, type[Model]] = {one.code: entries_of(one.code) for one in FAMILIES if one.page.entries}
+CELLS: dict[str, type[Model]] = {
+    code: create_model(
+        f"{code}Cells", __base__=model, __module__=__name__, called=(Annotated[str, NAME, LOOKED_UP], ...)
+    )
+    for code, model in ENTRIES.items()
+}
+"""the entries that a law's own page has: its name too"""
 
 if TYPE_CHECKING:
-    LawCode = str
-    RiseCode = str
-
-    class Laws(Model):
-        """The parameters of every law in the book, by code."""
-
-        def __getattr__(self, code: str) -> Any: ...
-
+    Entered = Any
 else:
-    LawCode = Annotated[Literal[tuple(CODES)], BeforeValidator(as_listed)]
-    """the code of any law"""
-    RiseCode = Annotated[Literal[RISING], BeforeValidator(as_listed)]
-    """the code of a law that moves"""
-    Laws = create_model(
-        "Laws",
-        __base__=Model,
-        __module__=__name__,
-        __doc__="The parameters of every law in the book.",
-        **{one.code: (one.page.entries, one.page.entries()) for one in FAMILIES if one.page.entries},
-    )
+    Entered = Annotated[Union[tuple(ENTRIES.values())], Field(discriminator="family")]  # noqa: UP007
+
+
+def key_of(name: str) -> str:
+    """Return a law's name as a part of a key: in quotes, where it has more than letters and digits."""
+    return name if PLAIN.fullmatch(name) else f'"{name}"'
+
+
+class Laws(RootModel[dict[str, Entered]]):
+    """The laws of a book by name: the codes of the basic families, then those that the description adds, in its order.
+
+    The dwell is among the book's laws too, with nothing to enter.
+    """
+
+    _titles: dict[str, str] = PrivateAttr(default_factory=dict)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _named(cls, data: Any) -> Any:
+        if not isinstance(data, Mapping):
+            return data
+        given = dict(data)
+        require_names(list(given))
+        basic = {code: given.pop(code, {}) for code in CODES if code in ENTRIES}
+        return {name: in_family(name, entry) for name, entry in {**basic, **given}.items()}
+
+    @model_serializer(mode="wrap")
+    def _plain(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Put the family first, and leave out that of a basic law: its name says it."""
+        dumped: dict[str, Any] = handler(self)
+        return {name: in_order(entry, name not in CODES) for name, entry in dumped.items()}
+
+    @classmethod
+    def entry_at(cls, key: str) -> type[Model]:
+        """Return the model of the entries at a family's code, or at the key of a numbered law such as ``MTP8``."""
+        match = NUMBERED.fullmatch(key)
+        if match is None or match[1] not in ENTRIES:
+            raise KeyError(key)
+        return CELLS[match[1]] if match[2] else ENTRIES[match[1]]
+
+    def __getitem__(self, name: str) -> Any:
+        """Return the entries of a law; None of the dwell, which has none."""
+        return self.root[name] if name != "DWL" else None
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Laws) and [*self.root.items()] == [*other.root.items()]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.names
+
+    def items(self) -> Iterator[tuple[str, Any]]:
+        """Yield name and entries of each law that has any."""
+        yield from self.root.items()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every law in the order of the numbers."""
+        return ("DWL", *self.root)
+
+    def called(self, name: str) -> str:
+        """Return what a law was called when its book was built, else what it is called."""
+        return self._titles.get(name, name)
+
+    def built_as(self, titles: Mapping[str, str]) -> None:
+        """Keep what laws were called when the book was built in which they are found."""
+        self._titles.update(titles)
+
+    def number(self, name: str) -> int:
+        """Return the number of a law in the book, from 1."""
+        return self.names.index(name) + 1
+
+    def of(self, family: str) -> dict[str, Any]:
+        """Return the laws of a family, by name."""
+        return {name: entry for name, entry in self.root.items() if entry.family == family}
+
+    def listed(self, name: str) -> str | None:
+        """Return a name as it is listed, whatever the case of its letters; None where there is none such."""
+        place = place_of(name, self.names)
+        return None if place < 0 else self.names[place]
+
+
+def require_names(names: list[Any]) -> None:
+    """Raise EntryError for a name that a cell cannot hold, or that a look-up takes for another law's."""
+    for name in names:
+        if not isinstance(name, str):
+            raise EntryError("", f"a law is named {found(name)}; expected a text")
+        if not re.match(NO_FORMULA, name) or len(name) > LONGEST:
+            raise EntryError(key_of(name), f"a law's name; expected 1 to {LONGEST} characters that do not begin with =")
+        try:
+            looked_up(name)
+        except EntryError as error:
+            raise EntryError(key_of(name), f"the law's name {error}") from None
+        if name not in CODES and place_of(name, CODES) >= 0:
+            raise EntryError(key_of(name), f"look-ups take this for the law {as_listed(name)}; expected another name")
+    if "DWL" in names:
+        raise EntryError("DWL", "a dwell has nothing to enter; expected no entries")
+    try:
+        require_distinct([*CODES, *(name for name in names if name not in CODES)], "law", "{}")
+    except EntryError as error:
+        raise EntryError("", str(error)) from None
+
+
+def in_family(name: str, entry: Any) -> Any:
+    """Return the entries of a law with their family; raise EntryError where they do not say which, or one unknown."""
+    if isinstance(entry, Model):
+        return entry
+    if not isinstance(entry, Mapping):
+        raise EntryError(key_of(name), f"found {found(entry)}; expected the entries of a law")
+    if name in CODES:
+        if entry.get("family", name) != name:
+            raise EntryError(f"{name}.family", f"the law {name} is of its own family; expected another name")
+        return {**entry, "family": name}
+    family = entry.get("family")
+    place = place_of(family, ENTRIES) if isinstance(family, str) else -1
+    if place < 0:
+        said = "empty" if family is None else f"no family is named {found(family)}"
+        raise EntryError(f"{key_of(name)}.family", f"{said}; expected {nearest(family, ENTRIES)}")
+    return {**entry, "family": [*ENTRIES][place]}
+
+
+def nearest(given: Any, known: Iterable[str]) -> str:
+    """Return in words what was meant: the names that are like the one given, else all of them."""
+    names = [*known]
+    alike = get_close_matches(str(given).upper(), [name.upper() for name in names], n=3, cutoff=0.6)
+    chosen = [name for name in names if name.upper() in alike] if given is not None else []
+    return chosen[0] if len(chosen) == 1 else f"one of {', '.join(chosen or names)}"
+
+
+def in_order(entry: dict[str, Any], named: bool) -> dict[str, Any]:
+    """Return what is dumped of a law's entries: its family first, where it has a name of its own."""
+    rest = {key: value for key, value in entry.items() if key != "family"}
+    return {"family": entry["family"], **rest} if named else rest
+
+
+class Reference(NamedTuple):
+    """An entry that names a law: its model and field there, its key below the machine."""
+
+    entries: Model
+    field: str
+    key: str
+    moves: bool
+
+    @property
+    def name(self) -> str:
+        """The name that is entered."""
+        return str(getattr(self.entries, self.field))
+
+
+def references(entries: Any, key: str = "") -> Iterator[Reference]:
+    """Yield every entry below these that names a law."""
+    if isinstance(entries, list):
+        for i, one in enumerate(entries):
+            yield from references(one, f"{key}.{i}")
+    elif isinstance(entries, Model):
+        for field, info in type(entries).model_fields.items():
+            below = f"{key}.{field}".strip(".")
+            marks = [mark for mark in info.metadata if isinstance(mark, TakesLaw)]
+            if marks and getattr(entries, field) is not None:
+                yield Reference(entries, field, below, marks[0].moves)
+            elif field != "laws":
+                yield from references(getattr(entries, field), below)
+
+
+def resolve(entries: Model, laws: Laws) -> None:
+    """Write the names of laws as they are listed; raise EntryError for one that no law of the book has."""
+    for one in references(entries):
+        name = laws.listed(one.name)
+        if name is None or (one.moves and name == "DWL"):
+            known = [known for known in laws.names if not one.moves or known != "DWL"]
+            said = "a dwell does not move" if name else f"no law is named {found(one.name)}"
+            raise EntryError(one.key, f"{said}; expected {nearest(one.name, known)}")
+        object.__setattr__(one.entries, one.field, name)  # entries are frozen once they are whole

@@ -59,6 +59,10 @@ class LawCheck(NamedTuple):
     name: str
     label: str
     condition: str
+    rule: str = ""
+    """of the family's entries, which it mirrors"""
+    says: str = ""
+    """the formula of where it fails, and by how much"""
 
 
 @dataclass(frozen=True)

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+import re
+from collections.abc import Iterable
 
 from engine.laws import Law
 from engine.laws.rise import Rise
 from engine.laws.sampled import abscissae
 from engine.laws.table import begins
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
 from workbook.laws.family import COEFFICIENTS, Page, value_at
-from workbook.laws.registry import Family
+from workbook.laws.library import NamedLaw
+
+LONGEST_TITLE = 31  # characters of a sheet's title; Excel's limit
+RESERVED = ("About", "Checks", "Laws", "History")
+"""sheets that come later, and a title that Excel keeps for itself"""
 
 
 def finite(value: float) -> float | str:
@@ -22,43 +27,65 @@ def finite(value: float) -> float | str:
     return value if math.isfinite(value) else "∞"
 
 
-def law_sheet(
-    book: Book, family: Family, law: Law, entered: Any, number: int, intervals: int, stack: sampling.Pieces
-) -> None:
+def law_sheet(book: Book, one: NamedLaw, intervals: int, stack: sampling.Pieces) -> None:
     """Declare the sheet of one law."""
-    page, name = family.page, family.code
-    sheet = book.sheet(name, f"{page.title} ({page.source})")
+    page, law, entered = one.page, one.law, one.entered
+    sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
     rise = Rise(law, si(entered.lift, MM), entered.time)
-    with sheet.scoped(f"{name}_"):
+    with sheet.scoped(f"{one.slug}_"):
         sheet.heading("What to enter")
-        entries(sheet, page, name, entered)
+        entries(sheet, one)
         sheet.heading("What comes out: the coefficients, for unit rise and time")
         coefficients(sheet, page, law)
         sheet.heading("What comes out: the rise h in the time t_a")
-        risen(sheet, name, rise, number)
+        risen(sheet, one, rise)
         sheet.heading(
             "Pieces",
             "On each piece a(u) = c0 + c1 u + P sin(ωu + φ), u = ξ − ξ_k; velocity and position are carried on.",
         )
         pieces_table(sheet, page, law)
-        checks(sheet, page, name)
-        draw(sheet, name)
+        checks(sheet, one)
+        draw(sheet, one.called)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = 19
         sheet.heading("Table")
-        samples(sheet, rise, entered.lift, intervals, stack.locate(number, abscissae(intervals)))
+        samples(sheet, rise, entered.lift, intervals, stack.locate(one.number, abscissae(intervals)))
 
 
-def entries(sheet: Sheet, page: Page, name: str, entered: Any) -> None:
-    """Declare the rise that is shown, and the law's parameters."""
+def sheet_title(name: str, taken: Iterable[str]) -> str:
+    """Return a title for the sheet of a law that Excel takes and no other sheet has."""
+    plain = re.sub(r"[\[\]:*?/\\]", "-", name).strip("'")[:LONGEST_TITLE].strip("'") or "Law"
+    others = {title.casefold() for title in (*taken, *RESERVED)}
+    found, more = plain, 1
+    while found.casefold() in others:
+        more += 1
+        ending = f" ({more})"
+        found = plain[: LONGEST_TITLE - len(ending)] + ending
+    return found
+
+
+def entries(sheet: Sheet, one: NamedLaw) -> None:
+    """Declare the law's name, the rise that is shown, and the law's parameters."""
+    page, entered = one.page, one.entered
     sheet.rows(
+        *(() if one.basic else name_of(one)),
         given("@h", "Rise shown", "h", "mm",
-              entered.lift, f"laws.{name}.lift", source="any; a return is negative"),
-        given("@t", "Time of the rise", "t_a", "s", entered.time, f"laws.{name}.time"),
+              entered.lift, f"{one.key}.lift", source="any; a return is negative"),
+        given("@t", "Time of the rise", "t_a", "s", entered.time, f"{one.key}.time"),
         *page.constants,
         *(given(p.name, p.label, p.symbol, "",
-                value_at(entered, p.key), f"laws.{name}.{p.key}", format="0.0000", source=p.source)
+                value_at(entered, p.key), f"{one.key}.{p.key}", format="0.0000", source=p.source)
           for p in page.parameters),
+    )  # fmt: skip
+
+
+def name_of(one: NamedLaw) -> tuple[Quantity, Quantity]:
+    """Return the rows of a law's name, as it is and as it was when the book was built."""
+    return (
+        given("@called", "Name of the law", "", "",
+              one.name, f"{one.key}.called", align="center", source="by which a phase takes it"),
+        constant("@built", "Named when the book was built", "", "",
+                 one.called, align="center", source="its sheet and its checks keep this name"),
     )  # fmt: skip
 
 
@@ -74,7 +101,7 @@ def coefficients(sheet: Sheet, page: Page, law: Law) -> None:
         sheet.rows(*workings)
 
 
-def risen(sheet: Sheet, name: str, rise: Rise, number: int) -> None:
+def risen(sheet: Sheet, one: NamedLaw, rise: Rise) -> None:
     """Declare the largest velocity and accelerations of the rise."""
     sheet.rows(
         calc("@h_m", "Rise in metres", "h", "m", "=@h/1000", rise.lift, source="h / 1000"),
@@ -84,14 +111,16 @@ def risen(sheet: Sheet, name: str, rise: Rise, number: int) -> None:
                "=MAX(@ca_max,-@ca_min)*ABS(@h_m)/@t^2", rise.acceleration, source="C_a h / t_a²"),
         result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",
                "=@ca_rms*ABS(@h_m)/@t^2", rise.acceleration_rms, source="C_a,rms h / t_a²"),
-        calc("@no", "Number on the sheet Laws", "", "", f'=MATCH("{name}",law_code,0)', number, format="0"),
+        calc("@no", "Number on the sheet Laws", "", "", one.finding, one.number, format="0"),
     )  # fmt: skip
 
 
-def checks(sheet: Sheet, page: Page, name: str) -> None:
+def checks(sheet: Sheet, one: NamedLaw) -> None:
     """Declare the law's own checks, and that it ends where it should."""
+    name = one.called
     sheet.checks(
-        *(check(one.name, f"{name}: {one.label}", one.condition, True) for one in page.checks),
+        *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
+          for each in one.page.checks),
         check("@ends", f"{name} ends at s = 1, at rest",
               "AND(ABS([@samples.s.last]-1)<check_zero,ABS([@samples.v.last])<check_zero)", True),
     )  # fmt: skip

@@ -40,5 +40,8 @@ def family_of(module: str) -> Family:
 
 FAMILIES: tuple[Family, ...] = tuple(family_of(module) for module in MODULES)
 FAMILY: dict[str, Family] = {family.code: family for family in FAMILIES}
-RISING: tuple[str, ...] = tuple(family.code for family in FAMILIES if family.entry.rises)
-"""codes of the laws that move, in the order of their numbers"""
+CODES: tuple[str, ...] = ("DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
+"""the basic laws, which every book has, in the order of their numbers: each named by the code of its family"""
+BASIC: tuple[Family, ...] = tuple(FAMILY[code] for code in CODES)
+RISING: tuple[str, ...] = tuple(code for code in CODES if FAMILY[code].entry.rises)
+"""those of them that move"""

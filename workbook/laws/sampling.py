@@ -43,10 +43,14 @@ Located = tuple[Array, Array, Array]
 class Pieces:
     """The stacked pieces as the sheets expect to find them: the pieces of each law, by number."""
 
-    def __init__(self, pieces: dict[int, list[Piece]]) -> None:
-        self.pieces = pieces
+    def __init__(self, pieces: dict[int, list[Piece]], numbers: dict[int, int]) -> None:
+        self.pieces, self._numbers = pieces, numbers
         before = accumulate((len(rows) for rows in pieces.values()), initial=1)
         self.first = dict(zip(pieces, before, strict=False))
+
+    def number(self, law: Law) -> int:
+        """Return the number of one of the book's laws."""
+        return self._numbers[id(law)]
 
     def locate(self, number: int, xi: Array) -> Located:
         """Return piece row (from 1), local abscissa u and sine argument ωu + φ of samples of one law."""

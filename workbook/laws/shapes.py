@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from engine.laws import Law
+from collections.abc import Sequence
+
 from engine.laws.base import Shapes
-from workbook.book.chart import in_scope
-from workbook.book.declare import Sheet, calc, constant
-from workbook.laws.registry import FAMILIES
-from workbook.laws.stack import CODES
+from workbook.book.declare import Quantity, Sheet, calc
+from workbook.laws.library import NamedLaw
 
 WORDS = {
     "flat_up": "constant, accelerating",
@@ -19,19 +18,25 @@ WORDS = {
 }
 
 
-def shapes_table(sheet: Sheet, library: dict[str, Law]) -> None:
+def shapes_table(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     """Declare the table ``shapes``: for each law the shares of its time on stages of each shape."""
-    values = [library[code].shapes() or Shapes() for code in CODES]
+    values = [one.law.shapes() or Shapes() for one in laws]
     sheet.table(
-        "shapes", "Laws, in the order of the sheet Laws", len(CODES),
-        constant("law", "law", "", "", list(CODES)),
+        "shapes", "Laws, in the order of the sheet Laws", len(laws),
+        listed(laws),
         *(calc(name, words, "", "",
-               [in_scope(getattr(family.page.shapes, name), f"{family.code}_") for family in FAMILIES],
+               [one.own(getattr(one.page.shapes, name)) for one in laws],
                [getattr(share, name) for share in values])
           for name, words in WORDS.items()),
     )  # fmt: skip
 
 
-def fastest_formulas() -> list[str]:
+def listed(laws: Sequence[NamedLaw]) -> Quantity:
+    """Return the column that names each law."""
+    formulas = [f"=INDEX(law_code,{one.number})" for one in laws]
+    return calc("law", "law", "", "", formulas, [one.name for one in laws])
+
+
+def fastest_formulas(laws: Sequence[NamedLaw]) -> list[str]:
     """Return for each law the formula of the first ξ at which v is largest."""
-    return [in_scope(family.page.fastest, f"{family.code}_") for family in FAMILIES]
+    return [one.own(one.page.fastest) for one in laws]

@@ -2,31 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, cast
 
-from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.sampled import SampledPieceLaw
-from workbook.book.chart import in_scope
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.machine import Sizes
 from workbook.laws.entries import Laws
+from workbook.laws.library import NamedLaw
 from workbook.laws.page import finite
 from workbook.laws.pages.pieces import own_entries, own_samples
-from workbook.laws.registry import FAMILIES
-from workbook.laws.stack import CODES, Row, locator
+from workbook.laws.sampling import Pieces
+from workbook.laws.stack import Row
 
 
-def laws_sheet(book: Book, library: dict[str, Law], given: Laws, sizes: Sizes, rows: list[Row]) -> None:
+def laws_sheet(
+    book: Book, laws: Sequence[NamedLaw], given: Laws, sizes: Sizes, rows: list[Row], stacked: Pieces
+) -> None:
     """Declare the sheet from which every axis evaluates its law."""
+    own = next(one for one in laws if one.name == "OWN")
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading(
         "What to enter: a law of your own",
         "Fill the rows below; an axis takes it as OWN. The durations sum to 1; leave spare rows empty.",
     )
-    own_entries(sheet, given.OWN, library["OWN"], sizes.pieces)
+    own_entries(sheet, given["OWN"], own.law, sizes.pieces)
     sheet.heading("What comes out: the laws and their coefficients")
-    summary(sheet, library, given)
+    summary(sheet, laws)
     sheet.note(
         "C_v, C_a and max(v·a) of the own law are the greatest of its samples; C_a,rms is integrated from its pieces."
     )
@@ -41,31 +44,30 @@ def laws_sheet(book: Book, library: dict[str, Law], given: Laws, sizes: Sizes, r
     )  # fmt: skip
     stack(sheet, rows)
     sheet.heading("Table of the own law")
-    own_samples(sheet, cast(SampledPieceLaw, library["OWN"]), CODES.index("OWN") + 1, locator(rows))
+    own_samples(sheet, cast(SampledPieceLaw, own.law), own.number, stacked)
 
 
-def summary(sheet: Sheet, library: dict[str, Law], given: Laws) -> None:
-    """Declare the table of laws: code, name, coefficients, values at both ends."""
-    laws = [library[code] for code in CODES]
+def summary(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
+    """Declare the table of laws: name, coefficients, values at both ends."""
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
-        formulas = [in_scope(one.page.coefficient(name), f"{one.code}_") for one in FAMILIES]
-        values = [finite(getattr(law.coefficients, name)) for law in laws]
+        formulas = [one.own(one.page.coefficient(name)) for one in laws]
+        values = [finite(getattr(one.law.coefficients, name)) for one in laws]
         return result(name, label, symbol, "", formulas, values, format="0.0000")
 
     def end(d: str, label: str, at: str) -> Quantity:
         xi = 0 if at == "first" else 1
-        formulas = [in_scope(one.page.end(d, at), f"{one.code}_") for one in FAMILIES]
-        values = [getattr(law.start if at == "first" else law.end, d) for law in laws]
+        formulas = [one.own(one.page.end(d, at)) for one in laws]
+        values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
         return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values)
 
     sheet.table(
-        "laws", "The laws by number; an axis names its law by code", len(CODES),
-        calc("name", "name", "", "",
-             [one.page.name_formula(one.entry) for one in FAMILIES],
-             [one.page.name_entered(one.entry, getattr(given, one.code, None)) for one in FAMILIES]),
-        constant("no", "number", "", "", list(range(1, len(CODES) + 1))),
-        constant("code", "code", "", "", list(CODES)),
+        "laws", "The laws by number; a phase takes its law by this name", len(laws),
+        calc("name", "law in words", "", "",
+             [one.page.name_formula(one.family.entry) for one in laws],
+             [one.page.name_entered(one.family.entry, one.entered) for one in laws]),
+        constant("no", "number", "", "", [one.number for one in laws]),
+        calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
         coefficient("cv", "velocity coefficient", "C_v"),
         coefficient("ca_max", "acceleration coefficient", "C_a+"),
         coefficient("ca_min", "deceleration coefficient", "C_a−"),
@@ -99,7 +101,7 @@ def stack(sheet: Sheet, rows: list[Row]) -> None:
 
     sheet.table(
         "pieces", "Pieces of all laws", len(rows),
-        constant("law", "law", "", "", column("law")),
+        calc("law", "law", "", "", "=INDEX(law_code,[number])", column("law")),
         constant("number", "number", "", "", column("number")),
         constant("k", "piece", "k", "", column("k")),
         entry("d", "duration", "d"),
@@ -128,8 +130,10 @@ def stack(sheet: Sheet, rows: list[Row]) -> None:
              "=[s]+[ps]*SIN([phi])", column("s0"), source="s_k + P/ω² sin φ"),
         calc("s1", "slope of position", "S1", "",
              "=[v]+[pv]*COS([phi])", column("s1"), source="v_k + P/ω cos φ"),
-        calc("key", "key", "", "", "=2*[number]+[xi]", column("key"), source="2 · number + ξ_k"),
+        calc("key", "key", "", "",
+             "=2*[number]+MIN(1,MAX(0,[xi]))", column("key"), source="2 · number + ξ_k, within its law"),
     )  # fmt: skip
+    sheet.book.keyed.add("pieces.key")
     sheet.book.name(
         "pieces", piece_law="law", piece_number="number", piece_k="k", piece_d="d",
         piece_c0="c0", piece_c1="c1", piece_c2="c2", piece_c3="c3",

@@ -5,29 +5,29 @@ from __future__ import annotations
 from workbook.book.declare import Book
 from workbook.entries.machine import Sizes
 from workbook.laws.entries import Laws
-from workbook.laws.library import laws
+from workbook.laws.library import named
 from workbook.laws.page import law_sheet
-from workbook.laws.registry import FAMILIES
+from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sheet import laws_sheet
 from workbook.laws.stack import locator, stacked
 
-PAGED = tuple(family.code for family in FAMILIES if family.page.has_sheet)
+PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
 LAW_SIZES = {"law": (f"{PAGED[0]}_samples", 1), "own_law": ("own_samples", 1), "pieces": ("own_pieces", 0)}
 
 
 class LawShelf:
-    """The motion laws of a book: the engine's laws, and the stacked pieces in which every sheet looks its law up."""
+    """The motion laws of a book: the engine's laws by name, and the stack of pieces in which sheets look them up."""
 
     def __init__(self, given: Laws, sizes: Sizes) -> None:
         self.given, self.sizes = given, sizes
-        self.laws = laws(given, sizes.own_law)
-        self.rows = stacked(self.laws, sizes)
-        self.stack = locator(self.rows)
+        self.named = named(given, sizes.own_law)
+        self.laws = {one.name: one.law for one in self.named}
+        self.rows = stacked(self.named, sizes)
+        self.stack = locator(self.named, self.rows)
 
     def sheets(self, book: Book) -> None:
         """Declare a page for each law, and the Laws sheet."""
-        for number, family in enumerate(FAMILIES, 1):
-            if family.page.has_sheet:
-                entered = getattr(self.given, family.code)
-                law_sheet(book, family, self.laws[family.code], entered, number, self.sizes.law, self.stack)
-        laws_sheet(book, self.laws, self.given, self.sizes, self.rows)
+        for one in self.named:
+            if one.page.has_sheet:
+                law_sheet(book, one, self.sizes.law, self.stack)
+        laws_sheet(book, self.named, self.given, self.sizes, self.rows, self.stack)

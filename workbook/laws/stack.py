@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from engine.laws import Law, Piece
+from engine.laws import Piece
 from engine.laws.table import Carried, carried, key
-from workbook.book.chart import in_scope
 from workbook.entries.machine import Sizes
-from workbook.laws.registry import FAMILIES
+from workbook.laws.library import NamedLaw
 from workbook.laws.sampling import Pieces
-
-CODES = tuple(family.code for family in FAMILIES)
-"""the laws of a book in the order of their numbers, from 1"""
 
 
 @dataclass(frozen=True)
@@ -45,16 +42,15 @@ class Row:
     key: float
 
 
-def stacked(library: dict[str, Law], sizes: Sizes) -> list[Row]:
+def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     """Return the rows of the stack: the pieces of each law in the order of their numbers."""
     rows = []
-    for number, family in enumerate(FAMILIES, 1):
-        law = library[family.code]
-        found = family.page.stacked(law, sizes.pieces)
-        places = carried(law, [one.piece for one in found])
-        for k, (one, place) in enumerate(zip(found, places, strict=True), 1):
-            formulas = {name: in_scope(text, f"{family.code}_") for name, text in one.formulas.items()}
-            rows.append(row(family.code, number, k, formulas, place))
+    for one in laws:
+        found = one.page.stacked(one.law, sizes.pieces)
+        places = carried(one.law, [each.piece for each in found])
+        for k, (each, place) in enumerate(zip(found, places, strict=True), 1):
+            formulas = {name: one.own(text) for name, text in each.formulas.items()}
+            rows.append(row(one.name, one.number, k, formulas, place))
     return rows
 
 
@@ -70,7 +66,8 @@ def row(law: str, number: int, k: int, formulas: dict[str, str], place: Carried)
     )  # fmt: skip
 
 
-def locator(rows: list[Row]) -> Pieces:
+def locator(laws: Sequence[NamedLaw], rows: list[Row]) -> Pieces:
     """Return the stack as the sampled tables search it."""
     found = groupby(rows, key=lambda row: row.number)
-    return Pieces({number: [row.piece for row in group] for number, group in found})
+    numbers = {id(one.law): one.number for one in laws}
+    return Pieces({number: [row.piece for row in group] for number, group in found}, numbers)

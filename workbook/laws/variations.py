@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Container, Iterable
 from typing import Any
 
 from workbook.entries.machine import Machine
-from workbook.laws.registry import FAMILIES, FAMILY, RISING
+from workbook.laws.family import Page
+from workbook.laws.registry import CODES, FAMILY
 
 SIX = 6
 """variations of a template, unless its laws need more to have their turn"""
@@ -14,10 +15,10 @@ MOST = 120
 """turns after which a law that has not come never will"""
 
 
-def law_for(turn: int, without: str = "") -> str:
-    """Return the law that moves whose turn it is: one after the other, round and round; ``without`` a law, if any."""
-    codes = [code for code in RISING if code != without]
-    return codes[turn % len(codes)]
+def law_for(turn: int, names: Iterable[str]) -> str:
+    """Return the law whose turn it is: one after the other, round and round."""
+    known = list(names)
+    return known[turn % len(known)]
 
 
 def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]]) -> list[dict[str, Any]]:
@@ -27,36 +28,45 @@ def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[st
     Raises LookupError, with the laws that never come.
     """
     made: list[dict[str, Any]] = []
-    missing = set(RISING)
+    names = set(dict(machine.laws.items()))
+    missing = set(names)
     for turn in range(MOST):
         description = varied(machine.model_dump(), turn)
-        if turn < SIX or missing & laws_in(description):
+        if turn < SIX or missing & laws_in(description, names):
             made.append(description)
-            missing -= laws_in(description)
+            missing -= laws_in(description, names)
         if turn + 1 >= SIX and not missing:
             return made
     raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
 
 
-def laws_in(description: Any) -> set[str]:
-    """Return the codes of the laws that a description's phases and tools name."""
+def laws_in(description: Any, names: Container[str]) -> set[str]:
+    """Return those of the laws ``names`` that a description's phases and tools name."""
     if isinstance(description, dict):
-        return set().union(*(laws_in(value) for name, value in description.items() if name != "laws"))
+        return set().union(*(laws_in(value, names) for name, value in description.items() if name != "laws"))
     if isinstance(description, list):
-        return set().union(*(laws_in(value) for value in description))
-    return {description} if isinstance(description, str) and description in RISING else set()
+        return set().union(*(laws_in(value, names) for value in description))
+    return {description} if isinstance(description, str) and description in names else set()
 
 
 def vary_laws(laws: dict[str, Any], k: int, scale: Any, room: int) -> None:
     """Give every law other parameters: asymmetric, with zero stages, of several pieces."""
-    for family in FAMILIES:
-        if family.page.has_sheet:
-            entry = laws[family.code]
+    for name, entry in laws.items():
+        if page_of(name, entry).has_sheet:
             entry["lift"] *= -next(scale) if k % 2 else next(scale)
             entry["time"] *= next(scale)
-    for family in FAMILIES:
-        if family.page.entries:
-            laws[family.code].update(family.page.variation(k, room))
+    for i, (name, entry) in enumerate(laws.items()):
+        entry.update(page_of(name, entry).variation(k if name in CODES else k + i, room))
+
+
+def page_of(name: str, entry: dict[str, Any]) -> Page:
+    """Return the page of a law in a description, which leaves out the family of a basic law."""
+    return FAMILY[entry.get("family", name)].page
+
+
+def own_in(laws: dict[str, Any]) -> list[str]:
+    """Return the names of the own laws in a description's laws."""
+    return [name for name, entry in laws.items() if entry.get("family", name) == "OWN"]
 
 
 def factors(k: int) -> Any:

@@ -12,7 +12,6 @@ from workbook.laws.entries import Laws
 from workbook.laws.library import laws
 
 FEW = 8  # rows more than are used, where a description does not say how many
-WIDEST = 8  # pieces of a law that verify tries in any book
 
 
 def counts(given: Laws) -> dict[str, int]:
@@ -20,13 +19,15 @@ def counts(given: Laws) -> dict[str, int]:
     return {name: len(placed(law)) for name, law in laws(given, 1).items()}
 
 
-def settle(machine: Machine, motions: Mapping[str, Sequence[str]], least: int, more: int = 0) -> None:
+def settle(machine: Machine, motions: Mapping[str, Sequence[str]], rest: int, at_once: int = 1, more: int = 0) -> None:
     """Settle the room for the pieces of a motion: what is stated, or a few rows more than the longest motion needs.
 
     ``motions`` are the laws of the phases of each, by the place of its entry in the description; each motion has
-    ``more`` pieces besides. Raises EntryError for a room of less than ``least``, or too small for a motion.
+    ``more`` pieces besides. At least there is room for ``rest`` pieces and any law of the book ``at_once`` times:
+    so many does verify try. Raises EntryError for a room of less, or too small for a motion.
     """
     number, room = counts(machine.laws), machine.sizes.motion_pieces
+    least = rest + at_once * max(machine.sizes.pieces, *number.values())
     needed = {key: sum(number[name] for name in names) + more for key, names in motions.items()}
     if room is None:
         room = max(least, *needed.values()) + FEW

@@ -9,15 +9,18 @@ from pathlib import Path
 from typing import Any
 
 import tomli_w
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Block, Quantity
 from workbook.entries import rules
-from workbook.entries.machine import Machine
+from workbook.entries.design import RefusedError, as_entered, designed, keys_of
+from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import EntryError
 from workbook.errors import DisputedError, InputError, ReadError
 from workbook.intake import read_text
+from workbook.laws.entries import key_of
+from workbook.laws.layout import numbered, with_laws
 from workbook.reading.files import BookFile, Words
 from workbook.reading.work import require_little_work
 from workbook.template import M, Template
@@ -59,24 +62,32 @@ def parsed(text: str, path: Path) -> dict[str, Any]:
 
 def counted(key: str) -> str:
     """Return a key whose lists are counted from 1, as people count: ``timing.axes[1].name``."""
-    numbered = re.sub(r"\.(\d+)", lambda found: f"[{int(found[1]) + 1}]", key)
-    return numbered if numbered == key else f"{numbered} (counted from 1)"
+    told = re.sub(r'("[^"]*")|\.(\d+)', lambda found: found[1] or f"[{int(found[2]) + 1}]", key)
+    return told if told == key else f"{told} (counted from 1)"
 
 
 def write_machine(machine: Machine) -> str:
     """Return the TOML of a machine description."""
-    return tomli_w.dumps(machine.model_dump(exclude_none=True))
+    return tomli_w.dumps(as_entered(machine))
 
 
 def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
-    """Validate entries; raise InputError whose lines say where each fault is and what is expected."""
+    """Validate entries; raise InputError whose lines say where each fault of structure or type is.
+
+    Numbers that do not do, or are missing, make an unfinished design of it: see :mod:`workbook.entries.design`.
+    """
     try:
-        machine = template.model.model_validate(data)
-    except ValidationError as error:
-        faults = error.errors(include_url=False)
-        raise InputError([told(fault, template.model, where) for fault in faults]) from None
-    require_possible(template, machine, where)
-    return machine
+        return designed(template.model, template.check, data, lambda: read_machine(template.description))
+    except RefusedError as error:
+        lines = [refused(fault, template.model, where) for fault in error.faults]
+        raise InputError(lines) from None
+    except EntryError as error:
+        raise InputError([f"{where(error.field)}: {error}"]) from None
+
+
+def refused(fault: Any, model: type[BaseModel], where: Where) -> str:
+    """Return the line of a fault of pydantic's, or of a design that nothing can be made of."""
+    return f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
 
 
 def require_possible(template: Template[M], machine: M, where: Where) -> None:
@@ -89,20 +100,29 @@ def require_possible(template: Template[M], machine: M, where: Where) -> None:
 
 def told(fault: Any, model: type[BaseModel], where: Where) -> str:
     """Return one line: where, what was found, what is expected."""
-    key = ".".join(map(str, fault["loc"]))
+    key, rule = keys_of(fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, EntryError):
         return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
     if fault["type"] == "extra_forbidden":
-        *above, unknown = map(str, fault["loc"])
-        kind, _ = rules.field_at(model, ".".join(above))
+        above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
+        kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
         plain = unknown.isidentifier() and len(unknown) < LONGEST
-        named = where(".".join([*above, unknown if plain else found(unknown)]))
+        named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else found(unknown)}".strip("."))
         return f"{named}: unknown entry; expected one of {', '.join(kind.model_fields)}"
-    expected = rules.expectation(*rules.field_at(model, key))
+    expected = rules.expectation(*rules.field_at(model, rule))
     if fault["type"] == "missing" or fault["input"] == {}:
         return f"{where(key)}: empty; expected {expected}"
     return f"{where(key)}: found {found(fault['input'])}; expected {expected}"
+
+
+def unnamed(key: str, named: dict[str, str]) -> str:
+    """Return a key below a law's name with the one that its cells have."""
+    for name, below in named.items():
+        begin = f"laws.{key_of(name)}"
+        if key == begin or key.startswith(f"{begin}."):
+            return f"laws.{below}{key.removeprefix(begin)}"
+    return key
 
 
 class Entries:
@@ -115,11 +135,12 @@ class Entries:
         self._value: Callable[[Address], Any] | None = None
         self.disputed: list[str] = []
         self.cells: dict[str, str] = {}
-        self.computed: list[str] = []
+        self.computed: dict[Address, Any] = {}
         self.template = self._template()
         self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
         self.missing: list[str] = []
-        default = self.template.laid_out(read_machine(self.template.description), file.places)
+        self._laws = numbered(file.places)
+        default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": type(default.sizes)(**small)}))
@@ -134,7 +155,29 @@ class Entries:
             )
         if self.disputed:
             raise InputError(self.disputed)
-        return checked(self.template, self.data, self._where)
+        data, named = self._by_name()
+        machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
+        machine.laws.built_as(self._built(named))
+        return machine
+
+    def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
+        """Return what is entered with the book's own laws by their names, and for each of these names its key."""
+        laws = dict(self.data.get("laws", {}))
+        named: dict[str, str] = {}
+        for key, family in self._laws.items():
+            entry = dict(laws.pop(key, {}))
+            name, cell = entry.pop("called", None), self._where(f"laws.{key}.called")
+            if not isinstance(name, str) or name in laws:
+                fault = f"found {found(name)}" if name is not None else "empty"
+                raise InputError([f"{cell}: {fault}; expected a name that no other law has"])
+            laws[name], named[name] = {**entry, "family": family}, key
+        return self.data | {"laws": laws}, named
+
+    def _built(self, named: dict[str, str]) -> dict[str, str]:
+        """Return what each law was called when the book was built."""
+        places = {name: self.file.places.get(f"{key}_built") for name, key in named.items()}
+        held = {name: self.file.value(place.cell(0, 0)) for name, place in places.items() if place is not None}
+        return {name: text for name, text in held.items() if isinstance(text, str)}
 
     def _template(self) -> AnyTemplate:
         place = self.file.places.get("book_template")
@@ -177,8 +220,8 @@ class Entries:
     def _entered(self, cell: Address, q: Quantity) -> Any:
         value = self.file.value(cell)
         if isinstance(value, str) and value.startswith("=") and not isinstance(value, Words):
-            self.computed.append(str(cell))
-            return self._computed(cell, q, value)
+            self.computed[cell] = self._computed(cell, q, value)
+            return self.computed[cell]
         return value
 
     def _computed(self, cell: Address, q: Quantity, formula: str) -> Any:

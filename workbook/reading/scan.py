@@ -7,6 +7,7 @@ from posixpath import dirname, join, normpath
 from xml.parsers import expat
 
 from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, Count
+from workbook.reading.plain import OPEN, rows_between, taken
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
 from workbook.reading.rows import MAIN, Rows, corner, refuse_two_texts
 
@@ -35,19 +36,38 @@ class Scan:
         self.inside = ""  # the element whose text is measured
         self.length = 0
         self.texts: list[str] = []  # the elements met in a shared string
+        self.unicode = True
         self._parser = expat.ParserCreate()
 
     def read(self, data: bytes) -> None:
         """Read the part; raise Refusal where it is not well-formed, or not what a workbook may hold."""
         parser = self._parser
         parser.buffer_text = True
-        parser.StartDoctypeDeclHandler = self.doctype
+        parser.StartDoctypeDeclHandler, parser.XmlDeclHandler = self.doctype, self.declared
         self.listen()
         try:
-            parser.Parse(data, True)
+            parser.Parse(data[self.begun(data) :], True)
         except (expat.ExpatError, LookupError, UnicodeError) as error:  # the last two: an unknown encoding
             raise Refusal(f"damaged: {self.name} is not well-formed XML ({error}); {SAVE_AS}") from None
         self.count.area(self.rows.size if self.rows else 0)
+
+    def begun(self, data: bytes) -> int:
+        """Read the part up to its rows, and these where they are plain; return where the parser is to go on."""
+        begin, end = rows_between(data)
+        self._parser.Parse(data[:begin], False)
+        if self.rows is None or self.rows.span[0] + len(OPEN) != begin or not self.unicode:
+            return begin
+        try:
+            plain = taken(self.rows, data[begin:end].decode())
+        except UnicodeDecodeError:
+            return begin
+        if plain:
+            self.rows.span = (begin - len(OPEN), end)
+        return end if plain else begin
+
+    def declared(self, version: str, encoding: str | None, standalone: int) -> None:
+        """Note whether the part is written in UTF-8."""
+        self.unicode = (encoding or "utf-8").lower() == "utf-8"
 
     def listen(self) -> None:
         """Let the parser tell what stands outside of rows."""

@@ -16,8 +16,9 @@ from workbook.judging.verify import present, verify
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES, libreoffice
+from workbook.witnesses import libreoffice
 from workbook.witnesses.agreed import agreed
+from workbook.witnesses.registry import WITNESSES
 
 
 @pytest.fixture(scope="module", params=TEMPLATES)
@@ -132,15 +133,6 @@ def test_a_saved_value_of_another_type_is_stale(value, cutting, tmp_path):
     assert found(report, pair.address) == ["saved"]
     assert report.witnesses[0].at_fault == 0
     assert report.witnesses[1].at_fault == 1
-
-
-def test_an_error_typed_as_a_text_is_no_error(cutting, tmp_path):
-    opened = cutting.opened()
-    sheet = opened.create_sheet("Mine")
-    sheet["A1"], sheet["A2"] = "#REF!", "#N/A"
-    sheet["A2"].data_type = "s"
-    opened.save(tmp_path / "b.xlsx")
-    assert [(f.sheet, f.cell, f.kind) for f in verify(tmp_path / "b.xlsx").findings] == [("Mine", "A1", "error")]
 
 
 # saved values

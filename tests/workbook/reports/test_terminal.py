@@ -11,6 +11,7 @@ from rich.console import Console
 
 from workbook import cli
 from workbook.build import build
+from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Report
@@ -58,7 +59,7 @@ def test_data_stays_data(capsys):
 def test_reports_are_not_obeyed(tmp_path, capsys):
     finding = Finding(NASTY, "A1", "changed", NASTY, NASTY, what=NASTY, why=NASTY)
     report = Report(tmp_path / NASTY.replace("\x00", ""), NASTY, notes=[NASTY])
-    report.findings, report.notices, report.unmatched = [finding], [finding], [NASTY]
+    report.findings, report.notices, report.own = [finding], [finding], [NASTY]
     report.cells = {NASTY: 1}
     out = Console(width=2_000)
     console.show_report(report, out)
@@ -85,9 +86,11 @@ def book(tmp_path_factory):
 @pytest.mark.parametrize("name", NAMES)
 def test_names_of_files_are_not_obeyed(name, book, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
-    for console_ in ("out", "err"):  # as on a terminal, with its status line
-        stream = console_ == "err"
-        monkeypatch.setattr(cli, console_, Console(stderr=stream, force_terminal=True, width=500, color_system=None))
+    for name_, stream in (("OUT", False), ("ERR", True)):  # as on a terminal, with its status line
+        shown_on = Console(stderr=stream, force_terminal=True, width=500, color_system=None)
+        for module in (cli, make, verify):
+            if hasattr(module, name_):
+                monkeypatch.setattr(module, name_, shown_on)
     tmp_path.joinpath(name).parent.mkdir(exist_ok=True)  # one of the names has a slash
     shutil.copy(book, f"{name}.xlsx")
     commands = [
@@ -116,12 +119,42 @@ def without_status(said):
     return said
 
 
+NASTY_WORD = "a\x1b[31mb\x9bc\n[/red]:warning:\u202e"
+MISUSED = [
+    ["verify", "--nope", NASTY_WORD], ["verify", f"--{NASTY_WORD}"], ["verify", f"-{NASTY_WORD}"], [NASTY_WORD],
+    ["laws", NASTY_WORD], ["verify", "x", "--with", NASTY_WORD], ["verify", "x", "--jobs", NASTY_WORD],
+    ["verify", "x", f"--json={NASTY_WORD}"], ["regenerate", NASTY_WORD], ["inputs"], ["--nope"],
+    ["build", "a.toml", NASTY_WORD, NASTY_WORD], ["verify", "x", "--jobs", "0"], ["build", "-o"],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("arguments", MISUSED, ids=lambda words: " ".join(words).encode("unicode_escape").decode())
+def test_a_misused_command_is_told_in_one_line(arguments, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    out, err = capsys.readouterr()
+    assert (left.value.code, out) == (2, "")
+    (line,) = err.splitlines()
+    assert line.isprintable()
+    assert line.endswith("See --help.")
+
+
+def test_help_is_shown_where_nothing_is_asked(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["motionbook"])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    out, err = capsys.readouterr()
+    assert left.value.code == 2
+    assert "verify" in out + err
+
+
 @pytest.mark.parametrize("fault", [RuntimeError("[/red]\x1b"), RecursionError("deep"), MemoryError()])
 def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, monkeypatch, capsys, tmp_path):
     def fail(*_, **__):
         raise fault
 
-    monkeypatch.setattr(cli.make, "described", fail)
+    monkeypatch.setattr(make.making, "described", fail)
     monkeypatch.setattr(sys, "argv", ["motionbook", "build", "-o", str(tmp_path / "book.xlsx")])
     with pytest.raises(SystemExit) as left:
         cli.main()

@@ -1,13 +1,15 @@
 """Modified trapezoidal acceleration with seven durations."""
 
-from typing import Annotated, Self
+from collections.abc import Iterator
+from typing import Annotated
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from engine.laws.modified_trapezoidal import CLASSIC, ModifiedTrapezoidal
 from engine.laws.pulse import K, Quarter
 from workbook.book.declare import Quantity, calc
-from workbook.entries.types import SUM_TOLERANCE, EntryError, Share
+from workbook.book.sentence import figure
+from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow, ShapeFormulas
 
 
@@ -16,18 +18,13 @@ class SevenDurations(LawSheet):
 
     durations: Annotated[list[Share], Field(min_length=7, max_length=7)] = Field(default=list(CLASSIC))
 
-    @model_validator(mode="after")
-    def _complete(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield durations that do not fill the rise, and a law that cannot start or stop."""
         total = sum(self.durations)
         if abs(total - 1) > SUM_TOLERANCE:
-            raise EntryError("durations", f"the seven durations sum to {total:.10g}; expected 1")
-        if not sum(self.durations[:3]) or not sum(self.durations[4:]):
-            raise EntryError(
-                "durations",
-                "stages 1 to 3 or stages 5 to 7 are all zero; expected at least one of each "
-                "three to last, or the law cannot start and stop",
-            )
-        return self
+            yield DesignError("durations", f"they sum to {figure(total)}; expected 1", "sum", list(CLASSIC))
+        if not (sum(self.durations[:3]) and sum(self.durations[4:])):
+            yield DesignError("durations", "stages 1 to 3, or 5 to 7, are all 0", "lasts", list(CLASSIC))
 
 
 KINDS = ("sine", "constant", "sine", "uniform velocity", "sine", "constant", "sine")
@@ -87,7 +84,12 @@ PAGE = Page(
         {"durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]},
         {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
     ),
-    checks=(LawCheck("@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero"),),
+    checks=(
+        LawCheck("@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum",
+                 '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
+        LawCheck("@lasts", "the law starts and stops", "MIN(@d1+@d2+@d3,@d5+@d6+@d7)>0", "lasts",
+                 '"stages 1 to 3, or 5 to 7, are all 0"'),
+    ),
     pieces=(
         PieceRow("1 · sine rising", "a = A sin(πu / 2d1)", "=@d1", P="=@ca_max", omega=_omega(1)),
         PieceRow("2 · constant", "a = A", "=@d2", c0="=@ca_max"),

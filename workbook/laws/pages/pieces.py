@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from engine import laws as engine
 from engine.laws import Entry, Law, PieceLaw
@@ -15,10 +15,11 @@ from engine.laws.piece_integrals import ends, squares
 from engine.laws.sampled import SampledPieceLaw, abscissae
 from workbook.book.chart import Chart, Series
 from workbook.book.checks import ZERO
-from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import figure
 from workbook.entries.texts import Text
-from workbook.entries.types import SMALLEST, SUM_TOLERANCE, EntryError, Model, NotNegative, Number
+from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
 from workbook.laws import sampling
 from workbook.laws.family import ENTRIES, Page, ShapeFormulas, Stacked
 
@@ -35,13 +36,12 @@ class Piece(Model):
     omega: NotNegative = 0.0
     phase: Number = 0.0
 
-    @model_validator(mode="after")
-    def _turning(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a sine without a frequency."""
         if self.amplitude and not self.omega:
-            raise EntryError("omega", f"the sine of amplitude {self.amplitude:g} has no ω; expected more than 0")
+            yield DesignError("omega", TURNING.words, TURNING.rule, 1.0)
         if 0 < self.omega < SMALLEST:
-            raise EntryError("omega", f"ω = {self.omega:g} is too small; expected 0 or at least {SMALLEST:g}")
-        return self
+            yield DesignError("omega", SLOW.words, SLOW.rule, 1.0)
 
     @property
     def made(self) -> engine.Piece:
@@ -50,18 +50,21 @@ class Piece(Model):
         return engine.Piece(self.duration, polynomial, self.amplitude, self.omega, self.phase)
 
 
+TURNING = RowRule("turning", "OR([P]+0=0,[omega]+0<>0)", "omega", "ω of a sine, expected more than 0")
+SLOW = RowRule("slow", f"OR([omega]+0<=0,[omega]+0>={SMALLEST!r})", "omega", "ω, too small")
+
+
 class OwnLaw(Model):
     """The engineer's own law, piece by piece; the default is the polynomial 3-4-5."""
 
     name: Text = "Polynomial 3-4-5"
     pieces: list[Piece] = Field(default=[Piece(duration=1.0, c1=60.0, c2=-180.0, c3=120.0)])
 
-    @model_validator(mode="after")
-    def _complete(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield pieces that do not fill the rise."""
         total = sum(piece.duration for piece in self.pieces)
         if abs(total - 1) > SUM_TOLERANCE:
-            raise EntryError("pieces", f"the durations of the own law sum to {total:.10g}; expected 1")
-        return self
+            yield DesignError("pieces", f"they sum to {figure(total)}; expected 1", "sum", [POLYNOMIAL_345])
 
     @property
     def made(self) -> list[engine.Piece]:
@@ -175,7 +178,8 @@ def own_entries(sheet: Sheet, own: OwnLaw, law: Law, room: int) -> None:
     sheet.rows(given("own_name", "Name of the own law", "", "", own.name, "laws.OWN.name"))
     own_table(sheet, own, room)
     sheet.checks(
-        check("own_sum", "OWN: the durations sum to 1", "ABS(SUM([own_pieces.d])-1)<check_zero", True),
+        check("own_sum", "OWN: the durations sum to 1", "ABS(SUM([own_pieces.d])-1)<check_zero", True,
+              rule="laws.OWN:sum", says='"they sum to "&ROUND(SUM([own_pieces.d]),9)&"; expected 1"'),
         check("own_reaches", "OWN: the law reaches s = 1",
               "ABS([own_samples.s.last]-1)<check_zero", abs(law.end.s - 1) < ZERO),
         check("own_rests", "OWN: the law ends at rest",
@@ -214,6 +218,7 @@ def own_table(sheet: Sheet, own: OwnLaw, n: int) -> None:
         calc("poly2", "∫ of polynomial²", "", "", POLYNOMIAL_SQUARED, [row.polynomial for row in square]),
         calc("cross", "∫ of 2 · polynomial · sine", "", "", CROSS, [row.cross for row in square]),
         calc("sine2", "∫ of sine²", "", "", SINE_SQUARED, [row.sine for row in square]),
+        rules=[TURNING, SLOW],
     )  # fmt: skip
 
 

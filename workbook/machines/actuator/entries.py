@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from workbook.book.sentence import figure
 from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
-from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
-from workbook.motion.room import WIDEST, settle
+from workbook.entries.types import DesignError, EntryError, Model, NotNegative, Number, Positive
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
@@ -50,14 +52,15 @@ class ActuatorMotor(MotorLimits):
     rated_at: Temperature
     limit: Temperature
 
-    @model_validator(mode="after")
-    def _cooler(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a motor of no known inertia, or hotter than its limit."""
         if self.inertia is None and self.inertia_ratio is None:
-            raise EntryError("inertia_ratio", "empty, and so is the motor's inertia; expected one of the two")
+            yield DesignError("inertia_ratio", "neither the motor's inertia nor a ratio is entered", "inertia", 1.0)
         for name in ("temperature", "rated_at"):
             if getattr(self, name) >= self.limit:
-                raise EntryError(name, f"{getattr(self, name):g} °C; expected less than the limit, {self.limit:g} °C")
-        return self
+                hottest = max(self.temperature, self.rated_at)
+                said = f"{figure(hottest)} °C; expected less than the limit, {figure(self.limit)} °C"
+                yield DesignError(name, said, "cool", self.limit - 1.0)
 
 
 class ActuatorEntry(Model):
@@ -72,6 +75,16 @@ class ActuatorEntry(Model):
     load: ActuatorLoad = ActuatorLoad()
     phases: Annotated[list[PhaseEntry], Field(min_length=1)]  # lifts in mm or degrees, durations in s
     motor: ActuatorMotor
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield parts behind gears that are not there."""
+        gears = len(self.gears)
+        behind = [part.shaft for part in self.parts]
+        if max(behind, default=0.0) > gears:
+            i = behind.index(max(behind))
+            said = f"row {i + 1}: behind {figure(behind[i])} gears, of {gears}"
+            fits = [part.model_dump() | {"shaft": min(part.shaft, float(gears))} for part in self.parts]
+            yield DesignError("parts", said, "shafts", fits)
 
 
 class ActuatorSizes(SelectionSizes):
@@ -96,14 +109,9 @@ class ActuatorSizing(Machine):
             ("actuator.gears", len(a.gears), self.sizes.gears, "gears"),
             ("actuator.parts", len(a.parts), self.sizes.rotors, "rotors"),
             ("actuator.phases", len(a.phases), self.sizes.phases, "phases"),
-            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces, "pieces"),
         ):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")
         require_room(self.selection, self.sizes)
-        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases + WIDEST)
-        for i, part in enumerate(a.parts):
-            if part.shaft > len(a.gears):
-                expected = f"0 to {len(a.gears)}, the number of gears"
-                raise EntryError(f"actuator.parts.{i}.shaft", f"found {part.shaft:g}; expected {expected}")
+        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases)
         return self

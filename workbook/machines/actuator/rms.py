@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from engine.drivetrain.flow import Flow
 from engine.drivetrain.squares import BentPhase
@@ -11,8 +11,8 @@ from engine.laws.base import Shapes
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.drive.losses import drives, loss_factor
+from workbook.laws.library import NamedLaw
 from workbook.laws.shapes import shapes_table
-from workbook.laws.stack import CODES
 from workbook.machines.actuator.view import Sized
 
 N1 = "=[peak]*([flat]*(1-[x{0}])+[sine]*2/PI()*(SQRT(1-[x{0}]^2)-[x{0}]*[gap{0}])+[ramp]*(1-[x{0}])^2/2)+[o{0}]"
@@ -37,7 +37,7 @@ TURNS = (
 SHAPES = (("flat", "constant"), ("sine", "quarter sine"), ("ramp", "straight"))
 
 
-def rms_sheet(book: Book, machine: Sized, library: dict[str, Law]) -> None:
+def rms_sheet(book: Book, machine: Sized, laws: Sequence[NamedLaw]) -> None:
     """Declare the sheet."""
     sheet = book.sheet(
         "RMS", "Exact mean squares of torque and acceleration over the cycle, from the laws' closed forms."
@@ -55,7 +55,7 @@ def rms_sheet(book: Book, machine: Sized, library: dict[str, Law]) -> None:
         turns(sheet, machine)
         for name, one in machine.flows.items():
             direction(sheet, machine, name, one)
-        shapes(sheet, library)
+        shapes(sheet, laws)
     sheet.print_columns = 18
 
 
@@ -83,7 +83,7 @@ def turns(sheet: Sheet, machine: Sized) -> None:
     def pick(one: str, other: str, none: str = "0") -> str:
         return f"=IF([dir]=0,{none},IF([dir]>0,{one},{other}))"
 
-    numbers = filled([CODES.index(p.law.code) + 1 for p in machine.phases], n, 1)
+    numbers = filled(machine.numbers, n, 1)
     sheet.table(
         "turns", "Phases", n,
         constant("k", "phase", "", "", list(range(1, n + 1))),
@@ -232,9 +232,9 @@ def shape(law: Law, sign: float) -> list[float]:
     return list(found.down if sign > 0.0 else found.up)
 
 
-def shapes(sheet: Sheet, library: dict[str, Law]) -> None:
+def shapes(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     """Declare for each law the shares of its time on stages of each shape."""
     sheet.heading(
         "Workings: stages of the laws", "Shares of a law's time; the own law is summed from its samples instead."
     )
-    shapes_table(sheet, library)
+    shapes_table(sheet, laws)

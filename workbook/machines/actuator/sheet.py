@@ -160,19 +160,31 @@ def reserve(sheet: Sheet, machine: Sized) -> None:
     )  # fmt: skip
 
 
+SHAFTS = (
+    '"row "&MATCH(MAX([@parts.on]),[@parts.on],0)&": behind "&ROUND(MAX([@parts.on]),9)&" gears, of "'
+    "&COUNT([@gears.ratio])"
+)
+BACK = '"a law moves backwards: see its sheet, or Laws"'
+HOT = 'ROUND(MAX(@temp,@temp_rated),9)&" °C; expected less than the limit, "&ROUND(@temp_limit,9)&" °C"'
+SIZE = "IF(@no=1,@turns,@diameter)"
+
+
 def verdicts(sheet: Sheet, machine: Sized) -> None:
     """Declare the checks."""
     rises = "OR(COUNTIF([phases.no],OWN_no)=0,MIN([own_samples.v])>=0-check_zero)"
     cool = "AND(@temp<@temp_limit,@temp_rated<@temp_limit)"
     sheet.checks(
         *limit_checks(machine.reserve, "", "@rated_left", "continuous torque", "derated by the temperature"),
-        check("@ok_rows", "Every phase lasts", 'COUNTIF([phases.span],">0")=COUNT([phases.duration])', True),
         room_check("@ok_pieces", AT),
         check("@ok_rises", "The laws never move backwards", rises, True,
-              "an own law may not, or driving and braking mix"),
+              "an own law may not, or driving and braking mix", ":rises", BACK),
         check("@ok_shafts", "Every part turns behind a gear that is there",
-              "MAX([@parts.on])<=COUNT([@gears.ratio])", True),
-        check("@ok_temp", "The motor is cooler than its limit", cool, True),
+              "MAX([@parts.on])<=COUNT([@gears.ratio])", True, "", "actuator:shafts", SHAFTS),
+        check("@ok_temp", "The motor is cooler than its limit", cool, True, "", "actuator.motor:cool", HOT),
+        check("@ok_inertia", "The motor's inertia is known", "COUNT(@motor_j,@motor_ratio)>0", True, "",
+              "actuator.motor:inertia", '"neither the motor\'s inertia nor a ratio is entered"'),
+        check("@ok_size", "The last element has its size", f"OR(@travels=0,ISNUMBER({SIZE}))", True, "",
+              ":size", '"a "&@mechanism&" has no "&IF(@no=1,"turns per mm","diameter")'),
     )  # fmt: skip
 
 

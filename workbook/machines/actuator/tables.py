@@ -5,6 +5,7 @@ from __future__ import annotations
 from engine.laws.base import Array
 from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
+from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import Cells, PieceRows
@@ -45,7 +46,7 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
                  f"=INDEX([extremes.torque],3*([k]-1)+{j + 1})", torques[j], scale=sides.torque, source=source)
           for j, (name, words, symbol, source) in enumerate(PARTS)),
         constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
+        calc("no", "law number", "", "", joined.LAW_NUMBER, filled(machine.numbers, n, 1), format="0"),
         calc("h", "lift used", "h", "",
              "=[lift]*@unit", filled([p.lift for p in phases], n), scale=sides.lift, source="in m, or rad"),
         calc("span", "duration used", "t", "s",
@@ -62,7 +63,8 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
              '=IF([kind]="spare",0,SIGN([h]))', machine.of_moves(lambda move: move.direction), format="0"),
         calc("base", "resists", "", "N or Nm",
              '=IF([kind]="spare",0,IF([dir]=0,@hold,@steady+@rubbing*[dir]))', resists(machine), scale=sides.force),
-        *phase_columns(AT, rows),
+        *phase_columns(rows),
+        rules=[AT_REST],
     )  # fmt: skip
 
 

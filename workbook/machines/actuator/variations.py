@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.laws.variations import own_pieces as own
 from workbook.machines.actuator.entries import ActuatorSizing
 from workbook.motion.room import within
@@ -40,9 +40,10 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "holding": "brake" if k % 3 == 1 else "motor",
         "output": {"turns": 0.05 + 0.03 * k, "diameter": 80.0 + 13 * k, "efficiency": 0.55 + 0.07 * k},
         "gears": [gear(k, i) for i in range((k + 1) % 3 if k else sizes["gears"])],
-        "phases": phases(turn, sizes["phases"]),
+        "phases": phases(turn, sizes["phases"], data["laws"]),
     }  # fmt: skip
-    data["laws"]["OWN"]["pieces"] = own_pieces(k, sizes["pieces"], entry["phases"])
+    for name in own_in(data["laws"]):
+        data["laws"][name]["pieces"] = own_pieces(k, sizes["pieces"], name, entry["phases"])
     within(entry["phases"], data["laws"], sizes["motion_pieces"])
     entry["parts"] = parts(k, sizes["rotors"], len(entry["gears"]))
     entry["load"] |= {
@@ -66,21 +67,22 @@ def gear(k: int, i: int) -> dict[str, Any]:
     return {"name": f"gear {i + 1}", "ratio": 2.5 + i + 0.4 * k, "efficiency": 0.7 + 0.04 * k - 0.02 * i}
 
 
-def phases(turn: int, room: int) -> list[dict[str, Any]]:
+def phases(turn: int, room: int, laws: dict[str, Any]) -> list[dict[str, Any]]:
     """Return phases up to the table's last row in turn, with laws and directions of every kind."""
     made: list[dict[str, Any]] = []
     k = turn % SIX
-    without = "" if k % 3 == 0 else "OWN"
+    own = own_in(laws)
+    names = [name for name in laws if k % 3 == 0 or name not in own]
     for i in range(room if k == 0 else min(room, (24, 6, 6, 2, 6, 6)[k])):
-        law = "OWN" if k == 2 else "DWL" if (i + k) % 4 == 1 else law_for(turn + i, without)
+        law = "OWN" if k == 2 else "DWL" if (i + k) % 4 == 1 else law_for(turn + i, names)
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (60.0 + 17 * i) * (-1) ** (i + k)
         made.append({"law": law, "lift": lift, "duration": (0.2 + 0.17 * ((i * 5 + k) % 4)) / (3 if k == 1 else 1)})
     return made
 
 
-def own_pieces(k: int, room: int, taken: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def own_pieces(k: int, room: int, name: str, taken: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return an own law: one that rises, if a phase takes it."""
-    if any(phase["law"] == "OWN" for phase in taken):
+    if any(phase["law"] == name for phase in taken):
         return RISING[1] if k % 2 == 0 and room >= len(RISING[1]) else RISING[0]
     return BACKWARDS if k % 2 else own(k, room)
 

@@ -56,6 +56,7 @@ class Sized:
         self.given, self.sizes = machine.actuator, machine.sizes
         self.kind = KINDS[self.given.mechanism]
         self.unit = MM if self.kind.travels else DEGREE
+        self.numbers = [machine.laws.number(p.law) for p in self.given.phases]
         self.phases = [Phase(library[p.law], si(p.lift, self.unit), p.duration) for p in self.given.phases]
 
     @property

@@ -10,7 +10,7 @@ from workbook.entries.machine import Machine, Sizes
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.texts import NO_FORMULA, ONE_LINE
 from workbook.entries.types import EntryError, Model, Number
-from workbook.motion.room import WIDEST, settle
+from workbook.motion.room import settle
 
 MOST_PHASES = 24
 Unit = Annotated[str, Field(min_length=1, max_length=12, pattern=NO_FORMULA), ONE_LINE]
@@ -41,11 +41,8 @@ class MotionComposer(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        for path, filled, room in (
-            ("motion.phases", len(self.motion.phases), self.sizes.phases),
-            ("laws.OWN.pieces", len(self.laws.OWN.pieces), self.sizes.pieces),
-        ):
+        for path, filled, room in (("motion.phases", len(self.motion.phases), self.sizes.phases),):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
-        settle(self, {"motion.phases": [phase.law for phase in self.motion.phases]}, self.sizes.phases + WIDEST)
+        settle(self, {"motion.phases": [phase.law for phase in self.motion.phases]}, self.sizes.phases)
         return self

@@ -8,11 +8,12 @@ from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.composer.view import Composition
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, TITLE, phase_columns, pieces_in_all, pieces_table, room_check
-from workbook.motion.sampled import derivative, finding
+from workbook.motion.sampled import POSITION, derivative, finding
 
 AT = Cells("phases", "move_pieces", "move_pieces_all", "move_total", "move_near", "lift", "x")
 PER, PER2, PER3 = "lift/x", "lift/x²", "lift/x³"  # units, which the engineer names: in the headers they stand as words
@@ -39,13 +40,13 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     samples(sheet, machine, rows)
     sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
     sheet.rows(
-        pieces_in_all("move_pieces_all", AT, rows),
+        pieces_in_all(rows),
         calc("move_near", "Tolerance of a begin", "ε", "x",
              "=move_total*break_tolerance", machine.motion.tolerance, format="0E+00",
              source="a sample this near to a begin counts as on it"),
     )  # fmt: skip
     sheet.row += 1
-    pieces_table(sheet, TITLE, AT, rows, machine.room, machine.motion.size)
+    pieces_table(sheet, TITLE, rows, machine.room, machine.motion.size)
     sheet.print_columns = 17
 
 
@@ -108,8 +109,6 @@ def checks(sheet: Sheet, machine: Composition) -> None:
     """Declare the checks of the motion."""
     motion = machine.motion
     sheet.checks(
-        check("move_ok_rows", "Every phase lasts", 'COUNTIF([phases.span],">0")=move_count', True,
-              "no phase without a duration"),
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
               "each law reaches its lift"),
@@ -161,7 +160,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         result("rms", "RMS acceleration", "y''rms", PER2,
                f"={joined.RMS}", of(p.y2_rms for p in moved), scale=a, source="C_a,rms h/δ²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, n), format="0"),
+        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, machine.laws, n), format="0"),
         calc("h", "lift used", "h", "lift",
              '=IF([kind]="spare",0,[lift]+0)', of(lifts), scale=h, source="0 if empty"),
         calc("span", "duration used", "δ", "x",
@@ -182,7 +181,8 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
              joined.AT_END.format("a0", "^2"), of(begin.y2 for begin in begins), scale=a),
         calc("a1", "y'' at end", "", PER2,
              joined.AT_END.format("a1", "^2"), of(end.y2 for end in ends), scale=a),
-        *phase_columns(AT, rows),
+        *phase_columns(rows),
+        rules=[AT_REST],
     )  # fmt: skip
 
 
@@ -226,12 +226,12 @@ def samples(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         "motion", f"Position, velocity and acceleration at N = {len(x)} equal steps", len(x),
         calc("at", "abscissa", "x", "x",
              "=[k]*move_total/[motion.k.last]", x, format="0.0##", scale=machine.motion.total),
-        result("y", "position", "y", "lift", f"={derivative(AT, 0)}", at.y, scale=h, source="c0 + c1 u + … + A sin x"),
-        result("y1", "velocity", "y'", PER, f"={derivative(AT, 1)}", at.y1, scale=v, source="dy/du"),
-        result("y2", "acceleration", "y''", PER2, f"={derivative(AT, 2)}", at.y2, scale=a, source="d²y/du²"),
-        result("y3", "jerk", "y'''", PER3, f"={derivative(AT, 3)}", at.y3, scale=j, source="d³y/du³, between jumps"),
+        result("y", "position", "y", "lift", f"={derivative(rows, 0)}", at.y, scale=h, source=POSITION),
+        result("y1", "velocity", "y'", PER, f"={derivative(rows, 1)}", at.y1, scale=v, source="dy/du"),
+        result("y2", "acceleration", "y''", PER2, f"={derivative(rows, 2)}", at.y2, scale=a, source="d²y/du²"),
+        result("y3", "jerk", "y'''", PER3, f"={derivative(rows, 3)}", at.y3, scale=j, source="d³y/du³, between jumps"),
         constant("k", "sample", "k", "", list(range(len(x)))),
-        *finding(AT, rows, "at", x),
+        *finding(rows, "at", x),
     )  # fmt: skip
 
 

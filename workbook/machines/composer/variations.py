@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
@@ -28,18 +28,20 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "lift_unit": y,
         "position": (k - 2) * 7.5,
         "cycle": "open" if k % 2 else "closes",
-        "phases": within(phases(turn, data["sizes"]["phases"], scale), data["laws"], data["sizes"]["motion_pieces"]),
+        "phases": within(
+            phases(turn, data["sizes"]["phases"], scale, data["laws"]), data["laws"], data["sizes"]["motion_pieces"]
+        ),
     }
     return data
 
 
-def phases(turn: int, room: int, scale: Iterator[float]) -> list[dict[str, Any]]:
+def phases(turn: int, room: int, scale: Iterator[float], laws: Iterable[str]) -> list[dict[str, Any]]:
     """Return phases up to the table's last row in turn, with laws and lifts of every kind."""
     k = turn % SIX
     count = room if k == 0 else min(room, (24, 5, 1, 8, 3, 11)[k])
     made = []
     for i in range(count):
-        law = "DWL" if (i + k) % 4 == 1 else law_for(turn + i)
+        law = "DWL" if (i + k) % 4 == 1 else law_for(turn + i, laws)
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (12.0 + 5 * i) * (-1) ** (i + k) * next(scale)
         made.append({"law": law, "lift": lift, "duration": (20.0 + 9 * ((i * 5 + k) % 7)) * next(scale)})
     return made

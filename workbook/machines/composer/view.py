@@ -17,6 +17,7 @@ class Composition:
     """The engine's view of a composed motion, in the units entered."""
 
     def __init__(self, machine: MotionComposer, library: dict[str, Law]) -> None:
+        self.laws = machine.laws
         self.given, self.sizes = machine.motion, machine.sizes
         phases = [Phase(library[p.law], p.lift, p.duration) for p in self.given.phases]
         self.motion = Motion(phases, position=self.given.position)

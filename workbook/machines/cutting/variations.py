@@ -3,6 +3,7 @@ choice, each side of each check, so that a fault shows that happens to be silent
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
@@ -25,7 +26,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     timing["rate"] *= next(scale)
     for i, axis in enumerate(timing["axes"]):
         axis["closes"] = "feed" if (i + k) % 2 else "position"
-        axis["phases"] = within(phases(i, turn, sizes["phases"]), data["laws"], sizes["motion_pieces"])
+        axis["phases"] = within(phases(i, turn, sizes["phases"], data["laws"]), data["laws"], sizes["motion_pieces"])
     drive["axis"] = timing["axes"][k % 3]["name"]
     drive["resists"] = "moving" if k % 2 else "always"
     for entry in ("rate", "force", "radius"):
@@ -36,7 +37,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-def phases(axis: int, turn: int, room: int) -> list[dict[str, Any]]:
+def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[str, Any]]:
     """Return phases that fill the cycle, up to the table's last row in turn, with laws and lifts of every kind."""
     k = turn % SIX
     count = room if k == 0 else min(room, 2 + (axis + k) % 5)
@@ -46,7 +47,7 @@ def phases(axis: int, turn: int, room: int) -> list[dict[str, Any]]:
     for i in range(count):
         dwell = (i + axis) % 4 == 3
         lift = 0.0 if dwell else (40.0 + 11 * axis + 3 * i) * (-1) ** (i + k)
-        law = "DWL" if dwell else law_for(axis + turn + i)
+        law = "DWL" if dwell else law_for(axis + turn + i, laws)
         made.append({"start": edges[i], "stop": edges[i + 1], "lift": lift, "law": law})
     return made
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from engine.flying import LONGER, SAME_LENGTH, Beyond
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
-from workbook.laws.stack import CODES
 from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
+from workbook.machines.flying.motion import AT
 from workbook.machines.flying.view import CASES, Flying, does
+from workbook.motion.pieces import room_check
 
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 DOES = (
@@ -49,7 +50,7 @@ def entries(sheet: Sheet, machine: Flying) -> None:
               e.product_length, "cutter.product_length", **plain, source="one product a cycle"),
         given("fly_line", "Line speed", "v_L", "m/min", e.line_speed, "cutter.line_speed", **plain),
         given("fly_law", "Law of the superimposed motion", "", "",
-              e.law, "cutter.law", align="center", source="ACS, TVP, CIC, CUB, MTP or OWN: see Laws"),
+              e.law, "cutter.law", choices="=law_code", align="center", source="of those on the sheet Laws"),
         given("fly_kind", "Kind of machine", "", "",
               e.kind, "cutter.kind", align="center", source="its tools go round, or its slide comes back"),
         given("fly_tools", "Drum: number of tools", "n", "", drum.tools, "cutter.drum.tools", format="0"),
@@ -165,6 +166,11 @@ def load(sheet: Sheet, machine: Flying) -> None:
     )  # fmt: skip
 
 
+SHORT = "ROUND(IF(fly_length<fly_lt*fly_longer,fly_length,fly_short),9)"
+RANGE = '"from "&ROUND(fly_short,9)&" mm to "&ROUND(fly_long,9)&" mm; expected a longest above the shortest"'
+IN_STEP = 'ROUND(fly_tools,9)&" tools in step over "&ROUND(fly_angle,9)&"° each take more than 360°"'
+
+
 def verdicts(sheet: Sheet, machine: Flying) -> None:
     """Declare the checks."""
     holds = machine.holds
@@ -181,11 +187,20 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
               f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none"),
         check("fly_ok_length", "The products leave time to re-position",
-              "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T"),
+              "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T", ":length",
+              f'"a product of "&{SHORT}&" mm; expected at least "&ROUND(fly_lt*fly_longer,9)&" mm"'),
+        check("fly_ok_tools", "A drum has whole tools", f"OR(NOT({IS_DRUM}),fly_tools=INT(fly_tools))", True, "",
+              "cutter:whole", 'ROUND(fly_tools,9)&" tools; expected a whole number"'),
+        check("fly_ok_load", "The shaft has something to move", "fly_inertia+fly_mass>0", True, "",
+              "cutter.load:heavy", '"inertia and mass are 0; expected one of them above"'),
+        check("fly_ok_range", "The range of product lengths rises", "fly_long>fly_short", True, "",
+              "cutter.lengths:ordered", RANGE),
+        room_check("fly_ok_pieces", AT),
         check("fly_ok_angle", "The angle in step is less than between the tools",
-              f"OR(NOT({IS_DRUM}),AND(fly_tools>=1,fly_angle*fly_tools<360))", True, "θ_T < θ_0"),
+              f"OR(NOT({IS_DRUM}),fly_angle*fly_tools<360)", True, "θ_T < θ_0", "cutter:angle", IN_STEP),
         check("fly_ok_law", "The law speeds up once and slows down once", f"AND({own},fly_cv>=fly_least_cv)", True,
-              "from rest to rest; S5, 'Motion law parameters'"),
+              "from rest to rest; S5, 'Motion law parameters'", ":law",
+              '"the law "&fly_law&" does not: see its sheet, or Laws"'),
     )  # fmt: skip
 
 
@@ -231,7 +246,7 @@ def strategies(sheet: Sheet, machine: Flying) -> None:
 def workings(sheet: Sheet, machine: Flying) -> None:
     """Declare the way from the entries to the motion, as S5 goes it."""
     cut, tool, law, s = machine.cut, machine.tool, machine.law.coefficients, machine.scales
-    number, mm, turn = CODES.index(machine.given.law) + 1, shown(s.length, MM), 360.0
+    number, mm, turn = machine.number, shown(s.length, MM), 360.0
     lengths = (tool.design_length, tool.tool_length, tool.repositioning_length)
     pitch, sync, back = (shown(tool.angle(length), DEGREE) for length in lengths)
     sheet.heading("Workings")
@@ -274,10 +289,10 @@ def workings(sheet: Sheet, machine: Flying) -> None:
         calc("fly_stop", "When the drum comes to a standstill", "", "s",
              "=IF(fly_waits=1,fly_peak*fly_tm,fly_tr)", cut.wait[0], scale=cut.cycle_time, source="t_R: not at all"),
         calc("fly_eps", "Tolerance of a time", "ε", "s",
-             "=fly_tc*fly_near", cut.time_tolerance, format="0E+00",
+             "=fly_tc*break_tolerance", cut.time_tolerance, format="0E+00",
              source="a sample this near to an event counts as on it"),
         constant("fly_near", "What counts as the same", "ε", "",
-                 SAME_LENGTH, format="0E+00", source="of a length, a time, a speed, a share of the law"),
+                 SAME_LENGTH, format="0E+00", source="of a length, a speed, a share of the law"),
         constant("fly_longer", "Shortest product, in tool lengths", "", "", LONGER, format="0.000"),
         constant("fly_least_cv", "Least coefficient of velocity", "", "",
                  LEAST_CV, format="0.000", source="with less, no drum comes to a standstill"),

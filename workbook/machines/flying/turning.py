@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from engine.flying import SAME_LENGTH
@@ -9,38 +11,38 @@ from engine.halving import velocity_halvings
 from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.entries.units import MM, shown
 from workbook.laws import sampling
-from workbook.laws.shapes import fastest_formulas
-from workbook.laws.stack import CODES
+from workbook.laws.library import NamedLaw
+from workbook.laws.shapes import fastest_formulas, listed
 from workbook.machines.flying.view import REST, Flying, fastest
 
 HALVINGS = 30  # the position at a turning point is known to the square of what this leaves
 
 
-def turning_sheet(book: Book, machine: Flying, pieces: sampling.Pieces) -> None:
+def turning_sheet(book: Book, machine: Flying, laws: Sequence[NamedLaw], pieces: sampling.Pieces) -> None:
     """Declare the sheet."""
     sheet = book.sheet(
         "Turning", "Workings: where the law is fastest, and where a tool that reverses stands for an instant."
     )
-    peaks(sheet, machine)
+    peaks(sheet, laws)
     turning_points(sheet, machine, pieces)
     own_peak(sheet, machine)
 
 
-def peaks(sheet: Sheet, machine: Flying) -> None:
+def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     """Declare where each law is fastest."""
     sheet.heading("Where each law is fastest", "There a drum that slows down is slowest, and waits if it has to.")
     sheet.table(
-        "fastest", "The laws by number", len(CODES),
-        constant("code", "law", "", "", list(CODES)),
+        "fastest", "The laws by number", len(laws),
+        listed(laws),
         calc("at", "abscissa", "ξ_v", "",
-             fastest_formulas(), [fastest(machine.library[c]) if c != "DWL" else 0.0 for c in CODES]),
+             fastest_formulas(laws), [fastest(one.law) if one.family.entry.rises else 0.0 for one in laws]),
     )  # fmt: skip
 
 
 def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> None:
     """Declare both turning points: the law gets as fast as v* on its way to its peak, and slows to it after."""
     cut, law = machine.cut, machine.law
-    wanted, number, mm = cut.standing_velocity, CODES.index(machine.given.law) + 1, shown(machine.scales.length, MM)
+    wanted, number, mm = cut.standing_velocity, machine.number, shown(machine.scales.length, MM)
     sides = ((0.0, cut.fastest), (cut.fastest, 1.0))
     found = [velocity_halvings(law, wanted, low, high, HALVINGS, SAME_LENGTH) for low, high in sides]
     positions = [shown(cut.position_at(float(middle[-1])), MM) for _, _, middle in found]
@@ -79,6 +81,7 @@ def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> No
 def own_peak(sheet: Sheet, machine: Flying) -> None:
     """Declare where the samples of the own law are fastest, and whether they speed up or slow down elsewhere."""
     law, n = machine.library["OWN"], machine.sizes.own_law
+    number = [*machine.library].index("OWN") + 1
     xi = np.linspace(0.0, 1.0, n + 1)
     v = law.v(xi)
     peak = fastest(law)
@@ -94,7 +97,7 @@ def own_peak(sheet: Sheet, machine: Flying) -> None:
              "=IF(INDEX([own_samples.v],[k])>=fly_own_top-check_zero,INDEX([own_samples.xi],[k]),1)",
              np.where(v >= v.max() - REST, xi, 1.0), source="1: not here"),
         calc("back", "the wrong way", "Δv", "",
-             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{CODES.index('OWN') + 1}],"
+             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{number}],"
               "INDEX([own_samples.v],[k]-1)-INDEX([own_samples.v],[k]),"
               "INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
              source="slower before the peak, faster after it"),

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import pi, radians
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.selection.variations import vary_selection
 
@@ -27,9 +27,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     k = turn % SIX
     entries, scale = data["cutter"], factors(k)
     vary_laws(data["laws"], k, scale, data["sizes"]["pieces"])
-    law = law_for(turn + 4)
-    if law == "OWN":
-        data["laws"]["OWN"]["pieces"] = RISING
+    law = law_for(turn + 4, data["laws"])
+    if law in own_in(data["laws"]):
+        data["laws"][law]["pieces"] = RISING
     drum, saw, load = entries["drum"], entries["saw"], entries["load"]
     drum |= {"tools": 1.0 + k, "radius": 90.0 + 17 * k, "tool_angle": (47.0, 0.0, 31.0, 22.0, 29.0, 17.0)[k]}
     saw |= {"tool_length": 210.0 + 40 * k, "lead": 25.0 + 6 * k, "stroke": (60.0, 2000.0)[k % 2] * next(scale)}

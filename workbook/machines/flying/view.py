@@ -56,6 +56,7 @@ class Flying:
     def __init__(self, machine: FlyingCutter, library: dict[str, Law]) -> None:
         self.given, self.sizes, self.library = machine.cutter, machine.sizes, library
         self.tool, self.law = tool_of(self.given), library[self.given.law]
+        self.number = machine.laws.number(self.given.law)
         self.line = si(self.given.line_speed, PER_MINUTE)
         load = self.given.load
         self.load = Load(self.tool.load_inertia(load.inertia, load.mass), load.torque)
@@ -81,6 +82,16 @@ class Flying:
             phases.append(Phase(Dwell(), 0.0, rest))
         task = Task.of_load(self.load, phases, self.tool.radius)
         return Asked(task.acceleration_rms, task.torque_rms, task.power_rate_mean, task.load_factor)
+
+    @property
+    def room(self) -> int:
+        """Rows of the table of the motion's pieces."""
+        return self.sizes.motion_pieces or 0
+
+    @property
+    def xi_fastest(self) -> Array:
+        """Where the law is fastest, as a column of one row."""
+        return np.array([self.cut.fastest])
 
     @property
     def times(self) -> Array:

@@ -17,7 +17,7 @@ from engine.laws.inverse import inverse
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import MM, shown
-from workbook.laws.stack import CODES, Row
+from workbook.laws.stack import Row
 from workbook.machines.overlap.view import Overlapping, Station
 
 HALVINGS = 30
@@ -134,10 +134,11 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
         motions += [f"{whose}, way in", f"{whose}, way out"]
         cells += [f"={station.scope}law_in", f"={station.scope}law_out"]
         codes += [station.given.law_in, station.given.law_out]
-    numbers = [CODES.index(code) + 1 for code in codes]
+    names = [*machine.library]
+    numbers = [names.index(code) + 1 for code in codes]
     pieces = [[r.s for r in rows if r.number == n] for n in numbers]
     skipped = [next(i for i, r in enumerate(rows) if r.number == n) for n in numbers]
-    most = max(sum(r.law == code for r in rows) for code in CODES)
+    most = max(sum(r.law == code for r in rows) for code in names)
     sheet.heading("Workings: the laws in use")
     sheet.table(
         "used", "The laws of transfer and tools", len(codes),

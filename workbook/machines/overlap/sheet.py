@@ -8,7 +8,7 @@ from __future__ import annotations
 from itertools import count
 
 from engine.overlap import ANGLE_TOLERANCE, movement_time
-from engine.timing import FULL_TURN
+from engine.timing import FULL_TURN, shaft_speed
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.entries.units import DEGREE, shown
@@ -86,7 +86,8 @@ def entries(sheet: Sheet, machine: Overlapping) -> None:
         given("overlap_rate", "Production rate", "N", "pieces/h",
               e.rate, "overlap.rate", format="0.0##", source="one piece a turn of the master shaft; S2: 2000"),
         given("overlap_transfer", "Transfer", "", "", t.name, "overlap.transfer.name"),
-        given("overlap_law", "its law", "", "", t.law, "overlap.transfer.law", source="S2: cycloidal, CIC"),
+        given("overlap_law", "its law", "", "",
+              t.law, "overlap.transfer.law", choices="=law_code", source="S2: cycloidal, CIC"),
         given("overlap_pitch", "its stroke", "h_t", "mm",
               t.stroke, "overlap.transfer.stroke", format="0.0##", source="S2: 100 mm"),
         given("overlap_angle", "its angle", "B_t", "°",
@@ -102,6 +103,8 @@ def rising() -> Quantity:
         "OR(COUNTIF([used.no],OWN_no)=0,MIN([own_samples.v])>=0-check_zero)",
         True,
         "only a law that rises throughout can be inverted",
+        ":rises",
+        '"a law moves backwards: see its sheet, or Laws"',
     )
 
 
@@ -113,6 +116,8 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
         calc("overlap_eps", "Tolerance of an angle", "ε", "°",
              "=360*break_tolerance", shown(ANGLE_TOLERANCE, DEGREE), format="0E+00",
              source="an angle this near to an event counts as on it"),
+        calc("overlap_w", "Speed of the master shaft", "ω", "rad/s",
+             "=2*PI()/overlap_tc", shaft_speed(machine.rate), source="2π/t_c"),
     )  # fmt: skip
 
 

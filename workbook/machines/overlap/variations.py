@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.machines.overlap.entries import IndexingOverlap
 
 RISING = [
@@ -25,23 +26,23 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
     entries["rate"] = 1700.0 + 310 * k
     entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"] |= {"law": law_for(turn), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k}
+    entries["transfer"] |= {"law": law_for(turn, data["laws"]), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k}
     for i, tool in enumerate(entries["tools"]):
-        vary_tool(tool, turn + i, i)
+        vary_tool(tool, turn + i, i, data["laws"])
     codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
-    if "OWN" in codes:
-        data["laws"]["OWN"]["pieces"] = RISING
+    for name in set(own_in(data["laws"])) & set(codes):
+        data["laws"][name]["pieces"] = RISING
     return data
 
 
-def vary_tool(tool: dict[str, Any], turn: int, i: int) -> None:
+def vary_tool(tool: dict[str, Any], turn: int, i: int, laws: Iterable[str]) -> None:
     """Give the ``i``-th tool, from 0, the entries of a variation, and strokes that no other tool has."""
     k = turn % SIX
     chosen = (None, (107.0, None), (None, 88.0), (200.0, 70.0), None, (130.0, 140.0))[k]
     tool["angle_in"], tool["angle_out"] = chosen or (None, None)
     tool |= {
-        "law_in": law_for(turn + i + 2),
-        "law_out": law_for(turn + i + 5),
+        "law_in": law_for(turn + i + 2, laws),
+        "law_out": law_for(turn + i + 5, laws),
         "stroke": 40.0 + 7 * k + 3 * i,
         "dwell": (60.0, 85.0, 0.0, 33.0, 71.0, 50.0)[k],
     }

@@ -1,0 +1,191 @@
+"""Laws by name: what a description says, what a book has of it, and how it is read back, also when edited."""
+
+import io
+import tomllib
+from pathlib import Path
+
+import openpyxl
+import pytest
+
+from tests.workbook.cells import disagreeing, entered
+from workbook.errors import InputError
+from workbook.judging.report import Report
+from workbook.judging.verify import judge
+from workbook.laws.entries import LONGEST
+from workbook.laws.page import sheet_title
+from workbook.laws.shelf import LawShelf
+from workbook.reading.entries import Entries, checked, counted, read_machine, write_machine
+from workbook.reading.files import BookFile, find_places
+from workbook.templates import TEMPLATES
+from workbook.witnesses.agreed import agreed
+from workbook.writing import archive
+from workbook.writing.write import parts
+
+CUTTING, COMPOSER = (TEMPLATES[name] for name in ("cutting-machine", "motion-composer"))
+SMALL = {"cycle": 12, "law": 4, "own_law": 8}
+SOFT = {"family": "MTP", "durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]}
+HARD = {"family": "MTP", "durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]}
+
+
+def described(laws, *used):
+    """The cutting machine with these laws besides the basic ones; those used move its axes in turn."""
+    data = read_machine(CUTTING.description).model_dump()
+    data["sizes"] |= SMALL
+    data["laws"] |= laws
+    moving = [phase for axis in data["timing"]["axes"] for phase in axis["phases"] if phase["law"] != "DWL"]
+    for phase, law in zip(moving, used, strict=False):
+        phase["law"] = law
+    return data
+
+
+def machine(laws, *used):
+    return checked(CUTTING, described(laws, *used), counted)
+
+
+def refused(laws, *used):
+    with pytest.raises(InputError) as error:
+        machine(laws, *used)
+    return str(error.value)
+
+
+def test_two_laws_of_one_family_move_two_axes_of_one_book():
+    made = machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "hard")
+    assert [axis.phases[k].law for axis, k in zip(made.timing.axes, (0, 1), strict=False)] == ["MTP soft", "Hard"]
+    laws = LawShelf(made.laws, made.sizes).laws
+    assert laws["MTP soft"].durations == tuple(SOFT["durations"]) != laws["Hard"].durations
+    wrong, count = disagreeing(CUTTING, made)
+    assert wrong == []
+    assert count > 3000
+
+
+@pytest.mark.parametrize("turn", [0, 3])
+def test_and_at_other_values(turn):
+    made = CUTTING.variants(machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "hard"))[turn]
+    wrong, _ = disagreeing(CUTTING, made)
+    assert wrong == []
+
+
+def test_the_laws_are_read_back_from_the_cells():
+    given = machine({"Hard": HARD, "0.5 of [a]: x/y": SOFT | {"lift": 7.0}}, "0.5 OF [A]: X/Y")
+    back, lost = entered(CUTTING, given)
+    assert back == given
+    assert lost == []
+
+
+def test_a_description_says_the_same_after_it_was_written():
+    given = machine({"Hard": HARD, "0.5 of [a]: x/y": SOFT}, "Hard")
+    text = write_machine(given)
+    assert '[laws."0.5 of [a]: x/y"]\nfamily = "MTP"\n' in text
+    assert "[laws.TVP]\nlift" in text
+    assert checked(CUTTING, tomllib.loads(text), counted) == given
+
+
+# --- Names ------------------------------------------------------------------------------------------
+
+
+REFUSED = {
+    "no family": ({"A": {}}, ("laws.A.family: empty; expected one of ACS, TVP",)),
+    "an unknown family": ({"A": {"family": "MTB"}}, ("laws.A.family: no family is named 'MTB'; expected MTP",)),
+    "a parameter of another": ({"A 1.5": SOFT | {"share": 0.4}}, ('laws."A 1.5".share: unknown entry; expected',)),
+    "a wrong number": ({"A 1.5": SOFT | {"time": 0.0}}, ('laws."A 1.5".time: found 0.0; expected a number',)),
+    "parameters that do not fit": ({"A": SOFT | {"durations": [0.5] * 7}}, ("laws.A.durations", "sum to 3.5")),
+    "a basic law's name": ({"tvp": SOFT}, ("laws.tvp", "take this for the law TVP")),
+    "a basic law's name, of another family": ({"TVP": SOFT}, ("laws.TVP.family",)),
+    "names alike": ({"Straße": SOFT, "STRASSE": HARD}, ("a second law is named 'STRASSE'",)),
+    "a pattern": ({"a*": SOFT}, ('laws."a*"', "pattern")),
+    "a value": ({"1.5": SOFT}, ("laws.", "reads as a value")),
+    "a formula": ({"=A": SOFT}, ("do not begin with =",)),
+    "too long": ({"x" * (LONGEST + 1): SOFT}, (f"1 to {LONGEST} characters",)),
+    "no table": ({"A": 3.0}, ("laws.A: found 3.0; expected the entries of a law",)),
+    "a dwell": ({"DWL": {}}, ("laws.DWL", "nothing to enter")),
+    "a dwell by name": ({"Rest": {"family": "DWL"}}, ("laws.Rest.family: no family is named 'DWL'",)),
+}
+
+
+@pytest.mark.parametrize("what", REFUSED)
+def test_a_law_that_cannot_be_is_refused_in_one_line(what):
+    laws, words = REFUSED[what]
+    said = refused(laws)
+    assert "\n" not in said
+    for word in words:
+        assert word in said
+
+
+def test_a_phase_with_an_unknown_law_is_told_what_there_is():
+    said = refused({"MTP soft": SOFT}, "MTP sofd")
+    assert said.startswith("timing.axes[1].phases[1].law")
+    assert "no law is named 'MTP sofd'; expected MTP soft" in said
+    assert "expected one of DWL, ACS, TVP, CIC, CUB, MTP, OWN, MTP soft" in refused({"MTP soft": SOFT}, "Zorro")
+
+
+TITLES = {
+    "MTP soft": "MTP soft",
+    "a/b\\c[d]:e*?": "a-b-c-d--e--",
+    "'quoted'": "quoted",
+    "x" * 40: "x" * 31,
+    "Timing": "Timing (2)",
+    "checks": "checks (2)",
+    "history": "history (2)",
+    "''": "Law",
+}
+
+
+@pytest.mark.parametrize("name", TITLES)
+def test_a_sheet_has_a_title_that_excel_takes_and_no_other_has(name):
+    assert sheet_title(name, ["About", "Timing"]) == TITLES[name]
+
+
+def test_laws_whose_titles_would_be_the_same_have_two():
+    book = CUTTING.declare(machine({"a/b": SOFT, "a:b": HARD, "x" * 31 + "1": SOFT, "x" * 31 + "2": HARD}))
+    titles = [sheet.title for sheet in book.sheets]
+    assert len({title.casefold() for title in titles}) == len(titles)
+    assert {"a-b", "a-b (2)", "x" * 31, "x" * 27 + " (2)"} <= set(titles)
+
+
+# --- Edited in a spreadsheet program ----------------------------------------------------------------
+
+
+def file_of(given, edit):
+    book = openpyxl.load_workbook(io.BytesIO(archive.zipped(parts(CUTTING.declare(given), CUTTING.model))))
+    edit({name: book[place.sheet].cell(place.row, place.column) for name, place in find_places(book).items()}, book)
+    return BookFile(Path("book.xlsx"), book, find_places(book))
+
+
+def renamed(cells, book):
+    cells["MTP8_called"].value = "Softer"
+    phase = next(c for row in book["Timing"].iter_rows() for c in row if c.value == "MTP soft")
+    phase.value = "SOFTER"
+    cells["MTP9_d1"].value, cells["MTP9_d3"].value = 0.1, 0.0
+
+
+def test_a_law_that_was_renamed_in_the_book_is_found_by_its_new_name():
+    given = machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "Hard")
+    file = file_of(given, renamed)
+    back = Entries(file, agreed).machine()
+    assert back.laws.names[7:] == ("Softer", "Hard")
+    assert back.timing.axes[0].phases[0].law == "Softer"
+    assert back.laws["Hard"].durations[:3] == [0.1, 0.15, 0.0]
+    report = Report(file.path, CUTTING.name)
+    judge(file, CUTTING, back, report)
+    assert [found for found in report.findings if found.kind != "saved"] == []
+    assert report.compared == report.declared
+
+
+def test_a_law_renamed_into_another_is_refused_at_its_cell():
+    given = machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "Hard")
+
+    def same(cells, book):
+        cells["MTP9_called"].value = "mtp SOFT"
+
+    with pytest.raises(InputError, match="a second law is named 'mtp SOFT'"):
+        Entries(file_of(given, same), agreed).machine()
+
+
+@pytest.mark.parametrize(("name", "words"), [(None, "empty; expected a name"), (5, "found 5; expected a name"),
+                                             ("a*", "pattern")])  # fmt: skip
+def test_a_name_that_is_none_is_refused_at_its_cell(name, words):
+    def cleared(cells, book):
+        cells["MTP8_called"].value = name
+
+    with pytest.raises(InputError, match=rf"(?s)book\.xlsx: 'MTP soft'!.*{words}"):
+        Entries(file_of(machine({"MTP soft": SOFT}), cleared), agreed).machine()

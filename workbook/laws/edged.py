@@ -1,0 +1,225 @@
+"""Pages of the laws of two pulses and a cruise: all of it follows from the forms and durations of their stages.
+
+Up to seven stages, as in the modified trapezoid: an edge up to A, constant, an edge down; uniform velocity; an edge
+down to −B, constant, an edge up. What a family has of them it states by number, with the formula of each duration,
+``@d1`` … ``@d7``. Source of the formulas: S1, 'Modified trapezoidal curve (seven parameters)', for any edges.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from engine.laws.edges import inner_edges
+from engine.laws.pulse import K
+from engine.laws.pulse_law import PulseLaw
+from workbook.book.declare import Quantity, calc
+from workbook.laws.family import PieceRow, ShapeFormulas
+
+RISE, CRUISE, FALL = (1, 2, 3), 4, (7, 6, 5)
+"""stages of the first pulse, of uniform velocity, and of the second pulse told from its end"""
+
+
+class Form(NamedTuple):
+    """A stage of a pulse: factors for a duration d and a height A, and the words and entries of its piece.
+
+    ``early`` and ``late`` are the words and entries of the piece in the first pulse and, told in the order of time,
+    in the second: H stands for its height, D for its duration.
+    """
+
+    word: str
+    gain: str
+    """velocity gained, over A d"""
+    travel: str
+    """travel from rest, over A d²"""
+    square: str
+    """∫a², over A² d"""
+    jerk: str
+    """largest jerk, over A/d"""
+    shape: str
+    early: Mapping[str, str]
+    late: Mapping[str, str]
+
+
+QUARTER, TURNED = "IF(D>0,PI()/(2*D),0)", {"phi": "PI()/2"}
+SLOPE = "IF(D>0,H/D,0)"
+SINE = {"P": "H", "omega": QUARTER, "equation": "a = H sin(πu / 2D)"}
+COSINE = {"P": "H", "omega": QUARTER, "phi": "PI()/2", "equation": "a = H cos(πu / 2D)"}
+UP, DOWN = {"c1": SLOPE, "equation": "a = H u/D"}, {"c0": "H", "c1": f"0-{SLOPE}", "equation": "a = H (1 − u/D)"}
+LEVEL, WAVE = {"c0": "H", "equation": "a = H"}, {"P": "H", "omega": "PI()/D", "equation": "a = H sin(πu / D)"}
+FLAT = Form("constant", "1", "1/2", "1", "", "flat", LEVEL, LEVEL)
+SINE_OUT = Form("quarter sine from the dwell", "@k", "@k*(1-@k)", "1/2", "PI()/2", "sine", SINE, COSINE)
+SINE_IN = Form("quarter sine inside", "@k", "@k^2", "1/2", "PI()/2", "sine", COSINE, SINE)
+LINE_OUT = Form("straight from the dwell", "1/2", "1/6", "1/3", "1", "ramp", UP, DOWN)
+LINE_IN = Form("straight inside", "1/2", "1/3", "1/3", "1", "ramp", DOWN, UP)
+HALF_SINE = Form("half sine", "@k", "@k/2", "1/2", "PI()", "sine", WAVE, WAVE)
+
+
+class Stage(NamedTuple):
+    """A stage of a family: its form, none of uniform velocity, and the formula of its duration."""
+
+    form: Form | None
+    duration: str
+
+
+def added(terms: Sequence[str]) -> str:
+    """Return a sum, without a sign of equality; 0 of no terms."""
+    return "+".join(terms) or "0"
+
+
+@dataclass(frozen=True)
+class Stages:
+    """The stages of a family by number; ``entered`` where their durations are what an engineer enters."""
+
+    stages: Mapping[int, Stage]
+    entered: bool = False
+
+    def forms(self, side: Sequence[int]) -> list[tuple[int, Form]]:
+        """Return the stages of a side that the family has, with their forms."""
+        found = ((k, self.stages[k].form) for k in side if k in self.stages)
+        return [(k, form) for k, form in found if form is not None]
+
+    def total(self, side: Sequence[int], factor: str) -> str:
+        """Return the sum of durations, each with a factor of its stage's form."""
+        return added([times(getattr(form, factor), f"@d{k}") for k, form in self.forms(side)])
+
+    def travel(self, side: Sequence[int]) -> str:
+        """Return the travel from rest over the stages of a side, told from its outer end, for unit height."""
+        terms: list[str] = []
+        before: list[str] = []
+        for k, form in self.forms(side):
+            terms.append(f"{form.travel}*@d{k}^2")
+            terms += [f"({added(before)})*@d{k}"] if before else []
+            before.append(times(form.gain, f"@d{k}"))
+        return added(terms)
+
+    def rows(self) -> tuple[PieceRow, ...]:
+        """Return the pieces, in the order of time."""
+        return tuple(self.row(k, *self.stages[k]) for k in sorted(self.stages))
+
+    def row(self, k: int, form: Form | None, duration: str) -> PieceRow:
+        """Return the piece of a stage."""
+        if form is None:
+            return PieceRow(f"{k} · uniform velocity", "a = 0", f"=@d{k}")
+        entries = dict(form.early if k < CRUISE else form.late)
+        height, sign = ("@ca_max", "A") if k < CRUISE else ("@ca_min", "−B")
+        equation = entries.pop("equation").replace("H", sign).replace("D", f"d{k}")
+        formulas = {name: f"={text.replace('D', f'@d{k}').replace('H', height)}" for name, text in entries.items()}
+        return PieceRow(f"{k} · {form.word}", equation, f"=@d{k}", **formulas)
+
+    def coefficients(self) -> dict[str, tuple[str, str]]:
+        """Return the formula of each coefficient."""
+        cruise = "+@m*@d4" if CRUISE in self.stages else ""
+        squares = f"@ca_max^2*({self.total(RISE, 'square')})+@ca_min^2*({self.total(FALL, 'square')})"
+        return {
+            "cv": ("=@ca_max*@m", "A m"),
+            "ca_max": (f"=1/(@sa{cruise}+@m*@sd/@n)", "A: from s(1) = 1 with A m = B n"),
+            "ca_min": ("=0-@ca_max*@m/@n", "−B = −A m/n"),
+            "ca_rms": (f"=SQRT({squares})", "√(A² ∫p² + B² ∫q²), p and q the pulses of unit height"),
+            "cj": self.jerk(),
+            "va_max": self.power(RISE, "@drive", "@ca_max"),
+            "va_min": self.power(FALL, "@brake", "@ca_min"),
+        }
+
+    def jerk(self) -> tuple[str, str]:
+        """Return the formula of C_j: infinite where an edge has no duration, or the family lacks it."""
+        edges = [[(k, form) for k, form in self.forms(side) if form.jerk] for side in (RISE, FALL)]
+        if any(len(side) < 2 and HALF_SINE not in dict(side).values() for side in edges):
+            return '="∞"', "the acceleration jumps"
+        steepest = [
+            f"{form.jerk}*{height}/@d{k}"
+            for side, height in zip(edges, ("@ca_max", "(0-@ca_min)"), strict=True)
+            for k, form in side
+        ]
+        shortest = ",".join(f"@d{k}" for side in edges for k, _ in side)
+        return f'=IF(MIN({shortest})>0,MAX({",".join(steepest)}),"∞")', "of the steepest edge; ∞ where one has no time"
+
+    def power(self, side: Sequence[int], name: str, height: str) -> tuple[str, str]:
+        """Return the formula of the greatest v·a of a side, on the stage next to the greatest velocity."""
+        k, form = self.forms(side)[-1]
+        if form is FLAT:
+            return f"={height}*@cv", "at the greatest velocity"
+        if form is HALF_SINE:
+            return f"={height}*ABS({height})*@d{k}*3*SQRT(3)/(4*PI())", "A² d · 3√3/4π"
+        if form is SINE_IN:
+            return f"={height}*SQRT(1-{name}_x^2)*({name}_v+{name}_g*{name}_x)", "A cos x (v₂ + G sin x)"
+        return f"={height}*{name}_x*({name}_v+{name}_g*(1-{name}_x^2))", "A y (v₂ + G(1 − y²))"
+
+    def shapes(self) -> ShapeFormulas:
+        """Return the shares of time by shape."""
+
+        def share(side: Sequence[int], shape: str) -> str:
+            return f"={added([f'@d{k}' for k, form in self.forms(side) if form.shape == shape])}"
+
+        sides = {"up": RISE, "down": FALL}
+        return ShapeFormulas(
+            **{f"{shape}_{name}": share(side, shape) for shape in ("flat", "sine", "ramp")
+               for name, side in sides.items()}
+        )  # fmt: skip
+
+    @property
+    def fastest(self) -> str:
+        """The formula of the first ξ at which v is largest: the end of the first pulse."""
+        return f"={added([f'@d{k}' for k, _ in self.forms(RISE)])}"
+
+    def workings(self, law: PulseLaw) -> list[Quantity]:
+        """Return the rows of what the coefficients are worked out from."""
+        rise, fall = law.lobes
+        forms = [form for _, form in self.forms((*RISE, *FALL))]
+        mean = [calc("@k", "Mean of a half, or a quarter, sine", "k", "", "=2/PI()", K, source="2/π")]
+        return [
+            *([] if self.entered else self.lasting(law)),
+            *(mean if any("@k" in form.gain for form in forms) else []),
+            calc("@m", "Velocity gained for A = 1", "m", "", f"={self.total(RISE, 'gain')}", rise.velocity),
+            calc("@n", "Velocity lost for B = 1", "n", "", f"={self.total(FALL, 'gain')}", fall.velocity),
+            calc("@sa", "Stroke of the first pulse for A = 1", "S_a", "", f"={self.travel(RISE)}", rise.travel,
+                 source="∬p from rest"),
+            calc("@sd", "Stroke of the second for B = 1", "S_d", "", f"={self.travel(FALL)}", fall.travel,
+                 source="the same from the end"),
+            *self.searched(law),
+        ]  # fmt: skip
+
+    def lasting(self, law: PulseLaw) -> list[Quantity]:
+        """Return the rows of the durations."""
+        lasts = zip(sorted(self.stages), law.as_pieces(), strict=True)
+        return [
+            calc(f"@d{k}", f"Duration of stage {k}", f"d{k}", "", self.stages[k].duration, piece.duration)
+            for k, piece in lasts
+        ]
+
+    def searched(self, law: PulseLaw) -> list[Quantity]:
+        """Return the rows that find the greatest v·a of either side on an edge that ends without acceleration."""
+        rows: list[Quantity] = []
+        sides = (("@drive", "driving", RISE, "@ca_max"), ("@brake", "braking", FALL, "(0-@ca_min)"))
+        for (name, side, stages, height), edge in zip(sides, inner_edges(law), strict=True):
+            k, form = self.forms(stages)[-1]
+            if form.word in SEARCHES and edge is not None:
+                words, where, formula, source = SEARCHES[form.word]
+                rows += [
+                    calc(f"{name}_v", f"Velocity where {words} begins, {side}", "v₂", "",
+                         f"={height}*({self.total(stages[:-1], 'gain')})", edge.velocity),
+                    calc(f"{name}_g", f"Velocity gained on it, {side}", "G", "",
+                         f"={height}*{times(form.gain, f'@d{k}')}", edge.gain),
+                    calc(f"{name}_x", f"Where v·a is greatest, {side}", where, "",
+                         formula.replace("NAME", name), edge.at, source=source),
+                ]  # fmt: skip
+        return rows
+
+
+SEARCHES = {
+    SINE_IN.word: ("the quarter sine", "sin x", "=2*NAME_g/(NAME_v+SQRT(NAME_v^2+8*NAME_g^2))",
+              "2G sin²x + v₂ sin x = G; v = v₂ + G sin x, a = A cos x"),
+    LINE_IN.word: ("the straight edge", "y", "=IF(NAME_g>0,MIN(1,SQRT((NAME_v+NAME_g)/(3*NAME_g))),1)",
+              "3G y² = v₂ + G, at most 1; v = v₂ + G(1 − y²), a = A y"),
+}  # fmt: skip
+
+
+def times(factor: str, of: str) -> str:
+    """Return a product, without a factor of 1."""
+    return of if factor == "1" else f"{factor}*{of}"
+
+
+def law_of(kind: Callable[..., Any], *fields: str) -> Callable[[Any], Any]:
+    """Return what makes a law of these of its entries, each a parameter of the same name."""
+    return lambda entered: kind(**{field: getattr(entered, field) for field in fields})

@@ -1,0 +1,20 @@
+"""Entries that several families have: the share λ of the time that accelerates."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from workbook.laws.family import LawSheet, Parameter
+
+Between = Annotated[float, Field(gt=0, lt=1, allow_inf_nan=False)]
+
+
+class Shared(LawSheet):
+    """The share of the time that accelerates."""
+
+    share: Between = 0.5
+
+
+SHARE = Parameter("@share", "Share of the time that accelerates", "λ", "share", "share λ", source="½: symmetric")
+SHARES = ({"share": 0.4}, {"share": 0.65}, {"share": 0.3})
+"""other values of it"""
