@@ -117,6 +117,7 @@ class Demand:
         """Return the integral over the abscissa of a function of each stretch that grows to a scale."""
         return math.fsum(integral(function(one), one.low, one.high, scale) for one in self.stretches)
 
+
 def _bounds(found: Iterable[tuple[Stretch, Array, Array]]) -> Bounds:
     ends = [
         Extreme(float(values[k]), one.piece.phase, one.piece.begin + float(u[k]))

@@ -1,4 +1,4 @@
-"""A mechanism whose ratio depends on the position of its load: the angle of its shaft along the load's way. SI units."""
+"""A mechanism whose ratio depends on its load's position: the angle of its shaft along the load's way. SI units."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 import random
 from dataclasses import replace
+from itertools import pairwise
 from math import pi, radians
 
 import numpy as np
@@ -26,7 +27,9 @@ LINKAGES = {
     "rocker": (lambda: rocker(0.1, 0.15, 0.1, 1.6), -0.05, 0.05),
     "table": (lambda: PositionTable([(0.4 * k, 0.01 * k + 0.004 * np.sin(k)) for k in range(10)]), 0.005, 0.07),
 }
-LAWS = [law for entry in ENTRIES for law in entry.examples if abs(law.end.s - 1) + abs(law.start.v) + abs(law.end.v) < 1e-9]
+RISING = [law for entry in ENTRIES for law in entry.examples if abs(law.end.s - 1) < 1e-9]
+LAWS = [law for law in RISING if abs(law.start.v) + abs(law.end.v) < 1e-9]
+"""those from rest to rest: others would jump, and no motor follows a jump"""
 STRAIGHT = [entry for entry in ENTRIES if entry.code == "LIN"]
 
 
@@ -76,12 +79,11 @@ def train_of(rng, kind, method="physical", lossless=False):
     return Train(drive, linkage, rng.choice([0.0, rng.uniform(0, 100)]), tuple(windows)), low, high
 
 
-def course_of(number, lossless=False):
-    """A machine of one axis, drawn by a number."""
+def course_of(number, lossless=False, from_rest=False, kinds=(*SIZES, *LINKAGES, *LINKAGES)):
+    """A machine of one axis, drawn by a number or a text."""
     rng = random.Random(str(number))
-    kind = rng.choice([*SIZES, *LINKAGES, *LINKAGES])
-    train, low, high = train_of(rng, kind, rng.choice(["physical", "physical", "document"]), lossless)
-    make = motion_of if rng.random() < 0.7 else handing_over
+    train, low, high = train_of(rng, rng.choice(kinds), rng.choice(["physical", "physical", "document"]), lossless)
+    make = motion_of if from_rest or rng.random() < 0.7 else handing_over
     return Course(train, make(rng, low, high), rng.uniform(1, 20), rng.choice([0.0, rng.uniform(-7, 7)]))
 
 
@@ -92,11 +94,12 @@ def sampled(course, n=4001):
     """
     m, cycle = course.motion, course.motion.total
     cuts = [m.edges[k] + p.duration * b for k, p in enumerate(m.phases) for b in (0.0, *p.law.breaks)]
-    cuts += [m.edges[0] + (e - course.shift - m.edges[0]) % cycle for w in course.train.windows for e in (w.begin, w.end)]
+    edges = [edge - course.shift for window in course.train.windows for edge in (window.begin, window.end)]
+    cuts += [m.edges[0] + (edge - m.edges[0]) % cycle for edge in edges]
     cuts = np.unique([*cuts, m.edges[-1]])
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > 1e-6 * cycle])]
     rows = []
-    for low, high in zip(cuts[:-1], cuts[1:], strict=True):
+    for low, high in pairwise(cuts):
         x = low + 4e-8 * cycle + (high - low - 8e-8 * cycle) * np.linspace(0, 1, n)
         rows.append((x, *operated(course, x)))
     return rows

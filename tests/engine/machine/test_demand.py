@@ -14,13 +14,23 @@ from engine.machine.course import Course
 from engine.machine.demand import Demand
 from engine.machine.train import Train, Window
 from engine.motion import Motion, Phase
-from tests import tiers
-from tests.engine.machine.machines import course_of, sampled
+from tests.engine.machine.machines import SIZES, course_of, sampled
 from tests.engine.profiles import thirds
+from tests.tiers import nights, seed
 
 RPM = 30 / pi
 STEEL = 7800.0
-MACHINES = [*range(24), *tiers.nights(1000)]
+
+
+def machines(everyday, night=200):
+    """Numbers of random machines: a few of each day, and of each night others."""
+    return pytest.mark.parametrize("number", [*range(everyday), *nights(night)])
+
+
+def drawn(request, number, **more):
+    """A random machine of a test, by its number."""
+    told = f"{request.function.__name__} {number}"
+    return course_of(seed(told) if request.node.get_closest_marker("nightly") else told, **more)
 
 
 def course(train, degrees_, lifts, laws, rate, **more):
@@ -125,11 +135,11 @@ def test_one_sided_limits_count_at_an_instant_of_rest():
 # Another route
 
 
-@pytest.mark.parametrize("number", MACHINES)
-def test_random_machines_against_samples_of_closed_forms(number):
-    one = course_of(number)
+@machines(6)
+def test_random_machines_against_samples_of_closed_forms(request, number):
+    one = drawn(request, number)
     found, rows = Demand(one), sampled(one)
-    x, speed, torque = (np.concatenate(column) for column in zip(*rows, strict=True))
+    _, speed, torque = (np.concatenate(column) for column in zip(*rows, strict=True))
     power = speed * torque
     for bounds, values in ((found.speed, speed), (found.torque, torque), (found.power, power)):
         scale = np.abs(values).max()
@@ -168,18 +178,18 @@ def friction_work(one):
     return total + viscous
 
 
-@pytest.mark.parametrize("number", MACHINES)
-def test_what_a_lossless_motor_gives_is_the_work_of_loads_and_friction(number):
-    one = course_of(f"energy {number}", lossless=True)
+@machines(6)
+def test_what_a_lossless_motor_gives_is_the_work_of_loads_and_friction(request, number):
+    one = drawn(request, number, lossless=True)
     found = Demand(one)
     most = found.energy.driving + found.energy.regenerated
     assert found.energy.net == pytest.approx(friction_work(one), rel=1e-9, abs=1e-9 * most)
 
 
-@pytest.mark.parametrize("number", MACHINES)
-def test_losses_are_what_the_motor_gives_more(number):
+@machines(6)
+def test_losses_are_what_the_motor_gives_more(request, number):
     """What each stage takes from the power through it, summed up, is the difference to the work of the load."""
-    one = course_of(f"losses {number}")
+    one = drawn(request, number)
     lost = 0.0
     for stretch in one.stretches:
         for k, stage in enumerate(one.train.drive.mechanism.stages):
@@ -219,32 +229,28 @@ def figures(one):
             found.mean_shaft_torque(0)]  # fmt: skip
 
 
-@pytest.mark.parametrize("number", MACHINES)
-def test_a_cycle_told_in_other_units_of_the_abscissa_asks_for_the_same(number):
-    one = course_of(number)
+@machines(6)
+def test_a_cycle_told_in_other_units_of_the_abscissa_asks_for_the_same(request, number):
+    one = drawn(request, number, from_rest=True)
     m = one.motion
     per = 180 / pi
     motion = Motion([replace(p, duration=p.duration * per) for p in m.phases], position=m.position)
     windows = tuple(replace(w, begin=w.begin * per, end=w.end * per) for w in one.train.windows)
-    if not all(type(p) is Phase for p in m.phases):
-        pytest.skip("phases that hand over have their ends per unit of the abscissa")
     other = Course(replace(one.train, windows=windows), motion, one.speed * per, one.shift * per)
     assert figures(other) == pytest.approx(figures(one), rel=1e-9, abs=1e-9)
 
 
-@pytest.mark.parametrize("number", MACHINES)
-def test_a_cycle_that_begins_elsewhere_asks_for_the_same(number):
-    one = course_of(number)
+@machines(6)
+def test_a_cycle_that_begins_elsewhere_asks_for_the_same(request, number):
+    one = drawn(request, number)
     moved = tuple(replace(w, begin=w.begin + 1.0, end=w.end + 1.0) for w in one.train.windows)
     other = replace(one, train=replace(one.train, windows=moved), shift=one.shift + 1.0)
     assert figures(other) == pytest.approx(figures(one), rel=1e-8, abs=1e-8)
 
 
-@pytest.mark.parametrize("number", MACHINES)
-def test_a_mirrored_machine_asks_for_the_mirrored(number):
-    one = course_of(number)
-    if one.train.linkage or not all(type(p) is Phase for p in one.motion.phases):
-        pytest.skip("no mirror of it has the same ratio")
+@machines(6)
+def test_a_mirrored_machine_asks_for_the_mirrored(request, number):
+    one = drawn(request, number, from_rest=True, kinds=list(SIZES))
     m, drive = one.motion, one.train.drive
     motion = Motion([replace(p, lift=-p.lift) for p in m.phases], position=-m.position)
     mechanism = drive.mechanism
