@@ -133,14 +133,14 @@ class Judged:
         if self._limits[BELOW] == math.inf:
             return LimitCheck(BELOW, self.demand.torque.peak, math.inf, True)
 
-        def lack(one: Stretch, u: Array) -> Array:
-            return np.asarray(np.abs(one.torque(u)) - curve.at(one.motor_speed(u)))
+        def worst(one: Stretch) -> tuple[float, float]:
+            def lack(u: Array) -> Array:
+                return np.asarray(np.abs(one.torque(u)) - curve.at(one.motor_speed(u)))
 
-        found = []
-        for one in self.course.stretches:
-            lacking, u = largest(lambda u, s=one: lack(s, u), one.low, one.high, one.nodes)
-            found.append((lacking, float(np.abs(one.torque(np.array([u])))[0])))
-        lacking, torque = max(found)
+            lacking, u = largest(lack, one.low, one.high, one.nodes)
+            return lacking, float(np.abs(one.torque(np.array([u])))[0])
+
+        lacking, torque = max(worst(one) for one in self.course.stretches)
         return LimitCheck(BELOW, torque, torque - lacking, lacking <= 0.0)
 
 
