@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-POWERS = 4
-"""of a law's acceleration: the stack has c0 … c3"""
+from workbook.laws.sampling import Pieces
 
 
 class Sine(NamedTuple):
@@ -17,7 +16,18 @@ class Sine(NamedTuple):
     mark: str
 
 
-SINES = (Sine("ps", "omega", "phi", ""),)
+SINES = (Sine("ps", "omega", "phi", ""), Sine("ps2", "omega2", "phi2", "2"))
+
+
+def sines(stack: Pieces) -> tuple[Sine, ...]:
+    """Return the sines that the laws of a book have: two where any law has a second."""
+    return SINES if any(piece.omega2 for pieces in stack.pieces.values() for piece in pieces) else SINES[:1]
+
+
+def powers(stack: Pieces) -> int:
+    """Return how many powers of u the position of a motion has by the laws of a book: two more than accelerations."""
+    return max(len(piece.c) for pieces in stack.pieces.values() for piece in pieces) + 2
+
 
 FIRST = "=MATCH([no],piece_number,0)"
 """the row of the first piece of a phase's law"""

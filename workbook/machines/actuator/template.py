@@ -13,6 +13,7 @@ from workbook.machines.actuator.entries import ActuatorSizing
 from workbook.machines.actuator.printed import printed_sheet
 from workbook.machines.actuator.rms import rms_sheet
 from workbook.machines.actuator.sheet import actuator_sheet
+from workbook.machines.actuator.tables import AT
 from workbook.machines.actuator.variations import variants
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import rows_of
@@ -50,7 +51,7 @@ def declare(given: ActuatorSizing) -> Book:
             result("about_speed", "Largest speed of the motor", "ω_m", "rad/s", "=act_wmax", fastest, scale=speed),
         ],
     )  # fmt: skip
-    rows = rows_of(view.sizing.motion, shelf.stack, given.sizes.phases)
+    rows = rows_of(AT, view.sizing.motion, shelf.stack, given.sizes.phases)
     actuator_sheet(book, view, rows)
     cycle_sheet(book, view, rows)
     rms_sheet(book, view, shelf.named)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from workbook.book.declare import Book, calc, constant, result
 from workbook.entries.units import DEGREE, MM, RPM, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.flying.motion import AT, motion_tables
+from workbook.machines.flying.motion import motion_tables
 from workbook.machines.flying.view import Flying
 from workbook.motion.cells import PieceRows
-from workbook.motion.sampled import derivative, finding
+from workbook.motion.sampled import POSITION, derivative, finding
 
 
 def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
@@ -21,13 +21,13 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
         "cycle", f"Tool, shaft and load at {len(t) - 1} equal steps", len(t),
         calc("t", "time", "t", "s", "=[k]*fly_tc/[cycle.k.last]", t, format="0.0000", scale=cut.cycle_time),
         result("s", "position of the tool", "s", "mm",
-               f"=({derivative(AT, 0)})*1000", shown(at.position, MM), scale=mm, source="c0 + c1 u + … + A sin x"),
+               f"=({derivative(rows, 0)})*1000", shown(at.position, MM), scale=mm, source=POSITION),
         result("v", "its speed", "v", "m/s",
-               f"={derivative(AT, 1)}", at.speed, scale=scale.speed, source="ds/dt"),
+               f"={derivative(rows, 1)}", at.speed, scale=scale.speed, source="ds/dt"),
         result("a", "its acceleration", "a", "m/s²",
-               f"={derivative(AT, 2)}", at.acceleration, scale=scale.acceleration, source="d²s/dt²"),
+               f"={derivative(rows, 2)}", at.acceleration, scale=scale.acceleration, source="d²s/dt²"),
         result("j", "its jerk", "j", "m/s³",
-               f"={derivative(AT, 3)}", at.jerk, scale=cut.size(3), source="d³s/dt³, between jumps"),
+               f"={derivative(rows, 3)}", at.jerk, scale=cut.size(3), source="d³s/dt³, between jumps"),
         result("n", "speed of the shaft", "n", "rpm",
                "=[w]*60/(2*PI())", shown(shaft.speed, RPM), scale=shown(scale.angular_speed, RPM)),
         result("w", "speed of the shaft", "ω_L", "rad/s",
@@ -43,6 +43,6 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
              "=fly_v*[t]*1000", shown(cut.product_position(t), MM), scale=mm, source="v_L t"),
         calc("line", "line speed", "v_L", "m/s", "=fly_v", machine.line),
         constant("k", "sample", "k", "", list(range(len(t)))),
-        *finding(AT, rows, "t", t),
+        *finding(rows, "t", t),
     )  # fmt: skip
     motion_tables(sheet, machine, rows, stack)

@@ -19,7 +19,7 @@ WHERE = "The parts of the cycle: beside the law the tool moves at line speed, wh
 
 def rows_of(machine: Flying, stack: Pieces) -> PieceRows:
     """Return the pieces of the tool's motion."""
-    return rows_of_parts(stretches(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
+    return rows_of_parts(AT, stretches(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
 
 
 def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
@@ -28,9 +28,9 @@ def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces)
     sheet.note(WHERE)
     standing(sheet, machine, stack)
     parts_table(sheet, machine, stretches(machine.cut), rows)
-    sheet.rows(pieces_in_all("fly_pieces", AT, rows))
+    sheet.rows(pieces_in_all(rows))
     sheet.row += 1
-    pieces_table(sheet, "Pieces of the tool's motion", AT, rows, machine.room, machine.cut.size)
+    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
 
 
 def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
@@ -67,7 +67,7 @@ def parts_table(sheet: Sheet, machine: Flying, parts: tuple[Stretch, ...], rows:
               "=fly_v*fly_tm+fly_h1/1000*INDEX(law_s1,fly_no)"],
              [one.y for one in of], scale=scale(0)),
         *phase_table_columns(
-            AT, rows,
+            rows,
             [law, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_tolerance,1)')}", none],
             [f"={last_before('fly_no', SPLIT)}-[first]+1", "=fly_waits",
              f"=IF(fly_waits=1,{last_before('fly_no', '1')}-[first]+1,0)", "=IF([span]>0,1,0)"],

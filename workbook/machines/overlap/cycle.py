@@ -18,7 +18,7 @@ from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, ROOM, phase_columns, pieces_in_all, pieces_table
-from workbook.motion.sampled import derivative, finding
+from workbook.motion.sampled import POSITION, derivative, finding
 
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
 SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
@@ -44,17 +44,17 @@ class AtAngles:
         self.plan: Schedule = station.schedules[self.row - 1]
         self.angle = si(theta, DEGREE)
         self.travel = self.plan.travel(self.angle)
-        self.rows = rows_of_parts(self.plan.parts, self.plan.pieces, pieces, FULL_TURN)
+        self.rows = rows_of_parts(self.at, self.plan.parts, self.plan.pieces, pieces, FULL_TURN)
 
     def columns(self, suffix: str) -> list[Quantity]:
         """Return the travel and the workings."""
         since, there = self.plan.since(self.angle), f"[@schedules.there.{self.row}]"
         return [
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
-                 f"=({derivative(self.at, 0, suffix)})*1000", shown(self.travel, MM), source="c0 + c1 u + … + A sin x"),
+                 f"=({derivative(self.rows, 0, suffix)})*1000", shown(self.travel, MM), source=POSITION),
             calc(f"since{suffix}", "angle since its arrival", "", "°",
                  f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_tolerance)", shown(since, DEGREE), scale=TURN),
-            *finding(self.at, self.rows, f"since{suffix}", since, suffix=suffix),
+            *finding(self.rows, f"since{suffix}", since, suffix=suffix),
         ]  # fmt: skip
 
     @cached_property
@@ -65,24 +65,24 @@ class AtAngles:
     def rate(self, order: int, name: str, what: str, symbol: str, unit: str, suffix: str) -> Quantity:
         """Return the column of a derivative in time."""
         label = f"{what}, {SCHEDULES[suffix][1]}"
-        formula = f"=({derivative(self.at, order, suffix)})*overlap_w^{order}"
+        formula = f"=({derivative(self.rows, order, suffix)})*overlap_w^{order}"
         return result(f"{name}{suffix}", label, symbol, unit, formula, self.rates[order - 1])
 
 
 def transfer_rows(machine: Overlapping, pieces: Pieces) -> PieceRows:
     """Return the pieces of the transfer."""
     parts = machine.transfer.parts
-    return rows_of_parts(parts, pieces_of_parts(parts), pieces, FULL_TURN)
+    return rows_of_parts(TRANSFER, parts, pieces_of_parts(parts), pieces, FULL_TURN)
 
 
 def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
-    angle = si(theta, DEGREE)
+    angle, rows = si(theta, DEGREE), transfer_rows(machine, pieces)
     return [
         result("yt", "travel of the transfer", "y_t", "mm",
-               f"=({derivative(TRANSFER, 0, 't')})*1000", shown(machine.transfer.travel(angle), MM),
-               source="c0 + c1 u + … + A sin x"),
-        *finding(TRANSFER, transfer_rows(machine, pieces), "theta", angle, suffix="t"),
+               f"=({derivative(rows, 0, 't')})*1000", shown(machine.transfer.travel(angle), MM),
+               source=POSITION),
+        *finding(rows, "theta", angle, suffix="t"),
     ]  # fmt: skip
 
 
@@ -182,14 +182,14 @@ def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         no=["=[used.no.1]", "=1"], h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
         begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
     )  # fmt: skip
-    pieces_table(sheet, "Pieces of the transfer", TRANSFER, rows, machine.room, size_of_parts(parts))
+    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
 
 
 def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -> None:
     """Declare the phases of a tool in one schedule, and their pieces."""
     row, words = SCHEDULES[schedule]
     plan, at, (row_in, row_out) = station.schedules[row - 1], OF_TOOL[schedule], station.law_rows
-    rows = rows_of_parts(plan.parts, plan.pieces, pieces, FULL_TURN)
+    rows = rows_of_parts(at, plan.parts, plan.pieces, pieces, FULL_TURN)
     into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
     rest = f"360-@dwell-{out}-{into}"
     phases(
@@ -198,7 +198,7 @@ def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -
         angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
         begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
     )  # fmt: skip
-    pieces_table(sheet, f"Pieces of the tool {words}", at, rows, station.machine.room, size_of_parts(plan.parts))
+    pieces_table(sheet, f"Pieces of the tool {words}", rows, station.machine.room, size_of_parts(plan.parts))
 
 
 def phases(
@@ -218,7 +218,7 @@ def phases(
         calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),
         calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts], scale=TURN),
         calc("y0", "position at its begin", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
-        *phase_columns(at, rows),
+        *phase_columns(rows),
     )  # fmt: skip
-    sheet.rows(pieces_in_all(at.count, at, rows))
+    sheet.rows(pieces_in_all(rows))
     sheet.row += 1
