@@ -101,6 +101,11 @@ class Movement:
         return self.of.y2_max
 
     @property
+    def y3_max(self) -> float:
+        """max |y'''|; infinite where the law's acceleration jumps"""
+        return self.of.y3_max
+
+    @property
     def v_max(self) -> float:
         """max |ẏ|"""
         return self.y1_max * self.speed
@@ -109,6 +114,11 @@ class Movement:
     def a_max(self) -> float:
         """max |ÿ|"""
         return self.y2_max * self.speed**2
+
+    @property
+    def j_max(self) -> float:
+        """max of the jerk in time; infinite where the law's acceleration jumps"""
+        return self.y3_max * self.speed**3
 
     @property
     def a_rms(self) -> float:

@@ -14,7 +14,7 @@ from workbook.book.rows import filled
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import phases as joined_phases
-from workbook.laws.phases import ACCELERATION, AT_END, LAW_NUMBER, RMS, VELOCITY
+from workbook.laws.phases import ACCELERATION, AT_END, JERK, LAW_NUMBER, RMS, VELOCITY, jerks
 from workbook.machines.cutting.entries import Axis
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
@@ -138,8 +138,11 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
         result("y1", "geometric velocity", "y'max", "m/rad", VELOCITY, of(lambda m: m.y1_max), source="C_v h/δ"),
         result("y2", "geometric acceleration", "y''max", "m/rad²",
                ACCELERATION, of(lambda m: m.y2_max), source="C_a h/δ²"),
+        result("y3", "geometric jerk", "y'''max", "m/rad³", JERK, jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
         result("v", "velocity", "ẏmax", "m/s", "=[y1]*timing_omega", of(lambda m: m.v_max), source="y' ω"),
         result("a", "acceleration", "ÿmax", "m/s²", "=[y2]*timing_omega^2", of(lambda m: m.a_max), source="y'' ω²"),
+        result("j", "jerk", "j_max", "m/s³",
+               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(of(lambda m: m.j_max)), source="y''' ω³"),
         result("rms", "RMS acceleration", "ÿrms", "m/s²",
                f"={RMS}*timing_omega^2", of(lambda m: m.a_rms), source="C_a,rms h/δ² ω²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
