@@ -32,13 +32,15 @@ def turn_time(rate: float) -> float:
     return FULL_TURN / shaft_speed(rate)
 
 
-def lane(y: Array, floor: float, share: float) -> Array:
+def lane(y: Array, reach: tuple[float, float], floor: float, share: float) -> Array:
     """Return an axis as a timing diagram shows it: its travel as a share of a lane of height 1 that begins at a floor.
+
+    ``reach`` is from its lowest to its highest position.
 
     On the floor where it stands. Source: S1, 'Timing diagram for a cutting machine'.
     """
-    travel = float(y.max() - y.min())
-    return floor + share * (y - y.min()) / travel if travel > 0.0 else np.full(y.shape, float(floor))
+    low, high = reach
+    return floor + share * (y - low) / (high - low) if high > low else np.full(y.shape, float(floor))
 
 
 @dataclass(frozen=True)

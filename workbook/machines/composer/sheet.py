@@ -105,10 +105,8 @@ def results(sheet: Sheet, machine: Composition) -> None:
         result("move_gap", "What the cycle does not close by", "", "lift",
                "=INDEX([phases.y1],move_count)-move_start", motion.gap, format="0.0000##", scale=h,
                source="y(end) − y(begin)"),
-        result("move_low", "Lowest position of the samples", "y_min", "lift",
-               "=MIN([motion.y])", float(y.min()), scale=h),
-        result("move_high", "Highest position of the samples", "y_max", "lift",
-               "=MAX([motion.y])", float(y.max()), scale=h),
+        result("move_low", "Lowest position", "y_min", "lift", "=MIN([phases.low])", motion.reach[0], scale=h),
+        result("move_high", "Highest position", "y_max", "lift", "=MAX([phases.high])", motion.reach[1], scale=h),
         result("move_v", "Greatest velocity", "|y'|_max", PER,
                "=MAX([phases.v])", motion.peaks.y1, scale=v, source="C_v |h|/δ"),
         result("move_a", "Greatest acceleration", "|y''|_max", PER2,
@@ -157,6 +155,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
     spans = [p.duration for p in moved]
     begins, ends = zip(*motion.ends, strict=True)
     reached = motion.position + motion.lifts_sum
+    lows, highs = zip(*motion.reaches, strict=True)
 
     def of(values: Iterable[float]) -> list[float]:
         return filled(values, n)
@@ -193,6 +192,9 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         calc("y0", "position at its begin", "y_0", "lift",
              "=IF([k]=1,move_start,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, reached), scale=h,
              source="lifts before"),
+        *(calc(name, f"{word} position", "", "lift", formula.format("move_start"), filled(values, n, motion.position),
+               scale=h)
+          for name, word, formula, values in (("low", "lowest", joined.LOW, lows), ("high", "highest", joined.HIGH, highs))),
         calc("lack", "lack of lift", "Δy", "lift",
              "=[h]*(1-INDEX(law_s1,[no]))", of(p.lack for p in moved), scale=h,
              source="h (1 − s(1))"),
