@@ -12,6 +12,8 @@ from engine.laws.crossings import narrowed
 
 PARTS = 16
 ROUNDS = 9  # of narrowing a bracket, to an eighth by each
+FLAT = 1e-15
+"""of the largest value: what differs by less is all one height"""
 TOPS = 4  # of which are narrowed, at most
 NOISE = 1e-9
 """of a quantity's size in its piece: what is smaller at an end has no sign, and a change of sign there is none"""
@@ -41,15 +43,20 @@ def largest(function: Function, low: float, high: float, nodes: int) -> tuple[fl
     left, right = u[np.maximum(tops - 1, 0)], u[np.minimum(tops + 1, nodes)]
     best = int(np.argmax(values))
     top, place = float(values[best]), float(u[best])
-    each, share = np.arange(tops.size), np.linspace(0.0, 1.0, PARTS + 1)
+    share = np.linspace(0.0, 1.0, PARTS + 1)
     for _ in range(ROUNDS):
         points = left[:, None] + (right - left)[:, None] * share
         found = function(points.ravel()).reshape(points.shape)
-        k = found.argmax(axis=1)
-        one = int(found[each, k].argmax())
-        if found[one, k[one]] > top:
-            top, place = float(found[one, k[one]]), float(points[one, k[one]])
-        left, right = points[each, np.maximum(k - 1, 0)], points[each, np.minimum(k + 1, PARTS)]
+        each, k = np.arange(left.size), found.argmax(axis=1)
+        highest, spread = found[each, k], found.max(axis=1) - found.min(axis=1)
+        one = int(highest.argmax())
+        if highest[one] > top:
+            top, place = float(highest[one]), float(points[one, k[one]])
+        worth = (highest + spread > top) & (spread > FLAT * abs(top))
+        if not worth.any():
+            break
+        left = points[each, np.maximum(k - 1, 0)][worth]
+        right = points[each, np.minimum(k + 1, PARTS)][worth]
     return top, place
 
 
