@@ -14,6 +14,7 @@ from workbook.collector import collector_paused, swept_between
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
+from workbook.judging.moved import put_back
 from workbook.judging.report import OK
 from workbook.judging.verdict import UNFINISHED
 from workbook.reading.entries import (
@@ -104,7 +105,7 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
 def inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
     file = open_book(path)
-    entries = Entries(file, agreed)
+    entries = Entries(file, agreed, put_back)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
     return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)

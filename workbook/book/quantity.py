@@ -18,7 +18,7 @@ FLOOR = 1e-3
 FLOORS = {"kg m²": 1e-9, "m²/rad⁴": 1e-6}
 """and of those of which it is not"""
 
-Role = Literal["input", "calculation", "result", "check", "constant"]
+Role = Literal["input", "calculation", "result", "check", "constant", "sentence"]
 
 
 @dataclass(frozen=True)
@@ -104,5 +104,5 @@ def sentence(q: Quantity) -> Quantity:
     holds = q.source or HOLDS
     formula = f'=IF({q.name}="OK",{quoted(holds)},{q.says or quoted(FAILS)})'
     value = holds if q.value == "OK" else Sentence(q.said or FAILS)
-    return Quantity(f"{q.name}{SAYS}", f"{q.label}: where, and by how much", "", "", "calculation", formula, value,
+    return Quantity(f"{q.name}{SAYS}", f"{q.label}: where, and by how much", "", "", "sentence", formula, value,
                     align="left")  # fmt: skip

@@ -10,9 +10,11 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.judging.matching import Pair
 
+LAYOUT = "layout"
+"""The kind of rows and columns that were put into tables, or are gone."""
 ORDER = (
-    "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value", "follows",
-    "saved", "shown", "witness",
+    LAYOUT, "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value",
+    "follows", "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
 FOLLOWS = "follows"
@@ -94,6 +96,7 @@ class Report:
     compared: int = 0
     declared: int = 0
     findings: list[Finding] = field(default_factory=list)
+    following: list[Finding] = field(default_factory=list)  # from rows and columns inserted or gone; none by itself
     notices: list[Finding] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
@@ -122,6 +125,12 @@ class Report:
     def holds(self) -> bool:
         """Whether the design is finished and passes its own checks."""
         return not self.failing and not self.unfinished
+
+    @property
+    def following_words(self) -> str:
+        """How many cells are wrong only by rows or columns inserted or gone; nothing where there are none."""
+        cells = {(f.sheet, f.cell) for f in self.following}
+        return f"{len(cells):,} cells are at fault only by what was inserted or is gone" if cells else ""
 
     @property
     def own_words(self) -> str:

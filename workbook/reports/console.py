@@ -37,6 +37,7 @@ def report_data(report: Report) -> dict[str, Any]:
         "deviations": report.deviations,
         "findings": [finding_data(f) for f in report.findings],
         "notices": [finding_data(f) for f in report.notices],
+        "following": len({(f.sheet, f.cell) for f in report.following}),
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
     }
@@ -84,6 +85,8 @@ def show_report(report: Report, console: Console, everything: bool = False) -> N
     if report.notices:
         show_notices(report, console)
     lines = [f"Note: {note}" for note in report.notes]
+    if report.following:
+        lines.append(report.following_words)
     if report.own:
         first = ", ".join(report.own[:8]) + (" …" if len(report.own) > 8 else "")
         lines.append(f"{report.own_words}, as they belong to nothing generated ({first})")

@@ -20,6 +20,7 @@ from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table, room_check
 from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.smooth import Asked, Joints
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
@@ -30,6 +31,16 @@ LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}
 def cells(i: int) -> Cells:
     """Return where the motion of an axis stands."""
     return Cells(f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "timing_eps", "m", "rad", degrees=True)
+
+
+def asked(machine: Cutting, i: int) -> Asked:
+    """Return how smooth an axis must be."""
+    units = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
+    axis, t = machine.machine.timing.axes[i - 1], f"axis{i}"
+    return Asked(
+        axis.smoothness, f"INDEX([axes.smooth],{i})", f"{t}_order", (f"MAX([{t}.y1])", f"MAX([{t}.y2])"),
+        ('"°"', "°"), units, (f"INDEX([axes.name],{i})", axis.name),
+    )  # fmt: skip
 
 
 def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
@@ -53,16 +64,20 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     axes_table(sheet, machine)
     draw_diagram(sheet, timing.axes)
     sheet.row = max(sheet.row, 26)
-    for i, of_axis in enumerate(rows, 1):
+    joints = [Joints(found, axis.motion, asked(machine, i))
+              for i, (axis, found) in enumerate(zip(machine.axes, rows, strict=True), 1)]  # fmt: skip
+    for i, (of_axis, of_joints) in enumerate(zip(rows, joints, strict=True), 1):
         phases(sheet, machine, i, of_axis)
-        joined(sheet, machine, i)
+        joined(sheet, machine, i, of_joints)
     draw_curves(sheet, timing.axes)
     sheet.heading("Table over the cycle")
     cycle(sheet, machine, rows)
     sheet.heading("Workings: the motions as pieces", ABOUT)
-    for axis, of_axis in zip(machine.axes, rows, strict=True):
-        sheet.rows(pieces_in_all(of_axis))
-        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, machine.room, axis.motion.size)
+    room = machine.room
+    for axis, of_axis, of_joints in zip(machine.axes, rows, joints, strict=True):
+        sheet.rows(pieces_in_all(of_axis), of_joints.order())
+        columns = of_joints.columns(room)
+        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, room, axis.motion.size, *columns)
     sheet.print_columns = 17
 
 
@@ -82,6 +97,8 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
         given("name", "axis", "", "", [a.name for a in axes], "timing.axes.*.name"),
         given("closes", "closes in", "", "",
               [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
+        given("smooth", "must be continuous", "", "",
+              [a.smoothness for a in axes], "timing.axes.*.smoothness", source="velocity, acceleration, jerk"),
         calc("travel", "travel a cycle", "Σh", "mm",
              each("=SUM([axis{0}.lift])"), [shown(axis.motion.lifts_sum, MM) for axis in machine.axes]),
         calc("low", "lowest position", "", "mm", each("=MIN([cycle.y{0}])"), [float(y.min()) for y in positions]),
@@ -188,7 +205,7 @@ def in_row(i: int, column: str, says: str) -> str:
     return f'INDEX([axes.name],{i})&" row "&{row}&{says.format(f"axis{i}", row)}'
 
 
-def joined(sheet: Sheet, machine: Cutting, i: int) -> None:
+def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
     """Declare the checks of one axis."""
     axis, t = machine.axes[i - 1], f"axis{i}"
     motion, name, key = axis.motion, axis.name, f"timing.axes.{i - 1}"
@@ -206,9 +223,10 @@ def joined(sheet: Sheet, machine: Cutting, i: int) -> None:
               rule=f"{key}:fills", says=f"INDEX([axes.name],{i})&{UNFILLED.format(t)}"),
         check(f"{t}_position", f"{name}: no jump of position",
               f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete),
-        room_check(f"{t}_room", cells(i), name),
+        room_check(f"{t}_room", cells(i), i, name),
         check(f"{t}_velocity", f"{name}: no jump of velocity",
               f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth()),
+        joints.check(f"{t}_smooth", f"{name}: as smooth as asked"),
         check(f"{t}_closes", f"{name}: the cycle closes",
               f'OR(INDEX([axes.closes],{i})="feed",ABS({gap})<=check_zero*{greatest("h")})', axis.closes,
               "in position, or, as a feed, in velocity"),

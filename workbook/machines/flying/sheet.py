@@ -8,9 +8,8 @@ from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
-from workbook.machines.flying.motion import AT
 from workbook.machines.flying.view import CASES, Flying, does
-from workbook.motion.pieces import room_check
+from workbook.motion.pieces import ROOM
 
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 DOES = (
@@ -195,7 +194,7 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
               "cutter.load:heavy", '"inertia and mass are 0; expected one of them above"'),
         check("fly_ok_range", "The range of product lengths rises", "fly_long>fly_short", True, "",
               "cutter.lengths:ordered", RANGE),
-        room_check("fly_ok_pieces", AT),
+        check("fly_ok_pieces", "The table of pieces has room for all", "fly_pieces<=MAX([tool_pieces.r])", True, ROOM),
         check("fly_ok_angle", "The angle in step is less than between the tools",
               f"OR(NOT({IS_DRUM}),fly_angle*fly_tools<360)", True, "θ_T < θ_0", "cutter:angle", IN_STEP),
         check("fly_ok_law", "The law speeds up once and slows down once", f"AND({own},fly_cv>=fly_least_cv)", True,
