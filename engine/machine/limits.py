@@ -90,7 +90,7 @@ class Judged:
         return {
             "RMS torque": motor.rated_torque,
             BELOW: float(self.limits.peak_curve.torque.max()),
-            "motor speed": motor.max_speed,
+            "motor speed": min(motor.max_speed, float(self.limits.peak_curve.speed[-1])),
             "reducer input speed": reducer.input_speed,
             "reducer peak torque": reducer.peak_torque,
             "reducer mean torque": reducer.mean_torque,
@@ -128,14 +128,19 @@ class Judged:
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
-        """|T| and the curve where the reserve is least; beyond the largest speed the curve has none."""
+        """|T| and the curve where the reserve is least; beyond its last corner the curve is taken to go on level.
+
+        The speed has a check of its own.
+        """
         curve = self.limits.peak_curve
         if self._limits[BELOW] == math.inf:
             return LimitCheck(BELOW, self.demand.torque.peak, math.inf, True)
 
+        last = float(curve.speed[-1])
+
         def worst(one: Stretch) -> tuple[float, float]:
             def lack(u: Array) -> Array:
-                return np.asarray(np.abs(one.torque(u)) - curve.at(one.motor_speed(u)))
+                return np.asarray(np.abs(one.torque(u)) - curve.at(np.clip(one.motor_speed(u), -last, last)))
 
             lacking, u = largest(lack, one.low, one.high, one.nodes)
             return lacking, float(np.abs(one.torque(np.array([u])))[0])

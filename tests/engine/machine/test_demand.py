@@ -135,7 +135,7 @@ def test_one_sided_limits_count_at_an_instant_of_rest():
 # Another route
 
 
-@machines(6)
+@machines(4)
 def test_random_machines_against_samples_of_closed_forms(request, number):
     one = drawn(request, number)
     found, rows = Demand(one), sampled(one)
@@ -178,7 +178,7 @@ def friction_work(one):
     return total + viscous
 
 
-@machines(6)
+@machines(4)
 def test_what_a_lossless_motor_gives_is_the_work_of_loads_and_friction(request, number):
     one = drawn(request, number, lossless=True)
     found = Demand(one)
@@ -186,7 +186,7 @@ def test_what_a_lossless_motor_gives_is_the_work_of_loads_and_friction(request, 
     assert found.energy.net == pytest.approx(friction_work(one), rel=1e-9, abs=1e-9 * most)
 
 
-@machines(6)
+@machines(4)
 def test_losses_are_what_the_motor_gives_more(request, number):
     """What each stage takes from the power through it, summed up, is the difference to the work of the load."""
     one = drawn(request, number)
@@ -229,7 +229,7 @@ def figures(one):
             found.mean_shaft_torque(0)]  # fmt: skip
 
 
-@machines(6)
+@machines(4)
 def test_a_cycle_told_in_other_units_of_the_abscissa_asks_for_the_same(request, number):
     one = drawn(request, number, from_rest=True)
     m = one.motion
@@ -240,7 +240,7 @@ def test_a_cycle_told_in_other_units_of_the_abscissa_asks_for_the_same(request, 
     assert figures(other) == pytest.approx(figures(one), rel=1e-9, abs=1e-9)
 
 
-@machines(6)
+@machines(4)
 def test_a_cycle_that_begins_elsewhere_asks_for_the_same(request, number):
     one = drawn(request, number)
     moved = tuple(replace(w, begin=w.begin + 1.0, end=w.end + 1.0) for w in one.train.windows)
@@ -248,7 +248,7 @@ def test_a_cycle_that_begins_elsewhere_asks_for_the_same(request, number):
     assert figures(other) == pytest.approx(figures(one), rel=1e-8, abs=1e-8)
 
 
-@machines(6)
+@machines(4)
 def test_a_mirrored_machine_asks_for_the_mirrored(request, number):
     one = drawn(request, number, from_rest=True, kinds=list(SIZES))
     m, drive = one.motion, one.train.drive

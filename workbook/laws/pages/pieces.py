@@ -122,6 +122,10 @@ class OwnPage(Page):
         """Return the name that is entered."""
         return entered.name
 
+    def reached(self, end: str) -> str:
+        """Return the formula of the lowest or the highest s: of its samples."""
+        return f"={end}([{self.samples}.s])"
+
     def stacked(self, law: Law, room: int) -> list[Stacked]:
         """Return the rows of the stack: the table of the own law, spare rows and all."""
         pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
