@@ -15,7 +15,7 @@ from engine.laws.edges import inner_edges
 from engine.laws.pulse import K
 from engine.laws.pulse_law import PulseLaw
 from workbook.book.declare import Quantity, calc
-from workbook.laws.family import PieceRow, ShapeFormulas
+from workbook.laws.family import Page, PieceRow, ShapeFormulas
 
 RISE, CRUISE, FALL = (1, 2, 3), 4, (7, 6, 5)
 """stages of the first pulse, of uniform velocity, and of the second pulse told from its end"""
@@ -218,6 +218,14 @@ SEARCHES = {
 def times(factor: str, of: str) -> str:
     """Return a product, without a factor of 1."""
     return of if factor == "1" else f"{factor}*{of}"
+
+
+def edged(stages: Stages, **stated: Any) -> Page:
+    """Return the page of a family by its stages; ``stated`` is what else a page states."""
+    return Page(
+        pieces=stages.rows(), workings=stages.workings, coefficients=stages.coefficients(), fastest=stages.fastest,
+        shapes=stages.shapes(), **stated,
+    )  # fmt: skip
 
 
 def law_of(kind: Callable[..., Any], *fields: str) -> Callable[[Any], Any]:

@@ -24,8 +24,10 @@ COEFFICIENTS = (
     ("va_max", "Largest v·a, when driving", "max(v·a)"),
     ("va_min", "Lowest v·a, when braking", "min(v·a)"),
 )
-ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
-"""the columns of a table of pieces"""
+SINE, SECOND = ("P", "omega", "phi"), ("P2", "omega2", "phi2")
+POWERS = ("c0", "c1", "c2", "c3", "c4", "c5")
+ENTRIES = ("d", *POWERS, *SINE, *SECOND)
+"""the columns of a table of pieces; those of a second sine are there in books with a law that needs them"""
 
 
 class LawSheet(Model):
@@ -63,7 +65,7 @@ class LawCheck(NamedTuple):
 
 @dataclass(frozen=True)
 class PieceRow:
-    """One piece as written in the books: a(u) = c0 + c1 u + P sin(ωu + φ), a formula for each entry."""
+    """One piece as written in the books: a(u) = c0 + … + c5 u⁵ + P sin(ωu + φ), a formula for each entry."""
 
     name: str
     equation: str
@@ -72,9 +74,14 @@ class PieceRow:
     c1: str = "=0"
     c2: str = "=0"
     c3: str = "=0"
+    c4: str = "=0"
+    c5: str = "=0"
     P: str = "=0"
     omega: str = "=0"
     phi: str = "=0"
+    P2: str = "=0"
+    omega2: str = "=0"
+    phi2: str = "=0"
 
 
 class ShapeFormulas(NamedTuple):
@@ -112,12 +119,17 @@ class Page:
     coefficients: Mapping[str, tuple[str, str]]
     """formula of each coefficient, and the equation in words"""
     fastest: str
-    shapes: ShapeFormulas
+    shapes: ShapeFormulas | None
+    """None of a family whose stages are of no such shape"""
     parameters: tuple[Parameter, ...] = ()
     variations: tuple[Mapping[str, Any], ...] = ()
     constants: tuple[Quantity, ...] = ()
     workings: Callable[[Any], list[Quantity]] = lambda law: []
     checks: tuple[LawCheck, ...] = ()
+    rests: bool = True
+    """whether it begins and ends at rest"""
+    start: str = "=0"
+    """the formula of the velocity with which it begins"""
     has_sheet: bool = True
     """whether its formulas stand in cells of its own, which other sheets refer to"""
     samples: str = "@samples"
@@ -132,8 +144,10 @@ class Page:
         return self.made(self.entered(numbers))
 
     def entered(self, numbers: Sequence[float]) -> Any:
-        """Return the entries with these parameters, which stand in the order of :attr:`parameters`."""
+        """Return the entries with these parameters, in the order of :attr:`parameters`; those by default of none."""
         data: dict[str, Any] = {}
+        if not numbers:
+            return self.entries() if self.entries else None
         for parameter, number in zip(self.parameters, numbers, strict=True):
             field, _, index = parameter.key.partition(".")
             if index:
@@ -180,9 +194,14 @@ class Page:
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """The entries that its table of pieces shows: all but c2 and c3, and these where a piece has them."""
-        shown = (name for name in ("c2", "c3") if any(getattr(row, name) != "=0" for row in self.pieces))
-        return ("d", "c0", "c1", *shown, "P", "omega", "phi")
+        """The entries that its table of pieces shows: duration, c0, c1, one sine, and others where a piece has them."""
+        always = ("d", "c0", "c1", *SINE)
+        return tuple(n for n in ENTRIES if n in always or any(getattr(row, n) != "=0" for row in self.pieces))
+
+    @property
+    def second_sine(self) -> bool:
+        """Whether a piece of the family has two sines."""
+        return any(row.P2 != "=0" for row in self.pieces)
 
     def require_complete(self, entry: Entry) -> None:
         """Raise IncompleteError, naming the law and what its page leaves out or has too much of."""
@@ -190,7 +209,7 @@ class Page:
         wrong = [name for name, *_ in COEFFICIENTS if name not in self.coefficients]
         if any(len(law.as_pieces()) != len(self.pieces) for law in examples):
             wrong.append(f"pieces as many as the engine's {len(examples[0].as_pieces())}")
-        if any(law.shapes() is None for law in examples):
+        if any((law.shapes() is None) != (self.shapes is None) for law in examples):
             wrong.append("shapes that the engine knows too")
         wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]
         wrong += [f"variations of {key}" for key in self._fields() if any(key not in v for v in self.variations)]
@@ -213,8 +232,8 @@ class Page:
         return found
 
 
-def value_at(entered: Any, key: str) -> float:
-    """Return the number at a key such as ``durations.0``."""
+def value_at(entered: Any, key: str) -> Any:
+    """Return what is entered at a key such as ``durations.0``."""
     field, _, index = key.partition(".")
     value = getattr(entered, field)
-    return float(value[int(index)]) if index else float(value)
+    return value[int(index)] if index else value

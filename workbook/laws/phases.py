@@ -51,18 +51,17 @@ def located(
     """
     index, share = motion.phase_index(x), motion.xi(x)
     numbers = np.array([pieces.number(p.law) for p in motion.phases])[index]
-    found = np.empty((3, len(x)))
+    found = np.empty((pieces.width, len(x)))
     values = {d: np.empty(len(x)) for d in "sva"}
     for k in np.unique(index):
         here = index == k
         found[:, here] = pieces.locate(int(numbers[here][0]), share[here])
         for d, value in zip("sva", motion.phases[k].law.evaluate(share[here]), strict=False):
             values[d][here] = value
-    row, u, sine = found
     return [
         calc(f"p{suffix}", f"{of}phase", "", "", formulas[0], index + 1, format="0", source=sources[0]),
         calc(f"xi{suffix}", f"{of}abscissa", "ξ", "", formulas[1], share, source=sources[1]),
         calc(f"n{suffix}", f"{of}law", "", "", formulas[2], numbers, format="0"),
-        *sampling.finding(f"[n{suffix}]", f"xi{suffix}", (row, u, sine), suffix),
-        *sampling.columns(values, "sva", suffix),
+        *pieces.finding(f"[n{suffix}]", f"xi{suffix}", found, suffix),
+        *pieces.columns(values, "sva", suffix),
     ]  # fmt: skip

@@ -271,7 +271,7 @@ def test_entries_that_cannot_be_get_one_line(changed, line):
 def test_an_own_law_that_moves_backwards_gets_one_line():
     data = entries(phases=[{"law": "OWN", "lift": 8.0, "duration": 0.2}])
     data["laws"]["OWN"]["pieces"] = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]
-    with pytest.raises(InputError, match=r"phases.*law.*the own law moves backwards"):
+    with pytest.raises(InputError, match=r"phases.*law.*the law OWN moves backwards"):
         checked(TEMPLATE, data, str)
 
 

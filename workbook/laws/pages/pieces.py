@@ -20,7 +20,10 @@ from workbook.book.rows import filled
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
-from workbook.laws.family import ENTRIES, Page, ShapeFormulas, Stacked
+from workbook.laws.family import ENTRIES, Page, Stacked
+
+OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
+"""what is entered of a piece"""
 
 
 class Piece(Model):
@@ -99,7 +102,7 @@ class OwnPage(Page):
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
-        rows = np.array(numbers).reshape(-1, len(ENTRIES)).tolist()
+        rows = np.array(numbers).reshape(-1, len(OWN_ENTRIES)).tolist()
         return PieceLaw([engine.Piece(d, (a, b, c, e), *sine) for d, a, b, c, e, *sine in rows])
 
     def numbers(self, entered: OwnLaw) -> list[float]:
@@ -123,7 +126,8 @@ class OwnPage(Page):
         """Return the rows of the stack: the table of the own law, spare rows and all."""
         pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
         return [
-            Stacked(piece, {name: f"=[own_pieces.{name}.{k}]" for name in ENTRIES}) for k, piece in enumerate(pieces, 1)
+            Stacked(piece, {name: f"=[own_pieces.{name}.{k}]" if name in OWN_ENTRIES else "=0" for name in ENTRIES})
+            for k, piece in enumerate(pieces, 1)
         ]
 
     def require_complete(self, entry: Entry) -> None:
@@ -152,7 +156,7 @@ PAGE = OwnPage(
         "va_min": ("=MIN([own_samples.va])", "of its samples"),
     },
     fastest="=MIN([own_fast.at])",  # the table of a sheet that asks where the laws are fastest
-    shapes=ShapeFormulas(),  # none: what needs them sums its samples instead
+    shapes=None,
     variations=VARIATIONS,
 )
 
@@ -231,7 +235,7 @@ def own_samples(sheet: Sheet, law: SampledPieceLaw, number: int, pieces: samplin
         "own_samples", "The own law over ξ", n + 1,
         constant("k", "sample", "k", "", list(range(n + 1))),
         calc("xi", "abscissa", "ξ", "", "=[k]/[own_samples.k.last]", xi, source="k / N", format="0.0000"),
-        *sampling.shape(law, xi, role=result),
+        *pieces.shape(law, xi, role=result),
         calc("va", "v · a", "", "", "=[v]*[a]", law.powers),
-        *sampling.finding("OWN_no", "xi", pieces.locate(number, xi)),
+        *pieces.finding("OWN_no", "xi", pieces.locate(number, xi)),
     )  # fmt: skip

@@ -26,6 +26,8 @@ class BreakPoints(LawSheet):
         return self
 
 
+ORDER = LawCheck("@order", "the break points follow each other", "AND(@av>0,@av<=@aw,@aw<1)")
+
 PAGE = Page(
     title="Trapezoidal velocity",
     source="S1, second and third slide of the asymmetric trapezoidal profile; S3, function TVP",
@@ -45,7 +47,7 @@ PAGE = Page(
         {"rise_end": 0.43, "fall_start": 0.8},
         {"rise_end": 0.5, "fall_start": 0.85},
     ),
-    checks=(LawCheck("@order", "the break points follow each other", "AND(@av>0,@av<=@aw,@aw<1)"),),
+    checks=(ORDER,),
     pieces=(
         PieceRow("acceleration", "y'' = A, y' = Aα, y = ½Aα²", "=@av", c0="=@ca_max"),
         PieceRow("uniform velocity", "y'' = 0, y' = Aα_v, y = Aα_v(α − α_v/2)", "=@aw-@av"),

@@ -48,6 +48,6 @@ def cycle_sheet(book: Book, machine: Flying, pieces: sampling.Pieces) -> None:
         calc("part", "part of the cycle", "", "", PART, part, format="0", source="1 moves, 2 waits, 3 works"),
         calc("waited", "has waited", "", "s", "=MIN(fly_wait,MAX(0,[t]-fly_stop))", waited, scale=cut.cycle_time),
         calc("xi", "abscissa of the law", "ξ", "", "=MIN(1,([t]-[waited])/fly_tm)", xi, source="(t − t_waited)/t_m"),
-        *sampling.finding("fly_no", "xi", pieces.locate(number, xi), "l"),
-        *sampling.columns(law, "sva", "l"),
+        *pieces.finding("fly_no", "xi", pieces.locate(number, xi), "l"),
+        *pieces.columns(law, "sva", "l"),
     )  # fmt: skip

@@ -73,8 +73,8 @@ def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> No
             calc("low", "not before", "ξ", "", f"=IF([k]=1,{begin},IF({before},[xi-1],[low-1]))", low),
             calc("high", "not after", "ξ", "", f"=IF([k]=1,{end},IF({before},[high-1],[xi-1]))", high),
             calc("xi", "middle", "ξ", "", "=([low]+[high])/2", xi),
-            *sampling.finding("fly_no", "xi", pieces.locate(number, xi)),
-            *sampling.columns(values, "sv"),
+            *pieces.finding("fly_no", "xi", pieces.locate(number, xi)),
+            *pieces.columns(values, "sv"),
         )  # fmt: skip
 
 

@@ -44,7 +44,7 @@ class AtAngles:
         since, part, xi = self.state
         names = [*library]
         numbers = np.array([names.index(code) + 1 for code in codes])[part - 1]
-        found = np.empty((3, len(xi)))
+        found = np.empty((self.pieces.width, len(xi)))
         values = {d: np.empty(len(xi)) for d in "sa"}
         for number in np.unique(numbers):
             here = numbers == number
@@ -52,7 +52,6 @@ class AtAngles:
             at = library[names[number - 1]].evaluate(xi[here])
             values["s"][here], values["a"][here] = at.s, at.a
         row_in, row_out = self.station.law_rows
-        q, u, x = found
         return [
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
                  f"=@stroke*CHOOSE([part{suffix}],1,1-[s{suffix}],0,[s{suffix}])", self.y,
@@ -65,8 +64,8 @@ class AtAngles:
             calc(f"xi{suffix}", "abscissa", "ξ", "", ABSCISSA.format(suffix, row), xi),
             calc(f"n{suffix}", "law number", "", "",
                  f"=CHOOSE([part{suffix}],1,[used.no.{row_out}],1,[used.no.{row_in}])", numbers, format="0"),
-            *sampling.finding(f"[n{suffix}]", f"xi{suffix}", (q, u, x), suffix),
-            *sampling.columns(values, "sa", suffix),
+            *self.pieces.finding(f"[n{suffix}]", f"xi{suffix}", found, suffix),
+            *self.pieces.columns(values, "sa", suffix),
         ]  # fmt: skip
 
     def acceleration(self, suffix: str, row: int, label: str) -> Quantity:
@@ -88,8 +87,8 @@ def transfer_columns(machine: Overlapping, theta: Array, pieces: sampling.Pieces
         result("yt", "travel of the transfer", "y_t", "mm",
                "=overlap_pitch*[st]", shown(moved.travel(angle), MM), source="h_t s"),
         calc("xit", "its abscissa", "ξ", "", "=MIN([theta]/overlap_angle,1)", xi),
-        *sampling.finding("[used.no.1]", "xit", pieces.locate(number, xi), "t"),
-        *sampling.columns({"s": moved.law.s(xi)}, "s", "t"),
+        *pieces.finding("[used.no.1]", "xit", pieces.locate(number, xi), "t"),
+        *pieces.columns({"s": moved.law.s(xi)}, "s", "t"),
     ]  # fmt: skip
 
 
