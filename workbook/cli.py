@@ -11,6 +11,7 @@ from typing import Annotated, Any
 
 import typer
 from rich.console import Console
+from typer.exceptions import TyperException
 
 from workbook import build as make
 from workbook.errors import MotionbookError
@@ -216,7 +217,10 @@ def main() -> None:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")  # names of files, on terminals that lack their letters
     try:
-        app()
+        sys.exit(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
+    except TyperException as error:
+        say(err, f"{error.format_message()} See --help.", "red")
+        sys.exit(UNREADABLE)
     except MotionbookError as error:
         for line in str(error).splitlines():
             say(err, line, "red")

@@ -11,6 +11,7 @@ from engine.laws.sections import breaks, velocity_extremes
 
 KNOTS = 65  # a stage, between which a height is first located
 STEPS = 120
+LAST_DIGITS = 4e-16  # of ξ: within them rounding of s turns the steps to and fro
 BACKWARDS = 1e-9
 """a velocity below minus this, in units of the mean velocity, is a motion backwards"""
 
@@ -33,8 +34,10 @@ def inverse(law: Law, s: Real) -> Real:
     flat = wanted.reshape(-1)
     end = law.end.s
     _require(law, flat, end)
-    xi = _solve(law, flat)
-    xi = np.where(flat <= 0.0, 0.0, np.where(flat >= end, 1.0, xi))
+    xi = np.where(flat <= 0.0, 0.0, 1.0)
+    inside = (flat > 0.0) & (flat < end)
+    if inside.any():
+        xi[inside] = _solve(law, flat[inside])
     return unwrap(s, [xi.reshape(wanted.shape)])[0]  # type: ignore[no-any-return]
 
 
@@ -57,9 +60,10 @@ def _solve(law: Law, s: Array) -> Array:
         step = np.divide(at.s - s, at.v, out=np.full_like(xi, np.inf), where=at.v > 0.0)
         newton = xi - step
         following = np.where((newton >= low) & (newton <= high), newton, 0.5 * (low + high))
-        if not np.any(np.abs(following - xi) > 1e-16):
-            break
+        moved = np.abs(following - xi).max()
         xi = following
+        if moved <= LAST_DIGITS:
+            break
     return xi
 
 

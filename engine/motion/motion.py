@@ -96,11 +96,9 @@ class Motion:
 
     @cached_property
     def peaks(self) -> MotionValues[float]:
-        """Largest |h|, |y'| and |y''| of any phase, exact by the laws' coefficients."""
-        phases = self.phases
-        return MotionValues(
-            max(abs(p.lift) for p in phases), max(p.y1_max for p in phases), max(p.y2_max for p in phases)
-        )
+        """Largest |h|, |y'|, |y''| and |y'''| of any phase, exact by the laws' coefficients."""
+        found = [(abs(p.lift), p.y1_max, p.y2_max, p.y3_max) for p in self.phases]
+        return MotionValues(*map(max, zip(*found, strict=True)))
 
     @cached_property
     def y2_rms(self) -> float:
@@ -109,9 +107,12 @@ class Motion:
 
     @cached_property
     def sizes(self) -> MotionValues[float]:
-        """Largest |h|, |h|/δ and |h|/δ² of any phase; 1 where nothing moves: what is next to nothing beside them?"""
-        moving = [(abs(p.lift), p.duration) for p in self.phases if p.lift] or [(1.0, 1.0)]
-        return MotionValues(max(h for h, _ in moving), max(h / d for h, d in moving), max(h / d**2 for h, d in moving))
+        """Largest |h|, |h|/δ, |h|/δ², |h|/δ³ of any phase; 1 where nothing moves: what is nothing beside them?"""
+        return MotionValues(*(self.size(order) for order in range(4)))
+
+    def size(self, order: int) -> float:
+        """Return the largest |h|/δⁿ of any phase; 1 where nothing moves."""
+        return max((abs(p.lift) / p.duration**order for p in self.phases if p.lift), default=1.0)
 
     @property
     def gap(self) -> float:
@@ -151,7 +152,7 @@ class Motion:
         return unwrap(x, [self._share(flat, self._locate(flat)).reshape(at.shape)])[0]  # type: ignore[no-any-return]
 
     def at(self, x: Real) -> MotionValues[Real]:
-        """Return y, y', y'' at x: floats of a number, arrays of x's shape of an array.
+        """Return y, y', y'', y''' at x: floats of a number, arrays of x's shape of an array.
 
         Raises ValueError outside the abscissa.
         """
@@ -159,7 +160,7 @@ class Motion:
         flat = at.reshape(-1)
         index = self._locate(flat)
         xi = self._share(flat, index)
-        table = np.empty((3, flat.size))
+        table = np.empty((4, flat.size))
         for k in np.unique(index):
             here, phase = index == k, self.phases[k]
             values = phase.law.evaluate(xi[here])
@@ -167,11 +168,12 @@ class Motion:
             table[0, here] = self._begins[k] + phase.scale * values.s
             table[1, here] = per * values.v
             table[2, here] = per / phase.duration * values.a
+            table[3, here] = per / phase.duration**2 * values.j
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
 
     def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:
         """Return y, ẏ = y' w, ÿ = y'' w² at x, where the abscissa advances at the constant speed w."""
-        y, y1, y2 = self.at(x)
+        y, y1, y2, _ = self.at(x)
         return TimeValues(y, y1 * speed, y2 * speed**2)
 
     def junctions(self, periodic: bool = True) -> tuple[Junction, ...]:

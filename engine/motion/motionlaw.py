@@ -20,6 +20,7 @@ class MotionSamples(NamedTuple):
     y: Array
     y1: Array
     y2: Array
+    y3: Array
 
 
 def motionlaw(

@@ -10,11 +10,12 @@ from engine.laws.base import Kinematics, Real, require_finite
 
 
 class MotionValues(NamedTuple, Generic[Real]):
-    """Position y, geometric velocity y' and acceleration y'', per unit of the abscissa."""
+    """Position y, geometric velocity y', acceleration y'' and jerk y''', per unit of the abscissa."""
 
     y: Real
     y1: Real
     y2: Real
+    y3: Real
 
 
 class TimeValues(NamedTuple, Generic[Real]):
@@ -49,6 +50,11 @@ class Phase:
         return self.lift
 
     @property
+    def rate(self) -> float:
+        """1/δ."""
+        return 1.0 / self.duration
+
+    @property
     def lack(self) -> float:
         """What the law leaves of the lift, h (1 − s(1)): 0 of a law that ends at 1."""
         return self.lift - self.scale * self.law.end.s
@@ -62,6 +68,11 @@ class Phase:
     def y2_max(self) -> float:
         """max |y''| = C_a |h|/δ². Source: S1, 'Timing diagram for a cutting machine'."""
         return self.law.coefficients.ca * abs(self.scale) / self.duration**2
+
+    @property
+    def y3_max(self) -> float:
+        """max |y'''| = C_j |h|/δ³; infinite where the law's acceleration jumps."""
+        return self.law.coefficients.cj * abs(self.scale) / self.duration**3 if self.scale else 0.0
 
     @property
     def y2_rms(self) -> float:
@@ -85,7 +96,7 @@ class Junction:
 
 
 class Ends(NamedTuple):
-    """A phase where it begins, and where it ends from within: y, y', y''."""
+    """A phase where it begins, and where it ends from within: y, y', y'', y'''."""
 
     begin: MotionValues[float]
     end: MotionValues[float]
@@ -93,8 +104,8 @@ class Ends(NamedTuple):
 
 def scaled(phase: Phase, y: float, at: Kinematics[float]) -> MotionValues[float]:
     """Return what a phase that begins at y makes of its law at one ξ."""
-    per = phase.scale / phase.duration
-    return MotionValues(y + phase.scale * at.s, per * at.v, per / phase.duration * at.a)
+    d, per = phase.duration, phase.scale / phase.duration
+    return MotionValues(y + phase.scale * at.s, per * at.v, per / d * at.a, per / d**2 * at.j)
 
 
 def numbered_phase(number: int, one: Law, lift: float, duration: float) -> Phase:

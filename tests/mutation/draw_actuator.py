@@ -8,6 +8,7 @@ from tests.mutation.draw_overlap import rising
 from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import vary_laws
 from workbook.machines.actuator.entries import Kind
+from workbook.motion.room import within
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
@@ -17,6 +18,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     entry["phases"] = [phase(drawn) for _ in range(drawn.randint(1, sizes["phases"]))]
     if any(p["law"] == "OWN" for p in entry["phases"]):
         data["laws"]["OWN"]["pieces"] = rising(drawn)
+    within(entry["phases"], data["laws"], sizes["motion_pieces"])
     gears = drawn.randint(0, sizes["gears"])
     entry.update(
         mechanism=drawn.choice(get_args(Kind)), method=drawn.choice(("physical", "physical", "document")),

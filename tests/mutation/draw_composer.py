@@ -5,6 +5,7 @@ from typing import Any
 
 from tests.laws import MOVING
 from tests.mutation.machines import vary_laws
+from workbook.motion.room import within
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
@@ -20,6 +21,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     )  # fmt: skip
     if drawn.random() < 0.3:
         return_home(data["motion"]["phases"])
+    within(data["motion"]["phases"], data["laws"], sizes["motion_pieces"])
     return data
 
 

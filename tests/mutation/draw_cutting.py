@@ -7,6 +7,7 @@ from typing import Any
 from tests.laws import MOVING
 from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import shares, vary_laws
+from workbook.motion.room import within
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
@@ -16,7 +17,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     vary_selection(data["selection"], sizes, drawn)
     data["timing"]["rate"] = drawn.uniform(5, 600)
     for axis in data["timing"]["axes"]:
-        axis.update(closes=drawn.choice(("feed", "position")), phases=phases(drawn, sizes["phases"]))
+        moved = within(phases(drawn, sizes["phases"]), data["laws"], sizes["motion_pieces"])
+        axis.update(closes=drawn.choice(("feed", "position")), phases=moved)
     drive.update(
         rate=drawn.uniform(5, 600), force=drawn.choice((0.0, drawn.uniform(-900, 900))), radius=drawn.uniform(0.02, 2),
         resists=drawn.choice(("always", "moving")), axis=drawn.choice(data["timing"]["axes"])["name"],

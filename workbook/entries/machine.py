@@ -20,6 +20,7 @@ class Sizes(Model):
     phases: Annotated[int, Field(ge=2, le=60)] = 8
     rotors: Annotated[int, Field(ge=2, le=60)] = 6
     pieces: Annotated[int, Field(ge=2, le=60)] = 8
+    motion_pieces: Annotated[int, Field(ge=10, le=800)] | None = None  # None: a few more than the motion has
 
 
 class Machine(Model):

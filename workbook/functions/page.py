@@ -114,7 +114,7 @@ def results(shown: Shown) -> list[Any]:
     law, motion, k = shown.one.evaluate(shown.xi), shown.motion.at(shown.x), shown.one.coefficients
     xi = "#NUM!" if shown.law == "DWL" else inverse(shown.one, shown.s)
     jerk = k.cj if isfinite(k.cj) else "#NUM!"
-    return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion, shown.reduced, shown.rms]
+    return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion[:3], shown.reduced, shown.rms]
 
 
 LAW_CURVES = (
@@ -198,5 +198,5 @@ def samples(sheet: Sheet, shown: Shown) -> None:
         *(result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
           for name, words, symbol, key, values in zip(
               ("y", "y1", "y2"), ("position", "velocity", "acceleration"), ("y", "y'", "y''"), ("POS", "VEL", "ACC"),
-              shown.moved, strict=True)),
+              shown.moved[:3], strict=True)),
         constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1))))  # fmt: skip

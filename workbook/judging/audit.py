@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from openpyxl import Workbook
 from pydantic import BaseModel
 
-from workbook.book.address import Address
 from workbook.entries.rules import field_at
 from workbook.judging.matching import Match
 from workbook.judging.names import misled
-from workbook.reading.contents import Contents
-from workbook.reading.files import find_places
 
 ALLOWED = frozenset([
     "IF", "AND", "OR", "NOT", "MIN", "MAX", "ABS", "SIGN", "SQRT", "SIN", "COS",
@@ -33,10 +29,9 @@ class Remark(NamedTuple):
     expected: str
 
 
-def audit(match: Match, template: type[BaseModel], calls: Container[Address]) -> Iterator[Remark]:
-    """Yield what is wrong with formulas, names and inputs of a matched workbook; ``calls`` may call MOTION.*."""
-    yield from functions(match.file.contents, calls)
-    yield from broken_names(match.file.workbook)
+def audit(match: Match, template: type[BaseModel]) -> Iterator[Remark]:
+    """Yield what is wrong with formulas, names and inputs of a matched workbook."""
+    yield from functions(match)
     yield from own_names(match)
     for found in misled(match):
         yield Remark(
@@ -45,22 +40,14 @@ def audit(match: Match, template: type[BaseModel], calls: Container[Address]) ->
     yield from unread_inputs(match, template)
 
 
-def functions(contents: Contents, calls: Container[Address]) -> Iterator[Remark]:
-    """Yield cells that use a function which not every spreadsheet program has, or which is volatile."""
-    for address, formula in contents.formulas.items():
-        for name in sorted(formula.functions - ALLOWED):
-            if address in calls and name not in VOLATILE:
-                continue
+def functions(match: Match) -> Iterator[Remark]:
+    """Yield cells that should hold another formula: with a function that not every program has, or that is volatile."""
+    formulas = match.file.contents.formulas
+    for pair in match.pairs:
+        formula = formulas.get(pair.address) if pair.declared_formula else None
+        for name in sorted(formula.functions - ALLOWED) if formula else ():
             why = "a function that is not volatile" if name in VOLATILE else "a function that every program has"
-            yield Remark(address.sheet, address.a1, "function", name, why)
-
-
-def broken_names(workbook: Workbook) -> Iterator[Remark]:
-    """Yield defined names that lead nowhere."""
-    places = find_places(workbook)
-    for name, defined in workbook.defined_names.items():
-        if name not in places and "#REF!" in (defined.attr_text or "").upper():
-            yield Remark("", name, "name", str(defined.attr_text), "a name that leads to cells")
+            yield Remark(pair.address.sheet, pair.address.a1, "function", name, why)
 
 
 def own_names(match: Match) -> Iterator[Remark]:

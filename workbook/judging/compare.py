@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-ERRORS = frozenset(("#N/A", "#VALUE!", "#REF!", "#DIV/0!", "#NUM!", "#NAME?", "#NULL!", "#CYCLE!"))
 TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
 
 

@@ -13,6 +13,7 @@ from workbook.judging.compare import TOLERANCE, difference, is_error
 from workbook.judging.matching import Match, Pair, Right
 from workbook.judging.report import Finding, Ran, Report
 from workbook.reading.contents import Cells
+from workbook.reading.files import BookFile
 from workbook.witnesses.witness import CellWitness, Model, Witness
 
 LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
@@ -21,11 +22,14 @@ NO_EVIDENCE = "as built: no evidence of its own"
 
 
 class Comparison:
-    """A matched file, what it should hold, and the one witness that evaluates each cell by itself."""
+    """A matched file, what it should hold, and the one witness that evaluates each cell by itself.
 
-    def __init__(self, match: Match, single: CellWitness, report: Report) -> None:
-        self.match, self.single, self.report = match, single, report
-        self.model: Model = single.model(match.file)
+    Witnesses are asked of ``bare``: the file, or a copy without the engineer's own cells.
+    """
+
+    def __init__(self, match: Match, bare: BookFile, single: CellWitness, report: Report) -> None:
+        self.match, self.bare, self.single, self.report = match, bare, single, report
+        self.model: Model = single.model(bare)
         self.right = Right(match, match.declared)
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
@@ -39,7 +43,7 @@ class Comparison:
         ran = Ran(witness.name, witness.version())
         self.report.witnesses.append(ran)
         try:
-            values = self.model.evaluate() if witness is self.single else witness.values(self.match.file)
+            values = self.model.evaluate() if witness is self.single else self._said(witness)
         except WitnessError as error:
             ran.why = str(error)
             if required:
@@ -49,6 +53,9 @@ class Comparison:
             self._kept(ran, values)
         else:
             self._computed(ran, values)
+
+    def _said(self, witness: Witness) -> Cells:
+        return witness.values(self.match.file if witness.kept else self.bare)
 
     def _computed(self, ran: Ran, values: Cells) -> None:
         """Tell the cells at fault from those that only follow them."""

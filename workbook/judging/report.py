@@ -90,7 +90,8 @@ class Report:
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
     cells: dict[str, int] = field(default_factory=dict)  # declared formula cells of each sheet
     witnesses: list[Ran] = field(default_factory=list)
-    unmatched: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
+    own: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
+    not_evaluated: int = 0  # of these
     notes: list[str] = field(default_factory=list)
 
     @property
@@ -112,6 +113,13 @@ class Report:
     def holds(self) -> bool:
         """Whether the design is finished and passes its own checks."""
         return not self.failing and not self.unfinished
+
+    @property
+    def own_words(self) -> str:
+        """How many cells of the engineer's own were not evaluated; nothing where there are none."""
+        if not self.own:
+            return ""
+        return f"{self.not_evaluated:,} of {len(self.own):,} formula cells of your own were not evaluated"
 
     @property
     def witness(self) -> str:

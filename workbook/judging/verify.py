@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
+from typing import Any
 
 from pydantic import ValidationError
 
@@ -11,22 +13,21 @@ from workbook.book.address import Address
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.audit import audit
-from workbook.judging.compare import ERRORS
 from workbook.judging.comparing import Comparison, count
-from workbook.judging.functions import calling, notes
+from workbook.judging.functions import notes
 from workbook.judging.matching import Match
 from workbook.judging.report import ORDER, Finding, Ran, Report
 from workbook.judging.settings import settings
 from workbook.judging.shown.book import displayed
 from workbook.judging.structure import structure
 from workbook.judging.verdict import checks
-from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import AnyTemplate
 from workbook.witnesses import WITNESSES, by_cell
 from workbook.witnesses.agreed import agreed
-from workbook.witnesses.witness import CellWitness, Model, Witness
+from workbook.witnesses.bare import without
+from workbook.witnesses.witness import CellWitness, Witness
 
 ALL = "all"
 
@@ -43,8 +44,8 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     report = Report(path, entries.template.name, notes=list(file.notes))
     machine = entries.machine()
     if entries.computed:
-        report.notes.append(f"inputs that hold a formula of their own: {', '.join(entries.computed)}")
-    judge(file, entries.template, machine, report, names)
+        report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
+    judge(file, entries.template, machine, report, names, given=entries.computed)
     report.witnesses += [Ran(name, None) for name in absent]
     return report
 
@@ -64,55 +65,56 @@ def present(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
 
 def judge(
     file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
-    shapes: bool = True,
+    shapes: bool = True, given: Mapping[Address, Any] = MappingProxyType({}),
 ) -> None:  # fmt: skip
     """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
 
-    ``shapes`` false leaves the text of formulas aside, so that values alone must tell.
+    ``shapes`` false leaves the text of formulas aside, so that values alone must tell. ``given`` are the values of
+    inputs that hold a formula.
     """
     match = Match(file, template.declare(machine))
     suspects = structure(match, report, shapes)
-    calls = calling(file.contents, match.declared_at)
-    report.notes += notes(file.workbook, calls)
-    for remark in audit(match, template.model, calls):
+    report.notes += notes(file.workbook)
+    for remark in audit(match, template.model):
         report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
     report.findings += settings(file.workbook)
-    comparison = compared(match, report, witnesses)
-    error_values(match, comparison.model, comparison.values, report, calls)
-    try:
-        variants = template.variants(machine)
-    except ValidationError:  # numbers so large that no neighbour of theirs is one
-        report.notes.append("the values entered leave no room for other ones: compared at these alone")
-    else:
-        comparison.elsewhere(map(template.declare, variants), len(variants), suspects)
+    own = own_cells(match, report, given)
+    with without(file, own, given) as bare:
+        comparison = compared(match, bare, report, witnesses)
+        try:
+            variants = template.variants(machine)
+        except ValidationError:  # numbers so large that no neighbour of theirs is one
+            report.notes.append("the values entered leave no room for other ones: compared at these alone")
+        else:
+            comparison.elsewhere(map(template.declare, variants), len(variants), suspects)
     report.checks = checks(match, comparison.values)
     displayed(match, comparison.values, report)
-    report.unmatched = sorted(str(a) for a in file.contents.formula_cells if a not in match.declared_at)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
 
 
-def compared(match: Match, report: Report, names: Sequence[str]) -> Comparison:
+def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:
+    """Count the formula cells that belong to nothing declared; return those that nothing declared depends on.
+
+    On some of them an input may depend whose value is among ``given``.
+    """
+    contents = match.file.contents
+    own = {a for a in contents.formula_cells if a not in match.declared_at}
+    if not own:
+        return own
+    declared = [p.address for p in match.pairs if p.declared_formula and p.address in contents.formulas]
+    aside = own - contents.needed(own, declared)
+    report.own = sorted(map(str, own))
+    report.not_evaluated = len(aside - contents.needed(aside, given) if given else aside)
+    return aside
+
+
+def compared(match: Match, bare: BookFile, report: Report, names: Sequence[str]) -> Comparison:
     """Ask each witness of these names, and then those that keep values, whether they were named or not."""
     asked: list[Witness] = [WITNESSES[name]() for name in names]
     single = next((w for w in asked if isinstance(w, CellWitness)), None) or by_cell()
     asked += [w for w in (make() for name, make in WITNESSES.items() if name not in names) if w.kept]
-    comparison = Comparison(match, single, report)
+    comparison = Comparison(match, bare, single, report)
     for witness in sorted(asked, key=lambda w: w.kept):
         comparison.ask(witness, required=witness.name in names)
     return comparison
-
-
-def error_values(match: Match, model: Model, computed: Cells, report: Report, calls: set[Address]) -> None:
-    """Enter the error values of cells that belong to nothing declared: constants, and the engineer's own formulas.
-
-    A witness that does not know MOTION.* gives #NAME? in ``calls``, and in what follows from these.
-    """
-    contents = match.file.contents
-    constants = {address: contents.constants[address] for address in contents.errors}
-    for address, value in {**constants, **computed}.items():
-        if value not in ERRORS or address in match.declared_at:
-            continue
-        follows = calls and address in contents.formulas and address not in model.problems
-        if not (value == "#NAME?" and (address in calls or follows)):
-            report.findings.append(Finding(address.sheet, address.a1, "error", value, "no error value"))

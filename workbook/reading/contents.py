@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Collection, Container, Iterator, Mapping
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping
 from datetime import date, datetime, time, timedelta
 from typing import Any
 
@@ -31,7 +31,6 @@ class Contents:
         self.formulas: dict[Address, Formula | Moved] = {}
         self.failed: Cells = {}
         self.problems: dict[Address, str] = {}
-        self.errors: set[Address] = set()  # of the constants: error values, which no text is
         self.arrays: dict[Address, str] = {}  # the text of a formula over several cells, or of another kind, in each
         self._titles = {title.casefold(): title for title in workbook.sheetnames}
         self._names = names_of(workbook)
@@ -47,31 +46,25 @@ class Contents:
         """The addresses of all formula cells, those included that cannot be taken apart."""
         return [*self.formulas, *self.failed]
 
-    def read(self, cells: Collection[Address]) -> set[Address]:
-        """Return those of ``cells`` to which some formula refers, also one that cannot be evaluated."""
+    def read(self, cells: Collection[Address], by: Collection[Address] | None = None) -> set[Address]:
+        """Return those of ``cells`` to which some formula refers, or one of the formulas in the cells ``by``."""
         wanted: dict[tuple[str, int], list[int]] = {}
         for sheet, row, column in sorted(cells):
             wanted.setdefault((sheet, column), []).append(row)
-        return {cell for area in self._areas(wanted) for cell in within(area, wanted)}
+        formulas = self.formulas.values() if by is None else [self.formulas[a] for a in by if a in self.formulas]
+        return {cell for area in areas_of(formulas, wanted) for cell in within(area, wanted)}
 
-    def _areas(self, wanted: Container[tuple[str, int]]) -> set[Area]:
-        """Return the areas that formulas refer to, those left out that lie in none of the columns ``wanted``."""
-        rows: dict[int, list[int]] = {}
-        patterns: dict[int, Pattern] = {}
-        areas: set[Area] = set()
-        for formula in self.formulas.values():
-            if isinstance(formula, Moved):
-                patterns[id(formula.pattern)] = formula.pattern
-                rows.setdefault(id(formula.pattern), []).append(formula.row)
-            else:
-                areas |= {a for a in formula.arguments if isinstance(a, Area)}
-        for key, pattern in patterns.items():
-            for a in pattern.arguments:
-                if isinstance(a, Area):
-                    areas.add(a)
-                elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
-                    areas |= {a.at(row) for row in rows[key]}
-        return areas
+    def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
+        """Return those of ``cells``, all of them formulas, on which the formulas in the cells ``by`` depend.
+
+        Of a formula that cannot be taken apart it is not known what it reads: all of them are returned.
+        """
+        left, found, last = set(cells), set[Address](), set(by)
+        while last and left:
+            last = left if any(a in self.failed for a in last) else self.read(left, last)
+            found |= last
+            left = left - last
+        return found
 
     def area(self, name: str, sheet: str) -> Area:
         """Resolve a defined name, the sheet's own before the workbook's; or ``title!`` to the sheet of that title."""
@@ -94,8 +87,6 @@ class Contents:
         if cell.data_type != "f":
             if cell.value is not None:
                 self.constants[address] = entered(cell.value, self._epoch)
-                if cell.data_type == "e":
-                    self.errors.add(address)
             return
         value = cell.value
         if isinstance(value, ArrayFormula) and value.ref == address.a1:
@@ -119,6 +110,26 @@ class Contents:
         except FormulaError:
             return
         self.arrays |= dict.fromkeys(area.cells(), text)
+
+
+def areas_of(formulas: Iterable[Formula | Moved], wanted: Container[tuple[str, int]]) -> set[Area]:
+    """Return the areas that formulas refer to, those left out that lie in none of the columns ``wanted``."""
+    rows: dict[int, list[int]] = {}
+    patterns: dict[int, Pattern] = {}
+    areas: set[Area] = set()
+    for formula in formulas:
+        if isinstance(formula, Moved):
+            patterns[id(formula.pattern)] = formula.pattern
+            rows.setdefault(id(formula.pattern), []).append(formula.row)
+        else:
+            areas |= {a for a in formula.arguments if isinstance(a, Area)}
+    for key, pattern in patterns.items():
+        for a in pattern.arguments:
+            if isinstance(a, Area):
+                areas.add(a)
+            elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
+                areas |= {a.at(row) for row in rows[key]}
+    return areas
 
 
 def within(area: Area, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:

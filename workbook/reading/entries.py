@@ -135,7 +135,7 @@ class Entries:
         self._value: Callable[[Address], Any] | None = None
         self.disputed: list[str] = []
         self.cells: dict[str, str] = {}
-        self.computed: list[str] = []
+        self.computed: dict[Address, Any] = {}
         self.template = self._template()
         self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
         self.missing: list[str] = []
@@ -220,8 +220,8 @@ class Entries:
     def _entered(self, cell: Address, q: Quantity) -> Any:
         value = self.file.value(cell)
         if isinstance(value, str) and value.startswith("=") and not isinstance(value, Words):
-            self.computed.append(str(cell))
-            return self._computed(cell, q, value)
+            self.computed[cell] = self._computed(cell, q, value)
+            return self.computed[cell]
         return value
 
     def _computed(self, cell: Address, q: Quantity, formula: str) -> Any:

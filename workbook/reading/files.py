@@ -19,12 +19,13 @@ from openpyxl.utils.cell import range_boundaries
 from workbook.book.address import Address, Place
 from workbook.errors import ReadError
 from workbook.intake import require_file
+from workbook.reading.cells import fill
 from workbook.reading.contents import Cells, Contents, entered
-from workbook.reading.guard import guard
-from workbook.reading.points import WithoutPoints
+from workbook.reading.guard import Inspected, guard
+from workbook.reading.points import Bare
 from workbook.reading.refusal import SAVE_AS
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW
-from workbook.reading.saved import saved_values, undated
+from workbook.reading.saved import saved_values
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
@@ -96,21 +97,23 @@ def open_book(path: Path) -> BookFile:
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
     inspected = guard(path)
-    workbook = parsed(path)
-    undated(workbook, inspected)
+    workbook = parsed(path, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
     return BookFile(path, workbook, find_places(workbook), inspected.notes, saved_values(path, inspected))
 
 
-def parsed(path: Path) -> Workbook:
-    """Let openpyxl read a file that passed the guard; raise ReadError where it cannot."""
+def parsed(path: Path, inspected: Inspected) -> Workbook:
+    """Let openpyxl read a file that passed the guard, all but its rows; raise ReadError where it cannot."""
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints one of its complaints
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
             reader = ExcelReader(str(path), keep_links=False)
-            reader.archive.__class__ = WithoutPoints
+            reader.archive.close()
+            reader.archive = Bare(path, inspected.parts)
             reader.read()
+            for sheet in reader.wb.worksheets:
+                fill(sheet, inspected.sheets[sheet.title], reader.shared_strings)
             return reader.wb
     except PermissionError as error:
         raise ReadError(f"{path}: cannot be read; close it in the other program and try again") from error

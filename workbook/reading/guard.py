@@ -20,7 +20,7 @@ from workbook.reading.count import Count
 from workbook.reading.package import needed, package
 from workbook.reading.points import without_points
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
-from workbook.reading.rows import Rows, Saved
+from workbook.reading.rows import Rows
 from workbook.reading.scan import Scan
 
 MEGABYTE = 1_000_000
@@ -42,13 +42,13 @@ NOTES = {
 class Inspected:
     """What is known of a file before it is parsed.
 
-    That is what an engineer should know of it, what the formula cells of each sheet were saved with, by row and
-    column, the numbers in other cells as they are written, and the part with the texts that several cells share.
+    That is what an engineer should know of it, the rows of each sheet by its title, those of each part, and the part
+    with the texts that several cells share.
     """
 
     notes: list[str]
-    saved: dict[str, dict[tuple[int, int], Saved]]
-    numbers: dict[str, dict[tuple[int, int], str]]
+    sheets: dict[str, Rows]
+    parts: dict[str, Rows]
     strings: str
 
 
@@ -84,9 +84,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         if part not in rows:
             raise Refusal(f"its sheet {shown(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
     notes = [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)]
-    held = {title: rows[part] for title, part in found.sheets.items()}
-    saved, numbers = ({t: r.saved for t, r in held.items()}, {t: r.numbers for t, r in held.items()})
-    return Inspected(notes, saved, numbers, found.strings)
+    return Inspected(notes, {title: rows[part] for title, part in found.sheets.items()}, rows, found.strings)
 
 
 def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dict[str, Rows], dict[str, bytes]]:

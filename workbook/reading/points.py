@@ -1,9 +1,18 @@
-"""The numbers that a chart was saved with: nobody asks for them, and each would become an object of its own."""
+"""What openpyxl need not read: the rows of sheets, which the guard has met, and the numbers a chart was saved with.
+
+Nobody asks for these, and each would become an object of its own.
+"""
 
 from __future__ import annotations
 
+import io
 import re
 import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import IO, Any
+
+from workbook.reading.rows import Rows
 
 CHART = re.compile(r"/?xl/charts/[^/]*\.xml")
 POINT = re.compile(rb"<((?:\w+:)?)pt [^<>]*><\1v>[^<>]*</\1v></\1pt>")
@@ -14,9 +23,29 @@ def without_points(part: str, data: bytes) -> bytes:
     return POINT.sub(b"", data) if CHART.fullmatch(part) else data
 
 
-class WithoutPoints(zipfile.ZipFile):
-    """A workbook's archive whose charts hold no saved points."""
+def without_rows(data: bytes, rows: Rows) -> bytes:
+    """Return a worksheet's part without its rows; as it is where they do not lie where the guard met them."""
+    tag = rows.own[1].encode()
+    begin, end = rows.span
+    if data[begin : begin + 1 + len(tag)] != b"<" + tag or data[end : end + 2 + len(tag)] != b"</" + tag:
+        return data
+    return data[:begin] + b"<" + tag + b">" + data[end:]
 
-    def read(self, name: str | zipfile.ZipInfo, pwd: bytes | None = None) -> bytes:
-        """Return a part."""
-        return without_points(name if isinstance(name, str) else name.filename, super().read(name, pwd))
+
+class Bare(zipfile.ZipFile):
+    """A workbook's archive whose sheets hold no rows, and whose charts no saved points."""
+
+    def __init__(self, path: Path, rows: Mapping[str, Rows]) -> None:
+        super().__init__(path)
+        self.rows = rows
+
+    def open(self, name: str | zipfile.ZipInfo, *args: Any, **how: Any) -> IO[bytes]:
+        """Open a part for reading."""
+        part = name if isinstance(name, str) else name.filename
+        stream = super().open(name, *args, **how)
+        rows = self.rows.get(part)
+        if rows is None and not CHART.fullmatch(part):
+            return stream
+        with stream:
+            data = stream.read()
+        return io.BytesIO(without_points(part, data) if rows is None else without_rows(data, rows))

@@ -7,6 +7,7 @@ differ, and a file could show one thing and be verified as another: such a part 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -20,7 +21,9 @@ LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
 KINDS = frozenset({"n", "s", "str", "b", "e", "inlineStr", "d"})
 FORMULAS = frozenset({"normal", "array", "shared", "dataTable"})
 USUAL = frozenset({"r", "s", "t"})  # attributes of almost every cell
+PLACED = frozenset({"r", "spans"})  # attributes of a row that say nothing of its looks
 IN_CELL = frozenset({"f", "v", "is", "extLst"})
+NOTHING: dict[str, str] = {}
 WITHIN = {"is": frozenset({"t", "r", "rPh", "phoneticPr"}), "r": frozenset({"rPr", "t"}), "rPh": frozenset({"t"})}
 FREE = frozenset({"extLst", "rPr"})  # what stands in these is no part of a text
 WRITTEN = {
@@ -32,11 +35,17 @@ CORNER = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
 PLAIN = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
 
 
-class Saved(NamedTuple):
-    """What a formula cell was saved with: the type of its value (``n``, ``str`` ...), and its text, if it has one."""
+class Written(NamedTuple):
+    """A cell as it is written: its place, the number of its style, the type of its value (``n``, ``str`` ...), the
+    value's text, if it has one, and the attributes and the text of its formula, if it has one."""
 
+    row: int
+    column: int
+    style: int
     kind: str
-    text: str | None
+    value: str | None
+    how: dict[str, str] | None
+    formula: str
 
 
 @lru_cache(maxsize=20_000)
@@ -58,15 +67,18 @@ def corner(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
 
 
 class Rows:
-    """What one worksheet holds, as expat tells it; by row and column: ``saved`` of the cells with a
-    formula, ``numbers`` as they are written in the others."""
+    """What one worksheet holds, as expat tells it: its ``written`` cells in order, the ``looks`` of rows, by number,
+    and where in the part's bytes the rows lie."""
 
     def __init__(self, name: str, count: Count, prefix: str) -> None:
         self.name, self.count, self.prefix = name, count, prefix
-        self.saved: dict[tuple[int, int], Saved] = {}
-        self.numbers: dict[tuple[int, int], str] = {}
+        self.written: list[Written] = []
+        self.looks: dict[int, dict[str, str]] = {}
+        self.span = (0, 0)
         self.met = False  # the element that all rows stand in
+        self.leave: Callable[[str], None] = lambda tag: None  # what is called at the end of a row
         self.own = tuple(prefix + name for name in ("worksheet", "sheetData", "row", "c"))
+        self._tag = self.own[3]
         self.of_cell = {prefix + name: name for name in ("f", "v")}
         self.row = self.column = self.last_row = self.last_column = self.cells = 0
         self._rows: set[int] = set()
@@ -74,9 +86,12 @@ class Rows:
         self.path: list[str] = []  # the elements that are open within the row
         self._met: list[str] = []  # those that the cell has, or the text that is open
         self._kind = "n"
+        self._style = 0
         self._text: list[str] = []
         self._length = 0
         self._value: str | None = None
+        self._how: dict[str, str] | None = None
+        self._formula_text = ""
         self._shared: str | None = None
         self._lengths: dict[str, int] = {}  # of formulas that are shared, by their number
 
@@ -97,6 +112,8 @@ class Rows:
             raise self._damaged(f"the row {self.row} twice")
         self._rows.add(self.row)
         self._columns, self.column = set(), 0
+        if not attributes.keys() <= PLACED:
+            self.looks[self.row] = attributes
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         """Begin an element within a row."""
@@ -104,7 +121,12 @@ class Rows:
         count.in_rows += 1 + len(attributes)
         if count.in_rows > MOST_IN_ROWS:
             count.in_row(0)
-        if not attributes and len(path) == 1 and self._plain(tag):
+        if attributes:
+            if not path and tag == self._tag and attributes.keys() <= USUAL:
+                self._cell(attributes)
+                path.append("c")
+                return
+        elif len(path) == 1 and self._plain(tag):
             return
         if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
             raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
@@ -133,17 +155,22 @@ class Rows:
         self.path.append(name)
         self._text, self._length = [], 0
         if name == "f":
-            self._shared = None
+            self._shared, self._how = None, NOTHING
         return True
 
     def end(self, tag: str) -> None:
-        """End an element within a row."""
+        """End an element within a row, or the row."""
         path = self.path
+        if not path:
+            self.leave(tag)
+            return
         name = path.pop()
         if len(path) == 1 and path[0] not in FREE:
             self._end_in_cell(name)
         elif not path and name == "c":
             self._end_cell()
+        elif name == "t" and path[:2] == ["c", "is"] and path[2:] in ([], ["r"]):
+            self._value = (self._value or "") + "".join(self._text)
 
     def characters(self, text: str) -> None:
         """Take the text of an element."""
@@ -161,19 +188,25 @@ class Rows:
     def _cell(self, attributes: dict[str, str]) -> None:
         """Place a cell, named or next to the one before."""
         at = attributes.get("r")
-        row, self.column = corner(at, PLAIN) if at else (self.row, self.column + 1)
-        if not (1 <= row <= LAST_ROW and self.column <= LAST_COLUMN):
+        row, column = corner(at, PLAIN) if at else (self.row, self.column + 1)
+        if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
             raise Refusal(f"{self.name} reaches beyond the last cell of a sheet, XFD1048576")
         if row != self.row:
             raise self._damaged(f"the cell {shown(at or '')} in the row {self.row}")
-        if self.column in self._columns:
+        if column in self._columns:
             raise self._damaged(f"the cell {shown(at or '')} twice")
-        self._columns.add(self.column)
+        self._columns.add(column)
+        self.column = column
         self.cells += 1
-        self.last_row, self.last_column = max(row, self.last_row), max(self.column, self.last_column)
+        if row > self.last_row:
+            self.last_row = row
+        if column > self.last_column:
+            self.last_column = column
         self._kind, self._value, self._met = attributes.get("t", "n"), None, []
-        if self._kind not in KINDS or not attributes.get("s", "0").isdecimal():
+        self._how, self._formula_text, style = None, "", attributes.get("s", "0")
+        if self._kind not in KINDS or not style.isdecimal():
             raise self._damaged(f"a cell of an unknown kind, {shown(self._kind)}")
+        self._style = int(style)
 
     def _in_cell(self, name: str, attributes: dict[str, str]) -> None:
         path, met = self.path, self._met
@@ -193,6 +226,7 @@ class Rows:
         kind = attributes.get("t", "normal")
         if kind not in FORMULAS:
             raise self._damaged(f"a formula of an unknown kind, {shown(kind)}")
+        self._how = attributes
         self._shared = attributes.get("si", "") if kind == "shared" else None
         if self._shared is not None:
             self.count.formula(self._lengths.get(self._shared, 0))
@@ -202,6 +236,7 @@ class Rows:
         if name == "v":
             self._value = "".join(self._text)
         elif name == "f":
+            self._formula_text = "".join(self._text)
             self.count.formula(self._length)
             if self._shared is not None and self._length:
                 if self._shared in self._lengths:
@@ -213,10 +248,9 @@ class Rows:
         rule = WRITTEN.get(self._kind)
         if rule and self._value and not rule.fullmatch(self._value):
             raise self._damaged(f"{shown(self._value)} as the value of a cell of the kind {self._kind!r}")
-        if "f" in self._met:
-            self.saved[self.row, self.column] = Saved(self._kind, self._value)
-        elif self._kind == "n" and self._value:
-            self.numbers[self.row, self.column] = self._value
+        self.written.append(Written(
+            self.row, self.column, self._style, self._kind, self._value, self._how, self._formula_text,
+        ))  # fmt: skip
 
     def _damaged(self, what: str) -> Refusal:
         return Refusal(f"damaged: {self.name} holds {what}; {SAVE_AS}")

@@ -7,6 +7,7 @@ from posixpath import dirname, join, normpath
 from xml.parsers import expat
 
 from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, Count
+from workbook.reading.plain import OPEN, rows_between, taken
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
 from workbook.reading.rows import MAIN, Rows, corner, refuse_two_texts
 
@@ -35,19 +36,38 @@ class Scan:
         self.inside = ""  # the element whose text is measured
         self.length = 0
         self.texts: list[str] = []  # the elements met in a shared string
+        self.unicode = True
         self._parser = expat.ParserCreate()
 
     def read(self, data: bytes) -> None:
         """Read the part; raise Refusal where it is not well-formed, or not what a workbook may hold."""
         parser = self._parser
         parser.buffer_text = True
-        parser.StartDoctypeDeclHandler = self.doctype
+        parser.StartDoctypeDeclHandler, parser.XmlDeclHandler = self.doctype, self.declared
         self.listen()
         try:
-            parser.Parse(data, True)
+            parser.Parse(data[self.begun(data) :], True)
         except (expat.ExpatError, LookupError, UnicodeError) as error:  # the last two: an unknown encoding
             raise Refusal(f"damaged: {self.name} is not well-formed XML ({error}); {SAVE_AS}") from None
         self.count.area(self.rows.size if self.rows else 0)
+
+    def begun(self, data: bytes) -> int:
+        """Read the part up to its rows, and these where they are plain; return where the parser is to go on."""
+        begin, end = rows_between(data)
+        self._parser.Parse(data[:begin], False)
+        if self.rows is None or self.rows.span[0] + len(OPEN) != begin or not self.unicode:
+            return begin
+        try:
+            plain = taken(self.rows, data[begin:end].decode())
+        except UnicodeDecodeError:
+            return begin
+        if plain:
+            self.rows.span = (begin - len(OPEN), end)
+        return end if plain else begin
+
+    def declared(self, version: str, encoding: str | None, standalone: int) -> None:
+        """Note whether the part is written in UTF-8."""
+        self.unicode = (encoding or "utf-8").lower() == "utf-8"
 
     def listen(self) -> None:
         """Let the parser tell what stands outside of rows."""
@@ -98,6 +118,7 @@ class Scan:
         place = [rows.own[0], rows.own[1]]
         if tag == rows.own[1] and self.path == place[:1] and not rows.met:
             rows.met = True
+            rows.span = (self._parser.CurrentByteIndex, 0)
         elif tag == rows.own[2] and self.path == place:
             rows.begin(attributes)
             self.hand_over(rows)
@@ -108,14 +129,12 @@ class Scan:
         """Let the parser tell what stands within a row."""
         parser = self._parser
 
-        def end(tag: str) -> None:
-            if rows.path:
-                rows.end(tag)
-            else:
-                self.listen()
-                self.end(tag)
+        def leave(tag: str) -> None:
+            self.listen()
+            self.end(tag)
 
-        parser.StartElementHandler, parser.EndElementHandler = rows.start, end
+        rows.leave = leave
+        parser.StartElementHandler, parser.EndElementHandler = rows.start, rows.end
         parser.CharacterDataHandler = rows.characters
         parser.CommentHandler = parser.ProcessingInstructionHandler = rows.aside
 
@@ -133,6 +152,8 @@ class Scan:
     def end(self, tag: str) -> None:
         """Leave an element; count a name's formula."""
         self.path.pop()
+        if self.rows is not None and self.rows.met and not self.rows.span[1] and tag == self.rows.own[1]:
+            self.rows.span = (self.rows.span[0], self._parser.CurrentByteIndex)
         if self.inside == "definedName":
             self.count.formula(self.length)
         self.inside = ""

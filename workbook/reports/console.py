@@ -36,7 +36,7 @@ def report_data(report: Report) -> dict[str, Any]:
         "deviations": report.deviations,
         "findings": [finding_data(f) for f in report.findings],
         "notices": [finding_data(f) for f in report.notices],
-        "unmatched": report.unmatched,
+        "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
     }
 
@@ -81,11 +81,9 @@ def show_report(report: Report, console: Console) -> None:
     if report.notices:
         show_notices(report, console)
     lines = [f"Note: {note}" for note in report.notes]
-    if report.unmatched:
-        first = ", ".join(report.unmatched[:8]) + (" …" if len(report.unmatched) > 8 else "")
-        lines.append(
-            f"Not compared, as nothing generated stands there: {len(report.unmatched)} formula cells ({first})"
-        )
+    if report.own:
+        first = ", ".join(report.own[:8]) + (" …" if len(report.own) > 8 else "")
+        lines.append(f"{report.own_words}, as they belong to nothing generated ({first})")
     lines += verdict(report)
     for line in lines:
         console.print(shown(line))

@@ -81,6 +81,7 @@ def properties(sha256: str, report: Report) -> Element:
     """Return what was verified, and by what."""
     known = {"sha256": sha256, "template": report.template, "declared": str(report.declared)}
     known |= {"compared": str(report.compared), "checks": own_verdict(report)}
+    known |= {"own cells": report.own_words} if report.own else {}
     known |= {f"witness {ran.name}": witness(ran) for ran in report.witnesses}
     return e("properties", *(e("property", name=name, value=value) for name, value in known.items()))
 

@@ -226,13 +226,13 @@ def where(finding: Finding) -> str:
 
 
 def remarks(report: Report) -> list[Element]:
-    """Return the notes, and the formula cells that nothing was compared with."""
+    """Return the notes, and the formula cells of the engineer's own."""
     said = [e("h3", "Notes"), *(e("p", note) for note in report.notes)] if report.notes else []
-    if report.unmatched:
+    if report.own:
         said += [
-            e("h3", f"Not compared ({len(report.unmatched):,})"),
-            e("p", "Formula cells where nothing generated stands; the engine has no value for them."),
-            e("p", ", ".join(report.unmatched), css="cell"),
+            e("h3", f"Cells of your own ({len(report.own):,})"),
+            e("p", f"{report.own_words}, as they belong to nothing generated; the engine has no value for them."),
+            e("p", ", ".join(report.own), css="cell"),
         ]
     return said
 

@@ -13,9 +13,9 @@ from workbook.witnesses.witness import CellWitness, Witness
 WITNESSES: dict[str, Callable[[], Witness]] = {
     "pycel": Pycel,
     "formualizer": Formualizer,
-    "libreoffice": LibreOffice,
     "formulon": Formulon,
     "ironcalc": IronCalc,
+    "libreoffice": LibreOffice,  # the slowest
     "saved": Saved,
 }
 

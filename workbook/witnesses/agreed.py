@@ -12,6 +12,8 @@ from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.visible import found
 from workbook.witnesses import WITNESSES
+from workbook.witnesses.bare import without
+from workbook.witnesses.witness import Witness
 
 ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
@@ -30,23 +32,22 @@ def agreed(file: BookFile, names: Iterable[str] = WITNESSES) -> Callable[[Addres
 
 
 class Evaluation:
-    """The values of a file by one witness after the other, each asked once, and only where it is needed."""
+    """The values of a file by one witness after the other, each asked only where it is needed."""
 
     def __init__(self, file: BookFile, names: Iterable[str]) -> None:
-        self._file = file
+        self._file, self._names = file, list(names)
         self._asked: dict[str, Cells] = {}
-        self._failed: list[str] = []
-        self._others = iter(names)
+        self._failed: dict[str, str] = {}  # why a witness cannot open the file
 
     def value(self, address: Address) -> Any:
         """Return the value of a cell; raise DisputedError as :func:`agreed` says."""
         said: dict[str, Any] = {}
-        for name, values in self._witnesses():
+        for name, values in self._witnesses(address):
             said[name] = values.get(address)
             known = {name: value for name, value in said.items() if value not in (None, *ERRORS)}
             if len(known) == ENOUGH or (len(said) == ENOUGH and not known and len({*said.values()}) == 1):
                 return self._undisputed(address, known or said)
-        why = [*(f"{name} has {found(value)}" for name, value in said.items()), *self._failed]
+        why = [*(f"{name} has {found(value)}" for name, value in said.items()), *self._failed.values()]
         raise DisputedError(f"it cannot be computed by {ENOUGH} evaluators ({'; '.join(why)})")
 
     def _undisputed(self, address: Address, said: dict[str, Any]) -> Any:
@@ -58,19 +59,32 @@ class Evaluation:
             raise DisputedError(", ".join(f"{name} has {found(value)}" for name, value in all_said.items()))
         return first
 
-    def _witnesses(self) -> Iterator[tuple[str, Cells]]:
-        """Yield the witnesses that evaluate, with the values of all formula cells: those asked before, then others."""
-        yield from list(self._asked.items())
-        for name in self._others:
+    def _witnesses(self, address: Address) -> Iterator[tuple[str, Cells]]:
+        """Yield the witnesses that evaluate, with the values of formula cells."""
+        for name in self._names:
             witness = WITNESSES[name]()
             if witness.kept or witness.version() is None:
                 continue
+            values = self._asked.setdefault(name, {})
             try:
-                self._asked[name] = witness.values(self._file)
+                if address not in values:
+                    values |= self._values(name, witness, address)
             except (WitnessError, OSError) as error:  # the latter of a file that is gone since it was opened
-                self._failed.append(str(error)[:MOST])
+                self._failed[name] = str(error)[:MOST]
                 continue
-            yield name, self._asked[name]
+            yield name, values
+
+    def _values(self, name: str, witness: Witness, address: Address) -> Cells:
+        """Return what a witness computes: in the file, or, where it cannot open that, in what the cell depends on."""
+        if name not in self._failed:
+            try:
+                return witness.values(self._file)
+            except WitnessError as error:
+                self._failed[name] = str(error)[:MOST]
+        formulas = set(self._file.contents.formula_cells) - {address}
+        aside = formulas - self._file.contents.needed(formulas, [address])
+        with without(self._file, aside, {}) as bare:
+            return witness.values(bare)
 
 
 def same(value: Any, other: Any) -> bool:

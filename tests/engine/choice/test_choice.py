@@ -285,7 +285,7 @@ def test_no_pair_and_no_catalogue_are_empty_not_errors():
 def load_samples(n=4001):
     motion = Motion([Phase(Cycloidal(), 2.0, 0.3), Phase(Cycloidal(), -2.0, 0.4)])
     time = np.linspace(0.0, 0.7, n)
-    _, w, dw = motion.at(time)
+    _, w, dw, _ = motion.at(time)
     return LoadSamples(time, w, dw, 4.0 + 0.05 * dw)
 
 
@@ -302,7 +302,7 @@ def test_task_of_a_load_is_that_of_its_samples(resists):
     load = Load(0.05, 4.0) if resists == "always" else Load(0.05, friction=4.0)
     phases = [Phase(Cycloidal(), 0.2, 0.3), Phase(Dwell(), 0.0, 0.2), Phase(Cycloidal(), -0.2, 0.4)]
     time = np.linspace(0.0, 0.9, 90001)
-    _, y1, y2 = Motion(phases).at(time)
+    _, y1, y2, _ = Motion(phases).at(time)
     w, dw = y1 / 0.1, y2 / 0.1
     sampled = sampled_task(time, w, dw, load.resisting(direction(w)) + 0.05 * dw)
     exact = Task.of_load(load, phases, radius=0.1)

@@ -77,7 +77,7 @@ def test_edges_belong_to_the_later_phase(rounding):
 
 def test_the_last_edge_has_the_left_limit():
     motion = Motion([Phase(Dwell(), 0.0, 1.0), Phase(ConstantAcceleration(), 1.0, 1.0)])
-    assert motion.at(2.0) == (1.0, 0.0, -4.0)
+    assert motion.at(2.0) == (1.0, 0.0, -4.0, 0.0)
     assert motion.at(2.0 + 1e-12) == motion.at(2.0)
 
 
@@ -230,8 +230,8 @@ def test_peaks_and_rms_are_those_of_the_samples(phases):
 
 
 def test_sizes_are_1_where_nothing_moves():
-    assert Motion([Phase(Dwell(), 0.0, 3.0)]).sizes == (1.0, 1.0, 1.0)
-    assert Motion([Phase(Cycloidal(), -6.0, 2.0), Phase(Cubic(), 1.0, 4.0)]).sizes == (6.0, 3.0, 1.5)
+    assert Motion([Phase(Dwell(), 0.0, 3.0)]).sizes == (1.0, 1.0, 1.0, 1.0)
+    assert Motion([Phase(Cycloidal(), -6.0, 2.0), Phase(Cubic(), 1.0, 4.0)]).sizes == (6.0, 3.0, 1.5, 0.75)
 
 
 def test_a_motion_that_comes_back_closes_and_says_its_gap_if_not():

@@ -134,15 +134,6 @@ def test_a_saved_value_of_another_type_is_stale(value, cutting, tmp_path):
     assert report.witnesses[1].at_fault == 1
 
 
-def test_an_error_typed_as_a_text_is_no_error(cutting, tmp_path):
-    opened = cutting.opened()
-    sheet = opened.create_sheet("Mine")
-    sheet["A1"], sheet["A2"] = "#REF!", "#N/A"
-    sheet["A2"].data_type = "s"
-    opened.save(tmp_path / "b.xlsx")
-    assert [(f.sheet, f.cell, f.kind) for f in verify(tmp_path / "b.xlsx").findings] == [("Mine", "A1", "error")]
-
-
 # saved values
 
 

@@ -97,7 +97,7 @@ def test_a_book_that_was_built_is_verified_and_comes_back(tmp_path):
     build(machine, path)
     report = verify(path)
     assert report.findings == []
-    assert report.unmatched == []
+    assert report.own == []
     assert inputs(path) == (machine, [])
 
 

@@ -37,7 +37,7 @@ def wrong():
     report.witnesses[0].at_fault = 2
     report.checks = [Check("Drive", "D20", f"Peak torque {EVIL}", "FAIL"), Check("Drive", "D21", "RMS torque", "OK")]
     report.notices = [Finding("Drive", "B7", "notice", "Spitze", "Peak", f"label of {EVIL}")]
-    report.unmatched = ["Mine!A1", "Mine!B2"]
+    report.own = ["Mine!A1", "Mine!B2"]
     report.notes = [f"inputs that hold a formula: {EVIL}"]
     return Outcome(report.path, "disagrees", report, sha256="ab" * 32, seconds=1.5)
 

@@ -58,7 +58,7 @@ def test_data_stays_data(capsys):
 def test_reports_are_not_obeyed(tmp_path, capsys):
     finding = Finding(NASTY, "A1", "changed", NASTY, NASTY, what=NASTY, why=NASTY)
     report = Report(tmp_path / NASTY.replace("\x00", ""), NASTY, notes=[NASTY])
-    report.findings, report.notices, report.unmatched = [finding], [finding], [NASTY]
+    report.findings, report.notices, report.own = [finding], [finding], [NASTY]
     report.cells = {NASTY: 1}
     out = Console(width=2_000)
     console.show_report(report, out)
@@ -114,6 +114,36 @@ def without_status(said):
     for code in ("\x1b[?25l", "\x1b[?25h", "\x1b[2K", "\x1b[1A", "\r"):
         said = said.replace(code, "")
     return said
+
+
+NASTY_WORD = "a\x1b[31mb\x9bc\n[/red]:warning:\u202e"
+MISUSED = [
+    ["verify", "--nope", NASTY_WORD], ["verify", f"--{NASTY_WORD}"], ["verify", f"-{NASTY_WORD}"], [NASTY_WORD],
+    ["laws", NASTY_WORD], ["verify", "x", "--with", NASTY_WORD], ["verify", "x", "--jobs", NASTY_WORD],
+    ["verify", "x", f"--json={NASTY_WORD}"], ["regenerate", NASTY_WORD], ["inputs"], ["--nope"],
+    ["build", "a.toml", NASTY_WORD, NASTY_WORD], ["verify", "x", "--jobs", "0"], ["build", "-o"],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("arguments", MISUSED, ids=lambda words: " ".join(words).encode("unicode_escape").decode())
+def test_a_misused_command_is_told_in_one_line(arguments, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    out, err = capsys.readouterr()
+    assert (left.value.code, out) == (2, "")
+    (line,) = err.splitlines()
+    assert line.isprintable()
+    assert line.endswith("See --help.")
+
+
+def test_help_is_shown_where_nothing_is_asked(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["motionbook"])
+    with pytest.raises(SystemExit) as left:
+        cli.main()
+    out, err = capsys.readouterr()
+    assert left.value.code == 2
+    assert "verify" in out + err
 
 
 @pytest.mark.parametrize("fault", [RuntimeError("[/red]\x1b"), RecursionError("deep"), MemoryError()])

@@ -2,7 +2,7 @@
 
 import re
 import sys
-from types import SimpleNamespace
+from pathlib import Path
 
 import openpyxl
 import pytest
@@ -13,7 +13,7 @@ from workbook.build import build
 from workbook.cli import main
 from workbook.errors import DisputedError, WitnessError
 from workbook.reading.entries import read_machine
-from workbook.reading.files import open_book
+from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import agreed as module
 from workbook.witnesses.agreed import agreed, same
@@ -45,7 +45,7 @@ def asked(monkeypatch, *witnesses, saved=None):
     """The value that witnesses and a saved value agree on."""
     named = {f"w{i}": each for i, each in enumerate(witnesses)}
     monkeypatch.setattr(module, "WITNESSES", named)
-    return agreed(SimpleNamespace(saved={CELL: saved}), named)(CELL)
+    return agreed(BookFile(Path("book.xlsx"), openpyxl.Workbook(), {}, saved={CELL: saved}), named)(CELL)
 
 
 FAILED = WitnessError("cannot")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.judging.matching import Match
+from workbook.judging.matching import Match, is_formula
 from workbook.judging.report import Report
 from workbook.judging.shown.charts import charts
 from workbook.judging.shown.conditional import Rules
@@ -24,7 +24,11 @@ def displayed(match: Match, computed: Cells, report: Report) -> None:
     values = {p.address: computed.get(p.address, p.cell.expected) for p in match.pairs if p.declared_formula}
 
     def known(at: Address) -> Any:
-        return values.get(at, computed.get(at, match.file.value(at) if at.sheet in titles else None))
+        """Return what a cell shows; of the engineer's own formulas, what they were saved with."""
+        if at in values or at in computed:
+            return values.get(at, computed.get(at))
+        held = match.file.value(at) if at.sheet in titles else None
+        return match.file.saved.get(at) if is_formula(held) else held
 
     titles = set(match.file.workbook.sheetnames)
     rules = {sheet.title: Rules(sheet, known) for sheet in match.file.workbook.worksheets}

@@ -11,21 +11,17 @@ from workbook.book.rows import filled
 from workbook.drive.motor import limits_table
 from workbook.drive.stages import through
 from workbook.entries.units import RPM, shown
-from workbook.laws import phases as joined
-from workbook.laws.sampling import Pieces
-from workbook.machines.actuator.tables import resists
+from workbook.machines.actuator.tables import AT, resists
 from workbook.machines.actuator.view import Sized
+from workbook.motion.cells import PieceRows
+from workbook.motion.pieces import ABOUT, TITLE, pieces_in_all, pieces_table
+from workbook.motion.sampled import derivative, finding
 
-FIND = (
-    "=MATCH(MIN([time]/@time+break_tolerance,1-break_tolerance),[phases.share],1)",
-    "=MAX(0,([time]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p]))",
-    "=INDEX([phases.no],[p])",
-)
 PARTS = ("accelerating", "uniform, or dwell", "decelerating")
 EXTREMES = "Torque in the parts of the phases: at the law's extremes of acceleration, and without any"
 
 
-def cycle_sheet(book: Book, machine: Sized, pieces: Pieces) -> None:
+def cycle_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Cycle", "The load carried through each stage to the motor, over one cycle.")
     with sheet.scoped("act_"):
@@ -40,7 +36,16 @@ def cycle_sheet(book: Book, machine: Sized, pieces: Pieces) -> None:
             "Table over the cycle",
             "The load, ω_L, ω̇_L and T*_L, is that at the shaft which the motor is coupled to, without the motor.",
         )
-        cycle(sheet, machine, pieces)
+        cycle(sheet, machine, rows)
+        sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
+        sheet.rows(
+            pieces_in_all("@pieces_all", AT, rows),
+            calc("@eps", "Tolerance of a time", "ε", "s",
+                 "=@time*break_tolerance", machine.sizing.motion.tolerance, format="0E+00",
+                 source="a sample this near to a begin counts as on it"),
+        )  # fmt: skip
+        sheet.row += 1
+        pieces_table(sheet, TITLE, AT, rows, machine.room, machine.sizing.motion.size)
     sheet.print_columns = 12
 
 
@@ -89,7 +94,7 @@ def limits(sheet: Sheet, machine: Sized) -> None:
     )  # fmt: skip
 
 
-def cycle(sheet: Sheet, machine: Sized, pieces: Pieces) -> None:
+def cycle(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
     """Declare the table over the cycle."""
     t, sides, drive = machine.time, machine.sides, machine.drive
     at, going = machine.sizing.motion.at(t), machine.sizing.going(t)
@@ -100,8 +105,8 @@ def cycle(sheet: Sheet, machine: Sized, pieces: Pieces) -> None:
         "cycle", "Load and motor over the cycle", len(t),
         calc("time", "time", "t", "s", "=[k]*@time/[cycle.k.last]", t, format="0.0000", scale=sides.time),
         result("y", "position of the load", "x", "mm or °",
-               "=(INDEX([phases.y0],[p])+INDEX([phases.h],[p])*[s])/@unit", shown(at.y, machine.unit),
-               scale=shown(sides.lift, machine.unit), source="x_0 + h s"),
+               f"=({derivative(AT, 0)})/@unit", shown(at.y, machine.unit), scale=shown(sides.lift, machine.unit),
+               source="c0 + c1 u + … + A sin x"),
         result("rpm", "motor speed", "n_m", "rpm",
                "=[w]*60/(2*PI())", shown(motor.speed, RPM), scale=shown(sides.motor_speed, RPM)),
         result("torque", "motor torque", "T_m", "Nm",
@@ -113,13 +118,15 @@ def cycle(sheet: Sheet, machine: Sized, pieces: Pieces) -> None:
         replace(load, label="load torque", role="result", source="T_L + J_L ω̇_L"),
         constant("k", "sample", "k", "", list(range(len(t)))),
         calc("vel", "speed of the load", "v", "",
-             "=INDEX([phases.h],[p])/INDEX([phases.span],[p])*[v]", at.y1, scale=sides.speed,
-             source="h v/t; m/s, or rad/s"),
+             f"={derivative(AT, 1)}", at.y1, scale=sides.speed, source="dx/dt; m/s, or rad/s"),
         calc("acc", "acceleration of the load", "a", "",
-             "=INDEX([phases.per],[p])*[a]", at.y2, scale=sides.acceleration, source="h a/t²; m/s², or rad/s²"),
+             f"={derivative(AT, 2)}", at.y2, scale=sides.acceleration, source="d²x/dt²; m/s², or rad/s²"),
+        calc("jerk", "jerk of the load", "j", "",
+             f"={derivative(AT, 3)}", at.y3, scale=machine.sizing.motion.size(3), source="d³x/dt³, between jumps"),
+        calc("p", "phase", "", "", f"={AT.of_piece('p', 'q')}", machine.sizing.motion.phase_index(t) + 1, format="0"),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[p])", going, format="0"),
         calc("base", "resists", "", "N or Nm",
              "=INDEX([phases.base],[p])", drive.resisting(going), scale=sides.force),
         *columns,
-        *joined.located(machine.sizing.motion, t, pieces, FIND, ("last begin not above t", "(t − begin)/duration")),
+        *finding(AT, rows, "time", t),
     )  # fmt: skip

@@ -10,6 +10,7 @@ from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
+from workbook.motion.room import WIDEST, settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
@@ -99,6 +100,7 @@ class ActuatorSizing(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")
         require_room(self.selection, self.sizes)
+        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases + WIDEST)
         for i, part in enumerate(a.parts):
             if part.shaft > len(a.gears):
                 expected = f"0 to {len(a.gears)}, the number of gears"

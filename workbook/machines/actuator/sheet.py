@@ -14,14 +14,16 @@ from workbook.drive.motor import limit_checks, limits_given, plane
 from workbook.drive.stages import gears_table, parts_table, stages_table
 from workbook.entries.units import RPM, shown
 from workbook.machines.actuator.entries import Kind
-from workbook.machines.actuator.tables import motion
+from workbook.machines.actuator.tables import AT, motion
 from workbook.machines.actuator.view import Sized
+from workbook.motion.cells import PieceRows
+from workbook.motion.pieces import room_check
 
 SCOPE = "act_"
 BELOW_CHARTS = 66  # the row from which the sheet is free in its whole width
 
 
-def actuator_sheet(book: Book, machine: Sized) -> None:
+def actuator_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
     """Declare the sheet."""
     e, sizes, chain = machine.given, machine.sizes, machine.mechanism
     sheet = book.sheet("Actuator", "What a cycle of moves asks of the motor behind a mechanism.")
@@ -33,7 +35,7 @@ def actuator_sheet(book: Book, machine: Sized) -> None:
         draw(sheet)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         sheet.heading("What to enter, continued")
-        motion(sheet, machine)
+        motion(sheet, machine, rows)
         gears_table(sheet, e.gears, sizes.gears, "actuator.gears")
         parts_table(sheet, e.parts, machine.parts, chain, e.method, sizes.rotors, "actuator.parts")
         workings(sheet, machine)
@@ -165,6 +167,7 @@ def verdicts(sheet: Sheet, machine: Sized) -> None:
     sheet.checks(
         *limit_checks(machine.reserve, "", "@rated_left", "continuous torque", "derated by the temperature"),
         check("@ok_rows", "Every phase lasts", 'COUNTIF([phases.span],">0")=COUNT([phases.duration])', True),
+        room_check("@ok_pieces", AT),
         check("@ok_rises", "The laws never move backwards", rises, True,
               "an own law may not, or driving and braking mix"),
         check("@ok_shafts", "Every part turns behind a gear that is there",

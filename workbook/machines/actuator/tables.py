@@ -7,7 +7,10 @@ from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.laws import phases as joined
 from workbook.machines.actuator.view import Sized
+from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.pieces import phase_columns
 
+AT = Cells("phases", "act_pieces", "act_pieces_all", "act_time", "act_eps", x="s")
 FILL = (
     "Phases of the motion: fill one row each, in order; S4's profile of thirds is TVP, "
     "its break points stand on the sheet TVP"
@@ -19,7 +22,7 @@ PARTS = (
 )
 
 
-def motion(sheet: Sheet, machine: Sized) -> None:
+def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
     """Declare the phases: what is entered, what each asks for, and to the right the workings."""
     n, entered, phases, sides = machine.sizes.phases, machine.given.phases, machine.phases, machine.sides
     laws, lifts = [p.law for p in entered], [p.lift for p in entered]
@@ -50,8 +53,6 @@ def motion(sheet: Sheet, machine: Sized) -> None:
         calc("begin", "begins at", "", "s",
              '=IF([kind]="spare",2*@time,IF([k]=1,0,[begin-1]+[span-1]))',
              filled(moved.edges[:-1], n, total + total), scale=total, source="spare rows: out of reach"),
-        calc("share", "begins at, of the cycle", "", "",
-             "=[begin]/@time", filled(moved.shares, n, 2.0), source="what a sample looks up"),
         calc("y0", "position at its begin", "x_0", "",
              "=IF([k]=1,0,[y0-1]+[h-1])", filled(moved.at(moved.edges[:-1]).y, n, moved.lifts_sum), scale=sides.lift,
              source="lifts before, in m or rad"),
@@ -61,6 +62,7 @@ def motion(sheet: Sheet, machine: Sized) -> None:
              '=IF([kind]="spare",0,SIGN([h]))', machine.of_moves(lambda move: move.direction), format="0"),
         calc("base", "resists", "", "N or Nm",
              '=IF([kind]="spare",0,IF([dir]=0,@hold,@steady+@rubbing*[dir]))', resists(machine), scale=sides.force),
+        *phase_columns(AT, rows),
     )  # fmt: skip
 
 

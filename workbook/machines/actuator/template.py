@@ -14,6 +14,7 @@ from workbook.machines.actuator.rms import rms_sheet
 from workbook.machines.actuator.sheet import actuator_sheet
 from workbook.machines.actuator.variations import variants
 from workbook.machines.actuator.view import Sized
+from workbook.motion.cells import rows_of
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.view import Choosing
@@ -48,8 +49,9 @@ def declare(given: ActuatorSizing) -> Book:
             result("about_speed", "Largest speed of the motor", "ω_m", "rad/s", "=act_wmax", fastest, scale=speed),
         ],
     )  # fmt: skip
-    actuator_sheet(book, view)
-    cycle_sheet(book, view, shelf.stack)
+    rows = rows_of(view.sizing.motion, shelf.stack, given.sizes.phases)
+    actuator_sheet(book, view, rows)
+    cycle_sheet(book, view, rows)
     rms_sheet(book, view, shelf.named)
     selection_sheet(book, LOAD, choosing(view, given))
     printed_sheet(book, view)
@@ -71,7 +73,8 @@ TEMPLATE = Template(
     declare,
     variants,
     LAW_SIZES
-    | {"cycle": ("cycle", 1), "phases": ("phases", 0), "rotors": ("act_parts", 0), "gears": ("act_gears", 0)}
+    | {"cycle": ("cycle", 1), "phases": ("phases", 0), "motion_pieces": ("act_pieces", 0)}
+    | {"rotors": ("act_parts", 0), "gears": ("act_gears", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,
 )

@@ -7,6 +7,7 @@ from typing import Any
 from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.laws.variations import own_pieces as own
 from workbook.machines.actuator.entries import ActuatorSizing
+from workbook.motion.room import within
 from workbook.selection.variations import vary_selection
 
 KINDS = ("rotary table", "conveyor", "rack and pinion", "belt", "lead screw", "gear train")
@@ -43,6 +44,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     }  # fmt: skip
     for name in own_in(data["laws"]):
         data["laws"][name]["pieces"] = own_pieces(k, sizes["pieces"], name, entry["phases"])
+    within(entry["phases"], data["laws"], sizes["motion_pieces"])
     entry["parts"] = parts(k, sizes["rotors"], len(entry["gears"]))
     entry["load"] |= {
         "mass": 4.0 + 2.3 * k,

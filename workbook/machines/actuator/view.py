@@ -59,6 +59,11 @@ class Sized:
         self.numbers = [machine.laws.number(p.law) for p in self.given.phases]
         self.phases = [Phase(library[p.law], si(p.lift, self.unit), p.duration) for p in self.given.phases]
 
+    @property
+    def room(self) -> int:
+        """Rows of the table of the motion's pieces."""
+        return self.sizes.motion_pieces or 0
+
     @cached_property
     def load(self) -> Load:
         """The load at the end of the chain."""

@@ -10,6 +10,7 @@ from workbook.entries.machine import Machine, Sizes
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.texts import NO_FORMULA, ONE_LINE
 from workbook.entries.types import EntryError, Model, Number
+from workbook.motion.room import WIDEST, settle
 
 MOST_PHASES = 24
 Unit = Annotated[str, Field(min_length=1, max_length=12, pattern=NO_FORMULA), ONE_LINE]
@@ -43,4 +44,5 @@ class MotionComposer(Machine):
         for path, filled, room in (("motion.phases", len(self.motion.phases), self.sizes.phases),):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
+        settle(self, {"motion.phases": [phase.law for phase in self.motion.phases]}, self.sizes.phases + WIDEST)
         return self

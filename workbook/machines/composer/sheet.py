@@ -9,13 +9,16 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.laws import phases as joined
-from workbook.laws import sampling
 from workbook.machines.composer.view import Composition
+from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.pieces import ABOUT, TITLE, phase_columns, pieces_in_all, pieces_table, room_check
+from workbook.motion.sampled import derivative, finding
 
-PER, PER2 = "lift/x", "lift/x²"  # units, which the engineer names: in the headers they stand as words
+AT = Cells("phases", "move_pieces", "move_pieces_all", "move_total", "move_near", "lift", "x")
+PER, PER2, PER3 = "lift/x", "lift/x²", "lift/x³"  # units, which the engineer names: in the headers they stand as words
 
 
-def motion_sheet(book: Book, machine: Composition, pieces: sampling.Pieces) -> None:
+def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     """Declare the sheet: units and results at the top, the motion beside them, then phases, junctions, table."""
     sheet = book.sheet("Motion", "Phases joined over any abscissa: position, velocity and acceleration per unit of it.")
     sheet.heading("What to enter: units and cycle here, the phases in the table below")
@@ -28,12 +31,21 @@ def motion_sheet(book: Book, machine: Composition, pieces: sampling.Pieces) -> N
     sheet.heading(
         "Phases", "As in S3: a law, a lift and a duration each; the position is carried on from phase to phase."
     )
-    phases(sheet, machine)
+    phases(sheet, machine, rows)
     draw_derivatives(sheet)
     sheet.heading("Junctions", "What jumps where one phase hands over to the next: after less before.")
     junctions(sheet, machine)
     sheet.heading("Table of the motion")
-    samples(sheet, machine, pieces)
+    samples(sheet, machine, rows)
+    sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
+    sheet.rows(
+        pieces_in_all("move_pieces_all", AT, rows),
+        calc("move_near", "Tolerance of a begin", "ε", "x",
+             "=move_total*break_tolerance", machine.motion.tolerance, format="0E+00",
+             source="a sample this near to a begin counts as on it"),
+    )  # fmt: skip
+    sheet.row += 1
+    pieces_table(sheet, TITLE, AT, rows, machine.room, machine.motion.size)
     sheet.print_columns = 17
 
 
@@ -62,7 +74,7 @@ def entries(sheet: Sheet, machine: Composition) -> None:
 
 def results(sheet: Sheet, machine: Composition) -> None:
     """Declare what the motion as a whole comes to; velocity and acceleration exactly, from the laws' coefficients."""
-    motion, (h, v, a), y = machine.motion, machine.motion.sizes, machine.samples.y
+    motion, (h, v, a, _), y = machine.motion, machine.motion.sizes, machine.samples.y
     jump = max((abs(j.jump_a) for j in machine.junctions), default=0.0)
     sheet.rows(
         result("move_total", "Length of the abscissa", "Σδ", "x",
@@ -101,6 +113,7 @@ def checks(sheet: Sheet, machine: Composition) -> None:
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
               "each law reaches its lift"),
+        room_check("move_ok_pieces", AT),
         check("move_ok_velocity", "No jump of velocity",
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
               "of a cycle that closes, also from its end to its begin"),
@@ -115,12 +128,12 @@ def greatest(column: str) -> str:
     return f"MAX(MAX([{column}]),-MIN([{column}]))"
 
 
-def phases(sheet: Sheet, machine: Composition) -> None:
+def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
     """Declare the phases: what is entered, what each comes to, and to the right the workings."""
     motion, n = machine.motion, machine.sizes.phases
     entered, edges = machine.given.phases, machine.motion.edges
     laws, lifts = [p.law for p in entered], [p.lift for p in entered]
-    moved, (h, v, a) = motion.phases, motion.sizes
+    moved, (h, v, a, _) = motion.phases, motion.sizes
     spans = [p.duration for p in moved]
     begins, ends = zip(*motion.ends, strict=True)
     reached = motion.position + motion.lifts_sum
@@ -155,8 +168,6 @@ def phases(sheet: Sheet, machine: Composition) -> None:
              '=IF([kind]="spare",0,[duration])', of(spans), scale=motion.total, source="0 if spare"),
         calc("begin", "begins at", "", "x",
              "=IF([k]=1,0,[end-1])", filled(edges[:-1], n, motion.total), scale=motion.total, source="end before"),
-        calc("share", "begins at, of the whole", "", "",
-             "=[begin]/move_total", filled(motion.shares, n, 1.0), source="what a sample looks up"),
         calc("y0", "position at its begin", "y_0", "lift",
              "=IF([k]=1,move_start,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, reached), scale=h,
              source="lifts before"),
@@ -171,13 +182,14 @@ def phases(sheet: Sheet, machine: Composition) -> None:
              joined.AT_END.format("a0", "^2"), of(begin.y2 for begin in begins), scale=a),
         calc("a1", "y'' at end", "", PER2,
              joined.AT_END.format("a1", "^2"), of(end.y2 for end in ends), scale=a),
+        *phase_columns(AT, rows),
     )  # fmt: skip
 
 
 def junctions(sheet: Sheet, machine: Composition) -> None:
     """Declare the junction behind each phase: what jumps there; behind the last one, the cycle's wrap."""
     motion, n, used = machine.motion, machine.sizes.phases, len(machine.motion.phases)
-    h, v, a = motion.sizes
+    h, v, a, _ = motion.sizes
     found = {j.before: j for j in machine.junctions}
     kinds = filled([*filled([], used - 1, "joint"), "wrap" if machine.repeats else "end"], n, "spare")
     nexts = filled(range(2, used + 1), n, 1)
@@ -207,26 +219,19 @@ JUMP_Y = '=IF([kind]="joint",INDEX([phases.y0],[next])-INDEX([phases.y1],[k]),IF
 JUMP = '=IF(OR([kind]="joint",[kind]="wrap"),INDEX([phases.{0}0],[next])-INDEX([phases.{0}1],[k]),0)'
 
 
-def samples(sheet: Sheet, machine: Composition, pieces: sampling.Pieces) -> None:
-    """Declare the sampled motion: results, then how each sample finds its phase and its law's piece."""
-    x, at, (h, v, a) = machine.abscissa, machine.samples, machine.motion.sizes
-    finding = (
-        "=MATCH(MIN([at]/move_total+break_tolerance,1-break_tolerance),[phases.share],1)",
-        "=MAX(0,([at]-INDEX([phases.begin],[p]))/INDEX([phases.span],[p]))",
-        "=INDEX([phases.no],[p])",
-    )
+def samples(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
+    """Declare the sampled motion: results, then how each sample finds its piece."""
+    x, at, (h, v, a, j) = machine.abscissa, machine.samples, machine.motion.sizes
     sheet.table(
         "motion", f"Position, velocity and acceleration at N = {len(x)} equal steps", len(x),
         calc("at", "abscissa", "x", "x",
              "=[k]*move_total/[motion.k.last]", x, format="0.0##", scale=machine.motion.total),
-        result("y", "position", "y", "lift",
-               "=INDEX([phases.y0],[p])+INDEX([phases.h],[p])*[s]", at.y, scale=h, source="y_0 + h s"),
-        result("y1", "velocity", "y'", PER,
-               "=INDEX([phases.h],[p])/INDEX([phases.span],[p])*[v]", at.y1, scale=v, source="h v/δ"),
-        result("y2", "acceleration", "y''", PER2,
-               "=INDEX([phases.h],[p])/INDEX([phases.span],[p])^2*[a]", at.y2, scale=a, source="h a/δ²"),
+        result("y", "position", "y", "lift", f"={derivative(AT, 0)}", at.y, scale=h, source="c0 + c1 u + … + A sin x"),
+        result("y1", "velocity", "y'", PER, f"={derivative(AT, 1)}", at.y1, scale=v, source="dy/du"),
+        result("y2", "acceleration", "y''", PER2, f"={derivative(AT, 2)}", at.y2, scale=a, source="d²y/du²"),
+        result("y3", "jerk", "y'''", PER3, f"={derivative(AT, 3)}", at.y3, scale=j, source="d³y/du³, between jumps"),
         constant("k", "sample", "k", "", list(range(len(x)))),
-        *joined.located(machine.motion, x, pieces, finding, ("last share not above x/Σδ + ε", "(x − begin)/δ")),
+        *finding(AT, rows, "at", x),
     )  # fmt: skip
 
 

@@ -9,6 +9,7 @@ from workbook.machines.composer.entries import MotionComposer
 from workbook.machines.composer.sheet import motion_sheet
 from workbook.machines.composer.variations import variants
 from workbook.machines.composer.view import Composition
+from workbook.motion.cells import rows_of
 from workbook.template import Template, finish
 
 UNIT = "in the units of Motion"
@@ -18,7 +19,7 @@ def declare(given: MotionComposer) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     composed = Composition(given, shelf.laws)
-    motion, (h, v, a) = composed.motion, composed.motion.sizes
+    motion, (h, v, a, _) = composed.motion, composed.motion.sizes
     book = Book(given.template, given.title)
     about_sheet(
         book,
@@ -31,7 +32,7 @@ def declare(given: MotionComposer) -> Book:
                    "=move_a", motion.peaks.y2, scale=a, source=UNIT),
         ],
     )  # fmt: skip
-    motion_sheet(book, composed, shelf.stack)
+    motion_sheet(book, composed, rows_of(motion, shelf.stack, given.sizes.phases))
     shelf.sheets(book)
     return finish(book, "Composed motion", ("S1", "S3"))
 
@@ -41,5 +42,5 @@ TEMPLATE = Template(
     MotionComposer,
     declare,
     variants,
-    LAW_SIZES | {"cycle": ("motion", 1), "phases": ("phases", 0)},
+    LAW_SIZES | {"cycle": ("motion", 1), "phases": ("phases", 0), "motion_pieces": ("move_pieces", 0)},
 )

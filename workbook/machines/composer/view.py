@@ -25,6 +25,11 @@ class Composition:
         self.axis = Axis("motion", self.motion, feed=not self.repeats)
         self.junctions = self.motion.junctions(periodic=self.repeats)
 
+    @property
+    def room(self) -> int:
+        """Rows of the table of pieces."""
+        return self.sizes.motion_pieces or 0
+
     @cached_property
     def abscissa(self) -> Array:
         """The sampled places, at equal steps from begin to end."""

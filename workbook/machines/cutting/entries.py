@@ -11,6 +11,7 @@ from workbook.entries.machine import Machine
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawName
+from workbook.motion.room import WIDEST, settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 
@@ -86,4 +87,6 @@ class CuttingMachine(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
+        laws = {f"timing.axes.{i}.phases": [p.law for p in axis.phases] for i, axis in enumerate(self.timing.axes)}
+        settle(self, laws, self.sizes.phases + WIDEST)
         return self

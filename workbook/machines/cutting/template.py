@@ -13,6 +13,7 @@ from workbook.machines.cutting.entries import CuttingMachine
 from workbook.machines.cutting.timing import timing_sheet
 from workbook.machines.cutting.variations import variants
 from workbook.machines.cutting.view import Cutting
+from workbook.motion.cells import rows_of
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.view import Choosing
@@ -47,7 +48,7 @@ def declare(given: CuttingMachine) -> Book:
             for i, (name, a) in enumerate(zip(names, greatest, strict=True), 1)
         ],
     )  # fmt: skip
-    timing_sheet(book, reference, shelf.stack)
+    timing_sheet(book, reference, [rows_of(a.motion, shelf.stack, given.sizes.phases) for a in reference.axes])
     book.name(
         "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_travel="travel",
         axis_low="low", axis_high="high", axis_v="v", axis_a="a",
@@ -72,6 +73,6 @@ TEMPLATE = Template(
     declare,
     variants,
     LAW_SIZES
-    | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "rotors": ("rotors", 0)}
+    | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0), "rotors": ("rotors", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
 )

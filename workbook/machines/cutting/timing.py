@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from engine import timing as engine_timing
@@ -13,10 +13,12 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.rows import filled
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import phases as joined_phases
-from workbook.laws import sampling
 from workbook.laws.phases import ACCELERATION, AT_END, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.cutting.entries import Axis
 from workbook.machines.cutting.view import Cutting
+from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table, room_check
+from workbook.motion.sampled import derivative, finding
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
@@ -24,7 +26,12 @@ CARRIED = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},IF([k]=1,0,[{0}-1]))"
 LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
 
 
-def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
+def cells(i: int) -> Cells:
+    """Return where the motion of an axis stands."""
+    return Cells(f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "timing_eps", "m", "rad", degrees=True)
+
+
+def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the table over the cycle below."""
     timing = machine.machine.timing
     sheet = book.sheet("Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram.")
@@ -45,12 +52,16 @@ def timing_sheet(book: Book, machine: Cutting, pieces: sampling.Pieces) -> None:
     axes_table(sheet, machine)
     draw_diagram(sheet, timing.axes)
     sheet.row = max(sheet.row, 26)
-    for i in range(1, len(timing.axes) + 1):
-        phases(sheet, machine, i)
+    for i, of_axis in enumerate(rows, 1):
+        phases(sheet, machine, i, of_axis)
         joined(sheet, machine, i)
     draw_curves(sheet, timing.axes)
     sheet.heading("Table over the cycle")
-    cycle(sheet, machine, pieces)
+    cycle(sheet, machine, rows)
+    sheet.heading("Workings: the motions as pieces", ABOUT)
+    for i, (axis, of_axis) in enumerate(zip(machine.axes, rows, strict=True), 1):
+        sheet.rows(pieces_in_all(f"axis{i}_count", cells(i), of_axis))
+        pieces_table(sheet, f"Pieces of {axis.name}", cells(i), of_axis, machine.room, axis.motion.size)
     sheet.print_columns = 17
 
 
@@ -81,7 +92,7 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
     )  # fmt: skip
 
 
-def phases(sheet: Sheet, machine: Cutting, i: int) -> None:
+def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
     """Declare the phases of one axis: what is entered, what each movement comes to, how the phases join."""
     axis, engine_axis, n = machine.machine.timing.axes[i - 1], machine.axes[i - 1], machine.machine.sizes.phases
     motion, moves = engine_axis.motion, {m.phase: m for m in engine_axis.movements(machine.speed)}
@@ -147,6 +158,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int) -> None:
         calc("jump_a", "jump of y''", "Δy''", "m/rad²",
              f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)",
              filled([j.jump_a for j in junctions], n), source="reported, no fault"),
+        *phase_columns(cells(i), rows),
     )  # fmt: skip
 
 
@@ -166,6 +178,7 @@ def joined(sheet: Sheet, machine: Cutting, i: int) -> None:
         check(f"{t}_fills", f"{name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True),
         check(f"{t}_position", f"{name}: no jump of position",
               f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete),
+        room_check(f"{t}_room", cells(i), name),
         check(f"{t}_velocity", f"{name}: no jump of velocity",
               f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth()),
         check(f"{t}_closes", f"{name}: the cycle closes",
@@ -174,13 +187,17 @@ def joined(sheet: Sheet, machine: Cutting, i: int) -> None:
     )  # fmt: skip
 
 
-def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
+def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     """Declare the table over the cycle: results of the three axes, then the workings of each."""
     at = si(machine.angles, DEGREE)
     numbered = list(enumerate(machine.axes, 1))
     results = [column for i, axis in numbered for column in moved(i, axis, at, machine.speed)]
     lanes = [in_lane(i, axis, at, len(numbered) - i) for i, axis in numbered]
-    workings = [column for i, axis in numbered for column in located(i, axis, at, pieces)]
+    workings = [
+        column
+        for (i, axis), found in zip(numbered, rows, strict=True)
+        for column in finding(cells(i), found, "theta", at, f"{axis.name} ", str(i))
+    ]
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(at),
         calc("theta", "master angle", "θ", "°", "=[k]*360/[cycle.k.last]", machine.angles, format="0.0##"),
@@ -193,14 +210,19 @@ def cycle(sheet: Sheet, machine: Cutting, pieces: sampling.Pieces) -> None:
 def moved(i: int, axis: engine_timing.Axis, at: Array, speed: float) -> list[Quantity]:
     """Return the results of one axis: position, geometric and in time."""
     geometric, timed, name = axis.motion.at(at), axis.motion.at_speed(at, speed), axis.name
+
+    def of(order: int) -> str:
+        return derivative(cells(i), order, str(i))
+
     return [
         result(f"y{i}", f"{name} position", "y", "mm",
-               f"=(INDEX([axis{i}.y0],[p{i}])+INDEX([axis{i}.h],[p{i}])*[s{i}])*1000", shown(geometric.y, MM),
-               source="y_0 + h s"),
+               f"=({of(0)})*1000", shown(geometric.y, MM), source="c0 + c1 u + … + A sin x"),
         result(f"g{i}", f"{name} geometric velocity", "y'", "m/rad",
-               f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])*[v{i}]", geometric.y1, source="h v/δ"),
+               f"={of(1)}", geometric.y1, source="dy/du"),
         result(f"gg{i}", f"{name} geometric acceleration", "y''", "m/rad²",
-               f"=INDEX([axis{i}.h],[p{i}])/INDEX([axis{i}.span],[p{i}])^2*[a{i}]", geometric.y2, source="h a/δ²"),
+               f"={of(2)}", geometric.y2, source="d²y/du²"),
+        result(f"ggg{i}", f"{name} geometric jerk", "y'''", "m/rad³",
+               f"={of(3)}", geometric.y3, source="d³y/du³, between jumps"),
         result(f"t{i}", f"{name} velocity", "ẏ", "m/s", f"=[g{i}]*timing_omega", timed.v, source="y' ω"),
         result(f"tt{i}", f"{name} acceleration", "ÿ", "m/s²", f"=[gg{i}]*timing_omega^2", timed.a, source="y'' ω²"),
     ]  # fmt: skip
@@ -210,17 +232,6 @@ def in_lane(i: int, axis: engine_timing.Axis, at: Array, floor: int) -> Quantity
     """Return the axis as the timing diagram shows it."""
     values = lane(axis.motion.at(at).y, floor, LANE_SHARE)
     return calc(f"lane{i}", f"{axis.name} in the diagram", "", "", LANE.format(i, floor), values)
-
-
-def located(i: int, axis: engine_timing.Axis, at: Array, pieces: sampling.Pieces) -> list[Quantity]:
-    """Return the workings of one axis: phase, ξ, law, piece, and the law's s, v, a."""
-    t = f"axis{i}"
-    phase = f"=MATCH(MIN([theta]+timing_eps,360-timing_eps),[{t}.begin],1)"
-    span = f"(INDEX([{t}.stop],[p{i}])-INDEX([{t}.start],[p{i}]))"
-    xi = f"=MAX(0,([theta]-INDEX([{t}.start],[p{i}]))/{span})"
-    number = f"=INDEX([{t}.no],[p{i}])"
-    names = ("last begin not above θ", "(θ − from)/δ")
-    return joined_phases.located(axis.motion, at, pieces, (phase, xi, number), names, f"{axis.name} ", str(i))
 
 
 def draw_diagram(sheet: Sheet, axes: list[Axis]) -> None:

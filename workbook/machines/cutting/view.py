@@ -54,6 +54,11 @@ class Cutting:
         self.diagram = Diagram(self.axes)
         self.rate = si(machine.timing.rate, PER_MINUTE)
 
+    @property
+    def room(self) -> int:
+        """Rows of the table of an axis's pieces."""
+        return self.machine.sizes.motion_pieces or 0
+
     @cached_property
     def angles(self) -> Array:
         """The sampled angles of the master shaft in degrees."""

@@ -1,0 +1,139 @@
+"""A motion as one table of pieces, in its own units: a second route to y and its derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import repeat
+from math import cos, sin
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.laws import Law, Piece
+from engine.laws.base import BREAK_TOLERANCE, Array
+from engine.laws.piece import POWERS
+from engine.laws.table import begins
+from engine.motion.motion import Motion
+from engine.motion.phase import MotionValues
+
+Sine = tuple[float, float, float]
+"""A, ω, φ of A sin(ωu + φ)"""
+
+
+@dataclass(frozen=True)
+class MotionPiece:
+    """y(u) = c0 + c1 u + … + c7 u⁷ + Σ A sin(ωu + φ), two sines, u from ``origin``; it holds from ``begin``.
+
+    All in units of the motion; ``phase`` and ``number`` say which piece of which phase it is, counted from 0.
+    ``origin`` lies before ``begin`` only where a motion goes on in the middle of a piece.
+    """
+
+    phase: int
+    number: int
+    begin: float
+    duration: float
+    c: tuple[float, ...]
+    sines: tuple[Sine, ...]
+    origin: float
+
+    def at(self, u: Array) -> MotionValues[Array]:
+        """Return y, y', y'', y''' at u."""
+        values = []
+        coefficients = np.array(self.c)
+        for order in range(4):
+            y = np.polynomial.polynomial.polyval(u, coefficients)
+            for a, w, phi in self.sines:
+                y = y + a * w**order * np.sin(w * u + phi + order * np.pi / 2.0)
+            values.append(y)
+            coefficients = np.polynomial.polynomial.polyder(coefficients)
+        return MotionValues(*values)
+
+
+class Scaled(NamedTuple):
+    """A law over a lift ``h`` in a ``duration``, from ``y`` at ``x``, moving with the velocity ``drift`` besides."""
+
+    law: Law
+    h: float
+    duration: float
+    x: float = 0.0
+    y: float = 0.0
+    drift: float = 0.0
+
+
+class Placed(NamedTuple):
+    """A piece of a law, and the ξ at which it begins."""
+
+    piece: Piece
+    begin: float
+
+
+def placed(law: Law) -> list[Placed]:
+    """Return the pieces of a law that begin before its end, those of no duration between them too."""
+    pieces = law.as_pieces()
+    found = [Placed(*both) for both in zip(pieces, begins(pieces), strict=True)]
+    return [one for one in found if one.begin <= 1.0 - BREAK_TOLERANCE]
+
+
+def pieces_of(scaled: Scaled, phase: int = 0) -> list[MotionPiece]:
+    """Return the pieces of one phase: with s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
+
+    y(u) = y + drift (x_k − x + u) + h [s_k + v_k u/δ + Σ c_i (u/δ)^(i+2)/((i+1)(i+2))
+           + P/ω² (sin φ + ωu/δ cos φ − sin(ωu/δ + φ))],      u from x_k = x + ξ_k δ
+    """
+    return [_piece(scaled, phase, number, one) for number, one in enumerate(placed(scaled.law))]
+
+
+def _piece(of: Scaled, phase: int, number: int, one: Placed) -> MotionPiece:
+    at, begin, piece = of.law.evaluate(one.begin), of.x + one.begin * of.duration, one.piece
+    s, v, still, sines = at.s, at.v, 0.0, []
+    for p, w, phi in ((piece.amplitude, piece.omega, piece.phase), (piece.amplitude2, piece.omega2, piece.phase2)):
+        turns = p / w**2 if w else 0.0
+        s, v = s + turns * sin(phi), v + turns * w * cos(phi)
+        still += p * sin(phi) if piece.duration and not w else 0.0
+        sines.append((-of.h * turns, w / of.duration, phi))
+    a = (piece.c[0] + still, *piece.c[1:], *repeat(0.0, POWERS - len(piece.c)))
+    shape = (s, v, *(c / ((i + 1) * (i + 2)) for i, c in enumerate(a)))
+    c = [of.h * value / of.duration**i for i, value in enumerate(shape)]
+    c[0] += of.y + of.drift * (begin - of.x)
+    c[1] += of.drift
+    return MotionPiece(phase, number, begin, piece.duration * of.duration, tuple(c), tuple(sines), begin)
+
+
+def motion_pieces(motion: Motion) -> list[MotionPiece]:
+    """Return the pieces of a motion, phase by phase, in the order of the abscissa."""
+    found: list[MotionPiece] = []
+    for k, (phase, at) in enumerate(zip(motion.phases, motion.ends, strict=True)):
+        found += pieces_of(Scaled(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y), k)
+    return found
+
+
+class Place(NamedTuple):
+    """Where samples lie: which piece (from 0), u from its origin, and the argument ωu + φ of its first sine (rad)."""
+
+    piece: NDArray[np.intp]
+    u: Array
+    angle: Array
+
+
+def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> Place:
+    """Return the piece of each x of a motion from ``begin`` to ``end``: the last that begins at or before it.
+
+    What is nearer to a begin than :data:`BREAK_TOLERANCE` of the whole counts as on it; the end has the left limit.
+    """
+    near = BREAK_TOLERANCE * (end - begin)
+    k = np.searchsorted([piece.begin for piece in pieces], np.minimum(x + near, end - near), side="right") - 1
+    k = np.maximum(k, 0)
+    origin, omega, phi = np.array([(piece.origin, *piece.sines[0][1:]) for piece in pieces]).T
+    u = x - origin[k]
+    return Place(k, u, omega[k] * u + phi[k])
+
+
+def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> MotionValues[Array]:
+    """Return y, y', y'', y''' of a table of pieces at x."""
+    place, table = located(pieces, x, begin, end), np.empty((4, x.size))
+    for k in np.unique(place.piece):
+        here = place.piece == k
+        table[:, here] = pieces[k].at(place.u[here])
+    return MotionValues(*table)

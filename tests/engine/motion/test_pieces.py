@@ -1,0 +1,88 @@
+"""A motion as one table of pieces: the same y, y', y'', y''' as by the laws' closed forms."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from engine.laws import ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
+from engine.laws.double_harmonic import DoubleHarmonic
+from engine.laws.modified_sine import ModifiedSine
+from engine.laws.polynomial_345 import Polynomial345
+from engine.laws.polynomial_4567 import Polynomial4567
+from engine.laws.registry import MODULES, entry_of
+from engine.laws.s_curve import SCurve
+from engine.laws.straight_line import StraightLine
+from engine.motion import Motion, Phase
+from engine.motion.joining import joined
+from engine.motion.pieces import Scaled, evaluated, located, motion_pieces, pieces_of
+
+LAWS = [law for module in MODULES for law in entry_of(module).examples] + [
+    PieceLaw(
+        [Piece(0.4, (3.0, 1.5, -2.0, 0.7), 1.2, 7.0, 0.4), Piece(0.0, (5.0, 0, 0, 0)), Piece(0.6, (1, 0, 0, 2.0))]
+    ),
+    PieceLaw([Piece(1.0, (3.0, 0.0, 0.0, 0.0), 1.2, 0.0, 0.4)]),
+    ModifiedTrapezoidal((0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0)),
+    DoubleHarmonic(),
+    ModifiedSine(),
+    Polynomial4567(),
+    SCurve(),
+    StraightLine(),
+]
+
+
+def agree(motion: Motion, x: np.ndarray) -> None:
+    exact, found = motion.at(x), evaluated(motion_pieces(motion), x, motion.edges[0], motion.edges[-1])
+    sizes = [max(np.abs(y).max(), size) for y, size in zip(exact, motion.sizes, strict=True)]
+    for one, other, size in zip(exact, found, sizes, strict=True):
+        assert np.abs(one - other).max() <= 1e-12 * size
+
+
+@st.composite
+def motions(draw):
+    phases = []
+    for _ in range(draw(st.integers(1, 5))):
+        law = draw(st.sampled_from(LAWS))
+        lift = 0.0 if isinstance(law, Dwell) else draw(st.floats(-50, 50).filter(lambda h: abs(h) > 1e-3))
+        phases.append(Phase(law, lift, draw(st.floats(0.2, 9.0))))
+    return Motion(phases, draw(st.floats(-3, 3)), draw(st.floats(-9, 9)))
+
+
+@given(motions())
+def test_pieces_give_what_the_closed_forms_give(motion):
+    agree(motion, np.linspace(*motion.edges[[0, -1]], 301))
+
+
+@pytest.mark.parametrize("law", [Cycloidal(), ModifiedTrapezoidal(), ConstantAcceleration()], ids=lambda law: law.code)
+def test_on_every_break_a_sample_has_the_later_piece_and_at_the_end_the_left_limit(law):
+    motion = Motion([Phase(Dwell(), 0.0, 30.0), Phase(law, 12.0, 90.0), Phase(law, -12.0, 240.0)])
+    pieces = motion_pieces(motion)
+    begins = np.array([piece.begin for piece in pieces])
+    last = [int(np.flatnonzero(begins == begin)[-1]) for begin in begins]
+    for shift in (-1e-10, 0.0, 1e-10):
+        assert located(pieces, begins + shift, 0.0, 360.0).piece.tolist() == last
+    agree(motion, np.append(begins, 360.0))
+
+
+def test_phases_that_hand_over_at_speed_are_pieces_too():
+    found = joined(
+        [Phase(Polynomial345(), 3.0, 1.0), Phase(StraightLine(), 2.0, 0.5), Phase(ModifiedSine(), -5.0, 2.0)]
+    )
+    assert not found.faults
+    agree(found.motion, np.linspace(0.0, 3.5, 401))
+
+
+def test_what_moves_besides_adds_its_velocity():
+    one, *_ = pieces_of(Scaled(Dwell(), 0.0, 2.0, 1.0, 5.0, 3.0))
+    at = one.at(np.array([0.0, 0.5]))
+    assert (at.y.tolist(), at.y1.tolist(), at.y2.tolist()) == ([5.0, 6.5], [3.0, 3.0], [0.0, 0.0])
+    moving = pieces_of(Scaled(Cycloidal(), 2.0, 4.0, 0.0, 0.0, 3.0))
+    x = np.linspace(0.0, 4.0, 33)
+    assert evaluated(moving, x, 0.0, 4.0).y == pytest.approx(2.0 * Cycloidal().s(x / 4.0) + 3.0 * x, abs=1e-13)
+
+
+def test_pieces_of_no_length_at_the_end_are_left_out():
+    law = PieceLaw([Piece(0.5, (4.0, 0, 0, 0)), Piece(0.0), Piece(0.5, (-4.0, 0, 0, 0)), Piece(0.0), Piece(0.0)])
+    assert [(p.number, p.begin, p.duration) for p in pieces_of(Scaled(law, 1.0, 2.0))] == [
+        (0, 0.0, 1.0), (1, 1.0, 0.0), (2, 1.0, 1.0),
+    ]  # fmt: skip

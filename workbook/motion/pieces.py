@@ -1,0 +1,112 @@
+"""The table of a motion's pieces, and what a table of phases adds for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import perm
+
+from engine.motion.pieces import MotionPiece
+from workbook.book.declare import Quantity, Sheet, calc, check, constant
+from workbook.book.rows import filled
+from workbook.entries.units import DEGREE, shown
+from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.stack import FIRST, LAST, POWERS, SINES, of_law
+
+TITLE = "The motion as pieces"
+ABOUT = (
+    "On each piece y(u) = c0 + c1 u + c2 u² + … + A sin(ωu + φ), u from its begin: "
+    "a piece of the phase's law, scaled by lift and duration."
+)
+NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
+ROOM = "sizes.motion_pieces in the description says how many there may be"
+Sizes = Callable[[int], float]
+"""of the n-th derivative of the motion: what deviations are measured by at least"""
+
+
+def phase_columns(at: Cells, rows: PieceRows) -> list[Quantity]:
+    """Return the columns by which a table of phases tells where its pieces are."""
+    return [
+        calc("rate", "per duration", "1/δ", f"1/{at.x}" if at.x else "",
+             "=IF([span]>0,1/[span],0)", list(rows.rates), source="0 if spare"),
+        calc("first", "row of its law's first piece", "", "", FIRST, list(rows.firsts), format="0", source="on Laws"),
+        calc("pieces", "pieces", "", "", f"=IF([span]>0,{LAST}-[first]+1,0)", rows.counts, format="0"),
+        calc("before", "pieces before", "", "", "=IF([k]=1,0,[before-1]+[pieces-1])", rows.before, format="0"),
+    ]  # fmt: skip
+
+
+def pieces_in_all(name: str, at: Cells, rows: PieceRows) -> Quantity:
+    """Return the row that says how many pieces a motion has."""
+    return calc(name, "Pieces in all", "", "", f"=SUM([{at.phases}.pieces])", len(rows.pieces), format="0")
+
+
+def room_check(name: str, at: Cells, of: str = "") -> Quantity:
+    """Return the check that the table of pieces has room for all ``of`` an axis."""
+    label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
+    return check(name, label, f"{at.count}<=MAX([{at.pieces}.r])", True, ROOM)
+
+
+def pieces_table(sheet: Sheet, title: str, at: Cells, rows: PieceRows, room: int, sizes: Sizes) -> None:
+    """Declare the table of a motion's pieces."""
+    place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
+    length = f"DEGREES({span})" if at.degrees else span
+    unit = DEGREE if at.degrees else 1.0
+
+    def of(figure: Callable[[MotionPiece], float]) -> list[float]:
+        return rows.column(figure, room)
+
+    def begins(name: str, label: str, formula: str, figure: Callable[[MotionPiece], float]) -> Quantity:
+        values = filled([shown(figure(piece), unit) for piece in rows.pieces], room, shown(rows.end, unit))
+        degrees = "°" if at.degrees else at.x
+        return calc(name, label, "", degrees, f"=IF([r]>MAX(1,{at.count}),{at.end},{formula})", values,
+                    scale=shown(rows.end, unit), source="spare rows: the end")  # fmt: skip
+
+    origin = f"{at.of_phase('begin')}+{length}*{of_law('xi')}"
+    opened = [begins("origin", "u counts from", origin, lambda piece: piece.origin)] if at.opens else []
+    begin = f"MAX({at.of_phase('opens')},{origin})" if at.opens else origin
+    sheet.table(
+        at.pieces, title, room,
+        constant("r", "piece", "r", "", list(range(1, room + 1))),
+        calc("p", "phase", "", "",
+             f"=MATCH({place},[{at.phases}.before],1)", of(lambda piece: piece.phase + 1), format="0"),
+        calc("m", "row on Laws", "", "",
+             f"={at.of_phase('first')}+{place}-{at.of_phase('before')}", filled(rows.rows, room, rows.rows[-1]),
+             format="0"),
+        begins("begin", "begins at", begin, lambda piece: piece.begin),
+        *opened,
+        calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{of_law('d')})",
+             filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
+        *(power(at, i, of, sizes) for i in range(POWERS + 2)),
+        *(column for k in range(len(SINES)) for column in sine(at, k, of, sizes)),
+    )  # fmt: skip
+
+
+def power(at: Cells, i: int, of: Callable[[Callable[[MotionPiece], float]], list[float]], sizes: Sizes) -> Quantity:
+    """Return a coefficient of the polynomial."""
+    h, per = at.of_phase("h"), at.of_phase("rate")
+    if i == 0:
+        drift = f"+{at.of_phase('drift')}*{at.of_phase('span')}*{of_law('xi')}" if at.drifts else ""
+        formula, source = f"={at.of_phase('y0')}+{h}*{of_law('s0')}{drift}", "y_0 + h S0"
+    elif i == 1:
+        drift = f"+{at.of_phase('drift')}" if at.drifts else ""
+        formula, source = f"={h}*{of_law('s1')}*{per}{drift}", "h S1/δ"
+    else:
+        share = perm(i, 2)
+        formula, source = f"={h}*{of_law(f'c{i - 2}')}/{share}*{per}^{i}", f"h c{i - 2}/({share} δ^{i})"
+    return calc(f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, of(lambda piece: piece.c[i]), scale=sizes(i),
+                source=source)  # fmt: skip
+
+
+def sine(
+    at: Cells, k: int, of: Callable[[Callable[[MotionPiece], float]], list[float]], sizes: Sizes
+) -> tuple[Quantity, Quantity, Quantity]:
+    """Return amplitude, frequency and phase of a sine."""
+    one = SINES[k]
+    h, per, words = at.of_phase("h"), at.of_phase("rate"), " of the second sine" if one.mark else ""
+    return (
+        calc(f"A{one.mark}", f"amplitude{words}", f"A{one.mark}", at.y,
+             f"=0-{h}*{of_law(one.ps)}", of(lambda piece: piece.sines[k][0]), scale=sizes(0), source="−h P/ω²"),
+        calc(f"om{one.mark}", f"frequency{words}", f"ω{one.mark}", f"rad/{at.x}" if at.x else "",
+             f"={of_law(one.omega)}*{per}", of(lambda piece: piece.sines[k][1]), source="ω/δ"),
+        calc(f"ph{one.mark}", f"phase{words}", f"φ{one.mark}", "rad",
+             f"={of_law(one.phi)}", of(lambda piece: piece.sines[k][2])),
+    )  # fmt: skip

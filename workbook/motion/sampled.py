@@ -1,0 +1,50 @@
+"""The columns of a sampled motion: which piece a sample has, and y, y', y'', y''' by one formula each."""
+
+from __future__ import annotations
+
+from math import perm
+
+from engine.laws.base import Array
+from workbook.book.declare import Quantity, calc
+from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.stack import POWERS, SINES
+
+TURNED = ("+{A}*SIN({x})", "+{A}*{om}*COS({x})", "-{A}*{om}^2*SIN({x})", "-{A}*{om}^3*COS({x})")
+"""a sine A sin(ωu + φ) and its derivatives by u"""
+
+
+def finding(at: Cells, rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
+    """Return the workings of samples: the piece, u in it, and the argument of its sine.
+
+    ``x`` is the column that holds the abscissa, ``values`` what it is in units of the motion; labels begin with ``of``
+    and names end with ``suffix``.
+    """
+    found = rows.found(values)
+    q, local = f"q{suffix}", f"[{x}]-{at.of_piece('origin' if at.opens else 'begin', f'q{suffix}')}"
+    return [
+        calc(q, f"{of}piece", "q", "",
+             f"=MATCH(MIN([{x}]+{at.near},{at.end}-{at.near}),[{at.pieces}.begin],1)", found.row, format="0",
+             source="last begin not above"),
+        calc(f"u{suffix}", f"{of}within piece", "u", at.x,
+             f"=RADIANS({local})" if at.degrees else f"={local}", found.u, source="from its begin"),
+        calc(f"x{suffix}", f"{of}sine argument", "x", "rad",
+             f"={at.of_piece('om', q)}*[u{suffix}]+{at.of_piece('ph', q)}", found.angle, source="ωu + φ"),
+    ]  # fmt: skip
+
+
+def derivative(at: Cells, order: int, suffix: str = "") -> str:
+    """Return the formula, without its =, of a derivative of the motion: 0 is y."""
+    q, u = f"q{suffix}", f"[u{suffix}]"
+    text = ""
+    for i in range(POWERS + 1, order - 1, -1):
+        share = perm(i, order)
+        term = at.of_piece(f"c{i}", q)
+        scaled = term if share == 1 else f"{share}*{term}"
+        text = f"{scaled}+{u}*({text})" if text else scaled
+    return text + "".join(_sine(at, order, mark, q, u, suffix) for *_, mark in SINES)
+
+
+def _sine(at: Cells, order: int, mark: str, q: str, u: str, suffix: str) -> str:
+    a, om, ph = (at.of_piece(f"{name}{mark}", q) for name in ("A", "om", "ph"))
+    x = f"{om}*{u}+{ph}" if mark else f"[x{suffix}]"
+    return TURNED[order].format(A=a, om=om, x=x)

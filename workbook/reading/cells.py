@@ -1,0 +1,81 @@
+"""The cells of a workbook as the guard met them: openpyxl reads all else of a sheet, and no row a second time.
+
+A number is a number, whatever date its format makes of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from openpyxl.cell.cell import Cell, MergedCell
+from openpyxl.formula.translate import Translator
+from openpyxl.utils import get_column_letter
+from openpyxl.utils.datetime import from_ISO8601
+from openpyxl.worksheet.dimensions import RowDimension
+from openpyxl.worksheet.formula import ArrayFormula, DataTableFormula
+from openpyxl.worksheet.worksheet import Worksheet
+
+from workbook.reading.rows import Rows, Written
+
+TEXTS = {"str": "s", "inlineStr": "s"}
+"""types of values that openpyxl has as one, that of shared texts"""
+
+
+def fill(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
+    """Enter the written cells into a sheet that has none; raise as openpyxl does where they are damaged."""
+    cells: dict[tuple[int, int], Any] = sheet._cells
+    styles = sheet.parent._cell_styles  # type: ignore[union-attr]
+    shared: dict[str, Translator] = {}
+    for held in rows.written:
+        place = held[:2]
+        cell: Any = cells.get(place)  # one of a comment, a link, or a range that is merged
+        if isinstance(cell, MergedCell):
+            continue
+        if cell is None:
+            cell = cells[place] = Cell(sheet, held.row, held.column, style_array=styles[held.style])
+        else:
+            cell._style = styles[held.style]
+        if held.how is None:
+            cell._value, cell.data_type = content(held, texts), TEXTS.get(held.kind, held.kind)
+        else:
+            cell._value, cell.data_type = formula(held, shared), "f"
+    for row, looks in rows.looks.items():
+        own: dict[str, Any] = {name: text for name, text in looks.items() if ":" not in name}
+        if "s" in own:
+            own["s"] = styles[int(own["s"])]
+        sheet.row_dimensions[row] = RowDimension(sheet, **{**own, "r": row})
+
+
+def content(held: Written, texts: Sequence[str]) -> Any:
+    """Return what a cell without a formula holds."""
+    kind, text = held.kind, held.value
+    if not text:
+        return "" if kind == "inlineStr" and text == "" else None
+    if kind == "n":
+        return int(text) if text.strip().lstrip("+-").isdecimal() else float(text)
+    if kind == "s":
+        return texts[int(text)]
+    if kind == "b":
+        return text == "1"
+    if kind == "d":
+        return from_ISO8601(text)  # type: ignore[no-untyped-call]
+    return text
+
+
+def formula(held: Written, shared: dict[str, Translator]) -> Any:
+    """Return the formula of a cell as openpyxl has it; ``shared`` has those met before that several cells share."""
+    how: dict[str, Any] = held.how or {}
+    text = "=" + held.formula
+    kind = how.get("t")
+    if kind == "array":
+        return ArrayFormula(ref=how.get("ref"), text=text)
+    if kind == "dataTable":
+        return DataTableFormula(**how)
+    if kind == "shared":
+        number, at = how.get("si", ""), f"{get_column_letter(held.column)}{held.row}"
+        if number in shared:
+            return shared[number].translate_formula(at)
+        if held.formula:
+            shared[number] = Translator(text, at)
+    return text

@@ -1,0 +1,65 @@
+"""A copy of a book without some of its cells: what witnesses are asked of where an engineer has cells of his own in it.
+
+A table, a newer function, a name that leads nowhere keep some programs from opening a file, or from ending in time;
+what a book's declared formulas compute does not depend on them.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from openpyxl import Workbook
+from openpyxl.workbook.defined_name import DefinedName, DefinedNameDict
+
+from workbook.book.address import Address
+from workbook.reading.files import BookFile, find_places
+
+
+@contextmanager
+def without(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Iterator[BookFile]:
+    """Give ``file`` itself, or a copy without the cells ``own`` and with the values ``given`` where these are any.
+
+    The copy holds contents of cells and the names that lead to cells, and lies in a folder that goes away.
+    """
+    if not own and not given:
+        yield file
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "book.xlsx"
+        workbook = copied(file, own, given)
+        workbook.save(path)
+        yield BookFile(path, workbook, find_places(workbook))
+
+
+def copied(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Workbook:
+    """Return a workbook with the same sheets, names that lead to cells, and contents, as :func:`without` says."""
+    made = Workbook()
+    made.remove(made.worksheets[0])
+    made.epoch = file.workbook.epoch
+    for sheet in file.workbook.worksheets:
+        page = made.create_sheet(sheet.title)
+        for (row, column), cell in sheet._cells.items():
+            address = Address(sheet.title, row, column)
+            if cell.value is not None and address not in own:
+                copy = page.cell(row, column)
+                if address in given:
+                    copy.value = given[address]
+                else:  # as it is: a text that looks like a formula stays one, and a date is a number
+                    copy.value = file.contents.constants.get(address, cell.value)
+                    copy.data_type = cell.data_type.replace("d", "n")
+        page.defined_names = led(sheet.defined_names, file)
+    made.defined_names = led(file.workbook.defined_names, file)
+    return made
+
+
+def led(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
+    """Return those of the names that lead to cells in the book, or are called like one that does."""
+    kept = DefinedNameDict()
+    for name, defined in names.items():
+        if name in file.places:
+            kept[name] = DefinedName(name, attr_text=defined.attr_text)
+    return kept
