@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-POWERS = 4
-"""of a law's acceleration: the stack has c0 … c3"""
+POWERS = 6
+"""of a law's acceleration: the stack has c0 … c5"""
 
 
 class Sine(NamedTuple):
