@@ -191,7 +191,7 @@ CELLS = {
     "angle beyond the turn": ("axis2", "stop", 4, 400, ["found 400", "at most 360"]),
     "empty end": ("axis2", "stop", 1, None, ["empty", "expected a number of at least 0"]),
     "durations do not sum to 1": ("MTP_d3", "MTP_d3", 0, 0.5, ["sum to 1.375", "expected 1"]),
-    "own law": ("own_pieces", "d", 0, 0.7, ["0.7", "expected 1"]),
+    "own law": ("OWN_pieces", "d", 0, 0.7, ["0.7", "expected 1"]),
     "number for a name": ("axes", "name", 1, 12, ["found 12", "expected a text"]),
     "negative inertia": ("rotors", "inertia", 0, -1, ["found -1", "of at least 0"]),
     "error value": ("timing_rate", "timing_rate", 0, "#DIV/0!", ["#DIV/0!", "expected a number"]),

@@ -15,7 +15,7 @@ from workbook.judging.matching import is_formula
 SKIPS_TEXT = ("MAX", "MIN", "SUM", "COUNT")
 """Functions to which a range may grow by cells without numbers."""
 
-ALWAYS_OK = re.compile(r"own_sum|axis\d_(forward|follows|fills)|TVP_order|MTP_sum|act_ok_(rows|rises|shafts|temp)")
+ALWAYS_OK = re.compile(r"OWN_sum|axis\d_(forward|follows|fills)|TVP_order|MTP_sum|act_ok_(rows|rises|shafts|temp)")
 """Checks of what the machine's model refuses already: no valid input lets them say FAIL."""
 
 

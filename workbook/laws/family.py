@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from engine.laws import Entry, Law, Piece
 from engine.laws.entry import IncompleteError
-from workbook.book.declare import Quantity
+from workbook.book.declare import Quantity, Sheet, check
 from workbook.entries.types import Model, Number, Positive
 
 COEFFICIENTS = (
@@ -28,6 +28,10 @@ SINE, SECOND = ("P", "omega", "phi"), ("P2", "omega2", "phi2")
 POWERS = ("c0", "c1", "c2", "c3", "c4", "c5")
 ENTRIES = ("d", *POWERS, *SINE, *SECOND)
 """the columns of a table of pieces; those of a second sine are there in books with a law that needs them"""
+
+
+REACHES = "ABS([@samples.s.last]-1)<check_zero"
+RESTS = f"AND({REACHES},ABS([@samples.v.last])<check_zero)"
 
 
 class LawSheet(Model):
@@ -128,16 +132,18 @@ class Page:
     checks: tuple[LawCheck, ...] = ()
     rests: bool = True
     """whether it begins and ends at rest"""
+    single: bool = True
+    """whether it speeds up once, from rest, and comes to rest, whatever its parameters"""
     start: str = "=0"
     """the formula of the velocity with which it begins"""
+    lowest: str = "=0"
+    """the formula of its lowest velocity"""
+    wrong: str = "=0"
+    """the formula of the greatest step of v the wrong way: down before it is largest, up after it"""
     has_sheet: bool = True
     """whether its formulas stand in cells of its own, which other sheets refer to"""
     samples: str = "@samples"
     """the table of its samples; a law without stands still"""
-
-    def law(self, entered: Any, intervals: int) -> Law:
-        """Return the engine's law; one without closed coefficients has those of a table of ``intervals``."""
-        return self.made(entered)
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the engine's law of its parameters in a row, as the functions MOTION.* take them."""
@@ -159,6 +165,27 @@ class Page:
     def numbers(self, entered: Any) -> list[float]:
         """Return the parameters that are entered, in a row."""
         return [value_at(entered, parameter.key) for parameter in self.parameters]
+
+    def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
+        """Declare what is entered besides the rise shown and the parameters: nothing, of most families."""
+
+    def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+        """Declare workings that need the whole book, or none."""
+
+    def stepping(self, law: Law, sizes: Any) -> float:
+        """Return the greatest step of v the wrong way, as :attr:`wrong` has it."""
+        return 0.0
+
+    def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+        """Declare tables behind that of the samples, or none."""
+
+    def verdicts(self, name: str, law: Law, sizes: Any) -> list[Quantity]:
+        """Return the checks of the law; ``name`` is what it was called when the book was built."""
+        ends = f"{name} ends at s = 1{', at rest' if self.rests else ''}"
+        return [
+            *(check(one.name, f"{name}: {one.label}", one.condition, True) for one in self.checks),
+            check("@ends", ends, RESTS if self.rests else REACHES, True),
+        ]
 
     def variation(self, k: int, room: int) -> dict[str, Any]:
         """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""

@@ -11,7 +11,8 @@ from engine.laws.rise import Rise
 from engine.laws.sampled import abscissae
 from engine.laws.table import begins
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
+from workbook.entries.machine import Sizes
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
 from workbook.laws.family import COEFFICIENTS, Page, value_at
@@ -28,7 +29,7 @@ def finite(value: float) -> float | str:
     return value if math.isfinite(value) else "∞"
 
 
-def law_sheet(book: Book, one: NamedLaw, intervals: int, stack: sampling.Pieces) -> None:
+def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> None:
     """Declare the sheet of one law."""
     page, law, entered = one.page, one.law, one.entered
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
@@ -36,21 +37,25 @@ def law_sheet(book: Book, one: NamedLaw, intervals: int, stack: sampling.Pieces)
     with sheet.scoped(f"{one.slug}_"):
         sheet.heading("What to enter")
         entries(sheet, one)
+        page.enter(sheet, one, sizes)
         sheet.heading("What comes out: the coefficients, for unit rise and time")
         coefficients(sheet, page, law)
         sheet.heading("What comes out: the rise h in the time t_a")
         risen(sheet, one, rise)
-        sheet.heading(
-            "Pieces",
-            f"On each piece a(u) = {spelled(page)}, u = ξ − ξ_k; velocity and position are carried on.",
-        )
-        pieces_table(sheet, page, law)
-        checks(sheet, page, one.called)
+        page.work(sheet, one, stack, sizes)
+        if page.pieces:
+            sheet.heading(
+                "Pieces",
+                f"On each piece a(u) = {spelled(page)}, u = ξ − ξ_k; velocity and position are carried on.",
+            )
+            pieces_table(sheet, page, law)
+        sheet.checks(*page.verdicts(one.called, law, sizes))
         draw(sheet, one.called)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = 19
         sheet.heading("Table")
-        samples(sheet, rise, entered.lift, intervals, stack)
+        samples(sheet, rise, entered.lift, sizes.law, stack)
+        page.detail(sheet, one, stack, sizes)
 
 
 def spelled(page: Page) -> str:
@@ -119,16 +124,6 @@ def risen(sheet: Sheet, one: NamedLaw, rise: Rise) -> None:
         result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",
                "=@ca_rms*ABS(@h_m)/@t^2", rise.acceleration_rms, source="C_a,rms h / t_a²"),
         calc("@no", "Number on the sheet Laws", "", "", one.finding, one.number, format="0"),
-    )  # fmt: skip
-
-
-def checks(sheet: Sheet, page: Page, name: str) -> None:
-    """Declare the law's own checks, and that it ends where it should."""
-    sheet.checks(
-        *(check(one.name, f"{name}: {one.label}", one.condition, True) for one in page.checks),
-        check("@ends", f"{name} ends at s = 1{', at rest' if page.rests else ''}",
-              "AND(ABS([@samples.s.last]-1)<check_zero,ABS([@samples.v.last])<check_zero)" if page.rests
-              else "ABS([@samples.s.last]-1)<check_zero", True),
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ as on it, so that rounding never decides which side of a jump is shown; ξ = 1 b
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any
 
@@ -95,6 +96,15 @@ class Pieces:
                  format="0" if name == "q" else "", source=source)
             for (name, label, symbol, unit, formula, source), values in zip(found, at, strict=False)
         ]  # fmt: skip
+
+    def arguments(self, angles: Sequence[Any]) -> list[Quantity]:
+        """Return the columns of the sines' arguments at points whose piece and local abscissa are known."""
+        found = [("x", "sine argument", ARGUMENT, "ωu + φ"), ("z", "second sine's argument", ARGUMENT2, "ω₂u + φ₂")]
+        names = columns_of("")
+        return [
+            calc(name, label, name, "rad", formula.format(**names), values, source=source)
+            for (name, label, formula, source), values in zip(found[: self.width - 2], angles, strict=False)
+        ]
 
     def shape(
         self, law: Law, xi: Array, derivatives: str = "svaj", suffix: str = "", role: Any = calc

@@ -1,38 +1,25 @@
-"""The Laws sheet: every law by number, the stacked pieces of all laws, and the engineer's own law."""
+"""The Laws sheet: every law by number, and the stacked pieces of all laws."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, cast
+from typing import Any
 
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.sampled import SampledPieceLaw
+from engine.laws.piece_extremes import extremes_of
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.machine import Sizes
-from workbook.laws.entries import Laws
 from workbook.laws.library import NamedLaw
 from workbook.laws.page import finite
-from workbook.laws.pages.pieces import own_entries, own_samples
 from workbook.laws.sampling import Pieces
 from workbook.laws.stack import Row
 
 
-def laws_sheet(
-    book: Book, laws: Sequence[NamedLaw], given: Laws, sizes: Sizes, rows: list[Row], stacked: Pieces
-) -> None:
+def laws_sheet(book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces) -> None:
     """Declare the sheet from which every axis evaluates its law."""
-    own = next(one for one in laws if one.name == "OWN")
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
-    sheet.heading(
-        "What to enter: a law of your own",
-        "Fill the rows below; an axis takes it as OWN. The durations sum to 1; leave spare rows empty.",
-    )
-    own_entries(sheet, given["OWN"], own.law, sizes.pieces)
     sheet.heading("What comes out: the laws and their coefficients")
-    summary(sheet, laws)
-    sheet.note(
-        "C_v, C_a and max(v·a) of the own law are the greatest of its samples; C_a,rms is integrated from its pieces."
-    )
+    summary(sheet, laws, sizes)
     sheet.heading(
         "Workings: the stacked pieces",
         "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.",
@@ -43,11 +30,9 @@ def laws_sheet(
                         "of a jump"),
     )  # fmt: skip
     stack(sheet, rows, stacked.second_sine)
-    sheet.heading("Table of the own law")
-    own_samples(sheet, cast(SampledPieceLaw, own.law), own.number, stacked)
 
 
-def summary(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
+def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes) -> None:
     """Declare the table of laws: name, coefficients, values at both ends."""
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
@@ -64,7 +49,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     sheet.table(
         "laws", "The laws by number; a phase takes its law by this name", len(laws),
         calc("name", "law in words", "", "",
-             [one.page.name_formula(one.family.entry) for one in laws],
+             [one.own(one.page.name_formula(one.family.entry)) for one in laws],
              [one.page.name_entered(one.family.entry, one.entered) for one in laws]),
         constant("no", "number", "", "", [one.number for one in laws]),
         calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
@@ -77,6 +62,11 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
         coefficient("va_min", "lowest v·a", "min(v·a)"),
         calc("start", "velocity it begins with", "", "",
              [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
+        calc("v_low", "lowest velocity", "", "",
+             [one.own(one.page.lowest) for one in laws],
+             [extremes_of(one.law.as_pieces(), one.law.start.v).v[0] for one in laws]),
+        calc("wrong", "step of v the wrong way", "", "",
+             [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
         end("s", "position", "first"),
         end("s", "position", "last"),
         end("v", "velocity", "first"),
@@ -87,7 +77,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     sheet.book.name(
         "laws", law_name="name", law_no="no", law_code="code",
         law_cv="cv", law_ca_max="ca_max", law_ca_min="ca_min", law_ca_rms="ca_rms", law_cj="cj",
-        law_va_max="va_max", law_va_min="va_min", law_start="start",
+        law_va_max="va_max", law_va_min="va_min", law_start="start", law_v_low="v_low", law_wrong="wrong",
         law_s0="s0", law_s1="s1", law_v0="v0", law_v1="v1", law_a0="a0", law_a1="a1",
     )  # fmt: skip
 

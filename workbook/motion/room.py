@@ -17,7 +17,7 @@ WIDEST = 8  # pieces of a law that verify tries in any book
 
 def counts(given: Laws) -> dict[str, int]:
     """Return the number of pieces of each law of a book."""
-    return {name: len(placed(law)) for name, law in laws(given, 1).items()}
+    return {name: len(placed(law)) for name, law in laws(given).items()}
 
 
 def settle(machine: Machine, motions: Mapping[str, Sequence[str]], least: int, more: int = 0) -> None:

@@ -14,7 +14,6 @@ from engine.laws.polynomial_pulse import PolynomialPulse
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw
 from engine.laws.rise import Rise
-from engine.laws.sampled import SampledPieceLaw, abscissae
 from engine.laws.table import begins, carried, key, located
 from tests.engine.families import ENTRIES
 
@@ -71,23 +70,6 @@ def test_a_rise_in_its_own_units(law):
     assert a == pytest.approx(-7.5 * at.a)
     assert (rise.velocity, rise.acceleration) == pytest.approx((1.5 * k.cv, 7.5 * max(k.ca_max, -k.ca_min)))
     assert rise.acceleration_rms == pytest.approx(7.5 * k.ca_rms)
-
-
-def test_an_own_law_has_the_coefficients_of_its_samples_and_the_exact_rms():
-    own, exact = SampledPieceLaw(MIXED, 7), PieceLaw(MIXED).coefficients
-    at = own.evaluate(abscissae(7))
-    assert abscissae(7)[3] == 3 / 7
-    assert own.coefficients.cv == np.abs(at.v).max() < exact.cv
-    assert (own.coefficients.ca_max, own.coefficients.ca_min) == (at.a.max(), at.a.min())
-    assert own.powers == pytest.approx(at.v * at.a)
-    assert (own.coefficients.va_max, own.coefficients.va_min) == (own.powers.max(), own.powers.min())
-    assert (own.coefficients.ca_rms, own.coefficients.cj) == (exact.ca_rms, math.inf)
-
-
-def test_a_smooth_own_law_has_the_jerk_of_its_samples():
-    own = SampledPieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))], 3)
-    assert own.coefficients.cj == pytest.approx(60.0)
-    assert own.coefficients.ca_max == pytest.approx(own.a(1 / 3))
 
 
 @pytest.mark.parametrize("piece", [*MIXED, Piece(0.8, (1.0, -2.0, 3.0, -4.0), 5.0, 300.0, 0.7)], ids=str)

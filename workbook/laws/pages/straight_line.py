@@ -12,5 +12,7 @@ PAGE = Page(
     fastest="=0",
     shapes=ShapeFormulas(),
     start="=1",
+    lowest="=1",
     rests=False,
+    single=False,
 )

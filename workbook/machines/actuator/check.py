@@ -15,7 +15,7 @@ SIZES = {"lead screw": "turns"}
 def check(machine: ActuatorSizing) -> None:
     """Raise EntryError where the mechanism lacks its size, or a phase has a law that moves backwards."""
     require_size(machine)
-    used, library = [phase.law for phase in machine.actuator.phases], laws(machine.laws, machine.sizes.own_law)
+    used, library = [phase.law for phase in machine.actuator.phases], laws(machine.laws)
     for name in dict.fromkeys(used):
         if not is_monotone(library[name]):
             message = f"the law {name} moves backwards; expected a law that rises throughout"

@@ -12,7 +12,7 @@ from workbook.machines.overlap.view import Overlapping, Station
 def check(machine: IndexingOverlap) -> None:
     """Raise EntryError where a law cannot be inverted, or a tool's schedule takes more than a turn."""
     require_rising(machine)
-    for station in Overlapping(machine, laws(machine.laws, machine.sizes.own_law)).stations:
+    for station in Overlapping(machine, laws(machine.laws)).stations:
         require_one_turn(station)
 
 
@@ -22,7 +22,7 @@ def require_rising(machine: IndexingOverlap) -> None:
     used = {"transfer.law": given.transfer.law}
     for i, tool in enumerate(given.tools):
         used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
-    library = laws(machine.laws, machine.sizes.own_law)
+    library = laws(machine.laws)
     for entry, name in used.items():
         law, fault = library[name], ""
         if not is_monotone(law):
