@@ -16,7 +16,7 @@ from openpyxl import Workbook
 from workbook.book.address import Address
 from workbook.judging.compare import TOLERANCE
 from workbook.reading.files import open_book
-from workbook.witnesses import WITNESSES
+from workbook.witnesses.registry import WITNESSES
 
 PAGE = Path(__file__).with_suffix(".md")
 ENTERED = {"B1": 1, "B2": 2, "B3": 3, "C1": "a", "C2": "B", "C3": "c", "D1": True, "E1": "3"}

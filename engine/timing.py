@@ -150,3 +150,43 @@ class Diagram:
         """
         speed = shaft_speed(rate) * (self.cycle / FULL_TURN)
         return tuple(movement for axis in self.axes for movement in axis.movements(speed))
+
+
+@dataclass(frozen=True)
+class Switch:
+    """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch.
+
+    ``on`` holds begin and end of each time it is on; an end before its begin lies in the next cycle. Raises ValueError
+    for an edge outside the cycle, or a time that begins where one before it is not over.
+    """
+
+    name: str
+    on: tuple[tuple[float, float], ...]
+    cycle: float = FULL_TURN
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "on", tuple((float(begin), float(end)) for begin, end in self.on))
+        for begin, end in self.on:
+            if not (0.0 <= begin <= self.cycle and 0.0 <= end <= self.cycle):
+                raise ValueError(f"{self.name}: on from {begin:g} to {end:g}; expected within 0 to {self.cycle:g}")
+        if len(self.on) > 1 and any(self._over(k) for k in range(len(self.on))):
+            raise ValueError(f"{self.name}: two times of being on overlap; expected one after the other")
+
+    def at(self, x: Array) -> Array:
+        """Return 1 where it is on and 0 where it is off; where it switches, what comes after."""
+        state = np.zeros(np.shape(x))
+        for begin, end in self.on:
+            state = np.maximum(state, (np.asarray(x) - begin) % self.cycle < self._time(begin, end))
+        return np.asarray(state, dtype=np.float64)
+
+    @property
+    def share(self) -> float:
+        """Share of the cycle in which it is on."""
+        return math.fsum(self._time(begin, end) for begin, end in self.on) / self.cycle
+
+    def _time(self, begin: float, end: float) -> float:
+        return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle
+
+    def _over(self, k: int) -> bool:
+        begin, end = self.on[k]
+        return any((one - begin) % self.cycle < self._time(begin, end) for j, (one, _) in enumerate(self.on) if j != k)

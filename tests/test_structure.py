@@ -9,12 +9,8 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 DECLARING = [ROOT / "workbook" / room for room in ("book", "drive", "laws", "machines", "selection")]
-ELSE = {
-    "entries.py",
-    "catalogue.py",
-    "variations.py",
-    "formula.py",
-}  # inputs as entered or made up, the reader of formulas
+# inputs as entered or made up; readers of formulas and of sentences
+ELSE = {"entries.py", "catalogue.py", "variations.py", "formula.py", "depends.py", "sentence.py"}
 LONGEST = 120
 OPERATORS = {ast.Mult: "*", ast.Div: "/", ast.Pow: "**", ast.MatMult: "@"}
 SPELLED_OUT = {"multiply", "divide", "true_divide", "power", "pow", "prod", "dot", "mul", "truediv", "reciprocal"}

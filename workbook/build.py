@@ -8,10 +8,15 @@ from pathlib import Path
 
 from pydantic import BaseModel
 
+from workbook.book.declare import Book
+from workbook.book.quantity import SAYS
 from workbook.collector import collector_paused, swept_between
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
+from workbook.judging.moved import put_back
+from workbook.judging.report import OK
+from workbook.judging.verdict import UNFINISHED
 from workbook.reading.entries import (
     Entries,
     checked,
@@ -34,16 +39,28 @@ from workbook.writing.write import save
 READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
-def build(machine: Machine, path: Path, overwrite: bool = False) -> None:
-    """Write the workbook of ``machine``; raise WriteError where ``path`` exists or cannot be written.
+def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
+    """Write the workbook of ``machine``; return a line for each of its checks that does not hold.
 
-    Raises InputError for a machine that the engine refuses.
+    Raises WriteError where ``path`` exists or cannot be written, InputError for a machine that the engine refuses.
     """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted)
     with collector_paused():
-        save(template.declare(machine), template.model, path, overwrite)
+        book = template.declare(machine)
+        save(book, template.model, path, overwrite)
+    return failing(book)
+
+
+def failing(book: Book) -> list[str]:
+    """Return a line for each check of a book that does not hold: what it is about, where it fails, by how much."""
+    lines = []
+    for _, check in book.checks:
+        said = book.blocks[f"{check.name}{SAYS}"].quantities[0].value
+        if check.value != OK:
+            lines.append(f"{check.label}: {said or UNFINISHED}")
+    return lines
 
 
 def described(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:
@@ -88,7 +105,7 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
 def inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
     file = open_book(path)
-    entries = Entries(file, agreed)
+    entries = Entries(file, agreed, put_back)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
     return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)

@@ -1,42 +1,44 @@
-"""The command ``motionbook``."""
+"""The command ``motionbook``: what can be asked of it. What is done stands in :mod:`workbook.commands`.
+
+A command's module is loaded when it is called, so that help and a wrong option are told at once.
+"""
 
 from __future__ import annotations
 
 import io
-import json
 import sys
-from datetime import datetime
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from rich.console import Console
 from typer.exceptions import TyperException
 
-from workbook import build as make
+from workbook import __version__
 from workbook.errors import MotionbookError
-from workbook.functions import oxt
-from workbook.judging import many
-from workbook.judging.many import AGREES, DISAGREES, UNREADABLE
-from workbook.judging.verify import ALL, present
-from workbook.reading.entries import write_machine
-from workbook.reports import console as show
-from workbook.reports import page as reports
-from workbook.reports import summary
-from workbook.reports.junit import junit as junit_xml
-from workbook.reports.terminal import say, say_data, shown
-from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES
+from workbook.exits import AGREES, UNREADABLE
+from workbook.reports.terminal import ERR, say
+from workbook.witnesses.names import ALL, NAMES
 
-app = typer.Typer(
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    help="Workbooks of machine motion: motion laws, timing diagram, drive. Build one, change it in Excel or "
-    "LibreOffice, and verify that every formula cell still computes what the engine computes.",
-)
-out = Console()
-err = Console(stderr=True)
+app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
+
+
+def tell_version(asked: bool) -> None:
+    """Print the version, and leave."""
+    if asked:
+        print(f"motionbook {__version__}")
+        raise typer.Exit(AGREES)
+
+
+@app.callback()
+def motionbook(
+    version: Annotated[
+        bool, typer.Option("--version", callback=tell_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """Workbooks of machine motion: motion laws, timing diagram, drive.
+
+    Build one, change it in Excel or LibreOffice, and verify that every formula cell still computes the engine's value.
+    """
 
 
 def to(metavar: str, words: str) -> Any:
@@ -56,16 +58,9 @@ def catalogue(metavar: str, words: str) -> Any:
 
 def witness_named(name: str) -> str:
     """Return the name of a witness; raise BadParameter where there is none of that name."""
-    if name not in (*WITNESSES, ALL):
-        raise typer.BadParameter(f"no witness is named {name!r}; expected one of {', '.join((*WITNESSES, ALL))}")
+    if name not in (*NAMES, ALL):
+        raise typer.BadParameter(f"no witness is named {name!r}; expected one of {', '.join((*NAMES, ALL))}")
     return name
-
-
-def chosen(names: list[str] | None) -> list[str]:
-    """Return the witnesses to ask, each once, in the order named; raise WitnessError for one that is absent."""
-    found = list(dict.fromkeys(names or ["pycel"]))
-    present(found)
-    return found
 
 
 Machine = Annotated[
@@ -82,7 +77,7 @@ With = Annotated[
     list[str] | None,
     typer.Option(
         "--with",
-        metavar="|".join((*WITNESSES, ALL)),
+        metavar="|".join((*NAMES, ALL)),
         parser=witness_named,
         help="Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that are "
         "on this machine.",
@@ -100,12 +95,13 @@ def build(
     reducers: Annotated[Path | None, catalogue("REDUCERS.csv", "Reducers to choose among, likewise.")] = None,
     force: Force = False,
 ) -> None:
-    """Build a workbook from a machine description."""
-    source = machine or TEMPLATES["cutting-machine"].description
-    target = output or Path(f"{source.stem}.xlsx")
-    with err.status(shown(f"Building {target} …")):
-        make.build(make.described(source, motors, reducers), target, overwrite=force)
-    say(out, f"Built {target.absolute()}")
+    """Build a workbook from a machine description.
+
+    What of its numbers does not do, or is missing, is built too: its checks FAIL, and are named here.
+    """
+    from workbook.commands import make
+
+    make.build(machine, output, motors, reducers, force)
 
 
 @app.command()
@@ -117,6 +113,9 @@ def verify(
     force: Annotated[bool, typer.Option("--force", help="Replace the report files if they exist.")] = False,
     witnesses: With = None,
     jobs: Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")] = None,
+    everything: Annotated[
+        bool, typer.Option("--all", help="List every finding, also what only follows from others.")
+    ] = False,
 ) -> None:
     """Compare every formula cell of workbooks with the engine, at the values entered in them.
 
@@ -125,17 +124,9 @@ def verify(
     Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
     be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
-    reports.ready(report, (".html", ".htm"), force)
-    reports.ready(junit, (".xml",), force)
-    asked = chosen(witnesses)
-    targets, failed = many.find(books)
-    with summary.progress(err, len(targets)) as done:
-        outcomes = many.verify_many(targets, asked, jobs, done) + failed
-    summary.show(outcomes, out, err, as_json, alone=len(books) == 1 and not many.is_folder(books[0]))
-    when = datetime.now().astimezone()
-    reports.write(report, lambda: reports.page(outcomes, when), force)
-    reports.write(junit, lambda: junit_xml(outcomes, when), force)
-    raise typer.Exit(many.exit_code(outcomes))
+    from workbook.commands.verify import verify as run
+
+    raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything))
 
 
 @app.command()
@@ -145,14 +136,9 @@ def inputs(
     force: Force = False,
 ) -> None:
     """Read what was entered into a workbook, as a machine description."""
-    with err.status(shown(f"Reading {book} …")):
-        machine, notes = make.inputs(book)
-    show_notes(notes)
-    if output is None:
-        say_data(write_machine(machine))
-        return
-    make.write_inputs(machine, output, overwrite=force)
-    say(out, f"Wrote {output.absolute()}")
+    from workbook.commands import make
+
+    make.inputs(book, output, force)
 
 
 @app.command()
@@ -162,11 +148,9 @@ def regenerate(
     force: Force = False,
 ) -> None:
     """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
-    with err.status(shown(f"Regenerating {book} …")):
-        machine, notes = make.inputs(book)
-        make.build(machine, output, overwrite=force)
-    show_notes(notes)
-    say(out, f"Built {output.absolute()}")
+    from workbook.commands import make
+
+    make.regenerate(book, output, force)
 
 
 @app.command()
@@ -174,16 +158,9 @@ def templates(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail if a template is stale.")] = False,
 ) -> None:
     """Generate the workbooks in templates/ from the machine descriptions beside them."""
-    with err.status("Generating the templates …"):
-        stale = make.stale_templates() if check else []
-        written = [] if check else make.write_templates()
-    for path in written:
-        say(out, f"Built {path}")
-    for path in stale:
-        say(err, f"{path}: stale; run 'motionbook templates' and commit it")
-    if check and not stale:
-        out.print(f"{len(make.committed())} workbooks up to date")
-    raise typer.Exit(DISAGREES if stale else AGREES)
+    from workbook.commands import make
+
+    raise typer.Exit(make.templates(check))
 
 
 @app.command()
@@ -192,23 +169,17 @@ def addin(
     force: Force = False,
 ) -> None:
     """Write the LibreOffice add-in, which brings the functions MOTION.* to Calc; open it to install it."""
-    oxt.write(output, overwrite=force)
-    say(out, f"Wrote {output.absolute()}")
+    from workbook.commands import functions
+
+    functions.addin(output, force)
 
 
 @app.command()
 def laws(as_json: Json = False) -> None:
     """List the motion laws with their coefficients, for unit rise and time."""
-    if as_json:
-        say_data(f"{json.dumps(show.catalogue(), ensure_ascii=False, indent=1)}\n")
-    else:
-        show.show_catalogue(out)
+    from workbook.commands import functions
 
-
-def show_notes(notes: list[str]) -> None:
-    """Print what was not carried over."""
-    for note in notes:
-        say(err, f"Note: {note}")
+    functions.laws(as_json)
 
 
 def main() -> None:
@@ -219,15 +190,15 @@ def main() -> None:
     try:
         sys.exit(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
     except TyperException as error:
-        say(err, f"{error.format_message()} See --help.", "red")
+        say(ERR, f"{error.format_message()} See --help.", "red")
         sys.exit(UNREADABLE)
     except MotionbookError as error:
         for line in str(error).splitlines():
-            say(err, line, "red")
+            say(ERR, line, "red")
         sys.exit(UNREADABLE)
     except Exception as error:  # to whoever runs it, a fault of ours is no verdict either
         if sys.flags.dev_mode:
             raise
         said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
-        say(err, f"motionbook failed inside ({said[:200]}); please report this", "red")
+        say(ERR, f"motionbook failed inside ({said[:200]}); please report this", "red")
         sys.exit(UNREADABLE)

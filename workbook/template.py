@@ -12,6 +12,7 @@ from workbook.book.about import contents
 from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import FIRST, Book, Text
 from workbook.entries.machine import Machine
+from workbook.unfinished import with_entries
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
 
@@ -23,6 +24,8 @@ M = TypeVar("M", bound=Machine)
 class Template(Generic[M]):
     """A kind of machine: its description's model, the book declared from a description, variations to verify at.
 
+    ``finished`` declares the book of a machine whose entries do; :meth:`declare` that of any.
+
     ``sizes`` tells for each entry of a description's ``sizes`` which block shows it, and by how many rows that
     block is longer. ``check`` raises EntryError for entries that only the engine can refuse; what the entries refuse
     by themselves, the model does. ``laid_out`` gives a machine the layout that a file has by its defined names,
@@ -31,11 +34,15 @@ class Template(Generic[M]):
 
     name: str
     model: type[M]
-    declare: Callable[[M], Book]
+    finished: Callable[[M], Book]
     variants: Callable[[M], list[M]]
     sizes: dict[str, tuple[str, int]]
     check: Callable[[M], None] = lambda machine: None
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
+
+    def declare(self, machine: M) -> Book:
+        """Declare the book of a machine, with what was entered of an unfinished design."""
+        return with_entries(self.finished(machine), machine)
 
     @property
     def description(self) -> Path:

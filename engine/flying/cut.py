@@ -13,14 +13,14 @@ from numpy.typing import ArrayLike
 from engine.flying.motion import MOVES, WAITS, WORKS, CycleState, ToolMotion
 from engine.flying.tool import Tool, require
 from engine.laws import Law
-from engine.laws.base import Array
+from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import breaks, roots, velocity_extremes, velocity_peak
 
 Case = Literal["constant speed", "faster", "slower"]
 Beyond = Literal["standstill", "reversal"]
 SAME_LENGTH = 1e-12
-"""of the design length, the line speed, the cycle time: a smaller difference is none"""
+"""of the design length, the line speed: a smaller difference is none"""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Cut:
     @property
     def time_tolerance(self) -> float:
         """A time (s) this near to an event counts as on it."""
-        return SAME_LENGTH * self.cycle_time
+        return BREAK_TOLERANCE * self.cycle_time
 
     @property
     def tool_time(self) -> float:
@@ -214,7 +214,9 @@ class Cut:
         return np.concatenate([ends, np.union1d(xi, breaks(self.law)) * self.moving_time])
 
     def at(self, time: ArrayLike) -> ToolMotion:
-        """Return position, speed and acceleration of the tool (m, s) at times from 0 to t_C.
+        """Return position, speed, acceleration and jerk of the tool (m, s) at times from 0 to t_C.
+
+        At an event they are those behind it, at the end of the cycle those before it.
 
         Raises ValueError outside.
         """
@@ -223,11 +225,11 @@ class Cut:
         law, per = self.law.evaluate(xi), self.superimposed / self.moving_time
         moved = self.superimposed * law.s - self.line_speed * waited
         speed = np.select([part == WAITS, part == WORKS], [0.0, self.line_speed], self.line_speed + per * law.v)
-        acceleration = np.where(part == MOVES, per / self.moving_time * law.a, 0.0)
-        return ToolMotion(self.line_speed * t + moved, speed, acceleration)
+        rates = (np.where(part == MOVES, per / self.moving_time**n * x, 0.0) for n, x in ((1, law.a), (2, law.j)))
+        return ToolMotion(self.line_speed * t + moved, speed, *rates)
 
     def state(self, time: ArrayLike) -> CycleState:
-        """Return where the cycle is at times (s) from 0 to t_C; at either end of the wait, it moves.
+        """Return where the cycle is at times (s) from 0 to t_C: on an event, behind it.
 
         Raises ValueError outside.
         """
@@ -236,8 +238,9 @@ class Cut:
             raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")
         begin, end = self.wait
         waited = np.clip(t - begin, 0.0, self.waiting_time)
-        waiting = (t > begin + near) & (t < end - near)
-        part = np.select([t >= self.repositioning_time - near, waiting], [WORKS, WAITS], MOVES)
+        waiting = (t >= begin - near) & (t < end - near)
+        works = (t >= self.repositioning_time - near) & (self.tool_time > near)
+        part = np.select([works, waiting], [WORKS, WAITS], MOVES)
         return CycleState(part, waited, np.clip((t - waited) / self.moving_time, 0.0, 1.0))
 
     @cached_property
@@ -254,6 +257,11 @@ class Cut:
     def product_position(self, time: Array) -> Array:
         """Return the position of the product (m) at times (s): v_L t."""
         return self.line_speed * time
+
+    def size(self, order: int) -> float:
+        """Return how large the n-th derivative of the tool's position is: v_L tⁿ⁻¹ and |h|/tⁿ, of t_m or t_C."""
+        superimposed = abs(self.superimposed) / self.moving_time**order
+        return max(superimposed, self.product_length / self.cycle_time**order)
 
     def position_at(self, xi: float) -> float:
         """Return the position of the tool (m) at an abscissa of the law, without a wait: v_L ξ t_m + h s(ξ)."""

@@ -25,11 +25,12 @@ class CycleState(NamedTuple):
 
 
 class ToolMotion(NamedTuple):
-    """Motion of the tool along its path over a cycle: m, m/s, m/s²."""
+    """Motion of the tool along its path over a cycle: m, m/s, m/s², m/s³."""
 
     position: Array
     speed: Array
     acceleration: Array
+    jerk: Array
 
     def at_shaft(self, radius: float) -> ShaftMotion:
         """Return the motion of the shaft, whose tool goes ``radius`` (m) a rad: s/R_t, v/R_t, a/R_t."""

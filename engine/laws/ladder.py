@@ -59,7 +59,7 @@ def zeros(f: Curve, d: float) -> list[float]:
     points = [0.0, *zeros(slope, d), d] if f.c else _cells(f, d)
     values = map(f, points)
     cells = zip(itertools.pairwise(points), itertools.pairwise(values), strict=True)
-    return [_root(f, slope, *cell) for cell, ends in cells if min(ends) < 0.0 < max(ends)]
+    return [root(f, slope, *cell) for cell, ends in cells if min(ends) < 0.0 < max(ends)]
 
 
 def _of_sine(sine: Sine, d: float) -> list[float]:
@@ -77,7 +77,7 @@ def _cells(f: Curve, d: float) -> list[float]:
     return [d * k / n for k in range(n + 1)]
 
 
-def _root(f: Curve, slope: Curve, low: float, high: float) -> float:
+def root(f: Curve, slope: Curve, low: float, high: float) -> float:
     """Return the zero between two points of different sign, by Newton's method kept within them."""
     rises = f(high) > 0.0
     u = 0.5 * (low + high)

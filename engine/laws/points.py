@@ -123,6 +123,12 @@ class Spread:
         return np.array(begins(self.pieces))[self.piece] + self.u
 
     @property
+    def angles(self) -> list[list[float]]:
+        """ωu + φ of either sine at the points (rad)."""
+        places = [(self.pieces[int(k)], float(u)) for k, u in zip(self.piece, self.u, strict=True)]
+        return [[p.omega * u + p.phase for p, u in places], [p.omega2 * u + p.phase2 for p, u in places]]
+
+    @property
     def turn(self) -> float:
         """The largest ω d of a piece (rad)."""
         return max(one.omega * one.duration for one in self.pieces)

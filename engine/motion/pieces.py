@@ -61,6 +61,16 @@ class Scaled(NamedTuple):
     y: float = 0.0
     drift: float = 0.0
 
+    @property
+    def first(self) -> int:
+        """The first piece of the law that it has, from 0."""
+        return 0
+
+    @property
+    def rate(self) -> float:
+        """1/δ; 0 of a phase that does not last."""
+        return 1.0 / self.duration if self.duration else 0.0
+
 
 class Placed(NamedTuple):
     """A piece of a law, and the ξ at which it begins."""

@@ -9,7 +9,7 @@ from engine.overlap.clearance import Clearance, Corners, clearance, colliding, c
 from engine.overlap.margins import MarginSweep, sweep_margin
 from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.plan import Room, blocked, one_after_the_other, overlap, rests, room
-from engine.overlap.schedule import ANGLE_TOLERANCE, Schedule, ToolState, movement_time
+from engine.overlap.schedule import ANGLE_TOLERANCE, Rates, Schedule, movement_time
 
 __all__ = [
     "ANGLE_TOLERANCE",
@@ -17,10 +17,10 @@ __all__ = [
     "Corners",
     "MarginSweep",
     "Passage",
+    "Rates",
     "Room",
     "Schedule",
     "Tool",
-    "ToolState",
     "Transfer",
     "blocked",
     "clearance",

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.laws import Law
+from engine.laws import Dwell, Law
 from engine.laws.base import Array, require_finite
+from engine.motion.pieces import Scaled
 from engine.timing import FULL_TURN
 
 
@@ -29,13 +30,18 @@ class Transfer:
         if self.angle >= FULL_TURN:
             raise ValueError(f"the transfer takes {math.degrees(self.angle):g} degrees; expected less than 360")
 
-    def xi(self, angle: Array) -> Array:
-        """Return the abscissa of its law at angles from 0 to 2π; 1 from its arrival to the end of the cycle."""
-        return np.minimum(angle / self.angle, 1.0)
-
     def travel(self, angle: Array) -> Array:
-        """Return its travel (m), h_t s(ξ), at angles from 0 to 2π."""
-        return self.stroke * self.law.s(self.xi(angle))
+        """Return its travel (m), h_t s(ξ), at angles from 0 to 2π; ξ is 1 from its arrival to the end of the cycle."""
+        return self.stroke * self.law.s(np.minimum(angle / self.angle, 1.0))
+
+    @property
+    def parts(self) -> tuple[Scaled, Scaled]:
+        """The movement, and the dwell to the end of the cycle (m, rad)."""
+        there = self.stroke * self.law.end.s
+        return (
+            Scaled(self.law, self.stroke, self.angle),
+            Scaled(Dwell(), 0.0, FULL_TURN - self.angle, self.angle, there),
+        )
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +25,7 @@ def one_after_the_other(transfer: Transfer, tool: Tool, split: float = 0.5) -> S
     return Schedule(transfer, tool, free * split, free * (1.0 - split), transfer.angle + free * split)
 
 
+@lru_cache(maxsize=256)
 def blocked(transfer: Transfer, passage: Passage) -> tuple[float, float]:
     """Return the angles (rad) between which the transfer is too far from its ends for the tool to be in.
 

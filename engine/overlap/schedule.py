@@ -3,37 +3,32 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from engine.laws import Dwell, Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.motion import Motion
+from engine.motion.pieces import MotionPiece, Scaled, pieces_of
 from engine.overlap.parts import Tool, Transfer, require_positive
 from engine.timing import FULL_TURN, shaft_speed
 
 Limit = Literal["clearance", "cycle"]
 ANGLE_TOLERANCE = FULL_TURN * BREAK_TOLERANCE
 """rad: an angle this near to an event counts as on it"""
-SHORTEST = 1e-9
-"""rad: a phase of less is none"""
-DWELL, OUT, REST, IN = 1, 2, 3, 4
-"""the parts of a tool's cycle, from its arrival"""
 
 
-class ToolState(NamedTuple):
-    """What a tool does at each angle of the master shaft."""
+class Rates(NamedTuple):
+    """Velocity (m/s), acceleration (m/s²) and jerk (m/s³) of a tool."""
 
-    since: Array
-    """angle since its arrival, within one turn (rad)"""
-    part: NDArray[np.intp]
-    """1 dwell, 2 way out, 3 rest, 4 way in"""
-    xi: Array
-    """abscissa of the law of its way; 0 at rest"""
+    velocity: Array
+    acceleration: Array
+    jerk: Array
 
 
 @dataclass(frozen=True)
@@ -65,32 +60,40 @@ class Schedule:
     @cached_property
     def motion(self) -> Motion:
         """The tool over one turn, counted from its arrival: there no movement wraps."""
-        h = self.tool.stroke
-        rest = FULL_TURN - self.tool.dwell - self.way_in - self.way_out
-        phases = [
-            (Dwell(), 0.0, self.tool.dwell),
-            (self.tool.out, -h, self.way_out),
-            (Dwell(), 0.0, rest),
-            (self.tool.law, h, self.way_in),
-        ]
-        return filled_turn(phases, position=h)
+        phases = [(part.law, part.h, part.duration) for part in self.parts]
+        return filled_turn(phases, position=self.tool.stroke)
 
-    def state(self, angle: ArrayLike) -> ToolState:
-        """Return what the tool does at angles of the master shaft (rad)."""
-        since = turned(np.asarray(angle, dtype=np.float64) - self.arrival)
-        leaves, arrives = self.tool.dwell, FULL_TURN - self.way_in
-        part = 1 + np.sum([since + ANGLE_TOLERANCE >= x for x in (leaves, leaves + self.way_out, arrives)], axis=0)
-        out, into = (since - leaves) / self.way_out, (since - arrives) / self.way_in
-        return ToolState(since, part, np.clip(np.select([part == OUT, part == IN], [out, into], 0.0), 0.0, 1.0))
+    @property
+    def parts(self) -> tuple[Scaled, Scaled, Scaled, Scaled]:
+        """Dwell, way out, rest and way in (m, rad), counted from the tool's arrival; what is shorter than the
+        tolerance of an angle lasts 0.
+        """
+        h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.way_out, self.way_in
+        rest = FULL_TURN - dwell - into - out
+        return (
+            Scaled(Dwell(), 0.0, lasting(dwell), 0.0, h),
+            Scaled(self.tool.out, -h, out, dwell, h),
+            Scaled(Dwell(), 0.0, lasting(rest), dwell + out),
+            Scaled(self.tool.law, h, into, FULL_TURN - into),
+        )
+
+    @property
+    def pieces(self) -> list[MotionPiece]:
+        """The same motion as pieces."""
+        return pieces_of_parts(self.parts)
+
+    def since(self, angle: ArrayLike) -> Array:
+        """Return the angles since the tool's arrival, within one turn, at angles of the master shaft (rad)."""
+        return turned(np.asarray(angle, dtype=np.float64) - self.arrival)
 
     def travel(self, angle: ArrayLike) -> Array:
         """Return how far the tool has gone (m) at any angle of the master shaft (rad)."""
         return self.motion.at((np.asarray(angle, dtype=np.float64) - self.arrival) % FULL_TURN).y
 
-    def acceleration(self, angle: ArrayLike, rate: float) -> Array:
-        """Return the tool's acceleration (m/s²) at angles of the master shaft (rad), at ``rate`` cycles per second."""
-        since = np.clip(self.state(angle).since, 0.0, FULL_TURN)
-        return self.motion.at_speed(since, shaft_speed(rate)).a
+    def rates(self, angle: ArrayLike, rate: float) -> Rates:
+        """Return the tool's velocity, acceleration and jerk at angles (rad), at ``rate`` cycles per second."""
+        at, speed = self.motion.at(np.clip(self.since(angle), 0.0, FULL_TURN)), shaft_speed(rate)
+        return Rates(at.y1 * speed, at.y2 * speed**2, at.y3 * speed**3)
 
     def times(self, rate: float) -> tuple[float, float]:
         """Return the times (s) of the ways in and out at ``rate`` cycles per second."""
@@ -128,6 +131,22 @@ def movement_time(angle: float, rate: float) -> float:
     return angle / (FULL_TURN * rate)
 
 
+def lasting(angle: float) -> float:
+    """Return an angle (rad), 0 for one that is next to none."""
+    return angle if angle > ANGLE_TOLERANCE else 0.0
+
+
+def pieces_of_parts(parts: Sequence[Scaled]) -> list[MotionPiece]:
+    """Return the pieces of the parts that last."""
+    return [piece for k, part in enumerate(parts) if part.duration for piece in pieces_of(part, k)]
+
+
+def size_of_parts(parts: Sequence[Scaled]) -> Callable[[int], float]:
+    """Return what gives, for n, the largest |h|/δⁿ of the parts that move."""
+    moving = [(abs(part.h), part.rate) for part in parts if part.h]
+    return lambda order: max(h * rate**order for h, rate in moving)
+
+
 def turned(angle: Array) -> Array:
     """Return angles (rad) within one turn; what is just below a whole turn counts as on it."""
     return angle - FULL_TURN * np.floor(angle / FULL_TURN + BREAK_TOLERANCE)
@@ -135,11 +154,11 @@ def turned(angle: Array) -> Array:
 
 def filled_turn(phases: list[tuple[Law, float, float]], position: float = 0.0) -> Motion:
     """Return the motion of these phases over one turn, without those of no length, filled up with a dwell."""
-    kept = [phase for phase in phases if phase[2] > SHORTEST]
+    kept = [phase for phase in phases if phase[2] > 0.0]
     edges = np.cumsum([0.0, *(duration for _, _, duration in kept)])
-    if edges[-1] > FULL_TURN + SHORTEST:
+    if edges[-1] > FULL_TURN + ANGLE_TOLERANCE:
         raise ValueError(f"the movements take {math.degrees(edges[-1]):g} degrees; expected at most 360")
-    if edges[-1] < FULL_TURN - SHORTEST:
+    if edges[-1] < FULL_TURN - ANGLE_TOLERANCE:
         kept.append((Dwell(), 0.0, FULL_TURN - float(edges[-1])))
         edges = np.append(edges, FULL_TURN)
     edges[-1] = FULL_TURN

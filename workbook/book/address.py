@@ -36,14 +36,58 @@ class Address(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a block lies in a file."""
+    """Where a block lies in a file.
+
+    ``rows_at`` and ``columns_at`` have the offsets of its rows and columns where others lie between them; a column that
+    is gone has None there.
+    """
 
     sheet: str
     row: int
     column: int
     rows: int
     columns: int
+    rows_at: tuple[int, ...] = ()
+    columns_at: tuple[int | None, ...] = ()
 
     def cell(self, i: int, j: int) -> Address:
-        """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0."""
-        return Address(self.sheet, self.row + i, self.column + j)
+        """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0; column 0 if it is gone."""
+        row = self.rows_at[i] if 0 <= i < len(self.rows_at) else i
+        if not 0 <= j < len(self.columns_at):
+            return Address(self.sheet, self.row + row, self.column + j)
+        offset = self.columns_at[j]
+        return Address(self.sheet, self.row + row, 0 if offset is None else self.column + offset)
+
+    def part(self, j: int) -> Place:
+        """Return the place of one column; column 0 if it is gone."""
+        return self._replace(column=self.cell(0, j).column, columns=1, columns_at=())
+
+    @property
+    def corners(self) -> tuple[Address, Address]:
+        """The first and the last cell."""
+        return self.cell(0, 0), self.cell(self.rows - 1, self.columns - 1)
+
+
+class Fit(NamedTuple):
+    """Where a table lies, and what was done to it.
+
+    ``inserted`` rows and ``added`` columns of the sheet lie within; ``lost`` counts the rows that are gone before a row
+    of the sheet; ``gone`` are the numbers of the columns that are.
+    """
+
+    place: Place
+    inserted: tuple[int, ...] = ()
+    added: tuple[int, ...] = ()
+    lost: tuple[tuple[int, int], ...] = ()
+    gone: tuple[int, ...] = ()
+
+    @property
+    def size(self) -> int:
+        """How many rows the table had."""
+        return self.place.rows + sum(count for _, count in self.lost)
+
+    def before(self, j: int) -> int:
+        """Return the column of the sheet before which the column ``j``, that is gone, has stood."""
+        behind = (self.place.cell(0, k).column for k in range(j + 1, self.place.columns))
+        ahead = max((self.place.cell(0, k).column for k in range(j)), default=self.place.column - 1)
+        return next((column for column in behind if column), ahead + 1)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any, NamedTuple
+
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.book.quantity import SAYS
 
 ZERO = 1e-9
 
@@ -11,27 +14,60 @@ def checks_sheet(book: Book) -> Sheet:
     """Declare the sheet; to be called when every check of the book is declared."""
     sheet = book.sheet("Checks", "Every check of this book; one FAIL fails the book.")
     sheet.one_page = True
+    sheet.widths = {2: 60, 6: 90}
     found = book.checks
-    verdicts = [str(q.value) for _, q in found]
-    holding = verdicts.count("OK")
+    summed = summary(book)
     sheet.heading("What comes out")
     sheet.rows(
-        result("checks_ok", "Checks that hold", "", "", '=COUNTIF([checks.verdict],"OK")', holding, format="0"),
+        result("checks_ok", "Checks that hold", "", "", '=COUNTIF([checks.verdict],"OK")', summed.holding, format="0"),
         calc("checks_all", "Checks in all", "", "", "=MAX([checks.k])", len(found), format="0"),
         constant("check_zero", "What a check takes for zero", "", "", ZERO, format="0E+00",
                  source="so that rounding fails no check"),
     )  # fmt: skip
-    ok = holding == len(found)
+    ok = summed.overall == "OK"
     sheet.rows(check("overall", "This book", "checks_ok=checks_all", ok, "repeated at the head of each sheet"))
     sheet.row += 1
     sheet.table(
         "checks", "Checks", len(found),
         constant("what", "check", "", "", [q.label for _, q in found], align="left"),
         constant("k", "number", "", "", list(range(1, len(found) + 1))),
-        result("verdict", "verdict", "", "", [f"={q.name}" for _, q in found], verdicts),
+        result("verdict", "verdict", "", "", [f"={q.name}" for _, q in found], summed.verdicts),
         constant("where", "sheet", "", "", [s.title for s, _ in found]),
+        Quantity("says", "what it is about, or where it fails and by how much", "", "", "sentence",
+                 [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
     )  # fmt: skip
     return sheet
+
+
+class Summary(NamedTuple):
+    """What the checks of a book come to: each may be None, where it is unfinished."""
+
+    verdicts: list[str | None]
+    sentences: list[str | None]
+    holding: int | None
+    overall: str | None
+
+
+def summary(book: Book) -> Summary:
+    """Return what the checks say together: one that fails fails the book, one that is unfinished leaves it open."""
+    said = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
+    verdicts, sentences = [verdict for verdict, _ in said], [sentence for _, sentence in said]
+    unknown = None in verdicts
+    overall = "FAIL" if "FAIL" in verdicts else None if unknown else "OK"
+    return Summary(verdicts, sentences, None if unknown else verdicts.count("OK"), overall)
+
+
+def settled(book: Book) -> dict[str, list[Any]]:
+    """Return what stands in the cells that sum up the checks, by block and column: ``checks.verdict``."""
+    found = summary(book)
+    heads = [f"status{i}" for i in range(1, len(book.sheets) + 1)]
+    return {
+        "checks.verdict": found.verdicts,
+        "checks.says": found.sentences,
+        "checks_ok.checks_ok": [found.holding],
+        "overall.overall": [found.overall],
+        **{f"{head}.{head}": [found.overall] for head in heads},
+    }
 
 
 def repeat_verdict(book: Book) -> None:

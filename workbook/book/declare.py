@@ -18,20 +18,21 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.chart import Chart, in_scope
-from workbook.book.quantity import Quantity, calc, check, constant, given, result
+from workbook.book.limits import Guard, Limit, RowRule, of_cells, of_rows
+from workbook.book.quantity import Quantity, calc, check, constant, given, result, sentence
 from workbook.book.rows import as_rows
 
 __all__ = [
-    "FIRST", "Block", "Book", "Cell", "Quantity", "Sheet", "Text",
+    "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",
     "calc", "check", "constant", "given", "result",
 ]  # fmt: skip
 
@@ -129,6 +130,8 @@ class Sheet:
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
     one_page: bool = False
+    widths: dict[int, float] = field(default_factory=dict)
+    """of columns that differ from those of other sheets"""
     scope: str = ""
 
     @contextmanager
@@ -154,8 +157,23 @@ class Sheet:
         self.row += 1
 
     def rows(self, *quantities: Quantity) -> None:
-        """Place quantities one below the other: label, symbol, value, unit, source."""
-        for q in self._own(quantities):
+        """Place quantities one below the other: label, symbol, value, unit, source; below inputs their check."""
+        own = self._own(quantities)
+        self._rows(own)
+        watched = self._limited(own)
+        if watched:
+            name = f"{watched[0][0].name}_entries"
+            guard, verdict = of_cells(name, f"{self.title}: entries within their limits", watched)
+            self.book.guards.append(guard)
+            self.checks(verdict)
+
+    def _limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
+        """Return the inputs that have limits, with these."""
+        inputs = [(q, self.book.limit(q.key)) for q in quantities if q.role == "input"]
+        return [(q, limit) for q, limit in inputs if limit is not None]
+
+    def _rows(self, quantities: Sequence[Quantity]) -> None:
+        for q in quantities:
             for column, text, style in (
                 (FIRST, q.label, "label"),
                 (FIRST + 1, q.symbol, "symbol"),
@@ -168,12 +186,39 @@ class Sheet:
             self.row += 1
 
     def checks(self, *quantities: Quantity) -> None:
-        """Place checks, and enter them in the book's list, on which the overall verdict rests."""
-        self.rows(*quantities)
-        self.book.checks += [(self, q) for q in self._own(quantities)]
+        """Place checks, and enter them in the book's list, on which the overall verdict rests.
 
-    def table(self, name: str, title: str, size: int, *quantities: Quantity) -> Block:
-        """Place a table of ``size`` rows under a header of names, symbols with units, and equations."""
+        Beside each stands what it says.
+        """
+        for q in self._own(quantities):
+            said = sentence(q)
+            self._place(Block(said.name, self, self.row, FIRST + 4, (said,), 1, is_table=False))
+            self._rows([replace(q, source="")])
+            self.book.checks.append((self, q))
+
+    def table(
+        self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = ()
+    ) -> Block:  # fmt: skip
+        """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
+
+        A table of inputs gets a column, and a check below, that tell which entries are beyond their limits or
+        break one of ``rules``.
+        """
+        watched = self._limited(quantities)
+        if not watched:
+            return self._table(name, title, size, *quantities)
+        inputs = [q for q in quantities if q.role == "input"]
+        label = f"{self.title}, {title.split(':')[0].split(';')[0]}: entries within their limits"
+        rows = self.book.limit(inputs[0].key.partition(".*")[0])
+        filled = rows is not None and rows.required
+        guard, column, verdict = of_rows(in_scope(name, self.scope), size, label, inputs, watched, rules, filled)
+        block = self._table(name, title, size, *quantities, column)
+        self.book.guards.append(guard)
+        self.checks(verdict)
+        self.row += 1
+        return block
+
+    def _table(self, name: str, title: str, size: int, *quantities: Quantity) -> Block:
         self.texts.append(Text(self.row, FIRST, title, "subheading"))
         explained = any(q.source for q in quantities)
         for i, q in enumerate(quantities):
@@ -222,6 +267,11 @@ class Book:
     blocks: dict[str, Block] = field(default_factory=dict)
     checks: list[tuple[Sheet, Quantity]] = field(default_factory=list)
     column_names: dict[str, tuple[str, str]] = field(default_factory=dict)
+    limit: Callable[[str], Limit | None] = lambda key: None
+    """the limits of the entry at a key of the description, if it has any"""
+    guards: list[Guard] = field(default_factory=list)
+    keyed: set[str] = field(default_factory=set)
+    """columns ``table.column`` of keys 2 · number + share, of which a look-up reads those of its number alone"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
         """Add a sheet behind the ones that are there."""

@@ -228,8 +228,8 @@ def functions_of(shape: str) -> frozenset[str]:
 
 def area_of(place: Place) -> Area:
     """Return a place as an area of formulas."""
-    bottom, right = place.row + place.rows - 1, place.column + place.columns - 1
-    return Area(place.sheet, place.row, place.column, bottom, right, place.rows == place.columns == 1)
+    (_, top, left), (_, bottom, right) = place.corners
+    return Area(place.sheet, top, left, bottom, right, place.rows == place.columns == 1)
 
 
 def dummy(number: int, argument: Area | str) -> str:

@@ -7,13 +7,18 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from workbook.book.chart import in_scope
+from workbook.book.sentence import Sentence, quoted
+
+HOLDS, FAILS = "holds", "does not hold"
+SAYS = "_says"
+"""behind the name of a check: the cell that says where it fails"""
 
 FLOOR = 1e-3
 """of the unit: that much of most quantities is next to nothing"""
 FLOORS = {"kg m²": 1e-9, "m²/rad⁴": 1e-6}
 """and of those of which it is not"""
 
-Role = Literal["input", "calculation", "result", "check", "constant"]
+Role = Literal["input", "calculation", "result", "check", "constant", "sentence"]
 
 
 @dataclass(frozen=True)
@@ -41,6 +46,12 @@ class Quantity:
     format: str = ""
     choices: str = ""
     align: str = ""
+    rule: str = ""
+    """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
+    says: str = ""
+    """of a check: the formula of where it fails, and by how much"""
+    said: str = ""
+    """what that formula gives, by the engine, where the check fails"""
 
     @property
     def floor(self) -> float:
@@ -52,7 +63,7 @@ class Quantity:
         formula = self.formula
         if formula is not None:
             formula = in_scope(formula, scope) if isinstance(formula, str) else [in_scope(f, scope) for f in formula]
-        return replace(self, name=in_scope(self.name, scope), formula=formula)
+        return replace(self, name=in_scope(self.name, scope), formula=formula, says=in_scope(self.says, scope))
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:
@@ -75,7 +86,23 @@ def constant(name: str, label: str, symbol: str, unit: str, value: Any, **more: 
     return Quantity(name, label, symbol, unit, "constant", None, value, **more)
 
 
-def check(name: str, label: str, condition: str, ok: bool, source: str = "") -> Quantity:
-    """Return a check: a cell that says OK where ``condition`` holds and FAIL where it does not."""
+def check(
+    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str = "", said: str = ""
+) -> Quantity:
+    """Return a check: a cell that says OK where ``condition`` holds and FAIL where it does not.
+
+    ``says`` is the formula, without =, of the sentence beside it where it fails: where, and by how much; ``said`` is
+    that sentence by the engine. ``rule`` names the rule of the entries that it mirrors, if it is one of these.
+    """
     formula = f'=IF({condition},"OK","FAIL")'
-    return Quantity(name, label, "", "", "check", formula, "OK" if ok else "FAIL", source=source)
+    verdict = "OK" if ok else "FAIL"
+    return Quantity(name, label, "", "", "check", formula, verdict, source=source, rule=rule, says=says, said=said)
+
+
+def sentence(q: Quantity) -> Quantity:
+    """Return the cell beside a check, which says where it fails and by how much; else what the check is about."""
+    holds = q.source or HOLDS
+    formula = f'=IF({q.name}="OK",{quoted(holds)},{q.says or quoted(FAILS)})'
+    value = holds if q.value == "OK" else Sentence(q.said or FAILS)
+    return Quantity(f"{q.name}{SAYS}", f"{q.label}: where, and by how much", "", "", "sentence", formula, value,
+                    align="left")  # fmt: skip

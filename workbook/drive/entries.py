@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from collections.abc import Iterator
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
+from workbook.book.limits import RowRule
 from workbook.entries.texts import Text
-from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
+from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 
@@ -42,12 +44,14 @@ class GearedParts(RotatingParts):
     teeth_driver: Positive | None = None
     teeth_driven: Positive | None = None
 
-    @model_validator(mode="after")
-    def _geared(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield teeth of one gear without the other's."""
         if (self.teeth_driver is None) != (self.teeth_driven is None):
             missing = "teeth_driver" if self.teeth_driver is None else "teeth_driven"
-            raise EntryError(missing, "one of the two teeth counts is empty; expected both, or neither")
-        return self
+            yield DesignError(missing, GEARED.words, GEARED.rule, 1.0)
+
+
+GEARED = RowRule("geared", "COUNT([driver],[driven])<>1", "driver", "teeth of one gear alone, of the driver")
 
 
 class Gear(Model):
@@ -68,20 +72,32 @@ class PlacedParts(RotatingParts):
     bore: NotNegative | None = None  # mm
     shaft: NotNegative = 0.0
 
-    @model_validator(mode="after")
-    def _one_or_the_other(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a part of no known inertia, or of two; a bore as large as the cylinder; half a gear."""
         size = {"diameter": self.diameter, "length": self.length, "density": self.density}
-        if self.inertia is None:
-            missing = next((name for name, value in size.items() if value is None), None)
-            if missing:
-                raise EntryError(missing, "empty; expected an inertia, or diameter, length and density")
-        elif any(value is not None for value in (*size.values(), self.bore)):
-            raise EntryError("inertia", "both an inertia and the size of a cylinder; expected one of them")
+        missing = [name for name, value in size.items() if value is None]
+        if self.inertia is None and missing:
+            entry, fits = ("inertia", 0.0) if len(missing) == len(size) else (missing[0], 1.0)
+            yield DesignError(entry, SIZED.words, SIZED.rule, fits)
+        if self.inertia is not None and (len(missing) < len(size) or self.bore is not None):
+            alone = self.model_dump() | dict.fromkeys([*size, "bore"])
+            yield DesignError("", ALONE.words, ALONE.rule, alone)
         if self.bore and self.bore >= (self.diameter or 0.0):
-            raise EntryError("bore", f"the bore is {self.bore:g} mm; expected less than the diameter")
+            yield DesignError("bore", BORED.words, BORED.rule, 0.0)
         if self.shaft != int(self.shaft):
-            raise EntryError("shaft", f"found {self.shaft:g}; expected the number of gears before it")
-        return self
+            yield DesignError("shaft", WHOLE.words, WHOLE.rule, float(int(self.shaft)))
+
+
+SIZED = RowRule(
+    "sized", 'OR([inertia]<>"",COUNT([diameter],[length],[density])=3)', "inertia",
+    "neither an inertia nor a cylinder's diameter, length and density: inertia",
+)  # fmt: skip
+ALONE = RowRule(
+    "alone", 'OR([inertia]="",COUNT([diameter],[length],[density],[bore])=0)', "inertia",
+    "both an inertia and a cylinder: inertia",
+)  # fmt: skip
+BORED = RowRule("bored", "OR([bore]+0=0,[bore]+0<[diameter]+0)", "bore", "bore, not less than the diameter")
+WHOLE = RowRule("whole", "[shaft]+0=INT([shaft]+0)", "shaft", "gears before it, no whole number")
 
 
 class RollerDrive(Model):

@@ -14,7 +14,7 @@ from engine.drivetrain.magnitudes import Magnitudes
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.drive.entries import Gear, PlacedParts
+from workbook.drive.entries import ALONE, BORED, SIZED, WHOLE, Gear, PlacedParts
 from workbook.drive.losses import loss_factor
 
 CYLINDER = '=IF([inertia]="",PI()/2*[density]*(([diameter]/2/1000)^4-([bore]/2/1000)^4)*[length]/1000,[inertia])'
@@ -64,6 +64,7 @@ def parts_table(
         calc("on", "gears before it", "", "", "=[shaft]+0", filled([p.shaft for p in entered], rows), format="0"),
         result("at_motor", "at the motor", "J*", "kg m²",
                AT_MOTOR, filled(reflected, rows), source="n J/i²; over η as S4"),
+        rules=[SIZED, ALONE, BORED, WHOLE],
     )  # fmt: skip
 
 

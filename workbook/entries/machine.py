@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Self
+from typing import Annotated, Any, NamedTuple, Self
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model
@@ -24,6 +24,36 @@ class Sizes(Model):
     motion_pieces: Annotated[int, Field(ge=10, le=800)] | None = None  # None: a few more than the motion has
 
 
+class Fault(NamedTuple):
+    """What is wrong with the numbers of a design: the entry to blame, and the rule that it breaks.
+
+    ``where`` is the place of the entries that the rule is about, the entry itself for its own limits (``rule`` is
+    empty then); ``said`` the sentence. ``fits`` would do; ``turn`` counts what had been replaced before it was seen.
+    """
+
+    key: str
+    where: str
+    rule: str
+    said: str
+    value: Any = None
+    fits: Any = None
+    turn: int = 0
+
+
+class Replaced(NamedTuple):
+    """What was entered where the engine is given another entry, and in which turn that was replaced."""
+
+    value: Any
+    turn: int
+
+
+class Design(NamedTuple):
+    """What was entered of an unfinished design, by key, and all that is wrong with it; nothing of a finished one."""
+
+    replaced: dict[str, Replaced]
+    faults: tuple[Fault, ...] = ()
+
+
 class Machine(Model):
     """What every machine description has, whatever its template."""
 
@@ -31,6 +61,12 @@ class Machine(Model):
     title: Text
     laws: Laws = Laws({})
     sizes: Sizes = Sizes()
+    _design: Design = PrivateAttr(default_factory=lambda: Design({}))
+
+    @property
+    def design(self) -> Design:
+        """What was entered in place of this machine's entries, where they do not do."""
+        return self._design
 
     @model_validator(mode="after")
     def _named(self) -> Self:

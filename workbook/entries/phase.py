@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Self
+from collections.abc import Iterator
 
-from pydantic import model_validator
-
-from workbook.entries.types import EntryError, Model, Number, Positive
+from workbook.book.limits import RowRule
+from workbook.entries.types import DesignError, Model, Number, Positive
 from workbook.laws.entries import LawName
 
 
@@ -17,8 +16,18 @@ class PhaseEntry(Model):
     lift: Number = 0.0
     duration: Positive
 
-    @model_validator(mode="after")
-    def _at_rest(self) -> Self:
-        if self.law == "DWL" and self.lift != 0:
-            raise EntryError("lift", f"a dwell has no lift; expected 0, or another law, not {self.lift:g}")
-        return self
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a dwell that is to lift."""
+        yield from resting(self.law, self.lift)
+
+
+AT_REST = RowRule(
+    "dwell", 'OR(AND([law]<>"DWL",[law]<>""),[lift]+0=0)', "lift", "lift of a dwell or without a law"
+)  # fmt: skip
+"""a row of phases whose law is the dwell, or that names none, does not lift"""
+
+
+def resting(law: str, lift: float) -> Iterator[DesignError]:
+    """Yield a dwell that is to lift."""
+    if law == "DWL" and lift != 0:
+        yield DesignError("lift", AT_REST.words, AT_REST.rule, 0.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import types
+from collections.abc import Callable
 from dataclasses import astuple
 from typing import Any, Literal, Union, get_args, get_origin
 
@@ -12,7 +13,10 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from workbook.book.declare import Quantity
+from workbook.book.limits import Limit
 from workbook.entries.types import LARGEST, SMALLEST
+from workbook.laws.entries import TakesLaw
+from workbook.laws.registry import RISING
 
 
 def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
@@ -60,6 +64,72 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     rule.prompt = clip(f"Enter {expected}{unit}.", 255)
     rule.error = clip(f"Expected {expected}{unit}.", 255)
     return rule
+
+
+def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
+    """Return what gives the limits of an entry in cells, by its key: of a number, or of a word that must be there."""
+
+    def limit(key: str) -> Limit | None:
+        kind, constraints = field_at(model, key)
+        if get_origin(kind) is list:
+            return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "")
+        required = is_required(model, key)
+        if kind is float:
+            return Limit(required, bounds(constraints), expectation(kind, constraints))
+        listed = get_origin(kind) is Literal or takes_law(constraints)
+        return Limit(True, (), "one entry of the list") if listed and required else None
+
+    return limit
+
+
+def is_required(model: type[BaseModel], key: str) -> bool:
+    """Whether an entry must be there: it has no default."""
+    above, _, last = key.rpartition(".")
+    if last == "*" or last.isdigit():
+        return True
+    kind, _ = field_at(model, above)
+    return bool(kind.model_fields[last].is_required())
+
+
+def default_at(model: type[BaseModel], key: str) -> Any:
+    """Return what an entry is where nothing is entered; None where it has no default."""
+    above, _, last = key.rpartition(".")
+    if last.isdigit():
+        return None
+    kind, _ = field_at(model, above)
+    field = getattr(kind, "model_fields", {}).get(last)
+    return None if field is None or field.is_required() else field.get_default(call_default_factory=True)
+
+
+def takes_law(constraints: list[Any]) -> bool:
+    """Whether an entry names a law."""
+    return any(isinstance(c, TakesLaw) for c in constraints)
+
+
+def is_table(kind: Any) -> bool:
+    """Whether a list is one of rows, of any number, each of several entries."""
+    rows = get_args(kind)[0]
+    return isinstance(rows, type) and issubclass(rows, BaseModel)
+
+
+def within(kind: Any, constraints: list[Any]) -> Any:
+    """Return an entry that keeps to its constraints: a number near 1, or the first word."""
+    if get_origin(kind) is Literal:
+        return get_args(kind)[0]
+    if takes_law(constraints):
+        return RISING[0]
+    low = max((astuple(c)[0] for c in constraints if isinstance(c, Gt | Ge)), default=-LARGEST)
+    high = min((astuple(c)[0] for c in constraints if isinstance(c, Lt | Le)), default=LARGEST)
+    return 1.0 if low < 1.0 < high else (low + high) / 2
+
+
+SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}
+
+
+def bounds(constraints: list[Any]) -> tuple[tuple[str, float], ...]:
+    """Return the bounds of a number as signs of formulas and numbers, each that no other implies."""
+    found = [(SIGNS[type(c)], float(astuple(c)[0])) for c in constraints if type(c) in SIGNS]
+    return tuple(found) or ((">=", -LARGEST), ("<=", LARGEST))
 
 
 def number_rule(constraints: list[Any]) -> DataValidation:

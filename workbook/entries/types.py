@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Iterator
+from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 LARGEST, SMALLEST = 1e12, 1e-12  # of any entry but 0: beyond, squares leave what a cell can hold
 Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
@@ -25,7 +26,38 @@ class EntryError(ValueError):
         self.field = field
 
 
+class DesignError(EntryError):
+    """Numbers that do not go together: the book is built with them, and its check of this ``rule`` says FAIL.
+
+    The text is the sentence that stands beside the check. ``fits`` are entries at ``field`` that would obey the rule:
+    what hangs on none of them is worked out with these.
+    """
+
+    def __init__(self, field: str, message: str, rule: str, fits: Any = None) -> None:
+        super().__init__(field, message)
+        self.rule, self.fits = rule, fits
+
+
+class TogetherError(ValueError):
+    """All that does not go together below one model."""
+
+    def __init__(self, found: list[DesignError]) -> None:
+        super().__init__("; ".join(map(str, found)))
+        self.found = found
+
+
 class Model(BaseModel):
     """Entries are taken as they are: no text becomes a number, no unknown entry is dropped."""
 
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True)
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield the numbers that do not go together."""
+        yield from ()
+
+    @model_validator(mode="after")
+    def _goes_together(self) -> Self:
+        found = list(self.design_faults())
+        if found:
+            raise TogetherError(found)
+        return self

@@ -5,11 +5,18 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from workbook.book.sentence import Sentence
+
 TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
 
 
 def difference(computed: Any, expected: Any, peak: float) -> float:
-    """Return the deviation relative to ``peak``: 0 for equal texts, infinite for values of different kinds."""
+    """Return the deviation relative to ``peak``: 0 for equal texts, infinite for values of different kinds.
+
+    A sentence is equal to one of the same words, whose figures differ by their rounding.
+    """
+    if isinstance(expected, Sentence):
+        return 0.0 if expected.says(computed) else math.inf
     if isinstance(computed, bool) or not isinstance(computed, int | float) or isinstance(expected, str | bool):
         return 0.0 if type(computed) is type(expected) and computed == expected else math.inf
     gap = abs(computed - expected)

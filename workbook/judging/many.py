@@ -20,13 +20,13 @@ from typing import Literal, NamedTuple
 
 from workbook.collector import collector_paused, swept_between
 from workbook.errors import MotionbookError
+from workbook.exits import AGREES, DISAGREES, FAILS, UNREADABLE
 from workbook.intake import odd
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.reading.files import SUFFIXES
 from workbook.visible import visible
 
-AGREES, DISAGREES, UNREADABLE, FAILS = 0, 1, 2, 3
 MOST_JOBS = 61  # Windows waits for no more processes at once
 MOST_READ = 2**24  # bytes of a workbook's list of names
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Cell, Quantity
-from workbook.book.formula import Area, Formula, FormulaError, area_of, read
+from workbook.book.formula import Area, FormulaError, area_of, read
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, Words, find_places
 
@@ -57,16 +57,21 @@ class Match:
     def __post_init__(self) -> None:
         for block in self.declared.blocks.values():
             place = self.file.places.get(block.name)
-            if place is None or (place.rows, place.columns) != (block.size, len(block.quantities)):
+            if place is None or (self.size_of(block), place.columns) != (block.size, len(block.quantities)):
                 self.misfits.append(Misfit(block, place))
             if place is not None:
                 self.pairs += self._pairs(block, place)
 
+    def size_of(self, block: Block) -> int:
+        """Return how many rows a block had in the file, those counted that are gone."""
+        fit = self.file.fits.get(block.name)
+        return fit.size if fit is not None else self.file.places[block.name].rows
+
     def _pairs(self, block: Block, place: Place) -> Iterator[Pair]:
         for cell in block.cells():
             j = cell.column - block.column
-            if cell.i < place.rows and j < place.columns:
-                address = place.cell(cell.i, j)
+            address = place.cell(cell.i, j)
+            if cell.i < place.rows and j < place.columns and address.column:
                 yield Pair(cell, address, self.file.value(address), is_formula(cell.content))
 
     @cached_property
@@ -85,25 +90,59 @@ class Match:
             return True
         block = pair.cell.block
         try:
-            declared = read(pair.cell.content, block.sheet.title, self._declared_area)
+            declared = read(pair.cell.content, block.sheet.title, self.declared_area)
             held = read(pair.held, pair.address.sheet, self._held_area)
         except FormulaError:
             return False
         if (declared.shape, declared.anchors) != (held.shape, held.anchors):
             return False
-        return self._logical(declared, self._declared_index) == self._logical(held, self._held_index)
+        arguments = zip(declared.arguments, held.arguments, strict=True)
+        return all(self._same(one, other) for one, other in arguments)
 
-    @staticmethod
-    def _logical(formula: Formula, index: dict[Address, tuple[str, int, int]]) -> list[Any]:
-        """Return the arguments with every cell named by its block and its place in the block."""
-        found: list[Any] = []
-        for a in formula.arguments:
-            if isinstance(a, str):
-                found.append(a)
-            else:
-                corners = (Address(a.sheet, a.top, a.left), Address(a.sheet, a.bottom, a.right))
-                found.append((a.single, *(index.get(corner, corner) for corner in corners)))
-        return found
+    def apart(self, pair: Pair) -> Iterator[tuple[tuple[str, int, int], tuple[str, int, int]]]:
+        """Yield the corners by which a formula of the declared shape differs: declared, and held."""
+        try:
+            declared = read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area)
+            held = read(pair.held, pair.address.sheet, self._held_area)
+        except FormulaError:
+            return
+        if (declared.shape, declared.anchors) == (held.shape, held.anchors):
+            for one, other in zip(declared.arguments, held.arguments, strict=True):
+                if not isinstance(one, str) and not isinstance(other, str) and not self._same(one, other):
+                    for ours, theirs in zip(corners(one), corners(other), strict=True):
+                        yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
+
+    def declared_shape(self, pair: Pair) -> str:
+        """Return the shape of the formula that is declared for a cell."""
+        return read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area).shape
+
+    def _same(self, declared: Area | str, held: Area | str) -> bool:
+        """Whether two arguments mean the same: every cell is named by its block and its place in the block."""
+        if isinstance(declared, str) or isinstance(held, str):
+            return declared == held
+        ours, theirs = (
+            [index.get(corner, corner) for corner in corners(area)]
+            for area, index in ((declared, self._declared_index), (held, self._held_index))
+        )
+        if declared.single and held.single and self._is_header(ours[0], theirs[0]):
+            return True
+        return declared.single == held.single and all(map(self._same_cell, ours, theirs))
+
+    def _is_header(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
+        """Whether the header of a table is meant, and stands where its table was before that was moved away."""
+        return declared[1] == -1 and isinstance(held, Address) and isinstance(self.file.value(held), str | None)
+
+    def _same_cell(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
+        """Whether two cells are one; in a table that has lost rows also by a row's number, and if each is the last."""
+        if declared == held:
+            return True
+        (name, i, j), (other, h, k) = declared, held
+        block = self.declared.blocks.get(name)
+        if block is None or (name, j) != (other, k):
+            return False
+        place, fit = self.file.places[name], self.file.fits.get(name)
+        before = sum(count for row, count in fit.lost if row <= place.cell(h, 0).row) if fit else 0
+        return i == h + before or (i == block.size - 1 and h == place.rows - 1)
 
     @cached_property
     def _declared_index(self) -> dict[Address, tuple[str, int, int]]:
@@ -123,6 +162,15 @@ class Match:
                 return up
         return 1
 
+    def headless(self, block: Block) -> bool:
+        """Whether nothing stands above a table of the file, where the declaration has its headings."""
+        place = self.file.places.get(block.name)
+        if place is None or not block.is_table:
+            return False
+        above = [(block.sheet.title, block.row - up, column) for up in (1, 2, 3) for column in block.columns.values()]
+        held = (self.file.value(place.cell(-up, j)) for up in (1, 2, 3) if up < place.row for j in range(place.columns))
+        return any(map(self._texts.get, above)) and not any(isinstance(value, str) for value in held)
+
     @cached_property
     def _texts(self) -> dict[tuple[str, int, int], str]:
         return {(s.title, text.row, text.column): text.text for s in self.declared.sheets for text in s.texts}
@@ -135,11 +183,17 @@ class Match:
     def _held_names(self) -> dict[str, Area]:
         return {name.lower(): area_of(place) for name, place in find_places(self.file.workbook).items()}
 
-    def _declared_area(self, name: str, sheet: str) -> Area:
+    def declared_area(self, name: str, sheet: str) -> Area:
+        """Return what a name means in the declaration."""
         return resolve(name, self._declared_names, {s.title for s in self.declared.sheets})
 
     def _held_area(self, name: str, sheet: str) -> Area:
         return resolve(name, self._held_names, set(self.file.workbook.sheetnames))
+
+
+def corners(area: Area) -> tuple[Address, Address]:
+    """Return the first and the last cell of an area."""
+    return area.first, Address(area.sheet, area.bottom, area.right)
 
 
 def resolve(name: str, names: dict[str, Area], titles: set[str]) -> Area:

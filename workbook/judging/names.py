@@ -38,22 +38,23 @@ def columns(match: Match) -> Iterator[Misled]:
         if place is None:
             continue
         j = block.columns[column] - block.column
-        right = place._replace(column=place.column + j, columns=1)
-        found = places.get(name)
-        if found != right:
+        right, found = place.part(j), places.get(name)
+        if right.column and (found is None or found.corners != right.corners):
             yield Misled(found or right, name, said(found), said(right))
 
 
 def strays(match: Match) -> Iterator[Misled]:
-    """Yield blocks that lie on another sheet than the rest of theirs."""
+    """Yield the first of the blocks that lie on another sheet than the rest of theirs, and how many there are."""
     for sheet in match.declared.sheets:
         placed = [(b, match.file.places[b.name]) for b in sheet.blocks if b.name in match.file.places]
         counted = Counter(place.sheet for _, place in placed).most_common(1)
+        away: dict[str, list[tuple[Block, Place]]] = {}
         for block, place in placed:
             if place.sheet != counted[0][0]:
-                yield Misled(
-                    place, block.name, f"the sheet {place.sheet}", f"the sheet {counted[0][0]}, with the others"
-                )
+                away.setdefault(place.sheet, []).append((block, place))
+        for title, ((first, place), *more) in away.items():
+            found = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
+            yield Misled(place, first.name, found, f"the sheet {counted[0][0]}, with the others: move it back")
 
 
 def mislabelled(match: Match) -> Iterator[Misled]:
@@ -109,18 +110,29 @@ def disordered(match: Match) -> Iterator[Misled]:
     alike: dict[tuple[str, ...], list[tuple[Block, Place]]] = {}
     for sheet in match.declared.sheets:
         for block in sheet.blocks:
-            if block.name in match.file.places:
+            if block.name in match.file.places and not match.headless(block):
                 what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
                 alike.setdefault((sheet.title, *what), []).append((block, match.file.places[block.name]))
     for blocks in alike.values():
         for (before, first), (after, second) in pairwise(blocks):
-            if first[:3] >= second[:3]:
+            if first[:3] >= second[:3] and not (headed(match, before, first) and headed(match, after, second)):
                 yield Misled(second, after.name, f"above or left of {before.name}", f"below {before.name}")
+
+
+def headed(match: Match, block: Block, place: Place) -> bool:
+    """Whether the heading that is declared for a block is the one that is nearest above it in the file."""
+    headings = {text.text: text.row for text in block.sheet.texts if text.style == "heading"}
+    above = [text for text, row in headings.items() if row < block.row]
+    if not above:
+        return False
+    found = ((r, cell.value) for (r, _), cell in match.file.workbook[place.sheet]._cells.items()
+             if r < place.row and isinstance(cell.value, str) and cell.value in headings)  # fmt: skip
+    return max(found, default=(0, ""))[1] == max(above, key=lambda text: headings[text])
 
 
 def said(place: Place | None) -> str:
     """Return a place in words."""
     if place is None:
         return "no cells"
-    last = place.cell(place.rows - 1, place.columns - 1)
-    return f"{place.cell(0, 0)}:{last.a1}"
+    first, last = place.corners
+    return f"{first}:{last.a1}"

@@ -10,14 +10,18 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.judging.matching import Pair
 
+LAYOUT = "layout"
+"""The kind of rows and columns that were put into tables, or are gone."""
 ORDER = (
-    "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value", "follows",
-    "saved", "shown", "witness",
+    LAYOUT, "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value",
+    "follows", "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
+FOLLOWS = "follows"
+"""The kind of what is wrong only because of other cells."""
 NOTICE = "notice"
 """The kind of what is reworded or gone, and misleads nobody."""
-OK = "OK"
+OK, FAIL = "OK", "FAIL"
 
 
 @dataclass(frozen=True)
@@ -63,17 +67,24 @@ class Ran:
 
 @dataclass(frozen=True)
 class Check:
-    """A check of the machine's own: where it stands, what it is about, what it says; nothing where it says nothing."""
+    """A check of the machine's own: where it stands, what it is about, its verdict; where it fails and by how much."""
 
     sheet: str
     cell: str
     what: str
     found: str
+    says: str = ""
 
     @property
     def holds(self) -> bool:
         """Whether the check says OK."""
         return self.found == OK
+
+    @property
+    def line(self) -> str:
+        """The check in one line."""
+        said = f": {self.says}" if self.says else ""
+        return f"{self.sheet}!{self.cell} ({self.what}): {self.found}{said}"
 
 
 @dataclass
@@ -85,6 +96,7 @@ class Report:
     compared: int = 0
     declared: int = 0
     findings: list[Finding] = field(default_factory=list)
+    following: list[Finding] = field(default_factory=list)  # from rows and columns inserted or gone; none by itself
     notices: list[Finding] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
@@ -113,6 +125,12 @@ class Report:
     def holds(self) -> bool:
         """Whether the design is finished and passes its own checks."""
         return not self.failing and not self.unfinished
+
+    @property
+    def following_words(self) -> str:
+        """How many cells are wrong only by rows or columns inserted or gone; nothing where there are none."""
+        cells = {(f.sheet, f.cell) for f in self.following}
+        return f"{len(cells):,} cells are at fault only by what was inserted or is gone" if cells else ""
 
     @property
     def own_words(self) -> str:

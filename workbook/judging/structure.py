@@ -16,6 +16,8 @@ LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]:
     """Enter missing blocks, and formulas and constants that are not the declared ones; return those formulas."""
     for block, place in match.misfits:
+        if place is not None and block.is_table:  # told with what was inserted or is gone
+            continue
         expected = f"{block.size} rows by {len(block.quantities)} columns"
         found = f"{place.rows} rows by {place.columns} columns" if place else None
         where = (place.sheet, place.cell(0, 0).a1) if place else (block.sheet.title, block.name)

@@ -15,7 +15,9 @@ from workbook.errors import ReadError, WitnessError
 from workbook.judging.audit import audit
 from workbook.judging.comparing import Comparison, count
 from workbook.judging.functions import notes
+from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match
+from workbook.judging.moved import put_back
 from workbook.judging.report import ORDER, Finding, Ran, Report
 from workbook.judging.settings import settings
 from workbook.judging.shown.book import displayed
@@ -24,12 +26,11 @@ from workbook.judging.verdict import checks
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import AnyTemplate
-from workbook.witnesses import WITNESSES, by_cell
 from workbook.witnesses.agreed import agreed
 from workbook.witnesses.bare import without
+from workbook.witnesses.names import ALL
+from workbook.witnesses.registry import WITNESSES, by_cell
 from workbook.witnesses.witness import CellWitness, Witness
-
-ALL = "all"
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
@@ -40,8 +41,8 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     """
     names, absent = present(witnesses)
     file = open_book(path)
-    entries = Entries(file, agreed)
-    report = Report(path, entries.template.name, notes=list(file.notes))
+    entries = Entries(file, agreed, put_back)
+    report = Report(path, entries.template.name, findings=entries.moved, notes=list(file.notes))
     machine = entries.machine()
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
@@ -72,7 +73,11 @@ def judge(
     ``shapes`` false leaves the text of formulas aside, so that values alone must tell. ``given`` are the values of
     inputs that hold a formula.
     """
-    match = Match(file, template.declare(machine))
+    match, machine = laid_out(file, template, machine)
+    if any(pair.declared_formula and pair.held is None for pair in match.pairs):
+        report.findings += put_back(file, match.declared)
+        match = Match(file, match.declared)
+    report.findings += layout(match)
     suspects = structure(match, report, shapes)
     report.notes += notes(file.workbook)
     for remark in audit(match, template.model):
@@ -89,6 +94,7 @@ def judge(
             comparison.elsewhere(map(template.declare, variants), len(variants), suspects)
     report.checks = checks(match, comparison.values)
     displayed(match, comparison.values, report)
+    follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
 

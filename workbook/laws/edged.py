@@ -118,8 +118,8 @@ class Stages:
             "ca_min": ("=0-@ca_max*@m/@n", "−B = −A m/n"),
             "ca_rms": (f"=SQRT({squares})", "√(A² ∫p² + B² ∫q²), p and q the pulses of unit height"),
             "cj": self.jerk(),
-            "va_max": self.power(RISE, "@drive", "@ca_max"),
-            "va_min": self.power(FALL, "@brake", "@ca_min"),
+            "va_max": self.strongest(RISE, "@drive", "@ca_max"),
+            "va_min": self.strongest(FALL, "@brake", "@ca_min"),
         }
 
     def jerk(self) -> tuple[str, str]:
@@ -135,7 +135,7 @@ class Stages:
         shortest = ",".join(f"@d{k}" for side in edges for k, _ in side)
         return f'=IF(MIN({shortest})>0,MAX({",".join(steepest)}),"∞")', "of the steepest edge; ∞ where one has no time"
 
-    def power(self, side: Sequence[int], name: str, height: str) -> tuple[str, str]:
+    def strongest(self, side: Sequence[int], name: str, height: str) -> tuple[str, str]:
         """Return the formula of the greatest v·a of a side, on the stage next to the greatest velocity."""
         k, form = self.forms(side)[-1]
         if form is FLAT:

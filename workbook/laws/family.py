@@ -65,6 +65,10 @@ class LawCheck(NamedTuple):
     name: str
     label: str
     condition: str
+    rule: str = ""
+    """of the family's entries, which it mirrors"""
+    says: str = ""
+    """the formula of where it fails, and by how much"""
 
 
 @dataclass(frozen=True)
@@ -179,13 +183,15 @@ class Page:
     def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
         """Declare tables behind that of the samples, or none."""
 
-    def verdicts(self, name: str, law: Law, sizes: Any) -> list[Quantity]:
-        """Return the checks of the law; ``name`` is what it was called when the book was built."""
+    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
+        """Return the checks of one of the book's laws."""
+        name = one.called
         ends = f"{name} ends at s = 1{', at rest' if self.rests else ''}"
         return [
-            *(check(one.name, f"{name}: {one.label}", one.condition, True) for one in self.checks),
+            *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
+              for each in self.checks),
             check("@ends", ends, RESTS if self.rests else REACHES, True),
-        ]
+        ]  # fmt: skip
 
     def variation(self, k: int, room: int) -> dict[str, Any]:
         """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""

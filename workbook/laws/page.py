@@ -49,7 +49,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
                 f"On each piece a(u) = {spelled(page)}, u = ξ − ξ_k; velocity and position are carried on.",
             )
             pieces_table(sheet, page, law)
-        sheet.checks(*page.verdicts(one.called, law, sizes))
+        sheet.checks(*page.verdicts(one, sizes))
         draw(sheet, one.called)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = 19

@@ -1,16 +1,10 @@
-"""Phases in cells: what a row of phases computes from its law's coefficients, and how a sample finds its phase."""
+"""Phases in cells: what a row of phases computes from its law's coefficients."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
-from engine.laws.base import Array
-from engine.motion import Motion
-from workbook.book.declare import Quantity, calc
 from workbook.book.rows import filled
-from workbook.laws import sampling
 from workbook.laws.entries import Laws
 
 LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
@@ -38,30 +32,3 @@ def kinds(laws: Sequence[str], lifts: Sequence[float], rows: int) -> list[str]:
 def law_numbers(names: Sequence[str], laws: Laws, rows: int) -> list[int]:
     """Return the number of each phase's law, with the spare rows filled up."""
     return filled([laws.number(name) for name in names], rows, 1)
-
-
-def located(
-    motion: Motion, x: Array, pieces: sampling.Pieces, formulas: tuple[str, str, str], sources: tuple[str, str],
-    of: str = "", suffix: str = "",
-) -> list[Quantity]:  # fmt: skip
-    """Return the workings of a sampled motion: phase, ξ, law, piece, and the law's s, v, a.
-
-    ``formulas`` find a sample's phase, its ξ and the number of its law; ``sources`` are the words beside the first
-    two. Labels begin with ``of``, names end with ``suffix``.
-    """
-    index, share = motion.phase_index(x), motion.xi(x)
-    numbers = np.array([pieces.number(p.law) for p in motion.phases])[index]
-    found = np.empty((pieces.width, len(x)))
-    values = {d: np.empty(len(x)) for d in "sva"}
-    for k in np.unique(index):
-        here = index == k
-        found[:, here] = pieces.locate(int(numbers[here][0]), share[here])
-        for d, value in zip("sva", motion.phases[k].law.evaluate(share[here]), strict=False):
-            values[d][here] = value
-    return [
-        calc(f"p{suffix}", f"{of}phase", "", "", formulas[0], index + 1, format="0", source=sources[0]),
-        calc(f"xi{suffix}", f"{of}abscissa", "ξ", "", formulas[1], share, source=sources[1]),
-        calc(f"n{suffix}", f"{of}law", "", "", formulas[2], numbers, format="0"),
-        *pieces.finding(f"[n{suffix}]", f"xi{suffix}", found, suffix),
-        *pieces.columns(values, "sva", suffix),
-    ]  # fmt: skip

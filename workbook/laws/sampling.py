@@ -37,8 +37,9 @@ ACCELERATION = (
     "+[{u}]*(INDEX(piece_c4,[{q}])+[{u}]*INDEX(piece_c5,[{q}])))))+INDEX(piece_P,[{q}])*SIN([{x}])"
 )
 JERK = (
-    "=INDEX(piece_c1,[{q}])+[{u}]*(2*INDEX(piece_c2,[{q}])+[{u}]*(3*INDEX(piece_c3,[{q}])+[{u}]*(4*INDEX(piece_c4,[{q}])"
-    "+[{u}]*5*INDEX(piece_c5,[{q}]))))+INDEX(piece_P,[{q}])*INDEX(piece_omega,[{q}])*COS([{x}])"
+    "=INDEX(piece_c1,[{q}])+[{u}]*(2*INDEX(piece_c2,[{q}])+[{u}]*(3*INDEX(piece_c3,[{q}])"
+    "+[{u}]*(4*INDEX(piece_c4,[{q}])+[{u}]*5*INDEX(piece_c5,[{q}]))))"
+    "+INDEX(piece_P,[{q}])*INDEX(piece_omega,[{q}])*COS([{x}])"
 )
 SECOND = {
     "s": "-INDEX(piece_ps2,[{q}])*SIN([{z}])",

@@ -1,11 +1,13 @@
 """Entries of the laws of seven durations."""
 
-from typing import Annotated, Self
+from collections.abc import Iterator
+from typing import Annotated
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from engine.laws.modified_trapezoidal import CLASSIC
-from workbook.entries.types import SUM_TOLERANCE, EntryError, Share
+from workbook.book.sentence import figure
+from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws.family import LawCheck, LawSheet, Parameter
 
 
@@ -14,18 +16,13 @@ class SevenDurations(LawSheet):
 
     durations: Annotated[list[Share], Field(min_length=7, max_length=7)] = Field(default=list(CLASSIC))
 
-    @model_validator(mode="after")
-    def _complete(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield durations that do not fill the rise, and a law that cannot start or stop."""
         total = sum(self.durations)
         if abs(total - 1) > SUM_TOLERANCE:
-            raise EntryError("durations", f"the seven durations sum to {total:.10g}; expected 1")
-        if not sum(self.durations[:3]) or not sum(self.durations[4:]):
-            raise EntryError(
-                "durations",
-                "stages 1 to 3 or stages 5 to 7 are all zero; expected at least one of each "
-                "three to last, or the law cannot start and stop",
-            )
-        return self
+            yield DesignError("durations", f"they sum to {figure(total)}; expected 1", "sum", list(CLASSIC))
+        if not (sum(self.durations[:3]) and sum(self.durations[4:])):
+            yield DesignError("durations", "stages 1 to 3, or 5 to 7, are all 0", "lasts", list(CLASSIC))
 
 
 KINDS = ("edge up", "constant", "edge down", "uniform velocity", "edge down", "constant", "edge up")
@@ -34,4 +31,11 @@ DURATIONS = tuple(
               source="shares of the rise that sum to 1; zeros are allowed" if k == 1 else "")
     for k, kind in enumerate(KINDS, 1)
 )  # fmt: skip
-SUM_IS_1 = LawCheck("@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero")
+SUM_IS_1 = LawCheck(
+    "@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum",
+    '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"',
+)  # fmt: skip
+LASTS = LawCheck(
+    "@lasts", "the law starts and stops", "MIN(@d1+@d2+@d3,@d5+@d6+@d7)>0", "lasts",
+    '"stages 1 to 3, or 5 to 7, are all 0"',
+)  # fmt: skip

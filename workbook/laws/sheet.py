@@ -153,8 +153,10 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
              both("=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])"), column("s0"), source="s_k + P/ω² sin φ"),
         calc("s1", "slope of position", "S1", "",
              both("=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])"), column("s1"), source="v_k + P/ω cos φ"),
-        calc("key", "key", "", "", "=2*[number]+[xi]", column("key"), source="2 · number + ξ_k"),
+        calc("key", "key", "", "",
+             "=2*[number]+MIN(1,MAX(0,[xi]))", column("key"), source="2 · number + ξ_k, within its law"),
     )  # fmt: skip
+    sheet.book.keyed.add("pieces.key")
     sheet.book.name(
         "pieces", piece_law="law", piece_number="number", piece_k="k", piece_d="d",
         piece_c0="c0", piece_c1="c1", piece_c2="c2", piece_c3="c3", piece_c4="c4", piece_c5="c5",

@@ -6,8 +6,6 @@ by the chord; the three largest estimates, and the three lowest, are brackets in
 
 from __future__ import annotations
 
-import numpy as np
-
 from engine.laws.points import CHAINS, FLAT, LEAST, RANKS, STEPS, WIDEST, Spread, Top, extreme
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.laws.sampling import Pieces
@@ -78,8 +76,6 @@ def extremes(at: Spread, peak: float) -> list[Quantity]:
 def points_table(sheet: Sheet, at: Spread, first: int, peak: float, stack: Pieces) -> None:
     """Declare the table of points; ``first`` is the row of the law's first piece in the stack."""
     rates, q = at.rates, at.piece + float(first)
-    angles = [[getattr(p, w) * u + getattr(p, f) for p, u in zip(np.array(at.pieces)[at.piece], at.u, strict=True)]
-              for w, f in (("omega", "phase"), ("omega2", "phase2"))]  # fmt: skip
     columns = {"v": rates.v, "a": rates.a, "j": rates.j}
     sheet.table(
         "@points", "Points on the pieces, the same number on each that lasts", at.points,
@@ -90,7 +86,7 @@ def points_table(sheet: Sheet, at: Spread, first: int, peak: float, stack: Piece
              "=INDEX([@pieces.d],[p])*MIN(1,([k]-([n]-1)*@each)/(@each-1))", at.u),
         calc("xi", "abscissa", "ξ", "", "=INDEX([@pieces.xi],[p])+[u]", at.xi),
         calc("q", "piece row", "q", "", "=@first+[p]-1", q, format="0", source="on the sheet Laws"),
-        *stack.arguments(angles),
+        *stack.arguments(at.angles),
         *stack.columns(columns, "vaj"),
         calc("b", "slope of the jerk", "b", "", BEND, rates.b),
         calc("va", "v · a", "", "", "=[v]*[a]", rates.va),
@@ -126,7 +122,8 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
              scale=at.size(slope)),
         calc("high", "not after", "u", "", "=INDEX([@points.u],[row])", [top.high for top in tops]),
         calc("low", "not before", "u", "",
-             "=IF(AND(INDEX([@points.p],MAX([row]-1,1))=[p],ROUND([f0],9)*ROUND([f1],9)<0),INDEX([@points.u],MAX([row]-1,1)),[high])",
+             "=IF(AND(INDEX([@points.p],MAX([row]-1,1))=[p],ROUND([f0],9)*ROUND([f1],9)<0),"
+             "INDEX([@points.u],MAX([row]-1,1)),[high])",
              [top.low for top in tops]),
         calc("q", "piece row", "q", "", "=@first+[p]-1", [float(stack_row + top.piece - 1) for top in tops],
              format="0"),

@@ -7,13 +7,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
+from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, located, motion_pieces
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
+from workbook.motion.stack import Sine, powers, sines
 
 RAISED = ("", "", "²", "³", "⁴", "⁵", "⁶", "⁷")
 
@@ -53,6 +55,22 @@ class Cells:
         return f"{self.y}/{self.x}{RAISED[order]}" if order and self.x else self.y
 
 
+class Part(Protocol):
+    """A part of a motion: its law, the first piece that it has of it (from 0), and 1/δ."""
+
+    @property
+    def law(self) -> Law:
+        """The law."""
+
+    @property
+    def first(self) -> int:
+        """The number of its first piece."""
+
+    @property
+    def rate(self) -> float:
+        """1/δ."""
+
+
 class Found(NamedTuple):
     """Where samples lie: row of the piece (from 1), u from its origin, and the argument of its sine."""
 
@@ -63,17 +81,31 @@ class Found(NamedTuple):
 
 @dataclass(frozen=True)
 class PieceRows:
-    """The engine's pieces of a motion, each with its row in the stack of all laws' pieces.
+    """A motion ``at`` its place: the engine's pieces of it, each with its row in the stack of all laws' pieces.
 
-    ``firsts`` and ``rates`` are, for each row of phases, the row of its law's first piece, and 1/δ (0 of a spare row).
+    ``numbers``, ``firsts`` and ``rates`` are, for each row of phases, the number of its law, the row of the first piece
+    that it has of it, and 1/δ (0 of a spare row).
     """
 
+    at: Cells
+    stack: Pieces
     pieces: Sequence[MotionPiece]
     rows: Sequence[int]
+    numbers: Sequence[int]
     firsts: Sequence[int]
     rates: Sequence[float]
     begin: float
     end: float
+
+    @cached_property
+    def sines(self) -> tuple[Sine, ...]:
+        """The sines that a piece may have."""
+        return sines(self.stack)
+
+    @cached_property
+    def powers(self) -> int:
+        """How many coefficients the polynomial of a piece may have."""
+        return powers(self.stack)
 
     @cached_property
     def counts(self) -> list[int]:
@@ -96,10 +128,27 @@ class PieceRows:
         return Found((place.piece + 1).astype(float), place.u, place.angle)
 
 
-def rows_of(motion: Motion, stack: Pieces, room: int) -> PieceRows:
+def number_of(stack: Pieces, law: Law) -> int:
+    """Return the number of a law in its book, which has one dwell."""
+    return 1 if isinstance(law, Dwell) else stack.number(law)
+
+
+def rows_of_parts(
+    at: Cells, parts: Sequence[Part], pieces: Sequence[MotionPiece], stack: Pieces, end: float
+) -> PieceRows:
+    """Return the pieces of a motion of parts, from 0 to its ``end``; each part may begin with any piece of its law."""
+    numbers = [number_of(stack, part.law) for part in parts]
+    starts = [stack.first[number] for number in numbers]
+    firsts = [start + part.first for start, part in zip(starts, parts, strict=True)]
+    rows = [starts[piece.phase] + piece.number for piece in pieces]
+    return PieceRows(at, stack, pieces, rows, numbers, firsts, [part.rate for part in parts], 0.0, end)
+
+
+def rows_of(at: Cells, motion: Motion, stack: Pieces, room: int) -> PieceRows:
     """Return the pieces of a motion; ``room`` is the number of rows of its phases, spare ones of a dwell."""
     pieces = motion_pieces(motion)
-    firsts = filled((stack.first[stack.number(phase.law)] for phase in motion.phases), room, stack.first[1])
+    numbers = filled((number_of(stack, phase.law) for phase in motion.phases), room, 1)
+    firsts = [stack.first[number] for number in numbers]
     rows = [firsts[piece.phase] + piece.number for piece in pieces]
     rates = filled((phase.rate for phase in motion.phases), room)
-    return PieceRows(pieces, rows, firsts, rates, *motion.edges[[0, -1]].tolist())
+    return PieceRows(at, stack, pieces, rows, numbers, firsts, rates, *motion.edges[[0, -1]].tolist())

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import perm
 
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
+from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.cells import Cells, PieceRows
-from workbook.motion.stack import FIRST, LAST, POWERS, SINES, of_law
+from workbook.motion.room import CROWDED, rule_of
+from workbook.motion.stack import FIRST, Sine, last_before, of_law
 
 TITLE = "The motion as pieces"
 ABOUT = (
@@ -19,34 +21,48 @@ ABOUT = (
 )
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
 ROOM = "sizes.motion_pieces in the description says how many there may be"
+Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]
 """of the n-th derivative of the motion: what deviations are measured by at least"""
 
 
-def phase_columns(at: Cells, rows: PieceRows) -> list[Quantity]:
+def phase_columns(rows: PieceRows) -> list[Quantity]:
     """Return the columns by which a table of phases tells where its pieces are."""
+    return phase_table_columns(rows, FIRST, f"=IF([span]>0,{last_before('[no]', '1')}-[first]+1,0)")
+
+
+def phase_table_columns(rows: PieceRows, first: str | Sequence[str], pieces: str | Sequence[str]) -> list[Quantity]:
+    """Return those columns with other formulas for the first piece's row on Laws, and how many pieces there are."""
+    at = rows.at
     return [
         calc("rate", "per duration", "1/δ", f"1/{at.x}" if at.x else "",
              "=IF([span]>0,1/[span],0)", list(rows.rates), source="0 if spare"),
-        calc("first", "row of its law's first piece", "", "", FIRST, list(rows.firsts), format="0", source="on Laws"),
-        calc("pieces", "pieces", "", "", f"=IF([span]>0,{LAST}-[first]+1,0)", rows.counts, format="0"),
+        calc("first", "row of its law's first piece", "", "", first, list(rows.firsts), format="0", source="on Laws"),
+        calc("pieces", "pieces", "", "", pieces, rows.counts, format="0"),
         calc("before", "pieces before", "", "", "=IF([k]=1,0,[before-1]+[pieces-1])", rows.before, format="0"),
     ]  # fmt: skip
 
 
-def pieces_in_all(name: str, at: Cells, rows: PieceRows) -> Quantity:
+def pieces_in_all(rows: PieceRows) -> Quantity:
     """Return the row that says how many pieces a motion has."""
-    return calc(name, "Pieces in all", "", "", f"=SUM([{at.phases}.pieces])", len(rows.pieces), format="0")
+    at = rows.at
+    return calc(at.count, "Pieces in all", "", "", f"=SUM([{at.phases}.pieces])", len(rows.pieces), format="0")
 
 
-def room_check(name: str, at: Cells, of: str = "") -> Quantity:
-    """Return the check that the table of pieces has room for all ``of`` an axis."""
+def room_check(name: str, at: Cells, number: int = 1, of: str = "") -> Quantity:
+    """Return the check that the table of pieces has room for all ``of`` the axis of a number."""
     label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
-    return check(name, label, f"{at.count}<=MAX([{at.pieces}.r])", True, ROOM)
+    rows = f"MAX([{at.pieces}.r])"
+    before, between, after = CROWDED.split("{}")
+    says = "&".join([*([quoted(before)] if before else []), at.count, quoted(between), rows, quoted(after)])
+    return check(name, label, f"{at.count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
 
 
-def pieces_table(sheet: Sheet, title: str, at: Cells, rows: PieceRows, room: int, sizes: Sizes) -> None:
-    """Declare the table of a motion's pieces."""
+def pieces_table(
+    sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity
+) -> None:  # fmt: skip
+    """Declare the table of a motion's pieces, and ``more`` columns."""
+    at = rows.at
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
     length = f"DEGREES({span})" if at.degrees else span
     unit = DEGREE if at.degrees else 1.0
@@ -67,7 +83,8 @@ def pieces_table(sheet: Sheet, title: str, at: Cells, rows: PieceRows, room: int
         at.pieces, title, room,
         constant("r", "piece", "r", "", list(range(1, room + 1))),
         calc("p", "phase", "", "",
-             f"=MATCH({place},[{at.phases}.before],1)", of(lambda piece: piece.phase + 1), format="0"),
+             f'=COUNTIF([{at.phases}.before],"<="&{place})', of(lambda piece: piece.phase + 1), format="0",
+             source="the last with no more before it"),
         calc("m", "row on Laws", "", "",
              f"={at.of_phase('first')}+{place}-{at.of_phase('before')}", filled(rows.rows, room, rows.rows[-1]),
              format="0"),
@@ -75,20 +92,24 @@ def pieces_table(sheet: Sheet, title: str, at: Cells, rows: PieceRows, room: int
         *opened,
         calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{of_law('d')})",
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
-        *(power(at, i, of, sizes) for i in range(POWERS + 2)),
-        *(column for k in range(len(SINES)) for column in sine(at, k, of, sizes)),
+        *(power(rows, i, of, sizes) for i in range(rows.powers)),
+        *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
+        *more,
     )  # fmt: skip
 
 
-def power(at: Cells, i: int, of: Callable[[Callable[[MotionPiece], float]], list[float]], sizes: Sizes) -> Quantity:
+def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
     """Return a coefficient of the polynomial."""
+    at = rows.at
     h, per = at.of_phase("h"), at.of_phase("rate")
     if i == 0:
         drift = f"+{at.of_phase('drift')}*{at.of_phase('span')}*{of_law('xi')}" if at.drifts else ""
-        formula, source = f"={at.of_phase('y0')}+{h}*{of_law('s0')}{drift}", "y_0 + h S0"
+        sines = "".join(f"-[A{one.mark}]*SIN([ph{one.mark}])" for one in rows.sines)
+        formula, source = f"={at.of_phase('y0')}+{h}*{of_law('s')}{drift}{sines}", "y_0 + h s_k − A sin φ"
     elif i == 1:
         drift = f"+{at.of_phase('drift')}" if at.drifts else ""
-        formula, source = f"={h}*{of_law('s1')}*{per}{drift}", "h S1/δ"
+        sines = "".join(f"-[A{one.mark}]*[om{one.mark}]*COS([ph{one.mark}])" for one in rows.sines)
+        formula, source = f"={h}*{of_law('v')}*{per}{drift}{sines}", "h v_k/δ − A ω cos φ"
     else:
         share = perm(i, 2)
         formula, source = f"={h}*{of_law(f'c{i - 2}')}/{share}*{per}^{i}", f"h c{i - 2}/({share} δ^{i})"
@@ -96,11 +117,8 @@ def power(at: Cells, i: int, of: Callable[[Callable[[MotionPiece], float]], list
                 source=source)  # fmt: skip
 
 
-def sine(
-    at: Cells, k: int, of: Callable[[Callable[[MotionPiece], float]], list[float]], sizes: Sizes
-) -> tuple[Quantity, Quantity, Quantity]:
+def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, Quantity, Quantity]:
     """Return amplitude, frequency and phase of a sine."""
-    one = SINES[k]
     h, per, words = at.of_phase("h"), at.of_phase("rate"), " of the second sine" if one.mark else ""
     return (
         calc(f"A{one.mark}", f"amplitude{words}", f"A{one.mark}", at.y,

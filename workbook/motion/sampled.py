@@ -7,19 +7,19 @@ from math import perm
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, calc
 from workbook.motion.cells import Cells, PieceRows
-from workbook.motion.stack import POWERS, SINES
 
+POSITION = "c0 + c1 u + … + A sin x"
 TURNED = ("+{A}*SIN({x})", "+{A}*{om}*COS({x})", "-{A}*{om}^2*SIN({x})", "-{A}*{om}^3*COS({x})")
 """a sine A sin(ωu + φ) and its derivatives by u"""
 
 
-def finding(at: Cells, rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
+def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
     """Return the workings of samples: the piece, u in it, and the argument of its sine.
 
     ``x`` is the column that holds the abscissa, ``values`` what it is in units of the motion; labels begin with ``of``
     and names end with ``suffix``.
     """
-    found = rows.found(values)
+    at, found = rows.at, rows.found(values)
     q, local = f"q{suffix}", f"[{x}]-{at.of_piece('origin' if at.opens else 'begin', f'q{suffix}')}"
     return [
         calc(q, f"{of}piece", "q", "",
@@ -32,16 +32,16 @@ def finding(at: Cells, rows: PieceRows, x: str, values: Array, of: str = "", suf
     ]  # fmt: skip
 
 
-def derivative(at: Cells, order: int, suffix: str = "") -> str:
+def derivative(rows: PieceRows, order: int, suffix: str = "") -> str:
     """Return the formula, without its =, of a derivative of the motion: 0 is y."""
-    q, u = f"q{suffix}", f"[u{suffix}]"
+    at, q, u = rows.at, f"q{suffix}", f"[u{suffix}]"
     text = ""
-    for i in range(POWERS + 1, order - 1, -1):
+    for i in range(rows.powers - 1, order - 1, -1):
         share = perm(i, order)
         term = at.of_piece(f"c{i}", q)
         scaled = term if share == 1 else f"{share}*{term}"
         text = f"{scaled}+{u}*({text})" if text else scaled
-    return text + "".join(_sine(at, order, mark, q, u, suffix) for *_, mark in SINES)
+    return text + "".join(_sine(at, order, mark, q, u, suffix) for *_, mark in rows.sines)
 
 
 def _sine(at: Cells, order: int, mark: str, q: str, u: str, suffix: str) -> str:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-POWERS = 6
-"""of a law's acceleration: the stack has c0 … c5"""
+from workbook.laws.sampling import Pieces
 
 
 class Sine(NamedTuple):
@@ -17,12 +16,26 @@ class Sine(NamedTuple):
     mark: str
 
 
-SINES = (Sine("ps", "omega", "phi", ""),)
+SINES = (Sine("ps", "omega", "phi", ""), Sine("ps2", "omega2", "phi2", "2"))
+
+
+def sines(stack: Pieces) -> tuple[Sine, ...]:
+    """Return the sines that the laws of a book have: two where any law has a second."""
+    return SINES if any(piece.omega2 for pieces in stack.pieces.values() for piece in pieces) else SINES[:1]
+
+
+def powers(stack: Pieces) -> int:
+    """Return how many powers of u the position of a motion has by the laws of a book: two more than accelerations."""
+    return max(len(piece.c) for pieces in stack.pieces.values() for piece in pieces) + 2
+
 
 FIRST = "=MATCH([no],piece_number,0)"
 """the row of the first piece of a phase's law"""
-LAST = "MATCH(2*[no]+1-break_tolerance,piece_key,1)"
-"""the row of the last that begins before the law ends: the spare rows of an own law do not"""
+
+
+def last_before(number: str, xi: str) -> str:
+    """Return the formula of the row of a law's last piece that begins before ξ: before 1, no spare row does."""
+    return f"MATCH(2*{number}+{xi}-break_tolerance,piece_key,1)"
 
 
 def of_law(column: str) -> str:

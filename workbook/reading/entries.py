@@ -9,18 +9,21 @@ from pathlib import Path
 from typing import Any
 
 import tomli_w
+from openpyxl.utils import get_column_letter
 from pydantic import BaseModel, ValidationError
 
 from workbook.book.address import Address
-from workbook.book.declare import Block, Quantity
+from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
-from workbook.entries.machine import Machine
+from workbook.entries.design import RefusedError, as_entered, designed, keys_of
+from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import EntryError
 from workbook.errors import DisputedError, InputError, ReadError
 from workbook.intake import read_text
 from workbook.laws.entries import key_of
 from workbook.laws.layout import numbered, with_laws
 from workbook.reading.files import BookFile, Words
+from workbook.reading.fitting import fitted
 from workbook.reading.work import require_little_work
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
@@ -28,6 +31,7 @@ from workbook.visible import LONGEST, found
 
 Where = Callable[[str], str]
 Evaluate = Callable[[BookFile], Callable[[Address], Any]]  # gives what gives the value of a formula cell
+Mend = Callable[[BookFile, Book], list[Any]]  # puts back what was moved, and says what that was
 DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
 
 
@@ -67,18 +71,26 @@ def counted(key: str) -> str:
 
 def write_machine(machine: Machine) -> str:
     """Return the TOML of a machine description."""
-    return tomli_w.dumps(machine.model_dump(exclude_none=True))
+    return tomli_w.dumps(as_entered(machine))
 
 
 def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
-    """Validate entries; raise InputError whose lines say where each fault is and what is expected."""
+    """Validate entries; raise InputError whose lines say where each fault of structure or type is.
+
+    Numbers that do not do, or are missing, make an unfinished design of it: see :mod:`workbook.entries.design`.
+    """
     try:
-        machine = template.model.model_validate(data)
-    except ValidationError as error:
-        faults = error.errors(include_url=False)
-        raise InputError([told(fault, template.model, where) for fault in faults]) from None
-    require_possible(template, machine, where)
-    return machine
+        return designed(template.model, template.check, data, lambda: read_machine(template.description))
+    except RefusedError as error:
+        lines = [refused(fault, template.model, where) for fault in error.faults]
+        raise InputError(lines) from None
+    except EntryError as error:
+        raise InputError([f"{where(error.field)}: {error}"]) from None
+
+
+def refused(fault: Any, model: type[BaseModel], where: Where) -> str:
+    """Return the line of a fault of pydantic's, or of a design that nothing can be made of."""
+    return f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
 
 
 def require_possible(template: Template[M], machine: M, where: Where) -> None:
@@ -107,15 +119,6 @@ def told(fault: Any, model: type[BaseModel], where: Where) -> str:
     return f"{where(key)}: found {found(fault['input'])}; expected {expected}"
 
 
-def keys_of(loc: tuple[int | str, ...]) -> tuple[str, str]:
-    """Return the key of a fault, and the key of the rule for it: a law's entries have those of its family."""
-    parts = [*map(str, loc)]
-    if len(parts) < 3 or parts[0] != "laws":
-        return ".".join(parts), ".".join(parts)
-    _, name, family, *rest = parts
-    return ".".join(["laws", key_of(name), *rest]), ".".join(["laws", family, *rest])
-
-
 def unnamed(key: str, named: dict[str, str]) -> str:
     """Return a key below a law's name with the one that its cells have."""
     for name, below in named.items():
@@ -125,10 +128,19 @@ def unnamed(key: str, named: dict[str, str]) -> str:
     return key
 
 
-class Entries:
-    """The input cells of a workbook as a machine description; inputs that hold a formula are given to ``evaluate``."""
+def as_it_is(file: BookFile, layout: Book) -> list[Any]:
+    """Put nothing back."""
+    return []
 
-    def __init__(self, file: BookFile, evaluate: Evaluate) -> None:
+
+class Entries:
+    """The input cells of a workbook as a machine description.
+
+    Inputs that hold a formula are given to ``evaluate``. ``mend`` puts cells that were moved back into their tables;
+    ``moved`` is what it says of them.
+    """
+
+    def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend = as_it_is) -> None:
         require_little_work(file)
         self.file = file
         self._evaluate = evaluate
@@ -139,11 +151,14 @@ class Entries:
         self.template = self._template()
         self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
         self.missing: list[str] = []
+        self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = numbered(file.places)
         default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
-        layout = self.template.declare(default.model_copy(update={"sizes": type(default.sizes)(**small)}))
+        layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
+        self._fit(layout)
+        self.moved = mend(file, layout)
         for block in layout.blocks.values():
             self._read_block(block)
 
@@ -153,12 +168,31 @@ class Entries:
             raise InputError(
                 [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
             )
+        if self.gone:
+            raise InputError([f"{self.file.path.name}: {sheet}: a column is gone before column {get_column_letter(n)}, "
+                              f"and what was entered in {', '.join(what)}; undo that, or take it from a copy"
+                              for (sheet, n), what in self.gone.items()])  # fmt: skip
         if self.disputed:
             raise InputError(self.disputed)
         data, named = self._by_name()
-        machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
+        try:
+            machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
+        except InputError:
+            if self._lost():
+                raise InputError(self._lost()) from None
+            raise
         machine.laws.built_as(self._built(named))
         return machine
+
+    def _lost(self) -> list[str]:
+        """Return in a line each where rows are gone from tables, for entries that without them make no machine."""
+        name = self.file.path.name
+        what = "and what is left does not go together; undo that, or take the table from a copy"
+        return [
+            f"{name}: {fit.place.sheet}: above row {row}, a row is gone from the table {table}, {what}"
+            for table, fit in self.file.fits.items()
+            for row, _ in fit.lost
+        ]
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return what is entered with the book's own laws by their names, and for each of these names its key."""
@@ -195,6 +229,15 @@ class Entries:
             if block in self.file.places
         }
 
+    def _fit(self, layout: Book) -> None:
+        """Find the tables into which rows or columns were put, or from which some were taken."""
+        self.file.fits |= fitted(self.file, layout)
+        for name, fit in self.file.fits.items():
+            self.file.places[name] = fit.place
+        for size, (block, extra) in self.template.sizes.items():
+            if block in self.file.fits:
+                self.data["sizes"][size] = self.file.fits[block].size - extra
+
     def _read_block(self, block: Block) -> None:
         inputs = [(j, q) for j, q in enumerate(block.quantities) if q.role == "input"]
         if not inputs:
@@ -203,6 +246,11 @@ class Entries:
         if place is None:
             self.missing.append(block.name)
             return
+        for j, q in inputs:
+            if not place.cell(0, j).column:
+                at = (place.sheet, self.file.fits[block.name].before(j))
+                self.gone.setdefault(at, []).append(f"{q.label!r} of the table {block.name}")
+        inputs = [(j, q) for j, q in inputs if place.cell(0, j).column]
         rows = [[self._entered(place.cell(i, j), q) for j, q in inputs] for i in range(place.rows)]
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
@@ -242,6 +290,15 @@ class Entries:
             key = key.rpartition(".")[0]
             best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
         return f"{self.file.path.name}: {best or key}"
+
+
+def within(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:
+    """Return sizes, those beyond their limits at these: rows may have been put into a table."""
+    try:
+        return model(**sizes)
+    except ValidationError as error:
+        limits = {str(fault["loc"][0]): fault.get("ctx", {}) for fault in error.errors()}
+        return model(**{key: limits.get(key, {}).get("le", size) for key, size in sizes.items()})
 
 
 def put(data: Any, path: list[str], value: Any) -> None:

@@ -16,7 +16,7 @@ from openpyxl.cell.cell import Cell, MergedCell
 from openpyxl.reader.excel import ExcelReader
 from openpyxl.utils.cell import range_boundaries
 
-from workbook.book.address import Address, Place
+from workbook.book.address import Address, Fit, Place
 from workbook.errors import ReadError
 from workbook.intake import require_file
 from workbook.reading.cells import fill
@@ -44,7 +44,9 @@ class Words(str):
 class BookFile:
     """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside.
 
-    ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that.
+    ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that. ``fits`` are
+    the tables whose rows or columns are not those of their names, as whoever knows the tables finds them; and
+    ``mended`` is one in which cells were put back into their tables, so that it is not as the file is.
     """
 
     path: Path
@@ -52,6 +54,8 @@ class BookFile:
     places: dict[str, Place]
     notes: list[str] = field(default_factory=list)
     saved: Cells = field(default_factory=dict)
+    fits: dict[str, Fit] = field(default_factory=dict)
+    mended: bool = False
 
     def value(self, address: Address) -> Any:
         """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty.

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from typing import Any
 
 from rich.console import Console
 from rich.table import Table
 
 from engine.laws import CATALOGUE
-from workbook.judging.report import Finding, Ran, Report
+from workbook.judging.report import FOLLOWS, Finding, Ran, Report
 from workbook.reports.page import own_verdict, where
-from workbook.reports.terminal import shown
+from workbook.reports.terminal import say, shown
 
 MOST = 40  # findings that the terminal shows; --json has them all
 
@@ -36,6 +37,7 @@ def report_data(report: Report) -> dict[str, Any]:
         "deviations": report.deviations,
         "findings": [finding_data(f) for f in report.findings],
         "notices": [finding_data(f) for f in report.notices],
+        "following": len({(f.sheet, f.cell) for f in report.following}),
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
     }
@@ -43,7 +45,9 @@ def report_data(report: Report) -> dict[str, Any]:
 
 def checks_data(report: Report) -> dict[str, Any]:
     """Return the machine's own verdict as JSON's object."""
-    failing = [{"sheet": c.sheet, "cell": c.cell, "what": c.what, "found": c.found} for c in report.failing]
+    failing = [
+        {"sheet": c.sheet, "cell": c.cell, "what": c.what, "found": c.found, "says": c.says} for c in report.failing
+    ]
     return {"holds": report.holds, "all": len(report.checks), "failing": failing, "unfinished": report.unfinished}
 
 
@@ -67,8 +71,8 @@ def finding_data(f: Finding) -> dict[str, Any]:
     }
 
 
-def show_report(report: Report, console: Console) -> None:
-    """Print a report: what was compared on each sheet, then each finding, worst first."""
+def show_report(report: Report, console: Console, everything: bool = False) -> None:
+    """Print a report: what was compared on each sheet, then the findings, causes first; ``everything`` without end."""
     sheets = Table("Sheet", "Formula cells", "Largest deviation", "Findings", title_justify="left")
     sheets.title = shown(str(report.path))
     for sheet, compared in report.cells.items():
@@ -77,10 +81,12 @@ def show_report(report: Report, console: Console) -> None:
         sheets.add_row(shown(sheet), f"{compared:,}", f"{deviation:.1e}", str(faults) if faults else "-")
     console.print(sheets)
     if report.findings:
-        show_findings(report, console)
+        show_findings(report, console, everything)
     if report.notices:
         show_notices(report, console)
     lines = [f"Note: {note}" for note in report.notes]
+    if report.following:
+        lines.append(report.following_words)
     if report.own:
         first = ", ".join(report.own[:8]) + (" …" if len(report.own) > 8 else "")
         lines.append(f"{report.own_words}, as they belong to nothing generated ({first})")
@@ -94,7 +100,7 @@ def verdict(report: Report) -> list[str]:
     said = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
     lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
     lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {said}.")
-    lines += [f"FAIL  {c.sheet}!{c.cell}  {c.what}" for c in report.failing[:MOST]]
+    lines += [c.line for c in report.failing[:MOST]]
     if len(report.failing) > MOST:
         lines.append(f"… and {len(report.failing) - MOST} more")
     return [*lines, f"The machine's own checks: {own_verdict(report)}."]
@@ -111,19 +117,29 @@ def show_notices(report: Report, console: Console) -> None:
         console.print(f"… and {len(report.notices) - MOST} more; --json lists them all")
 
 
-def show_findings(report: Report, console: Console) -> None:
-    """Print the findings as a table, with a column for the witness where there are several."""
+def show_findings(report: Report, console: Console, everything: bool) -> None:
+    """Print the findings as a table, with a column for the witness where there are several.
+
+    What only follows from others is counted by sheet, unless ``everything`` is asked for, or nothing else is found.
+    """
+    causes = [f for f in report.findings if f.kind != FOLLOWS]
+    listed = report.findings if everything else causes or report.findings
     headings = ["Cell", "What", "Kind", "Computes", "Expected"]
-    table = Table(*headings, title="Findings, worst first", title_justify="left")
+    table = Table(*headings, title="Findings, causes first", title_justify="left")
     if len(report.witnesses) > 1:
         table.add_column("By")
-    for f in report.findings[:MOST]:
+    told = listed if everything else listed[:MOST]
+    for f in told:
         computed = f"{figure(f.computed)} ({f.why})" if f.why else figure(f.computed)
         row = (where(f), f.what, f.kind, computed, figure(f.expected), f.witness)
         table.add_row(*(shown(text) for text in row[: len(table.columns)]))
     console.print(table)
-    if len(report.findings) > MOST:
-        console.print(f"… and {len(report.findings) - MOST} more; --json lists them all")
+    if len(listed) > len(told):
+        say(console, f"… and {len(listed) - len(told)} more; --all lists them")
+    if len(listed) < len(report.findings):
+        sheets = Counter(f.sheet for f in report.findings if f.kind == FOLLOWS)
+        counted = ", ".join(f"{count:,} on {sheet}" for sheet, count in sheets.items())
+        say(console, f"Cells that are wrong only because of these: {counted}; --all lists them")
 
 
 def figure(value: Any) -> str:

@@ -60,7 +60,7 @@ def design(book: str, report: Report) -> Element:
     """Return the case of the machine itself: failed where its own checks are."""
     if report.holds:
         return testcase(book, DESIGN)
-    lines = "\n".join(f"{c.sheet}!{c.cell} ({c.what}): {c.found}" for c in report.failing)
+    lines = "\n".join(check.line for check in report.failing)
     return testcase(book, DESIGN, e("failure", lines, message=own_verdict(report), type="design"))
 
 
@@ -81,6 +81,7 @@ def properties(sha256: str, report: Report) -> Element:
     """Return what was verified, and by what."""
     known = {"sha256": sha256, "template": report.template, "declared": str(report.declared)}
     known |= {"compared": str(report.compared), "checks": own_verdict(report)}
+    known |= {"following": report.following_words} if report.following else {}
     known |= {"own cells": report.own_words} if report.own else {}
     known |= {f"witness {ran.name}": witness(ran) for ran in report.witnesses}
     return e("properties", *(e("property", name=name, value=value) for name, value in known.items()))

@@ -27,6 +27,7 @@ VERDICTS = {
     "no machine": "Skipped",
 }
 KINDS = {
+    "layout": "a row or a column was put into a table, or is gone from it",
     "missing": "a cell or block that should be there is not",
     "replaced": "a value stands where a formula should",
     "formula": "the formula is not the one that was generated",
@@ -159,9 +160,10 @@ def own_verdict(report: Report) -> str:
 def checks(report: Report) -> list[Element]:
     """Return the table of the machine's own checks that do not hold."""
     rows: list[list[Content]] = [
-        [e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found] for c in report.failing
+        [e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found, c.says] for c in report.failing
     ]
-    return [e("h3", "The machine's own checks that fail"), table(("Cell", "Check", "Says"), rows, ())] if rows else []
+    headings = ("Cell", "Check", "Says", "Where, and by how much")
+    return [e("h3", "The machine's own checks that fail"), table(headings, rows, ())] if rows else []
 
 
 def notices(report: Report) -> list[Element]:
@@ -227,7 +229,8 @@ def where(finding: Finding) -> str:
 
 def remarks(report: Report) -> list[Element]:
     """Return the notes, and the formula cells of the engineer's own."""
-    said = [e("h3", "Notes"), *(e("p", note) for note in report.notes)] if report.notes else []
+    lines = [*report.notes, *([report.following_words] if report.following else [])]
+    said = [e("h3", "Notes"), *(e("p", line) for line in lines)] if lines else []
     if report.own:
         said += [
             e("h3", f"Cells of your own ({len(report.own):,})"),

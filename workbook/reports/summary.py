@@ -51,7 +51,9 @@ def progress(console: Console, total: int) -> Iterator[Callable[[Outcome], None]
         yield lambda outcome: bar.update(task, advance=1, description=escape(visible(outcome.path.name)))
 
 
-def show(outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool) -> None:
+def show(
+    outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool, everything: bool = False
+) -> None:  # fmt: skip
     """Print a run: in full where one file was named ``alone``, else the summary of all."""
     if not alone:
         if as_json:
@@ -64,7 +66,7 @@ def show(outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool,
     if outcomes[0].report and as_json:
         say_data(f"{json.dumps(report_data(outcomes[0].report), ensure_ascii=False, indent=1)}\n")
     elif outcomes[0].report:
-        show_report(outcomes[0].report, out)
+        show_report(outcomes[0].report, out, everything)
 
 
 def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
@@ -90,7 +92,7 @@ def worst(outcome: Outcome) -> list[str]:
     if outcome.report is None:
         return []
     found = [line(finding) for finding in outcome.report.findings]
-    found += [f"{c.sheet}!{c.cell} ({c.what}): {c.found}" for c in outcome.report.failing]
+    found += [check.line for check in outcome.report.failing]
     lines = [f"{outcome.path}: {text}" for text in found[:WORST]]
     more = len(found) - WORST
     return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines

@@ -7,6 +7,9 @@ from rich.text import Text
 
 from workbook.visible import visible
 
+OUT = Console()
+ERR = Console(stderr=True)
+
 
 def shown(text: str, style: str = "") -> Text:
     """Return a text as rich takes it: in one line, in no markup, no emoji, no colours of its own."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Self
+from collections.abc import Iterator
+from typing import Annotated
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
+from workbook.book.limits import RowRule
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, ONE_LINE
-from workbook.entries.types import EntryError, Model, NotNegative, Positive
+from workbook.entries.types import DesignError, Model, NotNegative, Positive
 
 Name = Annotated[str, Field(min_length=1, max_length=60, pattern=NO_FORMULA), LOOKED_UP]
 Source = Annotated[str, Field(min_length=1, max_length=200, pattern=NO_FORMULA), ONE_LINE]
@@ -32,18 +34,17 @@ class MotorRow(Model):
     cost: NotNegative | None = None
     source: Source | None = None
 
-    @model_validator(mode="after")
-    def _curve(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield half a curve, or one that falls beyond the largest speed."""
+        level = self.model_dump() | {"full_torque_to": None, "end_torque": None}
         if (self.full_torque_to is None) != (self.end_torque is None):
-            missing = "full_torque_to" if self.full_torque_to is None else "end_torque"
-            raise EntryError(missing, "half of the torque–speed curve is empty; expected both figures, or neither")
+            yield DesignError("", HALF.words, HALF.rule, level)
         if self.full_torque_to is not None and self.full_torque_to >= self.max_speed:
-            raise EntryError(
-                "full_torque_to",
-                f"the torque falls from {self.full_torque_to:g} rpm; expected less than the largest speed, "
-                f"{self.max_speed:g} rpm",
-            )
-        return self
+            yield DesignError("", FALLING.words, FALLING.rule, level)
+
+
+HALF = RowRule("half", "COUNT([knee],[end])<>1", "knee", "half of the curve is empty: peak torque up to")
+FALLING = RowRule("falling", "OR(COUNT([knee])=0,[knee]+0<[nmax])", "knee", "peak torque up to the largest speed")
 
 
 class ReducerRow(Model):

@@ -13,7 +13,7 @@ from engine.laws.base import Array
 from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
-from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
 from workbook.selection.view import Choosing, figures
 
 FIGURES = {"size": "mass", "cost": "cost"}
@@ -111,6 +111,7 @@ def motors(sheet: Sheet, view: Choosing) -> None:
              "=IF([has]=1,CHOOSE(sel_no,0,0,[mass],[cost]),0)",
              filled(figure, n)),
         given("source", "source", "", "", entered("source"), "selection.motors.*.source", align="left"),
+        rules=[HALF, FALLING],
     )  # fmt: skip
 
 

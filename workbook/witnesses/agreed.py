@@ -11,8 +11,8 @@ from workbook.errors import DisputedError, WitnessError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.visible import found
-from workbook.witnesses import WITNESSES
 from workbook.witnesses.bare import without
+from workbook.witnesses.registry import WITNESSES
 from workbook.witnesses.witness import Witness
 
 ENOUGH = 2  # evaluators that must agree
@@ -78,7 +78,8 @@ class Evaluation:
         """Return what a witness computes: in the file, or, where it cannot open that, in what the cell depends on."""
         if name not in self._failed:
             try:
-                return witness.values(self._file)
+                with without(self._file, (), {}) as bare:
+                    return witness.values(bare)
             except WitnessError as error:
                 self._failed[name] = str(error)[:MOST]
         formulas = set(self._file.contents.formula_cells) - {address}

@@ -23,9 +23,11 @@ from workbook.reading.files import BookFile, find_places
 def without(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Iterator[BookFile]:
     """Give ``file`` itself, or a copy without the cells ``own`` and with the values ``given`` where these are any.
 
+    A file that was mended is copied, too.
+
     The copy holds contents of cells and the names that lead to cells, and lies in a folder that goes away.
     """
-    if not own and not given:
+    if not own and not given and not file.mended:
         yield file
         return
     with tempfile.TemporaryDirectory() as folder:

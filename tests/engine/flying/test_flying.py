@@ -8,7 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.flying import Cut, Tool, flying_saw, generalized_torque, rotary_drum, sizes
+from engine.flying.pieces import cut_pieces
 from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
+from engine.motion.pieces import evaluated
 
 DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
 SAW = flying_saw(tool_length=0.3, metres_per_radian=0.01)
@@ -122,10 +124,10 @@ def test_the_state_tells_the_speed(law, length, way):
         assert (2 in part) is cut.waits
 
 
-def test_at_both_ends_of_the_wait_the_drum_still_moves_by_its_law():
+def test_on_an_event_is_what_follows_it():
     cut = Cut(DRUM, 1.4, 1.0, Cycloidal())
     begin, end = cut.wait
-    assert list(cut.state([begin, (begin + end) / 2, end, cut.repositioning_time]).part) == [1, 2, 1, 3]
+    assert list(cut.state([begin, (begin + end) / 2, end, cut.repositioning_time]).part) == [2, 2, 1, 3]
     assert cut.at([begin, end]).speed == pytest.approx([0.0, 0.0], abs=1e-12)
 
 
@@ -221,3 +223,13 @@ def test_one_tool_that_works_for_an_instant():
     drum = rotary_drum(1, 0.1, 0.0)
     assert drum.repositioning_length == pytest.approx(2 * pi * 0.1)
     assert Cut(drum, 0.5, 1.0, Cycloidal()).tool_time == 0.0
+
+
+@settings(max_examples=60)
+@given(laws, lengths, beyond, st.sampled_from([DRUM, SAW]))
+def test_pieces_give_the_same_motion(law, length, way, tool):
+    cut = Cut(tool, length + tool.tool_length, 1.2, law, way)
+    time = np.linspace(0.0, cut.cycle_time, 1501)
+    found = evaluated(cut_pieces(cut), time, 0.0, cut.cycle_time)
+    for order, (one, other) in enumerate(zip(found, cut.at(time), strict=True)):
+        assert np.abs(one - other).max() <= 1e-11 * max(cut.size(order), np.abs(other).max())

@@ -8,6 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.motion.pieces import evaluated, located
 from engine.overlap import (
     Passage,
     Schedule,
@@ -98,7 +99,9 @@ def test_the_transfer_stays_where_it_has_come_to_until_the_next_cycle():
 def test_peaks_are_those_of_the_motion():
     schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
     assert schedule.peak_acceleration(0.5) == pytest.approx(schedule.motion.peaks.y2 * pi**2, rel=1e-12)
-    assert np.abs(schedule.acceleration(TURN, 0.5)).max() == pytest.approx(schedule.peak_acceleration(0.5), rel=1e-3)
+    assert np.abs(schedule.rates(TURN, 0.5).acceleration).max() == pytest.approx(
+        schedule.peak_acceleration(0.5), rel=1e-3
+    )
 
 
 @settings(max_examples=20)
@@ -109,28 +112,30 @@ def test_acceleration_is_the_second_derivative_of_the_travel(law_in, law_out, sp
     schedule = overlap(transfer, Tool(law_in, 0.05, radians(100), law_out), Passage(0.01, 0.02, 0.001, split=split))
     step = 2 * pi / 20_000
     angle = schedule.arrival + step * (np.arange(20_000) + 0.5)
-    speed = np.cumsum(schedule.acceleration(angle, 1.0)) * step / (2 * pi)
+    speed = np.cumsum(schedule.rates(angle, 1.0).acceleration) * step / (2 * pi)
     travel = 0.05 + np.cumsum(speed) * step / (2 * pi)
     assert travel == pytest.approx(schedule.travel(angle + step / 2), abs=5e-4)
 
 
 @given(laws, laws, st.floats(0.2, 0.8))
-def test_the_state_is_that_of_the_motion(law_in, law_out, split):
-    """A second way to the travel: by part and law, as a sheet goes."""
+def test_pieces_give_the_same_motion(law_in, law_out, split):
+    """A second way to the travel: by its pieces, as a sheet goes."""
     transfer, _ = mill_and_die()
     tool = Tool(law_in, 0.05, radians(100), law_out)
     schedule = overlap(transfer, tool, Passage(0.01, 0.02, 0.001, split=split))
-    _, part, xi = schedule.state(TURN)
-    travel = np.select([part == 1, part == 2, part == 4], [1.0, 1.0 - law_out.s(xi), law_in.s(xi)], 0.0) * 0.05
-    assert travel == pytest.approx(schedule.travel(TURN), abs=1e-12)
-    assert set(part) == {1, 2, 3, 4}
+    found = evaluated(schedule.pieces, schedule.since(TURN), 0.0, 2 * pi)
+    assert found.y == pytest.approx(schedule.travel(TURN), abs=1e-12)
+    for order, values in enumerate(schedule.rates(TURN, 1.0), 1):
+        assert found[order] * (2 * pi) ** order == pytest.approx(values, abs=1e-11 * np.abs(values).max())
+    assert {piece.phase for piece in schedule.pieces} == {0, 1, 2, 3}
 
 
 def test_just_below_a_whole_turn_counts_as_on_it():
     schedule = one_after_the_other(*mill_and_die())
-    found = schedule.state(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
-    assert found.since == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
-    assert list(found.part) == [1, 1, 4]
+    found = schedule.since(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
+    assert found == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
+    place = located(schedule.pieces, found, 0.0, 2 * pi)
+    assert [schedule.pieces[k].phase for k in place.piece] == [0, 0, 3]
 
 
 def test_a_gain_is_that_of_the_peaks_at_any_rate():

@@ -16,8 +16,9 @@ from workbook.judging.verify import present, verify
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES, libreoffice
+from workbook.witnesses import libreoffice
 from workbook.witnesses.agreed import agreed
+from workbook.witnesses.registry import WITNESSES
 
 
 @pytest.fixture(scope="module", params=TEMPLATES)

@@ -19,8 +19,8 @@ from workbook.reading.entries import read_machine
 from workbook.reports.console import report_data
 from workbook.reports.junit import junit
 from workbook.reports.page import page
-from workbook.witnesses import WITNESSES
 from workbook.witnesses.libreoffice import convert, program
+from workbook.witnesses.registry import WITNESSES
 
 QUICK_WITNESSES = ("pycel", "formualizer", "ironcalc")
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
@@ -240,7 +240,8 @@ def test_a_declared_formula_with_a_foreign_or_volatile_function_is_still_a_findi
 
 # as Excel writes what openpyxl does not know
 
-EXTRAS = b"""<extLst><ext uri="{05C60535-1F16-4fd2-B633-F4F36F0B64E0}" xmlns:x14="http://schemas.microsoft.com/office/spreadsheetml/2009/9/main">
+EXTRAS = b"""<extLst><ext uri="{05C60535-1F16-4fd2-B633-F4F36F0B64E0}"
+xmlns:x14="http://schemas.microsoft.com/office/spreadsheetml/2009/9/main">
 <x14:sparklineGroups xmlns:xm="http://schemas.microsoft.com/office/excel/2006/main"><x14:sparklineGroup><x14:sparklines>
 <x14:sparkline><xm:f>About!A1:A4</xm:f><xm:sqref>AZ9</xm:sqref></x14:sparkline></x14:sparklines></x14:sparklineGroup>
 </x14:sparklineGroups></ext></extLst>"""

@@ -6,7 +6,7 @@ from tests.workbook.cells import disagreeing
 from workbook.laws.registry import FAMILIES, FAMILY
 from workbook.reading.entries import checked, counted, read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES
+from workbook.witnesses.registry import WITNESSES
 
 COMPOSER = TEMPLATES["motion-composer"]
 NAMED = tuple(family.code for family in FAMILIES if family.page.entries)

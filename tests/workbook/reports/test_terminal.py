@@ -11,6 +11,7 @@ from rich.console import Console
 
 from workbook import cli
 from workbook.build import build
+from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Report
@@ -85,9 +86,11 @@ def book(tmp_path_factory):
 @pytest.mark.parametrize("name", NAMES)
 def test_names_of_files_are_not_obeyed(name, book, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
-    for console_ in ("out", "err"):  # as on a terminal, with its status line
-        stream = console_ == "err"
-        monkeypatch.setattr(cli, console_, Console(stderr=stream, force_terminal=True, width=500, color_system=None))
+    for name_, stream in (("OUT", False), ("ERR", True)):  # as on a terminal, with its status line
+        shown_on = Console(stderr=stream, force_terminal=True, width=500, color_system=None)
+        for module in (cli, make, verify):
+            if hasattr(module, name_):
+                monkeypatch.setattr(module, name_, shown_on)
     tmp_path.joinpath(name).parent.mkdir(exist_ok=True)  # one of the names has a slash
     shutil.copy(book, f"{name}.xlsx")
     commands = [
@@ -151,7 +154,7 @@ def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, monkeypatch, capsys, 
     def fail(*_, **__):
         raise fault
 
-    monkeypatch.setattr(cli.make, "described", fail)
+    monkeypatch.setattr(make.making, "described", fail)
     monkeypatch.setattr(sys, "argv", ["motionbook", "build", "-o", str(tmp_path / "book.xlsx")])
     with pytest.raises(SystemExit) as left:
         cli.main()

@@ -13,7 +13,7 @@ from workbook.judging.matching import Match
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES
+from workbook.witnesses.registry import WITNESSES
 
 
 @pytest.fixture(scope="module", params=TEMPLATES)

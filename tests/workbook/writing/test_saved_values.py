@@ -21,7 +21,7 @@ from workbook.judging.matching import Match, Right, is_formula
 from workbook.reading.entries import read_machine
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses import WITNESSES
+from workbook.witnesses.registry import WITNESSES
 from workbook.writing import archive
 from workbook.writing.cells import Cells, Strings, result
 from workbook.writing.same import same_part

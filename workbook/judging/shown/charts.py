@@ -91,7 +91,7 @@ def column(match: Match, text: str) -> Area | None:
         return None
     block = match.declared.blocks[table]
     j = block.columns[name] - block.column
-    return area_of(place._replace(column=place.column + j, columns=1))
+    return area_of(place.part(j)) if place.part(j).column else None
 
 
 def scalar(match: Match, name: str) -> Area | None:

@@ -10,12 +10,11 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.judging.matching import Match, Pair
-from workbook.judging.report import NOTICE, OK, Report
+from workbook.judging.report import FAIL, NOTICE, OK, Report
 from workbook.judging.shown.colours import BLACK, WHITE, Look, Palette
 from workbook.judging.shown.conditional import Rules
 from workbook.reading.contents import Cells
 
-FAIL = "FAIL"
 LEAST_WIDTH, LEAST_HEIGHT, LEAST_SIZE = 1.0, 3.0, 3.0  # characters; points of a row and of a font
 
 

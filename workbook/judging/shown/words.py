@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 from workbook.book.address import Address, Place
 from workbook.book.declare import FIRST, Block, Sheet, Text
 from workbook.judging.matching import MOST_BETWEEN, Match
-from workbook.judging.report import NOTICE, Report
+from workbook.judging.report import LAYOUT, NOTICE, Report
 from workbook.judging.shown import units
 
 Kind = Literal["label", "symbol", "unit", "header", "units", "equation", "note"]
@@ -29,8 +29,12 @@ class Word(NamedTuple):
 def words(match: Match, report: Report) -> None:
     """Enter texts that say something else of a cell, and as notices those that are reworded or gone."""
     named = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
+    headless = {block.name for block in match.declared.blocks.values() if match.headless(block)}
+    for name in headless:
+        at = match.file.places[name].cell(0, 0)
+        report.say(at, LAYOUT, "no headings", "its headings above it: move them together", f"the table {name}")
     for sheet in match.declared.sheets:
-        known = [word for word in declared(sheet) if word.block.name in match.file.places]
+        known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - headless]
         texts: dict[str, set[str]] = {}
         for word in known:
             texts.setdefault(word.text.style, set()).add(word.text.text)
@@ -62,6 +66,8 @@ def judge(match: Match, word: Word, place: Place, others: set[str], report: Repo
     """Enter what is wrong with one text."""
     style, expected = word.text.style, word.text.text
     near = around(match, word, place)
+    if style in ABOVE and not near[0].column:  # the column is gone, which is told
+        return
     if any(same(match.file.value(at), expected) for at in near):
         return
     held = match.file.value(near[0])
@@ -125,12 +131,15 @@ def headings(match: Match, sheet: Sheet, report: Report) -> None:
     title = next((match.file.places[b.name].sheet for b in sheet.blocks if b.name in match.file.places), None)
     if title is None:
         return
-    rows = rows_of(match, title)
+    known = {place.sheet: rows_of(match, place.sheet) for place in map(match.file.places.get, names_of(sheet)) if place}
     blocks = sorted(sheet.blocks, key=lambda block: block.row)
     for text in sheet.texts:
         if text.style not in HEADINGS or not text.text:
             continue
         low, high = bounds(match, blocks, text.row)
+        if leads(match, blocks, text, known):
+            continue
+        rows = known[title]
         held = rows.get(" ".join(text.text.split()), [])
         if len(held) <= sum(same(text.text, t.text) for t in sheet.texts if t.style not in HEADINGS):
             held = []  # what is there stands for something else
@@ -140,6 +149,24 @@ def headings(match: Match, sheet: Sheet, report: Report) -> None:
             report.say(
                 at, "shown" if held else NOTICE, found, f"over {below(blocks, text.row)}", f"heading {text.text!r}"
             )
+
+
+def names_of(sheet: Sheet) -> list[str]:
+    """Return the names of a sheet's blocks."""
+    return [block.name for block in sheet.blocks]
+
+
+def leads(match: Match, blocks: list[Block], text: Text, known: dict[str, dict[str, list[int]]]) -> bool:
+    """Whether a heading stands over the block that it is declared for, wherever they have been moved together."""
+    block = next((b for b in blocks if b.row > text.row), None)
+    place = match.file.places.get(block.name) if block is not None else None
+    if place is None:
+        return False
+    others = [
+        p.row for b in blocks if b is not block and (p := match.file.places.get(b.name)) and p.sheet == place.sheet
+    ]
+    above = [row for row in known[place.sheet].get(" ".join(text.text.split()), []) if row < place.row]
+    return bool(above) and not any(above[-1] < row < place.row for row in others)
 
 
 def bounds(match: Match, blocks: list[Block], row: int) -> tuple[int, float]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from engine import laws as engine
 from engine.laws import Entry, Law, PieceLaw
@@ -17,10 +17,11 @@ from engine.laws.points import CHAINS, Spread
 from engine.laws.sections import velocity_peak
 from engine.laws.table import Carried, begins, carried
 from workbook.book.checks import ZERO
-from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import figure
 from workbook.entries.texts import Text
-from workbook.entries.types import SMALLEST, SUM_TOLERANCE, EntryError, Model, NotNegative, Number
+from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
 from workbook.laws import sampling
 from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
 from workbook.laws.tops import DENSE, LEAST_POINTS, extremes, points_table, spread_rows, top_table
@@ -41,13 +42,12 @@ class Piece(Model):
     omega: NotNegative = 0.0
     phase: Number = 0.0
 
-    @model_validator(mode="after")
-    def _turning(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a sine without a frequency."""
         if self.amplitude and not self.omega:
-            raise EntryError("omega", f"the sine of amplitude {self.amplitude:g} has no ω; expected more than 0")
+            yield DesignError("omega", TURNING.words, TURNING.rule, 1.0)
         if 0 < self.omega < SMALLEST:
-            raise EntryError("omega", f"ω = {self.omega:g} is too small; expected 0 or at least {SMALLEST:g}")
-        return self
+            yield DesignError("omega", SLOW.words, SLOW.rule, 1.0)
 
     @property
     def made(self) -> engine.Piece:
@@ -56,18 +56,21 @@ class Piece(Model):
         return engine.Piece(self.duration, polynomial, self.amplitude, self.omega, self.phase)
 
 
+TURNING = RowRule("turning", "OR([P]+0=0,[omega]+0<>0)", "omega", "ω of a sine, expected more than 0")
+SLOW = RowRule("slow", f"OR([omega]+0<=0,[omega]+0>={SMALLEST!r})", "omega", "ω, too small")
+
+
 class OwnLaw(LawSheet):
     """The engineer's own law, piece by piece; the default is the polynomial 3-4-5."""
 
     name: Text = "Polynomial 3-4-5"
     pieces: list[Piece] = Field(default=[Piece(duration=1.0, c1=60.0, c2=-180.0, c3=120.0)])
 
-    @model_validator(mode="after")
-    def _complete(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield pieces that do not fill the rise."""
         total = sum(piece.duration for piece in self.pieces)
         if abs(total - 1) > SUM_TOLERANCE:
-            raise EntryError("pieces", f"the durations of the own law sum to {total:.10g}; expected 1")
-        return self
+            yield DesignError("pieces", f"they sum to {figure(total)}; expected 1", "sum", [POLYNOMIAL_345])
 
     @property
     def made(self) -> list[engine.Piece]:
@@ -176,15 +179,15 @@ class OwnPage(Page):
         for what in CHAINS:
             top_table(sheet, at, what, first, held)
 
-    def verdicts(self, name: str, law: Law, sizes: Any) -> list[Quantity]:
+    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the own law."""
-        at = spread_of(law, sizes.pieces, sizes.own_law)
+        at, end, name = spread_of(one.law, sizes.pieces, sizes.own_law), one.law.end, one.called
         return [
-            check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True),
+            check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
+                  rule=f"{one.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
             check("@reaches", f"{name}: the law reaches s = 1",
-                  "ABS([@samples.s.last]-1)<check_zero", abs(law.end.s - 1) < ZERO),
-            check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero",
-                  abs(law.end.v) < ZERO),
+                  "ABS([@samples.s.last]-1)<check_zero", abs(end.s - 1) < ZERO),
+            check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO),
             check("@dense", f"{name}: the points are dense enough for its extremes", DENSE, at.suffices,
                   "of a sine with many turns: split its piece, or raise sizes.own_law"),
         ]  # fmt: skip
@@ -273,6 +276,7 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         calc("poly2", "∫ of polynomial²", "", "", POLYNOMIAL_SQUARED, [row.polynomial for row in square]),
         calc("cross", "∫ of 2 · polynomial · sine", "", "", CROSS, [row.cross for row in square]),
         calc("sine2", "∫ of sine²", "", "", SINE_SQUARED, [row.sine for row in square]),
+        rules=[TURNING, SLOW],
     )  # fmt: skip
 
 
@@ -305,7 +309,7 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
         calc("@v_down", "Velocity that they lose", "V⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_v])", found.v2),
         calc("@under", "Determinant", "", "", "=@s_up*@v_down-@s_down*@v_up", found.under, source="S⁺V⁻ − S⁻V⁺"),
     )  # fmt: skip
-    row = "@first+[k]-1"
+    row, d = "@first+[k]-1", "INDEX([@pieces.d],[k])"
 
     def scaled(name: str, label: str, symbol: str, values: Sequence[float]) -> Quantity:
         formula = f"=[factor]*INDEX([@pieces.{name}],[k])"
@@ -323,9 +327,8 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
              f"+[gain_v]*(SUM([@pieces.d])-INDEX(piece_xi,{row})-INDEX(piece_d,{row}))",
              [s for s, _ in found.gained], source="∬a over it, and ∫a over the time that follows"),
         calc("size", "size", "", "",
-             "=INDEX([@pieces.d],[k])*(ABS(INDEX([@pieces.c0],[k]))+INDEX([@pieces.d],[k])*(ABS(INDEX([@pieces.c1],[k]))"
-             "+INDEX([@pieces.d],[k])*(ABS(INDEX([@pieces.c2],[k]))+INDEX([@pieces.d],[k])*ABS(INDEX([@pieces.c3],[k]))))"
-             "+ABS(INDEX([@pieces.P],[k])))", found.sizes),
+             f"={d}*(ABS(INDEX([@pieces.c0],[k]))+{d}*(ABS(INDEX([@pieces.c1],[k]))+{d}*(ABS(INDEX([@pieces.c2],[k]))"
+             f"+{d}*ABS(INDEX([@pieces.c3],[k]))))+ABS(INDEX([@pieces.P],[k])))", found.sizes),
         calc("slow", "loses velocity", "", "",
              "=IF([gain_v]<0-@least,1,0)", [float(slow) for slow in found.slows], format="0"),
     )  # fmt: skip

@@ -7,7 +7,7 @@ from pydantic import Field
 from engine.laws.s_curve import SCurve
 from workbook.entries.types import Share
 from workbook.laws.edged import FLAT, LINE_IN, LINE_OUT, Stage, Stages, edged
-from workbook.laws.seven import DURATIONS, SUM_IS_1, SevenDurations
+from workbook.laws.seven import DURATIONS, LASTS, SUM_IS_1, SevenDurations
 
 FORMS = {1: LINE_OUT, 2: FLAT, 3: LINE_IN, 4: None, 5: LINE_IN, 6: FLAT, 7: LINE_OUT}
 STAGES = Stages({k: Stage(form, "") for k, form in FORMS.items()}, entered=True)
@@ -32,5 +32,5 @@ PAGE = edged(
         {"durations": [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0]},
         {"durations": [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2]},
     ),
-    checks=(SUM_IS_1,),
+    checks=(SUM_IS_1, LASTS),
 )

@@ -1,11 +1,10 @@
 """Sine, constant and cosine acceleration: the SCCA family."""
 
-from typing import Self
-
-from pydantic import model_validator
+from collections.abc import Iterator
 
 from engine.laws.sine_constant_cosine import SineConstantCosine
-from workbook.entries.types import SUM_TOLERANCE, EntryError, Share
+from workbook.book.sentence import figure
+from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, Stages, edged, law_of
 from workbook.laws.family import LawCheck, Parameter
 from workbook.laws.shared import SHARE, Shared
@@ -21,14 +20,14 @@ class Parts(Shared):
     cosine: Share = SineConstantCosine.cosine
     straight: Share = SineConstantCosine.straight
 
-    @model_validator(mode="after")
-    def _complete(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield shares that do not fill the rise, and a law that cannot start or stop."""
         total = sum(getattr(self, part) for part in PARTS)
+        fits = self.model_dump() | {part: getattr(SineConstantCosine, part) for part in PARTS}
         if abs(total - 1) > SUM_TOLERANCE:
-            raise EntryError("sine", f"the shares {', '.join(PARTS)} sum to {total:.10g}; expected 1")
+            yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
         if not self.sine + self.constant + self.cosine:
-            raise EntryError("straight", "all of the time is straight; expected time to speed up and slow down")
-        return self
+            yield DesignError("", "all of the time is straight", "lasts", fits)
 
 
 STAGES = Stages({
@@ -61,5 +60,10 @@ PAGE = edged(
         {"sine": 0.0, "constant": 0.5, "cosine": 0.2, "straight": 0.3, "share": 0.3},
         {"sine": 0.15, "constant": 0.25, "cosine": 0.35, "straight": 0.25, "share": 0.55},
     ),
-    checks=(LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero"),),
+    checks=(
+        LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum",
+                 '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
+        LawCheck("@lasts", "the law starts and stops", "@sine+@constant+@cosine>0", "lasts",
+                 '"all of the time is straight"'),
+    ),
 )  # fmt: skip

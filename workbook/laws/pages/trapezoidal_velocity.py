@@ -1,11 +1,13 @@
 """Trapezoidal velocity with two break points."""
 
-from typing import Annotated, Self
+from collections.abc import Iterator
+from typing import Annotated
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
-from workbook.entries.types import EntryError
+from workbook.book.sentence import figure
+from workbook.entries.types import DesignError
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow, ShapeFormulas
 
 
@@ -15,18 +17,15 @@ class BreakPoints(LawSheet):
     rise_end: Annotated[float, Field(gt=0, le=1)] = TrapezoidalVelocity.rise_end
     fall_start: Annotated[float, Field(ge=0, lt=1)] = TrapezoidalVelocity.fall_start
 
-    @model_validator(mode="after")
-    def _ordered(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield break points that do not follow each other."""
         if self.fall_start < self.rise_end:
-            raise EntryError(
-                "fall_start",
-                f"the second break point {self.fall_start:g} lies before the first; expected at "
-                f"least {self.rise_end:g}",
-            )
-        return self
+            said = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
+            yield DesignError("", said, "order", self.model_dump() | BreakPoints().model_dump(exclude={"lift", "time"}))
 
 
-ORDER = LawCheck("@order", "the break points follow each other", "AND(@av>0,@av<=@aw,@aw<1)")
+BEFORE = '"brakes from "&ROUND(@aw,9)&", before "&ROUND(@av,9)'
+ORDER = LawCheck("@order", "the break points follow each other", "@av<=@aw", "order", BEFORE)
 
 PAGE = Page(
     title="Trapezoidal velocity",

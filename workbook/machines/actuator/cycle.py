@@ -11,11 +11,11 @@ from workbook.book.rows import filled
 from workbook.drive.motor import limits_table
 from workbook.drive.stages import through
 from workbook.entries.units import RPM, shown
-from workbook.machines.actuator.tables import AT, resists
+from workbook.machines.actuator.tables import AT, joints, resists
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import ABOUT, TITLE, pieces_in_all, pieces_table
-from workbook.motion.sampled import derivative, finding
+from workbook.motion.sampled import POSITION, derivative, finding
 
 PARTS = ("accelerating", "uniform, or dwell", "decelerating")
 EXTREMES = "Torque in the parts of the phases: at the law's extremes of acceleration, and without any"
@@ -37,15 +37,17 @@ def cycle_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
             "The load, ω_L, ω̇_L and T*_L, is that at the shaft which the motor is coupled to, without the motor.",
         )
         cycle(sheet, machine, rows)
+        found = joints(machine, rows)
         sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
         sheet.rows(
-            pieces_in_all("@pieces_all", AT, rows),
+            pieces_in_all(rows),
+            found.order(),
             calc("@eps", "Tolerance of a time", "ε", "s",
                  "=@time*break_tolerance", machine.sizing.motion.tolerance, format="0E+00",
                  source="a sample this near to a begin counts as on it"),
         )  # fmt: skip
         sheet.row += 1
-        pieces_table(sheet, TITLE, AT, rows, machine.room, machine.sizing.motion.size)
+        pieces_table(sheet, TITLE, rows, machine.room, machine.sizing.motion.size, *found.columns(machine.room))
     sheet.print_columns = 12
 
 
@@ -105,8 +107,8 @@ def cycle(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
         "cycle", "Load and motor over the cycle", len(t),
         calc("time", "time", "t", "s", "=[k]*@time/[cycle.k.last]", t, format="0.0000", scale=sides.time),
         result("y", "position of the load", "x", "mm or °",
-               f"=({derivative(AT, 0)})/@unit", shown(at.y, machine.unit), scale=shown(sides.lift, machine.unit),
-               source="c0 + c1 u + … + A sin x"),
+               f"=({derivative(rows, 0)})/@unit", shown(at.y, machine.unit), scale=shown(sides.lift, machine.unit),
+               source=POSITION),
         result("rpm", "motor speed", "n_m", "rpm",
                "=[w]*60/(2*PI())", shown(motor.speed, RPM), scale=shown(sides.motor_speed, RPM)),
         result("torque", "motor torque", "T_m", "Nm",
@@ -118,15 +120,15 @@ def cycle(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
         replace(load, label="load torque", role="result", source="T_L + J_L ω̇_L"),
         constant("k", "sample", "k", "", list(range(len(t)))),
         calc("vel", "speed of the load", "v", "",
-             f"={derivative(AT, 1)}", at.y1, scale=sides.speed, source="dx/dt; m/s, or rad/s"),
+             f"={derivative(rows, 1)}", at.y1, scale=sides.speed, source="dx/dt; m/s, or rad/s"),
         calc("acc", "acceleration of the load", "a", "",
-             f"={derivative(AT, 2)}", at.y2, scale=sides.acceleration, source="d²x/dt²; m/s², or rad/s²"),
+             f"={derivative(rows, 2)}", at.y2, scale=sides.acceleration, source="d²x/dt²; m/s², or rad/s²"),
         calc("jerk", "jerk of the load", "j", "",
-             f"={derivative(AT, 3)}", at.y3, scale=machine.sizing.motion.size(3), source="d³x/dt³, between jumps"),
+             f"={derivative(rows, 3)}", at.y3, scale=machine.sizing.motion.size(3), source="d³x/dt³, between jumps"),
         calc("p", "phase", "", "", f"={AT.of_piece('p', 'q')}", machine.sizing.motion.phase_index(t) + 1, format="0"),
         calc("dir", "direction", "", "", "=INDEX([phases.dir],[p])", going, format="0"),
         calc("base", "resists", "", "N or Nm",
              "=INDEX([phases.base],[p])", drive.resisting(going), scale=sides.force),
         *columns,
-        *finding(AT, rows, "time", t),
+        *finding(rows, "time", t),
     )  # fmt: skip

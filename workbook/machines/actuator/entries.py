@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from workbook.book.sentence import figure
 from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
-from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
-from workbook.motion.room import WIDEST, settle
+from workbook.entries.types import DesignError, EntryError, Model, NotNegative, Number, Positive
+from workbook.motion.asked import Smoothness
+from workbook.motion.room import settle_phases
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
@@ -50,14 +53,15 @@ class ActuatorMotor(MotorLimits):
     rated_at: Temperature
     limit: Temperature
 
-    @model_validator(mode="after")
-    def _cooler(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a motor of no known inertia, or hotter than its limit."""
         if self.inertia is None and self.inertia_ratio is None:
-            raise EntryError("inertia_ratio", "empty, and so is the motor's inertia; expected one of the two")
+            yield DesignError("inertia_ratio", "neither the motor's inertia nor a ratio is entered", "inertia", 1.0)
         for name in ("temperature", "rated_at"):
             if getattr(self, name) >= self.limit:
-                raise EntryError(name, f"{getattr(self, name):g} °C; expected less than the limit, {self.limit:g} °C")
-        return self
+                hottest = max(self.temperature, self.rated_at)
+                said = f"{figure(hottest)} °C; expected less than the limit, {figure(self.limit)} °C"
+                yield DesignError(name, said, "cool", self.limit - 1.0)
 
 
 class ActuatorEntry(Model):
@@ -66,12 +70,23 @@ class ActuatorEntry(Model):
     mechanism: Kind
     method: Literal["physical", "document"] = "physical"
     holding: Literal["motor", "brake"] = "motor"
+    smoothness: Smoothness = "acceleration"
     output: Output
     gears: list[Gear] = Field(default_factory=list)
     parts: list[PlacedParts] = Field(default_factory=list)
     load: ActuatorLoad = ActuatorLoad()
     phases: Annotated[list[PhaseEntry], Field(min_length=1)]  # lifts in mm or degrees, durations in s
     motor: ActuatorMotor
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield parts behind gears that are not there."""
+        gears = len(self.gears)
+        behind = [part.shaft for part in self.parts]
+        if max(behind, default=0.0) > gears:
+            i = behind.index(max(behind))
+            said = f"row {i + 1}: behind {figure(behind[i])} gears, of {gears}"
+            fits = [part.model_dump() | {"shaft": min(part.shaft, float(gears))} for part in self.parts]
+            yield DesignError("parts", said, "shafts", fits)
 
 
 class ActuatorSizes(SelectionSizes):
@@ -100,9 +115,5 @@ class ActuatorSizing(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")
         require_room(self.selection, self.sizes)
-        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases + WIDEST)
-        for i, part in enumerate(a.parts):
-            if part.shaft > len(a.gears):
-                expected = f"0 to {len(a.gears)}, the number of gears"
-                raise EntryError(f"actuator.parts.{i}.shaft", f"found {part.shaft:g}; expected {expected}")
+        settle_phases(self, {"actuator.phases": a.phases})
         return self

@@ -7,10 +7,12 @@ from engine.laws.base import Array
 from engine.laws.piece_extremes import extremes_of
 from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
+from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import phase_columns
+from workbook.motion.smooth import Asked, Joints
 
 AT = Cells("phases", "act_pieces", "act_pieces_all", "act_time", "act_eps", x="s")
 FILL = (
@@ -22,6 +24,17 @@ PARTS = (
     ("level", "torque uniform", "T_ss", "at a = 0; in a dwell"),
     ("dec", "torque decelerating", "T_dec", "at the lowest a"),
 )
+
+
+def joints(machine: Sized, rows: PieceRows) -> Joints:
+    """Return the joints of the motion's pieces, and how smooth they must be."""
+    base = "m" if machine.kind.travels else "rad"
+    units = tuple((f'IF(act_travels=1,"m/{s}","rad/{s}")', f"{base}/{s}") for s in ("s", "s²", "s³"))
+    asked = Asked(
+        machine.given.smoothness, "act_smooth", "act_order", ("MAX([phases.v])", "MAX([phases.amax])"), ('" s"', " s"),
+        units,
+    )  # fmt: skip
+    return Joints(rows, machine.sizing.motion, asked)
 
 
 def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
@@ -66,7 +79,8 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
              '=IF([kind]="spare",0,SIGN([h]))', machine.of_moves(lambda move: move.direction), format="0"),
         calc("base", "resists", "", "N or Nm",
              '=IF([kind]="spare",0,IF([dir]=0,@hold,@steady+@rubbing*[dir]))', resists(machine), scale=sides.force),
-        *phase_columns(AT, rows),
+        *phase_columns(rows),
+        rules=[AT_REST],
     )  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.actuator.check import check
 from workbook.machines.actuator.cycle import cycle_sheet
@@ -12,6 +13,7 @@ from workbook.machines.actuator.entries import ActuatorSizing
 from workbook.machines.actuator.printed import printed_sheet
 from workbook.machines.actuator.rms import rms_sheet
 from workbook.machines.actuator.sheet import actuator_sheet
+from workbook.machines.actuator.tables import AT
 from workbook.machines.actuator.variations import variants
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import rows_of
@@ -37,7 +39,7 @@ def declare(given: ActuatorSizing) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     view = Sized(given, shelf.laws)
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     peak, fastest = view.sizing.peak_torque, view.sizing.max_speed
     torque, speed = view.sides.torque, view.sides.motor_speed
     about_sheet(
@@ -49,7 +51,7 @@ def declare(given: ActuatorSizing) -> Book:
             result("about_speed", "Largest speed of the motor", "ω_m", "rad/s", "=act_wmax", fastest, scale=speed),
         ],
     )  # fmt: skip
-    rows = rows_of(view.sizing.motion, shelf.stack, given.sizes.phases)
+    rows = rows_of(AT, view.sizing.motion, shelf.stack, given.sizes.phases)
     actuator_sheet(book, view, rows)
     cycle_sheet(book, view, rows)
     rms_sheet(book, view, shelf.named)

@@ -7,6 +7,7 @@ from typing import Any
 from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.laws.variations import own_pieces as own
 from workbook.machines.actuator.entries import ActuatorSizing
+from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 from workbook.selection.variations import vary_selection
 
@@ -38,6 +39,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "mechanism": KINDS[k],
         "method": "document" if k == 3 else "physical",
         "holding": "brake" if k % 3 == 1 else "motor",
+        "smoothness": smoothness_for(turn),
         "output": {"turns": 0.05 + 0.03 * k, "diameter": 80.0 + 13 * k, "efficiency": 0.55 + 0.07 * k},
         "gears": [gear(k, i) for i in range((k + 1) % 3 if k else sizes["gears"])],
         "phases": phases(turn, sizes["phases"], data["laws"]),

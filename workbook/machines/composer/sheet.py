@@ -8,13 +8,17 @@ from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.composer.view import Composition
+from workbook.motion.asked import ABOUT as CONTINUOUS
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, TITLE, phase_columns, pieces_in_all, pieces_table, room_check
-from workbook.motion.sampled import derivative, finding
+from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.smooth import Asked, Joints
 
 AT = Cells("phases", "move_pieces", "move_pieces_all", "move_total", "move_near", "lift", "x")
+UNITS = ('move_y&"/"&move_x', 'move_y&"/"&move_x&"²"', 'move_y&"/"&move_x&"³"')
 PER, PER2, PER3 = "lift/x", "lift/x²", "lift/x³"  # units, which the engineer names: in the headers they stand as words
 
 
@@ -26,7 +30,8 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.heading("What comes out")
     results(sheet, machine)
     sheet.row += 1
-    checks(sheet, machine)
+    joints = Joints(rows, machine.motion, asked(machine))
+    checks(sheet, machine, joints)
     draw_position(sheet)
     sheet.heading(
         "Phases", "As in S3: a law, a lift and a duration each; the position is carried on from phase to phase."
@@ -39,14 +44,25 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     samples(sheet, machine, rows)
     sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
     sheet.rows(
-        pieces_in_all("move_pieces_all", AT, rows),
+        pieces_in_all(rows),
+        joints.order(),
         calc("move_near", "Tolerance of a begin", "ε", "x",
              "=move_total*break_tolerance", machine.motion.tolerance, format="0E+00",
              source="a sample this near to a begin counts as on it"),
     )  # fmt: skip
     sheet.row += 1
-    pieces_table(sheet, TITLE, AT, rows, machine.room, machine.motion.size)
+    pieces_table(sheet, TITLE, rows, machine.room, machine.motion.size, *joints.columns(machine.room))
     sheet.print_columns = 17
+
+
+def asked(machine: Composition) -> Asked:
+    """Return how smooth the motion must be."""
+    x = machine.given.abscissa_unit
+    return Asked(
+        machine.given.smoothness, "move_smooth", "move_order", ("MAX([phases.v])", "MAX([phases.a])"),
+        ('" "&move_x', f" {x}"), tuple(zip(UNITS, machine.units, strict=True)), wraps='move_cycle="closes"',
+        periodic=machine.repeats,
+    )  # fmt: skip
 
 
 def entries(sheet: Sheet, machine: Composition) -> None:
@@ -61,6 +77,8 @@ def entries(sheet: Sheet, machine: Composition) -> None:
         given("move_start", "Position at the begin", "y_0", "lift", m.position, "motion.position", format="0.0####"),
         given("move_cycle", "The cycle", "", "",
               m.cycle, "motion.cycle", align="center", source="closes: it repeats; open: it does not"),
+        given("move_smooth", "Must be continuous", "", "",
+              m.smoothness, "motion.smoothness", align="center", source=CONTINUOUS),
         calc("move_title_x", "Abscissa, with its unit", "", "",
              '="x ["&move_x&"]"', f"x [{x}]", align="center", source="written x in the headers below"),
         calc("move_title_y", "Position, with its unit", "", "",
@@ -104,12 +122,10 @@ def results(sheet: Sheet, machine: Composition) -> None:
     )  # fmt: skip
 
 
-def checks(sheet: Sheet, machine: Composition) -> None:
+def checks(sheet: Sheet, machine: Composition, joints: Joints) -> None:
     """Declare the checks of the motion."""
     motion = machine.motion
     sheet.checks(
-        check("move_ok_rows", "Every phase lasts", 'COUNTIF([phases.span],">0")=move_count', True,
-              "no phase without a duration"),
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
               "each law reaches its lift"),
@@ -117,6 +133,7 @@ def checks(sheet: Sheet, machine: Composition) -> None:
         check("move_ok_velocity", "No jump of velocity",
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
               "of a cycle that closes, also from its end to its begin"),
+        joints.check("move_ok_smooth", "As smooth as asked"),
         check("move_ok_closes", "The cycle closes in position",
               f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', machine.axis.closes,
               "or is open"),
@@ -182,7 +199,8 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
              joined.AT_END.format("a0", "^2"), of(begin.y2 for begin in begins), scale=a),
         calc("a1", "y'' at end", "", PER2,
              joined.AT_END.format("a1", "^2"), of(end.y2 for end in ends), scale=a),
-        *phase_columns(AT, rows),
+        *phase_columns(rows),
+        rules=[AT_REST],
     )  # fmt: skip
 
 
@@ -226,12 +244,12 @@ def samples(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         "motion", f"Position, velocity and acceleration at N = {len(x)} equal steps", len(x),
         calc("at", "abscissa", "x", "x",
              "=[k]*move_total/[motion.k.last]", x, format="0.0##", scale=machine.motion.total),
-        result("y", "position", "y", "lift", f"={derivative(AT, 0)}", at.y, scale=h, source="c0 + c1 u + … + A sin x"),
-        result("y1", "velocity", "y'", PER, f"={derivative(AT, 1)}", at.y1, scale=v, source="dy/du"),
-        result("y2", "acceleration", "y''", PER2, f"={derivative(AT, 2)}", at.y2, scale=a, source="d²y/du²"),
-        result("y3", "jerk", "y'''", PER3, f"={derivative(AT, 3)}", at.y3, scale=j, source="d³y/du³, between jumps"),
+        result("y", "position", "y", "lift", f"={derivative(rows, 0)}", at.y, scale=h, source=POSITION),
+        result("y1", "velocity", "y'", PER, f"={derivative(rows, 1)}", at.y1, scale=v, source="dy/du"),
+        result("y2", "acceleration", "y''", PER2, f"={derivative(rows, 2)}", at.y2, scale=a, source="d²y/du²"),
+        result("y3", "jerk", "y'''", PER3, f"={derivative(rows, 3)}", at.y3, scale=j, source="d³y/du³, between jumps"),
         constant("k", "sample", "k", "", list(range(len(x)))),
-        *finding(AT, rows, "at", x),
+        *finding(rows, "at", x),
     )  # fmt: skip
 
 

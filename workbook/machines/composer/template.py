@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.composer.entries import MotionComposer
-from workbook.machines.composer.sheet import motion_sheet
+from workbook.machines.composer.sheet import AT, motion_sheet
 from workbook.machines.composer.variations import variants
 from workbook.machines.composer.view import Composition
 from workbook.motion.cells import rows_of
@@ -20,7 +21,7 @@ def declare(given: MotionComposer) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     composed = Composition(given, shelf.laws)
     motion, (h, v, a, _) = composed.motion, composed.motion.sizes
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     about_sheet(
         book,
         "A motion composed of phases: each a motion law over a lift and a duration, in any units.",
@@ -32,7 +33,7 @@ def declare(given: MotionComposer) -> Book:
                    "=move_a", motion.peaks.y2, scale=a, source=UNIT),
         ],
     )  # fmt: skip
-    motion_sheet(book, composed, rows_of(motion, shelf.stack, given.sizes.phases))
+    motion_sheet(book, composed, rows_of(AT, motion, shelf.stack, given.sizes.phases))
     shelf.sheets(book)
     return finish(book, "Composed motion", ("S1", "S3"))
 

@@ -10,6 +10,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.drive import losses
+from workbook.drive.entries import GEARED
 from workbook.drive.motor import limit_checks, limits_given, limits_table, plane
 from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, shown
@@ -83,6 +84,7 @@ def inertia_table(sheet: Sheet, machine: Cutting) -> None:
         calc("reflected", "at the roller shaft", "J*", "kg m²",
              "=[count]*[inertia]*[speed]^2",
              filled([part.reflected for part in machine.parts], n), source="count · J · (ω_i/ω_1)²"),
+        rules=[GEARED],
     )  # fmt: skip
 
 

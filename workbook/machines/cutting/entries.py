@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from workbook.book.sentence import figure
 from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
+from workbook.entries.phase import resting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
-from workbook.entries.types import ANGLE_TOLERANCE, Angle, EntryError, Model, Number, Positive
+from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawName
-from workbook.motion.room import WIDEST, settle
+from workbook.motion.asked import Smoothness
+from workbook.motion.room import settle_phases
 from workbook.selection.entries import Selection, SelectionSizes, require_room
+
+TURN = 360.0  # degrees
 
 
 class Phase(Model):
@@ -23,13 +29,9 @@ class Phase(Model):
     lift: Number = 0.0
     law: LawName = "DWL"
 
-    @model_validator(mode="after")
-    def _forward(self) -> Self:
-        if self.stop <= self.start:
-            raise EntryError("stop", f"the angles run backwards: {self.stop:g}° does not lie after {self.start:g}°")
-        if self.law == "DWL" and self.lift != 0:
-            raise EntryError("lift", f"a dwell has no lift; expected 0, or another law, not {self.lift:g} mm")
-        return self
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a dwell that is to lift."""
+        yield from resting(self.law, self.lift)
 
 
 class Axis(Model):
@@ -38,20 +40,56 @@ class Axis(Model):
     name: Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
     group: Text
     closes: Literal["position", "feed"] = "position"
+    smoothness: Smoothness = "acceleration"
     phases: Annotated[list[Phase], Field(min_length=1)]
 
-    @model_validator(mode="after")
-    def _joined(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield phases that run backwards, do not follow on, or do not fill the cycle."""
+        spread = filling(self.phases)
+        for i, phase in enumerate(self.phases, 1):
+            if phase.stop <= phase.start:
+                yield DesignError("phases", backwards(self.name, i, phase), "forward", spread)
+                break
         reached = 0.0
-        for i, phase in enumerate(self.phases):
+        for i, phase in enumerate(self.phases, 1):
             if abs(phase.start - reached) > ANGLE_TOLERANCE:
-                raise EntryError(f"phases.{i}.start", f"the phase begins at {phase.start:g}°; expected {reached:g}°")
+                said = parted(self.name, i, phase.start, reached)
+                yield DesignError(f"phases.{i - 1}.start", said, "follows", reached)
+                break
             reached = phase.stop
-        if abs(reached - 360) > ANGLE_TOLERANCE:
-            raise EntryError(
-                f"phases.{len(self.phases) - 1}.stop", f"the last phase ends at {reached:g}°; expected 360°"
-            )
-        return self
+        last = max(phase.stop for phase in self.phases)
+        if abs(last - TURN) > ANGLE_TOLERANCE:
+            yield DesignError(f"phases.{len(self.phases) - 1}.stop", unfilled(self.name, last), "fills", TURN)
+
+
+def filling(phases: Sequence[Phase]) -> list[dict[str, Any]]:
+    """Return the phases, evenly spread over the cycle."""
+    step = TURN / len(phases)
+    edges = [*(i * step for i in range(len(phases))), TURN]
+    return [
+        phase.model_dump() | {"start": start, "stop": stop}
+        for phase, start, stop in zip(phases, edges, edges[1:], strict=False)
+    ]
+
+
+def backwards(name: str, row: int, phase: Phase) -> str:
+    """Return the sentence on a phase that runs backwards, or does not last."""
+    short = phase.start - phase.stop
+    return f"{name} row {row} ends at {figure(phase.stop)}°, {figure(short)}° before it begins"
+
+
+def parted(name: str, row: int, start: float, reached: float) -> str:
+    """Return the sentence on a phase that does not begin where the one before it ends."""
+    gap = start - reached
+    side = "after" if gap > 0 else "before"
+    other = f"row {row - 1} ends" if row > 1 else "0°"
+    return f"{name} row {row} begins at {figure(start)}°, {figure(abs(gap))}° {side} {other}"
+
+
+def unfilled(name: str, last: float) -> str:
+    """Return the sentence on phases that do not end with the cycle."""
+    side = "before" if last < TURN else "after"
+    return f"{name} ends at {figure(last)}°, {figure(abs(TURN - last))}° {side} 360°"
 
 
 class Timing(Model):
@@ -87,6 +125,5 @@ class CuttingMachine(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
-        laws = {f"timing.axes.{i}.phases": [p.law for p in axis.phases] for i, axis in enumerate(self.timing.axes)}
-        settle(self, laws, self.sizes.phases + WIDEST)
+        settle_phases(self, {f"timing.axes.{i}.phases": axis.phases for i, axis in enumerate(self.timing.axes)})
         return self

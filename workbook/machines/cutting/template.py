@@ -7,10 +7,11 @@ import numpy as np
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.cutting.drive import drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
-from workbook.machines.cutting.timing import timing_sheet
+from workbook.machines.cutting.timing import cells, timing_sheet
 from workbook.machines.cutting.variations import variants
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import rows_of
@@ -36,7 +37,7 @@ def declare(given: CuttingMachine) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     reference = Cutting(given, shelf.laws)
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     movements = reference.diagram.movements(reference.rate)
     names = [axis.name for axis in given.timing.axes]
     greatest = [max((m.a_max for m in movements if m.axis == name), default=0.0) for name in names]
@@ -48,9 +49,11 @@ def declare(given: CuttingMachine) -> Book:
             for i, (name, a) in enumerate(zip(names, greatest, strict=True), 1)
         ],
     )  # fmt: skip
-    timing_sheet(book, reference, [rows_of(a.motion, shelf.stack, given.sizes.phases) for a in reference.axes])
+    rooms = given.sizes.phases
+    axes = enumerate(reference.axes, 1)
+    timing_sheet(book, reference, [rows_of(cells(i), axis.motion, shelf.stack, rooms) for i, axis in axes])
     book.name(
-        "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_travel="travel",
+        "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_smooth="smooth", axis_travel="travel",
         axis_low="low", axis_high="high", axis_v="v", axis_a="a",
     )  # fmt: skip
     drive_sheet(book, reference)

@@ -11,6 +11,7 @@ from engine.timing import Movement, lane, turn_time
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.entries.phase import AT_REST
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import phases as joined_phases
 from workbook.laws.phases import ACCELERATION, AT_END, LAW_NUMBER, RMS, VELOCITY
@@ -18,7 +19,8 @@ from workbook.machines.cutting.entries import Axis
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table, room_check
-from workbook.motion.sampled import derivative, finding
+from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.smooth import Asked, Joints
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
@@ -29,6 +31,16 @@ LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}
 def cells(i: int) -> Cells:
     """Return where the motion of an axis stands."""
     return Cells(f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "timing_eps", "m", "rad", degrees=True)
+
+
+def asked(machine: Cutting, i: int) -> Asked:
+    """Return how smooth an axis must be."""
+    units = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
+    axis, t = machine.machine.timing.axes[i - 1], f"axis{i}"
+    return Asked(
+        axis.smoothness, f"INDEX([axes.smooth],{i})", f"{t}_order", (f"MAX([{t}.y1])", f"MAX([{t}.y2])"),
+        ('"°"', "°"), units, (f"INDEX([axes.name],{i})", axis.name),
+    )  # fmt: skip
 
 
 def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
@@ -52,16 +64,20 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     axes_table(sheet, machine)
     draw_diagram(sheet, timing.axes)
     sheet.row = max(sheet.row, 26)
-    for i, of_axis in enumerate(rows, 1):
+    joints = [Joints(found, axis.motion, asked(machine, i))
+              for i, (axis, found) in enumerate(zip(machine.axes, rows, strict=True), 1)]  # fmt: skip
+    for i, (of_axis, of_joints) in enumerate(zip(rows, joints, strict=True), 1):
         phases(sheet, machine, i, of_axis)
-        joined(sheet, machine, i)
+        joined(sheet, machine, i, of_joints)
     draw_curves(sheet, timing.axes)
     sheet.heading("Table over the cycle")
     cycle(sheet, machine, rows)
     sheet.heading("Workings: the motions as pieces", ABOUT)
-    for i, (axis, of_axis) in enumerate(zip(machine.axes, rows, strict=True), 1):
-        sheet.rows(pieces_in_all(f"axis{i}_count", cells(i), of_axis))
-        pieces_table(sheet, f"Pieces of {axis.name}", cells(i), of_axis, machine.room, axis.motion.size)
+    room = machine.room
+    for axis, of_axis, of_joints in zip(machine.axes, rows, joints, strict=True):
+        sheet.rows(pieces_in_all(of_axis), of_joints.order())
+        columns = of_joints.columns(room)
+        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, room, axis.motion.size, *columns)
     sheet.print_columns = 17
 
 
@@ -81,6 +97,8 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
         given("name", "axis", "", "", [a.name for a in axes], "timing.axes.*.name"),
         given("closes", "closes in", "", "",
               [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
+        given("smooth", "must be continuous", "", "",
+              [a.smoothness for a in axes], "timing.axes.*.smoothness", source="velocity, acceleration, jerk"),
         calc("travel", "travel a cycle", "Σh", "mm",
              each("=SUM([axis{0}.lift])"), [shown(axis.motion.lifts_sum, MM) for axis in machine.axes]),
         calc("low", "lowest position", "", "mm", each("=MIN([cycle.y{0}])"), [float(y.min()) for y in positions]),
@@ -110,7 +128,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
 
     sheet.heading(f"Axis {i}: {axis.name}, {axis.group}")
     sheet.table(
-        f"axis{i}", "Phases: fill one row each, in order; leave spare rows empty", n,
+        f"axis{i}", f"Phases of {axis.name}: fill one row each, in order; leave spare rows empty", n,
         calc("kind", "phase", "", "",
              joined_phases.kind("stop"), joined_phases.kinds(laws, [p.lift for p in axis.phases], n)),
         given("start", "from", "", "°", entered("start"), f"{key}.start", format="0.0##"),
@@ -139,6 +157,10 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
              source="lifts before"),
         calc("gap", "gap before", "", "°",
              '=IF([stop]="",0,[start]-IF([k]=1,0,[stop-1]))', filled([], n), scale=360.0),
+        calc("back", "runs backwards", "", "",
+             '=IF([stop]="",0,IF([stop]>[start],0,1))', 0, format="0;;", source="1 where it does"),
+        calc("parted", "does not follow on", "", "",
+             "=IF(ABS([gap])<check_zero,0,1)", 0, format="0;;", source="1 where it does not"),
         calc("v0", "y' at begin", "", "m/rad",
              AT_END.format("v0", ""), filled([begin.y1 for begin in begins], n)),
         calc("v1", "y' at end", "", "m/rad",
@@ -158,29 +180,53 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
         calc("jump_a", "jump of y''", "Δy''", "m/rad²",
              f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)",
              filled([j.jump_a for j in junctions], n), source="reported, no fault"),
-        *phase_columns(cells(i), rows),
+        *phase_columns(rows),
+        rules=[AT_REST],
     )  # fmt: skip
 
 
-def joined(sheet: Sheet, machine: Cutting, i: int) -> None:
+ENDS = "ROUND(INDEX([{0}.stop],{1}),9)"
+BACKWARDS = (
+    f'" ends at "&{ENDS}&"°, "&ROUND(INDEX([{{0}}.start],{{1}})-INDEX([{{0}}.stop],{{1}}),9)&"° before it begins"'
+)
+PARTED = (
+    '" begins at "&ROUND(INDEX([{0}.start],{1}),9)&"°, "&ROUND(ABS(INDEX([{0}.gap],{1})),9)'
+    '&IF(INDEX([{0}.gap],{1})>0,"° after ","° before ")&IF({1}=1,"0°","row "&({1}-1)&" ends")'
+)
+UNFILLED = (
+    '" ends at "&ROUND(MAX([{0}.stop]),9)&"°, "&ROUND(ABS(360-MAX([{0}.stop])),9)'
+    '&IF(MAX([{0}.stop])<360,"° before 360°","° after 360°")'
+)
+
+
+def in_row(i: int, column: str, says: str) -> str:
+    """Return the formula of a sentence on the first phase of an axis in which ``column`` is 1."""
+    row = f"MATCH(1,[axis{i}.{column}],0)"
+    return f'INDEX([axes.name],{i})&" row "&{row}&{says.format(f"axis{i}", row)}'
+
+
+def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
     """Declare the checks of one axis."""
     axis, t = machine.axes[i - 1], f"axis{i}"
-    motion, name = axis.motion, axis.name
+    motion, name, key = axis.motion, axis.name, f"timing.axes.{i - 1}"
 
     def greatest(column: str) -> str:
         return f"MAX(MAX([{t}.{column}]),-MIN([{t}.{column}]))"
 
     gap = f"SUM([{t}.h])-INDEX([{t}.jump_y],COUNT([{t}.stop]))"
     sheet.checks(
-        check(f"{t}_forward", f"{name}: every phase runs forward",
-              f'COUNTIF([{t}.span],">0")=COUNT([{t}.stop])', True),
-        check(f"{t}_follows", f"{name}: the phases follow on", f"{greatest('gap')}<check_zero", True),
-        check(f"{t}_fills", f"{name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True),
+        check(f"{t}_forward", f"{name}: every phase runs forward", f"SUM([{t}.back])=0", True,
+              rule=f"{key}:forward", says=in_row(i, "back", BACKWARDS)),
+        check(f"{t}_follows", f"{name}: the phases follow on", f"SUM([{t}.parted])=0", True,
+              rule=f"{key}:follows", says=in_row(i, "parted", PARTED)),
+        check(f"{t}_fills", f"{name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True,
+              rule=f"{key}:fills", says=f"INDEX([axes.name],{i})&{UNFILLED.format(t)}"),
         check(f"{t}_position", f"{name}: no jump of position",
               f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete),
-        room_check(f"{t}_room", cells(i), name),
+        room_check(f"{t}_room", cells(i), i, name),
         check(f"{t}_velocity", f"{name}: no jump of velocity",
               f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth()),
+        joints.check(f"{t}_smooth", f"{name}: as smooth as asked"),
         check(f"{t}_closes", f"{name}: the cycle closes",
               f'OR(INDEX([axes.closes],{i})="feed",ABS({gap})<=check_zero*{greatest("h")})', axis.closes,
               "in position, or, as a feed, in velocity"),
@@ -191,12 +237,16 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     """Declare the table over the cycle: results of the three axes, then the workings of each."""
     at = si(machine.angles, DEGREE)
     numbered = list(enumerate(machine.axes, 1))
-    results = [column for i, axis in numbered for column in moved(i, axis, at, machine.speed)]
+    results = [
+        column
+        for (i, axis), found in zip(numbered, rows, strict=True)
+        for column in moved(i, axis, found, at, machine.speed)
+    ]
     lanes = [in_lane(i, axis, at, len(numbered) - i) for i, axis in numbered]
     workings = [
         column
         for (i, axis), found in zip(numbered, rows, strict=True)
-        for column in finding(cells(i), found, "theta", at, f"{axis.name} ", str(i))
+        for column in finding(found, "theta", at, f"{axis.name} ", str(i))
     ]
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(at),
@@ -207,16 +257,16 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     )  # fmt: skip
 
 
-def moved(i: int, axis: engine_timing.Axis, at: Array, speed: float) -> list[Quantity]:
+def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: float) -> list[Quantity]:
     """Return the results of one axis: position, geometric and in time."""
     geometric, timed, name = axis.motion.at(at), axis.motion.at_speed(at, speed), axis.name
 
     def of(order: int) -> str:
-        return derivative(cells(i), order, str(i))
+        return derivative(rows, order, str(i))
 
     return [
         result(f"y{i}", f"{name} position", "y", "mm",
-               f"=({of(0)})*1000", shown(geometric.y, MM), source="c0 + c1 u + … + A sin x"),
+               f"=({of(0)})*1000", shown(geometric.y, MM), source=POSITION),
         result(f"g{i}", f"{name} geometric velocity", "y'", "m/rad",
                f"={of(1)}", geometric.y1, source="dy/du"),
         result(f"gg{i}", f"{name} geometric acceleration", "y''", "m/rad²",

@@ -6,10 +6,12 @@ import numpy as np
 
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import velocity_extremes
-from workbook.entries.types import END_TOLERANCE, EntryError
+from workbook.book.sentence import figure
+from workbook.entries.types import END_TOLERANCE, DesignError
 from workbook.entries.units import MM, shown
 from workbook.laws.entries import Laws
 from workbook.laws.library import laws
+from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import FlyingCutter
 from workbook.machines.flying.view import REST, tool_of
 
@@ -17,7 +19,7 @@ LEAST_CV = 1.001  # below, no product is too long to keep moving
 
 
 def check(machine: FlyingCutter) -> None:
-    """Raise EntryError for a law that does not do, and for products that leave no time to re-position."""
+    """Raise DesignError for a law that does not do, and for products that leave no time to re-position."""
     require_law(machine.cutter.law, machine.laws)
     least = shown(tool_of(machine.cutter).shortest_product, MM)
     for entry, length in (
@@ -25,14 +27,12 @@ def check(machine: FlyingCutter) -> None:
         ("lengths.shortest", machine.cutter.lengths.shortest),
     ):
         if length < least:
-            raise EntryError(
-                f"cutter.{entry}",
-                f"a product of {length:g} mm leaves no time to re-position; expected at least {least:.6g} mm",
-            )
+            said = f"a product of {figure(length)} mm; expected at least {figure(least)} mm"
+            raise DesignError(f"cutter.{entry}", said, "length", least + least)
 
 
 def require_law(code: str, given: Laws) -> None:
-    """Raise EntryError unless the law goes from rest to rest, speeds up once and slows down once."""
+    """Raise DesignError unless the law goes from rest to rest, speeds up once and slows down once."""
     law = laws(given)[code]
     speeds = law.v(velocity_extremes(law))
     top = int(np.argmax(speeds))
@@ -49,4 +49,4 @@ def require_law(code: str, given: Laws) -> None:
     elif law.coefficients.cv < LEAST_CV:
         fault = f"has C_v = {law.coefficients.cv:g}; expected at least {LEAST_CV:g}"
     if fault:
-        raise EntryError("cutter.law", f"the law {code} {fault}")
+        raise DesignError("cutter.law", f"the law {code} {fault}", "law", RISING[0])

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from workbook.book.sentence import figure
 from workbook.entries.machine import Machine
-from workbook.entries.types import EntryError, Model, NotNegative, Number, Positive
+from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
+from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
+TURN = 360.0
+MORE = 3  # pieces of the tool's motion beside the law's: a wait, the piece that it interrupts, the work
 
 
 class DrumEntry(Model):
@@ -20,18 +25,6 @@ class DrumEntry(Model):
     tools: Annotated[float, Field(ge=1, le=100, allow_inf_nan=False)]
     radius: Positive  # mm
     tool_angle: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
-
-    @model_validator(mode="after")
-    def _pitched(self) -> Self:
-        if self.tools != int(self.tools):
-            raise EntryError("tools", f"found {self.tools:g}; expected a whole number")
-        if self.tool_angle >= 360 / self.tools:
-            raise EntryError(
-                "tool_angle",
-                f"the tools are in step over {self.tool_angle:g}°; expected less than the {360 / self.tools:g}° "
-                "between them",
-            )
-        return self
 
 
 class SawEntry(Model):
@@ -49,11 +42,10 @@ class LoadEntry(Model):
     mass: NotNegative = 0.0  # kg, in step with the tool
     torque: Number = 0.0  # Nm, against the line's direction
 
-    @model_validator(mode="after")
-    def _heavy(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a load that nothing has to move."""
         if not (self.inertia or self.mass):
-            raise EntryError("inertia", "neither an inertia nor a mass; expected at least one of them above 0")
-        return self
+            yield DesignError("inertia", "inertia and mass are 0; expected one of them above", "heavy", 1.0)
 
 
 class LimitEntry(Model):
@@ -69,11 +61,13 @@ class LengthsEntry(Model):
     shortest: Positive  # mm
     longest: Positive  # mm
 
-    @model_validator(mode="after")
-    def _ordered(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a range of lengths that does not rise."""
         if self.longest <= self.shortest:
-            raise EntryError("longest", f"{self.longest:g} mm; expected more than the shortest, {self.shortest:g} mm")
-        return self
+            said = (
+                f"from {figure(self.shortest)} mm to {figure(self.longest)} mm; expected a longest above the shortest"
+            )
+            yield DesignError("longest", said, "ordered", 2 * self.shortest)
 
 
 class CutterEntry(Model):
@@ -89,6 +83,17 @@ class CutterEntry(Model):
     load: LoadEntry
     limits: LimitEntry
     lengths: LengthsEntry
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a drum with part of a tool, or whose tools are in step for longer than from one to the next."""
+        drum = self.drum
+        if self.kind != DRUM:
+            return
+        if drum.tools != int(drum.tools):
+            yield DesignError("drum.tools", f"{figure(drum.tools)} tools; expected a whole number", "whole", 1.0)
+        if drum.tool_angle * drum.tools >= TURN:
+            said = f"{figure(drum.tools)} tools in step over {figure(drum.tool_angle)}° each take more than 360°"
+            yield DesignError("drum.tool_angle", said, "angle", 0.0)
 
 
 class FlyingSizes(SelectionSizes):
@@ -108,4 +113,5 @@ class FlyingCutter(Machine):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         require_room(self.selection, self.sizes)
+        settle(self, MORE, MORE)
         return self

@@ -9,6 +9,7 @@ from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
 from workbook.machines.flying.view import CASES, Flying, does
+from workbook.motion.pieces import ROOM
 
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 DOES = (
@@ -164,6 +165,11 @@ def load(sheet: Sheet, machine: Flying) -> None:
     )  # fmt: skip
 
 
+SHORT = "ROUND(IF(fly_length<fly_lt*fly_longer,fly_length,fly_short),9)"
+RANGE = '"from "&ROUND(fly_short,9)&" mm to "&ROUND(fly_long,9)&" mm; expected a longest above the shortest"'
+IN_STEP = 'ROUND(fly_tools,9)&" tools in step over "&ROUND(fly_angle,9)&"° each take more than 360°"'
+
+
 def verdicts(sheet: Sheet, machine: Flying) -> None:
     """Declare the checks."""
     holds = machine.holds
@@ -180,11 +186,20 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
               f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none"),
         check("fly_ok_length", "The products leave time to re-position",
-              "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T"),
+              "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T", ":length",
+              f'"a product of "&{SHORT}&" mm; expected at least "&ROUND(fly_lt*fly_longer,9)&" mm"'),
+        check("fly_ok_tools", "A drum has whole tools", f"OR(NOT({IS_DRUM}),fly_tools=INT(fly_tools))", True, "",
+              "cutter:whole", 'ROUND(fly_tools,9)&" tools; expected a whole number"'),
+        check("fly_ok_load", "The shaft has something to move", "fly_inertia+fly_mass>0", True, "",
+              "cutter.load:heavy", '"inertia and mass are 0; expected one of them above"'),
+        check("fly_ok_range", "The range of product lengths rises", "fly_long>fly_short", True, "",
+              "cutter.lengths:ordered", RANGE),
+        check("fly_ok_pieces", "The table of pieces has room for all", "fly_pieces<=MAX([tool_pieces.r])", True, ROOM),
         check("fly_ok_angle", "The angle in step is less than between the tools",
-              f"OR(NOT({IS_DRUM}),AND(fly_tools>=1,fly_angle*fly_tools<360))", True, "θ_T < θ_0"),
+              f"OR(NOT({IS_DRUM}),fly_angle*fly_tools<360)", True, "θ_T < θ_0", "cutter:angle", IN_STEP),
         check("fly_ok_law", "The law speeds up once and slows down once", law, True,
-              "from rest to rest; S5, 'Motion law parameters'"),
+              "from rest to rest; S5, 'Motion law parameters'", ":law",
+              '"the law "&fly_law&" does not: see its sheet, or Laws"'),
     )  # fmt: skip
 
 
@@ -273,10 +288,10 @@ def workings(sheet: Sheet, machine: Flying) -> None:
         calc("fly_stop", "When the drum comes to a standstill", "", "s",
              "=IF(fly_waits=1,fly_peak*fly_tm,fly_tr)", cut.wait[0], scale=cut.cycle_time, source="t_R: not at all"),
         calc("fly_eps", "Tolerance of a time", "ε", "s",
-             "=fly_tc*fly_near", cut.time_tolerance, format="0E+00",
+             "=fly_tc*break_tolerance", cut.time_tolerance, format="0E+00",
              source="a sample this near to an event counts as on it"),
         constant("fly_near", "What counts as the same", "ε", "",
-                 SAME_LENGTH, format="0E+00", source="of a length, a time, a speed, a share of the law"),
+                 SAME_LENGTH, format="0E+00", source="of a length, a speed, a share of the law"),
         constant("fly_longer", "Shortest product, in tool lengths", "", "", LONGER, format="0.000"),
         constant("fly_least_cv", "Least coefficient of velocity", "", "",
                  LEAST_CV, format="0.000", source="with less, no drum comes to a standstill"),

@@ -5,12 +5,14 @@ from __future__ import annotations
 from engine.choice import LoadSamples, Task
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.entries.rules import limits
 from workbook.entries.units import PER_MINUTE, RPM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.flying.check import check
 from workbook.machines.flying.cycle import cycle_sheet
 from workbook.machines.flying.entries import FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
+from workbook.machines.flying.motion import rows_of
 from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.turning import turning_sheet
 from workbook.machines.flying.variations import variants
@@ -37,7 +39,7 @@ def declare(given: FlyingCutter) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     view = Flying(given, shelf.laws)
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     cut, scale = view.cut, view.scales
     fastest, dw, beta = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration, view.asked(cut).factor
     about_sheet(
@@ -54,7 +56,7 @@ def declare(given: FlyingCutter) -> Book:
     )  # fmt: skip
     cutter_sheet(book, view)
     lengths_sheet(book, view)
-    cycle_sheet(book, view, shelf.stack)
+    cycle_sheet(book, view, rows_of(view, shelf.stack), shelf.stack)
     selection_sheet(book, LOAD, choosing(view, given))
     turning_sheet(book, view, shelf.named, shelf.stack)
     shelf.sheets(book)
@@ -75,7 +77,7 @@ TEMPLATE = Template(
     declare,
     variants,
     LAW_SIZES
-    | {"cycle": ("cycle", 1), "lengths": ("lengths", 1)}
+    | {"cycle": ("cycle", 1), "lengths": ("lengths", 1), "motion_pieces": ("tool_pieces", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,
 )

@@ -74,6 +74,16 @@ class Flying:
         return Asked(task.acceleration_rms, task.torque_rms, task.power_rate_mean, task.load_factor)
 
     @property
+    def room(self) -> int:
+        """Rows of the table of the motion's pieces."""
+        return self.sizes.motion_pieces or 0
+
+    @property
+    def xi_fastest(self) -> Array:
+        """Where the law is fastest, as a column of one row."""
+        return np.array([self.cut.fastest])
+
+    @property
     def times(self) -> Array:
         """The sampled times of the cycle (s)."""
         return np.linspace(0.0, self.cut.cycle_time, self.sizes.cycle + 1)

@@ -3,99 +3,93 @@
 from __future__ import annotations
 
 from dataclasses import replace
-
-import numpy as np
+from functools import cached_property
 
 from engine.laws.base import Array
+from engine.motion.pieces import Scaled
 from engine.overlap import Schedule
 from engine.overlap.picture import LANE_SHARE, lane
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
+from engine.overlap.schedule import pieces_of_parts, size_of_parts
+from engine.timing import FULL_TURN
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.entries.units import DEGREE, MM, shown, si
-from workbook.laws import sampling
+from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
+from workbook.motion.cells import Cells, PieceRows, rows_of_parts
+from workbook.motion.pieces import ABOUT, ROOM, phase_columns, pieces_in_all, pieces_table
+from workbook.motion.sampled import POSITION, derivative, finding
 
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
-PART = (
-    "=1+IF([since{0}]+overlap_eps>=@dwell,1,0)+IF([since{0}]+overlap_eps>=@dwell+[@schedules.out.{1}],1,0)"
-    "+IF([since{0}]+overlap_eps>=360-[@schedules.in.{1}],1,0)"
-)
-ABSCISSA = (
-    "=CHOOSE([part{0}],0,MAX(0,([since{0}]-@dwell)/[@schedules.out.{1}]),0,"
-    "MAX(0,([since{0}]-360+[@schedules.in.{1}])/[@schedules.in.{1}]))"
-)
+SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
+"""the schedules that are sampled: their row in the table of the tool's angles, and what they are called"""
+WAYS = ("dwell", "way out", "rest", "way in")
+
+
+def cells(name: str) -> Cells:
+    """Return where a motion over the master angle stands."""
+    return Cells(f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "overlap_eps", "m", "rad", degrees=True)
+
+
+TRANSFER = cells("transfer")
+OF_TOOL = {"b": cells("@b"), "a": cells("@a")}
 
 
 class AtAngles:
     """The tool of one schedule at angles of the master shaft: from its arrival dwell, way out, rest, way in."""
 
-    def __init__(self, station: Station, plan: Schedule, theta: Array, pieces: sampling.Pieces) -> None:
-        """Take angles in degrees."""
-        self.station, self.plan, self.pieces = station, plan, pieces
+    def __init__(self, station: Station, schedule: str, theta: Array, pieces: Pieces) -> None:
+        """Take angles in degrees; ``schedule`` is a key of :data:`SCHEDULES`."""
+        self.station, self.at, self.row = station, OF_TOOL[schedule], SCHEDULES[schedule][0]
+        self.plan: Schedule = station.schedules[self.row - 1]
         self.angle = si(theta, DEGREE)
-        self.state = plan.state(self.angle)
-        self.travel = plan.travel(self.angle)
-        self.y = shown(self.travel, MM)
+        self.travel = self.plan.travel(self.angle)
+        self.rows = rows_of_parts(self.at, self.plan.parts, self.plan.pieces, pieces, FULL_TURN)
 
-    def columns(self, suffix: str, row: int) -> list[Quantity]:
-        """Return the workings and the travel; ``row`` is the schedule's in the table of the tool's angles."""
-        given, library = self.station.given, self.station.machine.library
-        codes = np.array(["DWL", given.law_out, "DWL", given.law_in])
-        since, part, xi = self.state
-        names = [*library]
-        numbers = np.array([names.index(code) + 1 for code in codes])[part - 1]
-        found = np.empty((self.pieces.width, len(xi)))
-        values = {d: np.empty(len(xi)) for d in "sa"}
-        for number in np.unique(numbers):
-            here = numbers == number
-            found[:, here] = self.pieces.locate(int(number), xi[here])
-            at = library[names[number - 1]].evaluate(xi[here])
-            values["s"][here], values["a"][here] = at.s, at.a
-        row_in, row_out = self.station.law_rows
+    def columns(self, suffix: str) -> list[Quantity]:
+        """Return the travel and the workings."""
+        since, there = self.plan.since(self.angle), f"[@schedules.there.{self.row}]"
         return [
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
-                 f"=@stroke*CHOOSE([part{suffix}],1,1-[s{suffix}],0,[s{suffix}])", self.y,
-                 source="h s in, h (1 − s) out"),
+                 f"=({derivative(self.rows, 0, suffix)})*1000", shown(self.travel, MM), source=POSITION),
             calc(f"since{suffix}", "angle since its arrival", "", "°",
-                 f"=[theta]-[@schedules.there.{row}]-360*INT(([theta]-[@schedules.there.{row}])/360+break_tolerance)",
-                 shown(since, DEGREE), scale=TURN),
-            calc(f"part{suffix}", "phase", "", "",
-                 PART.format(suffix, row), part, format="0", source="1 dwell, 2 out, 3 rest, 4 in"),
-            calc(f"xi{suffix}", "abscissa", "ξ", "", ABSCISSA.format(suffix, row), xi),
-            calc(f"n{suffix}", "law number", "", "",
-                 f"=CHOOSE([part{suffix}],1,[used.no.{row_out}],1,[used.no.{row_in}])", numbers, format="0"),
-            *self.pieces.finding(f"[n{suffix}]", f"xi{suffix}", found, suffix),
-            *self.pieces.columns(values, "sa", suffix),
+                 f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_tolerance)", shown(since, DEGREE), scale=TURN),
+            *finding(self.rows, f"since{suffix}", since, suffix=suffix),
         ]  # fmt: skip
 
-    def acceleration(self, suffix: str, row: int, label: str) -> Quantity:
-        """Return the column of the acceleration in m/s², from the engine's motion of the tool."""
-        value = self.plan.acceleration(self.angle, self.station.machine.rate)
-        formula = (
-            f"=CHOOSE([part{suffix}],0,0-[a{suffix}]/[@schedules.t_out.{row}]^2,"
-            f"0,[a{suffix}]/[@schedules.t_in.{row}]^2)*@stroke/1000"
-        )
-        return result(f"acc{suffix}", label, "a", "m/s²", formula, value, source="± h a/t_m²")
+    @cached_property
+    def rates(self) -> tuple[Array, Array, Array]:
+        """Velocity, acceleration and jerk of the tool."""
+        return self.plan.rates(self.angle, self.station.machine.rate)
+
+    def rate(self, order: int, name: str, what: str, symbol: str, unit: str, suffix: str) -> Quantity:
+        """Return the column of a derivative in time."""
+        label = f"{what}, {SCHEDULES[suffix][1]}"
+        formula = f"=({derivative(self.rows, order, suffix)})*overlap_w^{order}"
+        return result(f"{name}{suffix}", label, symbol, unit, formula, self.rates[order - 1])
 
 
-def transfer_columns(machine: Overlapping, theta: Array, pieces: sampling.Pieces) -> list[Quantity]:
+def transfer_rows(machine: Overlapping, pieces: Pieces) -> PieceRows:
+    """Return the pieces of the transfer."""
+    parts = machine.transfer.parts
+    return rows_of_parts(TRANSFER, parts, pieces_of_parts(parts), pieces, FULL_TURN)
+
+
+def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
-    moved, angle = machine.transfer, si(theta, DEGREE)
-    number = pieces.number(moved.law)
-    xi = moved.xi(angle)
+    angle, rows = si(theta, DEGREE), transfer_rows(machine, pieces)
     return [
         result("yt", "travel of the transfer", "y_t", "mm",
-               "=overlap_pitch*[st]", shown(moved.travel(angle), MM), source="h_t s"),
-        calc("xit", "its abscissa", "ξ", "", "=MIN([theta]/overlap_angle,1)", xi),
-        *pieces.finding("[used.no.1]", "xit", pieces.locate(number, xi), "t"),
-        *pieces.columns({"s": moved.law.s(xi)}, "s", "t"),
+               f"=({derivative(rows, 0, 't')})*1000", shown(machine.transfer.travel(angle), MM),
+               source=POSITION),
+        *finding(rows, "theta", angle, suffix="t"),
     ]  # fmt: skip
 
 
 ALLOWED = "=IF(AND([theta]>@begin+overlap_eps,[theta]<@end-overlap_eps),@clearance,@stroke)"
 
 
-def cycle_sheets(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> None:
+def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
     """Declare a sheet for each tool: travel, acceleration and clearance over one turn of the master shaft."""
     for station in machine.stations:
         i = station.number
@@ -106,6 +100,13 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> N
             sheet.row += 1
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
+        sheet.heading("Workings: the motions as pieces", ABOUT)
+        if station.number == 1:
+            transfer_pieces(sheet, machine, pieces)
+        with sheet.scoped(station.scope):
+            for schedule in SCHEDULES:
+                tool_pieces(sheet, station, schedule, pieces)
+            sheet.checks(room_check(station))
 
 
 def lane_height() -> Quantity:
@@ -121,12 +122,21 @@ def lane_height() -> Quantity:
     )
 
 
-def motions(sheet: Sheet, station: Station, pieces: sampling.Pieces) -> None:
+def room_check(station: Station) -> Quantity:
+    """Return the check that the tables of pieces have room for all."""
+    found = [*OF_TOOL.values(), *([TRANSFER] if station.number == 1 else [])]
+    whose = "" if station.machine.alone else f"Tool {station.number}: "
+    label = f"{whose}the tables of pieces have room for all"
+    holds = f"MAX({','.join(at.count for at in found)})<=MAX([@a_pieces.r])"
+    return check("@ok_pieces", label if whose else label.capitalize(), holds, True, ROOM)
+
+
+def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     """Declare the table over the cycle."""
     theta = station.machine.angles
-    before, after = (AtAngles(station, plan, theta, pieces) for plan in (station.before, station.as_set))
-    first, *work_b = before.columns("b", 1)
-    second, *work_a = after.columns("a", 3)
+    before, after = (AtAngles(station, schedule, theta, pieces) for schedule in SCHEDULES)
+    first, *work_b = before.columns("b")
+    second, *work_a = after.columns("a")
     moved, lane_t, work_t = transfer_over_cycle(station, theta, pieces)
     found, h, i = station.clearance, station.tool.stroke, station.number
     sheet.table(
@@ -137,20 +147,22 @@ def motions(sheet: Sheet, station: Station, pieces: sampling.Pieces) -> None:
                ALLOWED, shown(found.allowed, MM), source="c while the transfer is in the way, else h"),
         result("free", "free with overlap", "", "mm", "=[limit]-[ya]", shown(found.free, MM),
                source="below 0: collision"),
-        before.acceleration("b", 1, "acceleration, one after the other"),
-        after.acceleration("a", 3, "acceleration, with overlap"),
+        before.rate(2, "acc", "acceleration", "a", "m/s²", "b"),
+        after.rate(2, "acc", "acceleration", "a", "m/s²", "a"),
         *lane_t,
         calc("lane_b", "tool, one after the other", "", "",
              f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel, h)),
         calc("lane_a", "tool, with overlap", "", "",
              f"={i}+[ya]/@stroke*overlap_lane", lane(i, after.travel, h)),
         constant("k", "sample", "k", "", list(range(len(theta)))),
+        after.rate(1, "vel", "velocity", "v", "m/s", "a"),
+        after.rate(3, "jerk", "jerk", "j", "m/s³", "a"),
         *work_t, *work_b, *work_a,
     )  # fmt: skip
 
 
 def transfer_over_cycle(
-    station: Station, theta: Array, pieces: sampling.Pieces
+    station: Station, theta: Array, pieces: Pieces
 ) -> tuple[Quantity, list[Quantity], list[Quantity]]:
     """Return travel, lane in the diagrams and workings of the transfer; the first tool's table has them for all."""
     machine = station.machine
@@ -160,3 +172,53 @@ def transfer_over_cycle(
     heights = lane(0, machine.transfer.travel(si(theta, DEGREE)), machine.transfer.stroke)
     drawn = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
     return moved, [drawn], work
+
+
+def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
+    """Declare the phases of the transfer and their pieces."""
+    rows, parts = transfer_rows(machine, pieces), machine.transfer.parts
+    phases(
+        sheet, "The transfer, from the begin of the cycle", ("movement", "dwell"), TRANSFER, parts, rows,
+        no=["=[used.no.1]", "=1"], h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
+        begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
+    )  # fmt: skip
+    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
+
+
+def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -> None:
+    """Declare the phases of a tool in one schedule, and their pieces."""
+    row, words = SCHEDULES[schedule]
+    plan, at, (row_in, row_out) = station.schedules[row - 1], OF_TOOL[schedule], station.law_rows
+    rows = rows_of_parts(at, plan.parts, plan.pieces, pieces, FULL_TURN)
+    into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
+    rest = f"360-@dwell-{out}-{into}"
+    phases(
+        sheet, f"The tool {words}, from its arrival", WAYS, at, plan.parts, rows,
+        no=["=1", f"=[used.no.{row_out}]", "=1", f"=[used.no.{row_in}]"], h=["=0", f"=0-{h}", "=0", f"={h}"],
+        angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
+        begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
+    )  # fmt: skip
+    pieces_table(sheet, f"Pieces of the tool {words}", rows, station.machine.room, size_of_parts(plan.parts))
+
+
+def phases(
+    sheet: Sheet, title: str, names: tuple[str, ...], at: Cells, parts: tuple[Scaled, ...], rows: PieceRows,
+    **formulas: list[str],
+) -> None:  # fmt: skip
+    """Declare the phases of a motion over the master angle; ``formulas`` are those of the columns, a row each."""
+    size, degrees = size_of_parts(parts), [shown(part.duration, DEGREE) for part in parts]
+    sheet.row += 1
+    sheet.table(
+        at.phases, title, len(parts),
+        constant("what", "phase", "", "", list(names), align="left"),
+        constant("k", "row", "k", "", [k for k, _ in enumerate(parts, 1)]),
+        calc("no", "law number", "", "", formulas["no"], list(rows.numbers), format="0"),
+        calc("h", "lift", "h", "m", formulas["h"], [part.h for part in parts], scale=size(0)),
+        calc("angle", "duration", "δ", "°", formulas["angle"], degrees, scale=TURN),
+        calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),
+        calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts], scale=TURN),
+        calc("y0", "position at its begin", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
+        *phase_columns(rows),
+    )  # fmt: skip
+    sheet.rows(pieces_in_all(rows))
+    sheet.row += 1

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from workbook.book.sentence import figure
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
-from workbook.entries.types import Angle, EntryError, Model, NotNegative, Positive
+from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
+from workbook.motion.room import settle
 
 MOST_TOOLS = 6
 TURN = 360.0
+REST = 2  # pieces of a motion beside those of its laws: a tool's dwell and its rest
 Name = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), LOOKED_UP]
 LEAST = 0.01  # degrees: no cam moves in less
 PartAngle = Annotated[float, Field(ge=LEAST, lt=360, allow_inf_nan=False)]
@@ -36,13 +40,11 @@ class PassageEntry(Model):
     allowance: NotNegative  # degrees
     split: Annotated[float, Field(gt=0, lt=1, allow_inf_nan=False)] = 0.5
 
-    @model_validator(mode="after")
-    def _within(self) -> Self:
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a margin that is more than the clearance."""
         if self.margin > self.clearance:
-            raise EntryError(
-                "margin", f"the margin is {self.margin:g} mm; expected at most the clearance, {self.clearance:g} mm"
-            )
-        return self
+            said = f"a margin of {figure(self.margin)} mm; expected at most {figure(self.clearance)} mm"
+            yield DesignError("margin", said, "entry", self.clearance)
 
 
 class ToolEntry(Model):
@@ -71,6 +73,16 @@ class OverlapEntry(Model):
         require_distinct((tool.name for tool in self.tools), "tool", "tools.{}.name")
         return self
 
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield tools to which transfer, dwell and allowance leave no angle: of both ways the shorter is asked."""
+        for i, tool in enumerate(self.tools):
+            split, allowance = tool.passage.split, tool.passage.allowance
+            left = (TURN - self.transfer.angle - tool.dwell) * min(split, 1 - split) - allowance
+            if left < LEAST:
+                fits = tool.model_dump() | {"dwell": 0.0, "passage": tool.passage.model_dump() | {"allowance": 0.0}}
+                said = f"{figure(left)}° are left to a way; expected at least {figure(LEAST)}°"
+                yield DesignError(f"tools.{i}", said, f"angle{i + 1}", fits)
+
 
 class OverlapSizes(Sizes):
     """How large the tables are built: also the intervals of the table of margins."""
@@ -87,20 +99,5 @@ class IndexingOverlap(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        for i, tool in enumerate(self.overlap.tools):
-            self._leaves_angles(f"overlap.tools.{i}", tool)
+        settle(self, REST, REST, at_once=2)
         return self
-
-    def _leaves_angles(self, key: str, tool: ToolEntry) -> None:
-        angle, passage = self.overlap.transfer.angle, tool.passage
-        free = TURN - angle - tool.dwell
-        least = free * min(passage.split, 1 - passage.split)
-        if least < LEAST:
-            raise EntryError(
-                f"{key}.dwell", f"transfer ({angle:g}°) and dwell ({tool.dwell:g}°) leave the tool no angle of 360°"
-            )
-        if passage.allowance > least - LEAST:
-            raise EntryError(
-                f"{key}.passage.allowance",
-                f"an allowance of {passage.allowance:g}° leaves the tool no angle; expected at most {least - LEAST:g}°",
-            )

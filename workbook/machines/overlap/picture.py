@@ -10,7 +10,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
-from workbook.machines.overlap.cycle import ALLOWED, AtAngles, transfer_columns
+from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.places import each
 from workbook.machines.overlap.view import Overlapping, Station
@@ -29,7 +29,7 @@ class States:
     def __init__(self, machine: Overlapping, pieces: sampling.Pieces) -> None:
         self.theta = np.array([machine.given.view])
         angle, stations = si(self.theta, DEGREE), machine.stations
-        self.pairs = [tuple(AtAngles(s, plan, self.theta, pieces) for plan in (s.before, s.as_set)) for s in stations]
+        self.pairs = [tuple(AtAngles(s, plan, self.theta, pieces) for plan in SCHEDULES) for s in stations]
         self.before, self.after = np.array([[state.travel[0] for state in pair] for pair in self.pairs]).T
         found = [clearance(s.as_set, s.passage, angle) for s in stations]
         self.allowed = np.array([c.allowed[0] for c in found])
@@ -148,8 +148,8 @@ def evaluated(sheet: Sheet, machine: Overlapping, states: States, pieces: sampli
             sheet.table(
                 "@view", "The tool's laws at this angle" if machine.alone else f"The laws of tool {station.number}", 1,
                 calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta, scale=TURN),
-                *before.columns("b", 1),
-                *after.columns("a", 3),
+                *before.columns("b"),
+                *after.columns("a"),
             )  # fmt: skip
     top = len(machine.stations)
     sheet.table(

@@ -8,7 +8,7 @@ from __future__ import annotations
 from itertools import count
 
 from engine.overlap import ANGLE_TOLERANCE, movement_time
-from engine.timing import FULL_TURN
+from engine.timing import FULL_TURN, shaft_speed
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.entries.units import DEGREE, shown
@@ -103,6 +103,8 @@ def rising() -> Quantity:
         "MIN([used.low])>=0-check_zero",
         True,
         "only a law that rises throughout can be inverted",
+        ":rises",
+        '"a law moves backwards: see its sheet, or Laws"',
     )
 
 
@@ -114,6 +116,8 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
         calc("overlap_eps", "Tolerance of an angle", "ε", "°",
              "=360*break_tolerance", shown(ANGLE_TOLERANCE, DEGREE), format="0E+00",
              source="an angle this near to an event counts as on it"),
+        calc("overlap_w", "Speed of the master shaft", "ω", "rad/s",
+             "=2*PI()/overlap_tc", shaft_speed(machine.rate), source="2π/t_c"),
     )  # fmt: skip
 
 

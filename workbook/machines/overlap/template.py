@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from workbook.book.about import about_sheet
 from workbook.book.declare import Book, Quantity, result
+from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.overlap.check import check
 from workbook.machines.overlap.cycle import cycle_sheets
@@ -20,7 +21,7 @@ def declare(given: IndexingOverlap) -> Book:
     """Declare the book."""
     shelf = LawShelf(given.laws, given.sizes)
     view = Overlapping(given, shelf.laws)
-    book = Book(given.template, given.title)
+    book = Book(given.template, given.title, limit=limits(type(given)))
     about_sheet(
         book,
         "Motions of one machine, one after the other and with overlap: how much the acceleration falls.",
@@ -49,7 +50,8 @@ TEMPLATE = Template(
     IndexingOverlap,
     declare,
     variants,
-    LAW_SIZES | {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1)},
+    LAW_SIZES
+    | {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)},
     check,
     laid_out,
 )

@@ -15,12 +15,14 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import AtAngles
-from workbook.machines.overlap.entries import TURN
+from workbook.machines.overlap.entries import LEAST, TURN
 from workbook.machines.overlap.margins import margins
 from workbook.machines.overlap.view import Station
 
 BELOW_CHARTS = 38
 CAPPED = "OR(@room*@split*@rest_in<@free_in,@room*(1-@split)*@rest_out<@free_out)"
+LEFT = "((360-overlap_angle-@dwell)*MIN(@split,1-@split)-@allowance)"
+TAKEN = "([@schedules.in.3]+@dwell+[@schedules.out.3])"
 CORNERS = (
     "transfer gets in the way",
     "transfer is in place",
@@ -142,10 +144,14 @@ def checks(station: Station) -> tuple[Quantity, ...]:
               "least clearance at least 0"),
         check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin, "S2: 1 mm"),
         check("@ok_angle", "The cycle leaves the tool an angle",
-              "AND(@free0>0,MIN([@schedules.in])>0,MIN([@schedules.out])>0)", True),
+              f"{LEFT}>=@least_way", True, "of both ways the shorter", f"overlap:angle{station.number}",
+              f'ROUND({LEFT},9)&"° are left to a way; expected at least "&ROUND(@least_way,9)&"°"'),
         check("@ok_turn", "Way in, dwell and way out fit into the turn",
-              "[@schedules.in.3]+@dwell+[@schedules.out.3]<=360+check_zero", True),
-        check("@ok_entry", "The margin is not more than the clearance", "@margin<=@clearance", True),
+              f"{TAKEN}<=360+check_zero", True, "", f":turn{station.number}",
+              f'"way in, dwell and way out take "&ROUND({TAKEN},9)&"°; expected at most 360°"'),
+        check("@ok_entry", "The margin is not more than the clearance", "@margin<=@clearance", True, "",
+              f"{station.key}.passage:entry",
+              '"a margin of "&ROUND(@margin,9)&" mm; expected at most "&ROUND(@clearance,9)&" mm"'),
     )  # fmt: skip
 
 
@@ -240,6 +246,7 @@ def steps(sheet: Sheet, station: Station) -> None:
         calc("@rest_out", "Way out done when the transfer leaves", "1 − ξ", "",
              "=[@inverse_out.xi.1]", float(rest_out), source="the same in reverse"),
         calc("@room", "Angle for both ways at most", "", "°", "=360-@dwell", both, source="the cycle"),
+        constant("@least_way", "Least angle of a way", "", "°", LEAST, format="0.00", source="no cam moves in less"),
     ))  # fmt: skip
 
 
@@ -262,5 +269,5 @@ def corners(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         result("free", "clearance", "", "mm",
                "=IF([inside]=1,@clearance-[y],@clearance)", shown(at.free, MM),
                source="c − y; c where it is out of the way"),
-        *AtAngles(station, station.as_set, theta, pieces).columns("", 3),
+        *AtAngles(station, "a", theta, pieces).columns(""),
     )  # fmt: skip

@@ -46,6 +46,11 @@ class Overlapping:
         self.stations = [Station(self, i, tool, next(rows)) for i, tool in enumerate(machine.overlap.tools)]
 
     @property
+    def room(self) -> int:
+        """Rows of the tables of pieces."""
+        return self.sizes.motion_pieces or 0
+
+    @property
     def alone(self) -> bool:
         """Whether there is one tool: its book has no sheets for each."""
         return len(self.stations) == 1

@@ -7,20 +7,17 @@ import importlib
 import keyword
 import math
 import re
-import sys
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
+from pycel.excelutil import EMPTY
 from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
 
 from workbook.book.formula import FormulaError
 from workbook.witnesses.pycel import limits, shortcuts
-
-if sys.version_info >= (3, 14):  # where ast.Str is gone, for which pycel's compiler still asks
-    setattr(ast, "Str", lambda s: ast.Constant(s))  # noqa: B010 - the type checker knows no such attribute
 
 MODULES = (limits, *(importlib.import_module(name) for name in ExcelFormula.default_modules))
 UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's graph, or a number in the text
@@ -50,8 +47,9 @@ class Compiled(NamedTuple):
 def compiled(shape: str) -> Compiled | FormulaError:
     """Return a shape as pycel compiles it, or why it cannot; either is found out once."""
     try:
-        check(shape)
-        return _compiled(shape)
+        tokens = Tokenizer(shape).items
+        check(tokens)
+        return _compiled(signed(shape, tokens))
     except FormulaError as error:
         return error
     except RecursionError:
@@ -60,12 +58,12 @@ def compiled(shape: str) -> Compiled | FormulaError:
         return FormulaError("#NAME?", f"pycel cannot compile it: {str(error)[:120]}")
 
 
-def check(shape: str) -> None:
+def check(tokens: Sequence[Token]) -> None:
     """Let nothing pass but dummies, numbers, operators and functions of Excel that pycel has.
 
     pycel would hand other words on to Python. Raises FormulaError.
     """
-    for token in Tokenizer(shape).items:
+    for token in tokens:
         if token.type == Token.OPERAND and token.subtype in (Token.RANGE, Token.TEXT):
             if not DUMMY.fullmatch(token.value):
                 raise FormulaError("#NAME?", f"{token.value[:40]!r} cannot be read")
@@ -86,12 +84,13 @@ def check_function(name: str) -> None:
         raise FormulaError("#NAME?", f"pycel has no function {name}")
 
 
-def signed(shape: str) -> str:
+def signed(shape: str, tokens: Sequence[Token]) -> str:
     """Return a shape whose powers pycel takes as Excel does, signs first: ``-A1^A2`` is ``(0-A1)^A2``.
 
     pycel knows that order, but writes its own tree to Python without parentheses, where the power goes first.
     """
-    tokens = Tokenizer(shape).items
+    if not any(token.type == Token.OP_PRE for token in tokens):
+        return shape
     words = [token.value for token in tokens]
     for i, token in enumerate(tokens):
         if token.type == Token.OP_PRE:
@@ -112,9 +111,44 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
     return len(tokens) - 1
 
 
+class Operators(ast.NodeTransformer):
+    """Excel's operators in the place of Python's, as pycel has them; gathers the names that are called."""
+
+    def __init__(self) -> None:
+        self.names: set[str] = set()
+
+    def visit_Name(self, node: ast.Name) -> ast.Name:
+        """Gather a name."""
+        self.names.add(node.id)
+        return node
+
+    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
+        """Leave a constant."""
+        return node
+
+    def visit_Compare(self, node: ast.Compare) -> ast.Call:
+        """Compare as Excel does."""
+        return self._operated(node.left, node.ops[0], node.comparators[0])
+
+    def visit_BinOp(self, node: ast.BinOp) -> ast.Call:
+        """Join two operands as Excel does; pycel's intersection of references is refused before."""
+        return self._operated(node.left, node.op, node.right)
+
+    def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.Call:
+        """Take a sign as Excel does."""
+        return self._operated(ast.Constant(EMPTY), node.op, node.operand)
+
+    def _operated(self, left: ast.expr, operator: ast.AST, right: ast.expr) -> ast.Call:
+        called = ast.Name("excel_operator_operand_fixup", ast.Load())
+        words = [self.visit(left), ast.Constant(type(operator).__name__), self.visit(right)]
+        return ast.Call(called, words, [])
+
+
 def _compiled(shape: str) -> Compiled:
-    formula = ExcelFormula(signed(shape))
-    code, names = formula.compiled_python
+    formula = ExcelFormula(shape)
+    operators = Operators()
+    tree = operators.visit(ast.parse(f"lambdas.append(lambda: {formula.python_code})"))
+    code, names = compile(ast.fix_missing_locations(tree), "<shape>", "exec"), operators.names
     made: list[Callable[[], Any]] = []
     _space["lambdas"] = made
     new = set(names) - _space.keys()

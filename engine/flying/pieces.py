@@ -1,0 +1,64 @@
+"""The tool over a cycle as one table of pieces: a second route to its motion."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+from engine.flying.cut import Cut
+from engine.laws import Dwell, Law
+from engine.laws.base import BREAK_TOLERANCE
+from engine.motion.pieces import MotionPiece, Scaled, pieces_of
+
+
+class Stretch(NamedTuple):
+    """A part of the cycle: a motion by a law, besides a drift, of which it has some pieces; it begins at ``opens``."""
+
+    scaled: Scaled
+    opens: float
+    first: int
+    """its first piece of the law, from 0"""
+    taken: int
+
+    @property
+    def law(self) -> Law:
+        """The law of the superimposed motion; a dwell where there is none."""
+        return self.scaled.law
+
+    @property
+    def rate(self) -> float:
+        """1 over the duration of the law; 0 of none."""
+        return self.scaled.rate
+
+    def pieces(self, number: int) -> list[MotionPiece]:
+        """Return its pieces, as those of the stretch of a number."""
+        found = pieces_of(self.scaled, number)[self.first : self.first + self.taken] if self.taken else []
+        return [replace(piece, begin=max(piece.begin, self.opens)) for piece in found]
+
+
+def stretches(cut: Cut) -> tuple[Stretch, Stretch, Stretch, Stretch]:
+    """Return the parts of a cycle: it moves by its law up to the wait, waits, moves on, and works at line speed.
+
+    The law that a wait interrupts goes on in the middle of a piece, later by the wait. Without a wait the first part
+    has all pieces of the law, the second and the third none; without a time to work, neither has the fourth.
+    """
+    v, t, h, wait = cut.line_speed, cut.moving_time, cut.superimposed, cut.waiting_time
+    begin, end = cut.wait
+    begins = [piece.begin / t for piece in pieces_of(Scaled(cut.law, 1.0, t))]
+    peak = cut.fastest if cut.waits else 1.0
+    before = sum(xi < peak - BREAK_TOLERANCE for xi in begins)
+    again = sum(xi <= min(peak + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE) for xi in begins) - 1
+    stands = cut.position_at(cut.fastest) if cut.waits else 0.0
+    moved = v * t + h * cut.law.end.s
+    return (
+        Stretch(Scaled(cut.law, h, t, drift=v), 0.0, 0, before),
+        Stretch(Scaled(Dwell(), 0.0, wait, begin, stands), begin, 0, int(cut.waits)),
+        Stretch(Scaled(cut.law, h, t, wait, drift=v), end, again, len(begins) - again if cut.waits else 0),
+        Stretch(Scaled(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v), cut.repositioning_time, 0,
+                int(cut.tool_time > 0.0)),
+    )  # fmt: skip
+
+
+def cut_pieces(cut: Cut) -> list[MotionPiece]:
+    """Return the pieces of the tool's motion over the cycle, in m and s."""
+    return [piece for number, stretch in enumerate(stretches(cut)) for piece in stretch.pieces(number)]

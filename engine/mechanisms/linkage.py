@@ -1,0 +1,131 @@
+"""A mechanism whose ratio depends on the position of its load: the angle of its shaft along the load's way. SI units."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from engine.laws.base import Array
+from engine.laws.ladder import Curve, zeros
+from engine.motion import Motion
+from engine.motion.pieces import MotionPiece, motion_pieces
+
+NEAR_END = 1e-9
+"""of the reach: so near to an end in which the shaft would run away counts as in it"""
+
+
+class ShaftAngles(NamedTuple):
+    """Angle φ of the shaft (rad) along the load's position y, with φ' = dφ/dy and φ'' (per m, or per rad)."""
+
+    angle: Array
+    first: Array
+    second: Array
+
+
+class Reflected(NamedTuple):
+    """Inertia of a load at the shaft, J = m (dy/dφ)² (kg m²), and how it changes, dJ/dφ (kg m² per rad)."""
+
+    inertia: Array
+    change: Array
+
+
+class Reach(NamedTuple):
+    """Between which positions the load can go, and what is at either end: a dead centre, the end of a table."""
+
+    low: float
+    high: float
+    at_low: str
+    at_high: str
+
+
+class OutOfReachError(ValueError):
+    """A position that a mechanism cannot bring its load to, and by how much it lies beyond the end (0 in it)."""
+
+    def __init__(self, name: str, position: float, by: float, end: str) -> None:
+        super().__init__(f"{name}: position {position:.9g} is in or beyond the {end}, by {by:.3g}")
+        self.position, self.by, self.end = position, by, end
+
+
+class Linkage(ABC):
+    """A mechanism between a shaft and its load whose ratio φ' changes with the load's position; φ rises with y.
+
+    ``steady`` says whether the shaft may stand in the ends of its reach; in a dead centre it may not: the load's motion
+    does not say how the shaft goes through it, and φ' is infinite.
+    """
+
+    name: str
+    steady: bool = False
+
+    @property
+    @abstractmethod
+    def reach(self) -> Reach:
+        """Between which positions the load can go."""
+
+    @abstractmethod
+    def _shaft(self, y: Array) -> ShaftAngles:
+        """Return the shaft's angle of positions within reach."""
+
+    @property
+    def knots(self) -> tuple[float, ...]:
+        """Positions inside the reach at which φ'' jumps."""
+        return ()
+
+    def shaft(self, position: ArrayLike) -> ShaftAngles:
+        """Return φ, φ', φ'' at positions of the load. Raises OutOfReachError for the one that lies farthest out."""
+        y = np.asarray(position, dtype=np.float64)
+        beyond = [one for at in (y.min(initial=np.inf), y.max(initial=-np.inf)) if (one := self.beyond(float(at)))]
+        if beyond:
+            raise max(beyond, key=lambda one: one.by)
+        return self._shaft(y)
+
+    def beyond(self, position: float) -> OutOfReachError | None:
+        """Return by how much a position lies beyond an end of the reach, or None; infinite ones stand for none."""
+        low, high, at_low, at_high = self.reach
+        near = 0.0 if self.steady else NEAR_END * (high - low)
+        if not np.isfinite(position) or low + near <= position <= high - near:
+            return None
+        under = position < low + near
+        by, end = (low - position, at_low) if under else (position - high, at_high)
+        return OutOfReachError(self.name, position, max(by, 0.0), end)
+
+    def reflected(self, mass: float, position: ArrayLike) -> Reflected:
+        """Return the inertia of a load (kg, or kg m²) at the shaft: J = m/φ'², dJ/dφ = −2 m φ''/φ'⁴.
+
+        The torque that moves it is dE/dφ of E = J φ̇²/2, J φ̈ + dJ/dφ φ̇²/2, which is m ÿ/φ'.
+        Raises OutOfReachError. Source: VDI 2149 part 1, generalised motion equation of a mechanism of one degree of
+        freedom, J(φ) φ̈ + J'(φ) φ̇²/2 = M.
+        """
+        _, first, second = self.shaft(position)
+        return Reflected(mass / first**2, -2.0 * mass * second / first**4)
+
+
+@dataclass(frozen=True)
+class Unreached:
+    """The position farthest out of reach in a phase (from 0) of a motion, at x, and by how much."""
+
+    phase: int
+    x: float
+    error: OutOfReachError
+
+
+def unreached(linkage: Linkage, motion: Motion) -> tuple[Unreached, ...]:
+    """Return each phase of a motion that leaves a linkage's reach, with its farthest position: exact, in order."""
+    found: dict[int, Unreached] = {}
+    for piece in motion_pieces(motion):
+        for x, y in turning_points(piece):
+            error = linkage.beyond(y)
+            if error and (piece.phase not in found or error.by > found[piece.phase].error.by):
+                found[piece.phase] = Unreached(piece.phase, x, error)
+    return tuple(found[phase] for phase in sorted(found))
+
+
+def turning_points(piece: MotionPiece) -> Sequence[tuple[float, float]]:
+    """Return x and y of a piece at its begin and end and wherever it turns round."""
+    curve = Curve(piece.c, tuple(sine for sine in piece.sines if sine[0]))
+    inside = zeros(curve.derivative(), piece.duration)
+    return [(piece.begin + u, curve(u)) for u in (0.0, *inside, piece.duration)]

@@ -1,0 +1,44 @@
+"""Every mechanism by its name, of a constant ratio or of one that depends on the load's position. SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from engine.drivetrain.chain import Load, Mechanism, Part, Stage
+from engine.drivetrain.kinds import KINDS, Kind
+from engine.mechanisms.crank_slider import crank_slider
+from engine.mechanisms.linkage import Linkage
+from engine.mechanisms.rocker import rocker
+from engine.mechanisms.table import PositionTable
+
+
+@dataclass(frozen=True)
+class Linked:
+    """A mechanism whose ratio depends on position: what makes it, of its own entries."""
+
+    name: str
+    element: str
+    make: Callable[..., Linkage]
+
+    def of(
+        self, load: Load, efficiency: float = 1.0, gears: Sequence[Stage] = (), parts: Sequence[Part] = ()
+    ) -> Mechanism:  # fmt: skip
+        """Return the chain to its load: gears, then the mechanism as a stage of ratio 1, which a linkage replaces."""
+        return Mechanism(self.name, (*gears, Stage(self.element, 1.0, efficiency)), tuple(parts), load)
+
+
+LINKED = {
+    linked.name: linked
+    for linked in (
+        Linked("crank-slider", "crank", crank_slider),
+        Linked("rocker", "lever", rocker),
+        Linked("table", "cam", PositionTable),
+    )
+}
+"""those whose ratio depends on position"""
+
+MECHANISMS: dict[str, Kind | Linked] = {
+    kind.name: kind for kind in (Kind("direct", "shaft"), *KINDS.values(), *LINKED.values())
+}
+"""all of them: a direct drive, those of :mod:`engine.drivetrain.kinds` and those whose ratio depends on position"""

@@ -1,0 +1,110 @@
+"""A motion that is told from another angle, and how near two of them come to each other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Array, require_finite
+from engine.laws.ladder import Curve, zeros
+from engine.motion.motion import Motion
+from engine.motion.phase import MotionValues
+from engine.motion.pieces import MotionPiece, motion_pieces
+
+SAME = 1e-12
+"""of the cycle: breaks so near to each other are one"""
+
+
+@dataclass(frozen=True)
+class Shifted:
+    """y(x) = y0(x − shift), over the cycle of the motion y0, which goes on cycle by cycle.
+
+    A motion that does not come back goes on from where a cycle ends: y0(x + cycle) = y0(x) + Σh.
+    """
+
+    motion: Motion
+    shift: float = 0.0
+
+    def __post_init__(self) -> None:
+        require_finite(shift=self.shift)
+
+    def at(self, x: Array) -> MotionValues[Array]:
+        """Return y, y', y'', y''' at any x."""
+        cycles, inner = self._told(np.asarray(x, dtype=np.float64))
+        found = self.motion.at(inner)
+        return found._replace(y=found.y + cycles * self.motion.lifts_sum)
+
+    def breaks(self) -> Array:
+        """Return where its pieces begin, from the begin of the cycle to less than its end."""
+        begin, total = float(self.motion.edges[0]), self.motion.total
+        return np.array([begin + (one.begin + self.shift - begin) % total for one in self._pieces])
+
+    def curve(self, low: float, high: float) -> Curve:
+        """Return y over u from ``low``, up to ``high``, between which no piece of it begins."""
+        cycles, middle = self._told(np.array([0.5 * (low + high)]))
+        before = [one for one in self._pieces if one.begin <= middle[0]]
+        piece = before[-1]
+        moved = moved_by(piece, float(middle[0]) - 0.5 * (high - low) - piece.begin)
+        return Curve((moved.c[0] + float(cycles[0]) * self.motion.lifts_sum, *moved.c[1:]), moved.sines)
+
+    @cached_property
+    def _pieces(self) -> list[MotionPiece]:
+        return [piece for piece in motion_pieces(self.motion) if piece.duration > 0.0]
+
+    def _told(self, x: Array) -> tuple[Array, Array]:
+        """Return how many cycles have passed at x, and the place in the motion as it is told."""
+        begin, total = float(self.motion.edges[0]), self.motion.total
+        cycles = np.floor((x - self.shift - begin) / total + SAME)
+        inner = np.clip(x - self.shift - cycles * total, begin, begin + total)
+        return cycles, inner
+
+
+def moved_by(piece: MotionPiece, u: float) -> Curve:
+    """Return y of a piece as a curve that begins at its u."""
+    c = [
+        math.fsum(piece.c[k] * math.comb(k, i) * u ** (k - i) for k in range(i, len(piece.c)))
+        for i in range(len(piece.c))
+    ]
+    return Curve(tuple(c), tuple((a, w, phi + w * u) for a, w, phi in piece.sines if a))
+
+
+class Gap(NamedTuple):
+    """The least gap between two axes, and where in the cycle it is."""
+
+    least: float
+    x: float
+
+
+def least_gap(axes: Sequence[tuple[float, Shifted]], offset: float) -> Gap:
+    """Return the least of ``offset`` + Σ factor · y over a cycle, exact: at the breaks, and where its slope is 0.
+
+    ``axes`` are factors and motions over one cycle. Raises ValueError for no axes, or cycles that differ.
+    """
+    if not axes:
+        raise ValueError("no axes are given; expected at least one")
+    cycles = [(float(one.motion.edges[0]), one.motion.total) for _, one in axes]
+    if not np.allclose(cycles, cycles[0], rtol=1e-9, atol=0.0):
+        raise ValueError("cycles that differ are given; expected one cycle")
+    begin, total = cycles[0]
+    breaks = np.unique(np.concatenate([[begin, begin + total], *(one.breaks() for _, one in axes)]))
+    kept = [float(breaks[0]), *(float(b) for a, b in pairwise(breaks) if b - a > SAME * total)]
+    return min(_least(axes, offset, low, high) for low, high in pairwise(kept))
+
+
+def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, high: float) -> Gap:
+    """Return the least gap between two neighbouring breaks."""
+    curves = [(factor, one.curve(low, high)) for factor, one in axes]
+    powers = max(len(curve.c) for _, curve in curves)
+    columns = np.zeros(powers)
+    for factor, curve in curves:
+        columns[: len(curve.c)] += factor * np.array(curve.c)
+    columns[0] += offset
+    sines = tuple((factor * a, w, phi) for factor, curve in curves for a, w, phi in curve.sines)
+    gap = Curve(tuple(columns.tolist()), sines)
+    return min(Gap(gap(u), low + u) for u in (0.0, *zeros(gap.derivative(), high - low), high - low))

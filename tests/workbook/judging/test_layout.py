@@ -1,0 +1,263 @@
+"""Rows and columns inserted and deleted, cells cut and pasted: understood, or one finding that names where."""
+
+import re
+from datetime import UTC, datetime
+
+import openpyxl
+import pytest
+
+from tests.mutation.bench import SMALL
+from tests.workbook import excel, office
+from tests.workbook.judging.test_real_edits import numbers
+from workbook.build import build, inputs
+from workbook.errors import InputError
+from workbook.judging.many import Outcome
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
+from workbook.reports.console import report_data
+from workbook.reports.junit import junit
+from workbook.reports.page import page
+from workbook.template import FOLDER
+from workbook.witnesses.libreoffice import program
+
+needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
+NIGHT = pytest.mark.nightly
+TABLES = [
+    ("cutting-machine", "axis2"), ("cutting-machine", "own_pieces"), ("motion-composer", "phases"),
+    *(pytest.param(*case, marks=NIGHT) for case in (
+        ("cutting-machine", "axis1"), ("cutting-machine", "axis3"), ("cutting-machine", "rotors"),
+        ("cutting-machine", "motors"), ("cutting-machine", "reducers"), ("cutting-machine", "cycle"),
+        ("motion-composer", "own_pieces"), ("indexing-overlap", "own_pieces"),
+        ("indexing-overlap-stations", "own_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
+        ("flying-cutter-saw", "own_pieces"), ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"),
+        ("actuator-sizing", "motors"), ("actuator-sizing-conveyor", "phases"),
+        ("motion-composer-example-1", "phases"), ("motion-composer-example-2", "phases"),
+    )),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def books(tmp_path_factory):
+    made = {}
+
+    def of(name):
+        if name not in made:
+            machine = read_machine(FOLDER / f"{name}.toml")
+            path = tmp_path_factory.mktemp(name) / "book.xlsx"
+            build(machine.model_copy(update={"sizes": machine.sizes.model_copy(update=SMALL)}), path)
+            made[name] = path
+        return made[name]
+
+    return of
+
+
+def place(path, name):
+    """Sheet, first and last row, first and last column letters of a block."""
+    title, span = openpyxl.load_workbook(path).defined_names[name].attr_text.split("!")
+    left, top, right, bottom = re.fullmatch(r"\$([A-Z]+)\$(\d+):\$([A-Z]+)\$(\d+)", span).groups()
+    return title.strip("'"), int(top), int(bottom), left, right
+
+
+def edited(path, folder, *edits):
+    workbook = openpyxl.load_workbook(path)
+    for edit in edits:
+        excel.edited(workbook, edit)
+    return excel.save(workbook, folder / "edited.xlsx")
+
+
+def sums(report):
+    """The report, in which each declared cell is counted once for each witness."""
+    for ran in report.witnesses:
+        assert not ran.answered or ran.compared + ran.at_fault + ran.unfinished == report.declared
+    return report
+
+
+def one(report, sheet, cell, *words):
+    """The one finding: where, and what it says, in all that is reported."""
+    (found,) = sums(report).findings
+    assert (found.kind, found.sheet, found.cell) == ("layout", sheet, cell)
+    for word in words:
+        assert word in f"{found.computed} {found.expected} {found.what}"
+    data = report_data(report)
+    assert [(f["kind"], f["cell"]) for f in data["findings"]] == [("layout", cell)]
+    outcome, when = Outcome(report.path, "disagrees", report), datetime(2026, 1, 1, tzinfo=UTC)
+    for text in (page([outcome], when), junit([outcome], when)):
+        assert found.computed in text
+        assert report.following_words in text
+    return found
+
+
+def understood(report):
+    assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in sums(report).findings + report.notices] == []
+    assert report.compared == report.declared
+
+
+@pytest.mark.parametrize(("name", "table"), TABLES)
+def test_a_row_inserted_in_a_table_is_one_finding(name, table, books, tmp_path):
+    path = books(name)
+    sheet, first, last, *_ = place(path, table)
+    for row, count in ((first + 1, 1), (first + 1, 3), (last, 1)):
+        report = verify(edited(path, tmp_path, excel.Lines(sheet, row, count)))
+        found = one(report, sheet, f"{row}:{row + count - 1}", f"{row}", "inserted", "delete", "spare row", table)
+        assert found.sheet == sheet
+        assert numbers(inputs(report.path)[0]) == numbers(inputs(path)[0])
+
+
+@pytest.mark.parametrize(("name", "table"), TABLES)
+def test_rows_above_and_below_a_table_and_columns_within_are_understood(name, table, books, tmp_path):
+    path = books(name)
+    sheet, first, last, *_ = place(path, table)
+    for edit in (excel.Lines(sheet, first, 2), excel.Lines(sheet, last + 1, 2), excel.Lines(sheet, 4, 1, columns=True)):
+        made = edited(path, tmp_path, edit)
+        understood(verify(made))
+        assert numbers(inputs(made)[0]) == numbers(inputs(path)[0])
+
+
+@pytest.mark.parametrize(("name", "table"), TABLES)
+def test_a_row_deleted_from_a_table_is_understood_or_one_line(name, table, books, tmp_path):
+    path = books(name)
+    sheet, first, last, *_ = place(path, table)
+    for row in (first, first + 1, last - 1, last):
+        made = edited(path, tmp_path, excel.Lines(sheet, row, -1))
+        try:
+            report = sums(verify(made))
+        except InputError as refused:  # what is left is no machine
+            (line,) = refused.lines
+            assert sheet in line
+            assert f"above row {row}" in line
+            continue
+        assert {f.kind for f in report.findings} <= {"layout"}
+        if report.findings:
+            one(report, sheet, f"{row}:{row}", "gone above row", "undo", table)
+
+
+@pytest.mark.parametrize("full", [False, True], ids=["entries only", "a copied row"])
+def test_what_is_typed_or_copied_into_an_inserted_row_is_told_with_it(full, books, tmp_path):
+    path = books("cutting-machine")
+    sheet, first, *_ = place(path, "axis2")
+    workbook = excel.edited(openpyxl.load_workbook(path), excel.Lines(sheet, first + 2, 1))
+    tab = workbook[sheet]
+    for column in range(2, 31) if full else range(3, 7):
+        value = tab.cell(first + 1, column).value
+        if isinstance(value, str) and value.startswith("="):
+            value = value.replace(str(first + 1), str(first + 2)).replace(f"{first}", f"{first + 1}")
+        tab.cell(first + 2, column).value = value
+    workbook.save(tmp_path / "edited.xlsx")
+    report = verify(tmp_path / "edited.xlsx")
+    one(report, sheet, f"{first + 2}:{first + 2}", "inserted")
+    assert report.following
+    assert numbers(inputs(report.path)[0]) == numbers(inputs(path)[0])
+
+
+def test_other_faults_are_still_told_beside_an_inserted_row(books, tmp_path):
+    path = books("cutting-machine")
+    sheet, first, *_ = place(path, "axis2")
+    workbook = excel.edited(openpyxl.load_workbook(path), excel.Lines(sheet, first + 2, 1))
+    cell = workbook[sheet].cell(first, 9)
+    assert "omega" in cell.value
+    cell.value += "*2"
+    workbook["Drive"]["D9"].value = "=1+1"
+    workbook.save(tmp_path / "edited.xlsx")
+    kinds = [(f.kind, f.cell) for f in sums(verify(tmp_path / "edited.xlsx")).findings]
+    assert kinds[0] == ("layout", f"{first + 2}:{first + 2}")
+    assert ("formula", f"I{first}") in kinds
+
+
+def test_rows_inserted_in_two_tables_are_two_findings(books, tmp_path):
+    path = books("cutting-machine")
+    (sheet, first, *_), (_, other, *_) = place(path, "axis2"), place(path, "axis1")
+    made = edited(path, tmp_path, excel.Lines(sheet, first + 2, 1), excel.Lines(sheet, other + 2, 2))
+    assert [(f.kind, f.cell) for f in sums(verify(made)).findings] == [
+        ("layout", f"{other + 2}:{other + 3}"), ("layout", f"{first + 4}:{first + 4}"),
+    ]  # fmt: skip
+
+
+def test_a_deleted_column_of_results_is_one_finding_and_of_entries_one_line(books, tmp_path):
+    path = books("cutting-machine")
+    report = verify(edited(path, tmp_path, excel.Lines("Timing", 7, -1, columns=True)))
+    one(report, "Timing", "G:G", "a column is gone", "axis2", "undo")
+    with pytest.raises(InputError) as refused:
+        verify(edited(path, tmp_path, excel.Lines("Laws", 5, -1, columns=True)))
+    (line,) = refused.value.lines
+    assert "Laws: a column is gone before column E" in line
+
+
+MOVED = {
+    "entries": ("C{top}:F{bottom}", 0, 45),
+    "results": ("G{top}:K{bottom}", 0, 45),
+    "workings": ("N{top}:AC{bottom}", 0, 45),
+    "one cell": ("E{second}:E{second}", 0, 45),
+    "a row": ("B{second}:AC{second}", 0, 45),
+    "entries of a row, down": ("C{second}:F{second}", 900, 3),
+}
+
+
+@pytest.mark.parametrize("cells", MOVED.values(), ids=MOVED.keys())
+def test_part_of_a_table_cut_and_pasted_is_one_finding(cells, books, tmp_path):
+    path = books("cutting-machine")
+    sheet, top, bottom, *_ = place(path, "axis2")
+    span = cells[0].format(top=top, second=top + 1, bottom=bottom)
+    report = verify(edited(path, tmp_path, excel.Cut(sheet, span, *cells[1:])))
+    one(report, sheet, span, "cut, and pasted to", "cut and paste them back", "axis2")
+    assert report.compared == report.declared
+    assert numbers(inputs(report.path)[0]) == numbers(inputs(path)[0])
+
+
+def test_part_of_a_table_cut_and_pasted_to_another_sheet_is_one_finding(books, tmp_path):
+    path = books("cutting-machine")
+    sheet, top, bottom, *_ = place(path, "axis2")
+    report = verify(
+        edited(path, tmp_path, excel.Cut(sheet, f"C{top}:F{bottom}", 900, 0, "Drive")), ["pycel", "formualizer"]
+    )
+    one(report, sheet, f"C{top}:F{bottom}", "Drive!C", "cut and paste them back")
+
+
+def test_a_column_that_a_chart_draws_is_put_back_with_the_chart(books, tmp_path):
+    path = books("cutting-machine")
+    sheet, top, bottom, *_ = place(path, "cycle")
+    report = verify(edited(path, tmp_path, excel.Cut(sheet, f"C{top}:F{bottom}", 0, 45)))
+    one(report, sheet, f"C{top}:F{bottom}", "cut, and pasted to")
+
+
+def test_a_whole_table_cut_and_pasted_with_its_headings_is_understood(books, tmp_path):
+    path = books("cutting-machine")
+    sheet, top, bottom, _, right = place(path, "axis2")
+    for down, across in ((0, 45), (900, 0)):
+        made = edited(path, tmp_path, excel.Cut(sheet, f"A{top - 5}:{right}{bottom + 7}", down, across))
+        understood(verify(made))
+        assert numbers(inputs(made)[0]) == numbers(inputs(path)[0])
+
+
+def test_a_table_cut_and_pasted_without_its_headings_is_one_finding(books, tmp_path):
+    path = books("cutting-machine")
+    sheet, top, bottom, left, right = place(path, "axis2")
+    report = verify(edited(path, tmp_path, excel.Cut(sheet, f"{left}{top}:{right}{bottom}", 900, 0)))
+    one(report, sheet, f"{left}{top + 900}", "no headings", "move them together")
+
+
+def test_a_table_cut_and_pasted_to_another_sheet_is_one_finding(books, tmp_path):
+    path = books("cutting-machine")
+    sheet, top, bottom, left, right = place(path, "axis2")
+    report = verify(edited(path, tmp_path, excel.Cut(sheet, f"A{top - 5}:{right}{bottom + 8}", 900, 0, "Drive")))
+    (found,) = sums(report).findings
+    assert (found.kind, found.sheet, found.cell) == ("name", "Drive", f"{left}{top + 900}")
+
+
+def test_entries_with_their_labels_are_moved_freely(books, tmp_path):
+    path = books("cutting-machine")
+    understood(verify(edited(path, tmp_path, excel.Cut("Timing", "B7:F8", 0, 45))))
+
+
+@needs_office
+def test_rows_inserted_deleted_and_cells_moved_in_libreoffice(books, tmp_path):
+    path = books("cutting-machine")
+    sheet, first, last, *_ = place(path, "axis2")
+    tab = f'sheet = book.Sheets.getByName("{sheet}")'
+    made = office.edit(path, tmp_path / "inserted.xlsx", [tab, f"sheet.Rows.insertByIndex({first + 1}, 1)"])
+    one(verify(made), sheet, f"{first + 2}:{first + 2}", "inserted")
+    made = office.edit(path, tmp_path / "deleted.xlsx", [tab, f"sheet.Rows.removeByIndex({last - 2}, 1)"])
+    one(verify(made), sheet, f"{last - 1}:{last - 1}", "gone above row")
+    cell, cells = (f'sheet.getCellRangeByName("{at}")' for at in (f"AQ{first}", f"C{first}:F{last}"))
+    move = f"sheet.moveRange({cell}.CellAddress, {cells}.RangeAddress)"
+    made = office.edit(path, tmp_path / "moved.xlsx", [tab, move])
+    one(verify(made), sheet, f"C{first}:F{last}", "cut, and pasted to Timing!AQ")

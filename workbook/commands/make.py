@@ -1,0 +1,69 @@
+"""Build a book, read its inputs, build it anew, and keep the committed templates."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from workbook import build as making
+from workbook.exits import AGREES, DISAGREES
+from workbook.reading.entries import write_machine
+from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.templates import TEMPLATES
+
+
+def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> None:
+    """Build a workbook from a machine description."""
+    source = machine or TEMPLATES["cutting-machine"].description
+    target = output or Path(f"{source.stem}.xlsx")
+    with ERR.status(shown(f"Building {target} …")):
+        failing = making.build(making.described(source, motors, reducers), target, overwrite=force)
+    say(OUT, f"Built {target.absolute()}")
+    show_failing(failing)
+
+
+def inputs(book: Path, output: Path | None, force: bool) -> None:
+    """Read what was entered into a workbook."""
+    with ERR.status(shown(f"Reading {book} …")):
+        machine, notes = making.inputs(book)
+    show_notes(notes)
+    if output is None:
+        say_data(write_machine(machine))
+        return
+    making.write_inputs(machine, output, overwrite=force)
+    say(OUT, f"Wrote {output.absolute()}")
+
+
+def regenerate(book: Path, output: Path, force: bool) -> None:
+    """Build a workbook anew from what was entered into an old one."""
+    with ERR.status(shown(f"Regenerating {book} …")):
+        machine, notes = making.inputs(book)
+        failing = making.build(machine, output, overwrite=force)
+    show_notes(notes)
+    say(OUT, f"Built {output.absolute()}")
+    show_failing(failing)
+
+
+def templates(check: bool) -> int:
+    """Generate the committed workbooks, or tell the stale ones; return the exit code."""
+    with ERR.status("Generating the templates …"):
+        stale = making.stale_templates() if check else []
+        written = [] if check else making.write_templates()
+    for path in written:
+        say(OUT, f"Built {path}")
+    for path in stale:
+        say(ERR, f"{path}: stale; run 'motionbook templates' and commit it")
+    if check and not stale:
+        OUT.print(f"{len(making.committed())} workbooks up to date")
+    return DISAGREES if stale else AGREES
+
+
+def show_failing(failing: list[str]) -> None:
+    """Print the machine's own checks that do not hold."""
+    for check in failing:
+        say(ERR, f"FAIL  {check}", "yellow")
+
+
+def show_notes(notes: list[str]) -> None:
+    """Print what was not carried over."""
+    for note in notes:
+        say(ERR, f"Note: {note}")

@@ -1,0 +1,39 @@
+"""Verify books, and report on them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime
+from pathlib import Path
+
+from workbook.judging import many
+from workbook.judging.verify import present
+from workbook.reports import page, summary
+from workbook.reports.junit import junit as junit_xml
+from workbook.reports.terminal import ERR, OUT
+
+
+def verify(
+    books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, force: bool,
+    witnesses: Sequence[str] | None, jobs: int | None, everything: bool,
+) -> int:  # fmt: skip
+    """Verify books, print what came of them and write the reports asked for; return the exit code."""
+    page.ready(report, (".html", ".htm"), force)
+    page.ready(junit, (".xml",), force)
+    asked = chosen(witnesses)
+    targets, failed = many.find(books)
+    with summary.progress(ERR, len(targets)) as done:
+        outcomes = many.verify_many(targets, asked, jobs, done) + failed
+    alone = len(books) == 1 and not many.is_folder(books[0])
+    summary.show(outcomes, OUT, ERR, as_json, alone, everything)
+    when = datetime.now().astimezone()
+    page.write(report, lambda: page.page(outcomes, when), force)
+    page.write(junit, lambda: junit_xml(outcomes, when), force)
+    return many.exit_code(outcomes)
+
+
+def chosen(names: Sequence[str] | None) -> list[str]:
+    """Return the witnesses to ask, each once, in the order named; raise WitnessError for one that is absent."""
+    found = list(dict.fromkeys(names or ["pycel"]))
+    present(found)
+    return found

@@ -1,0 +1,270 @@
+"""Unfinished designs: entries of the right structure and type whose numbers do not do, or are not there yet.
+
+Such a machine is not refused. What the engine works out is a machine with other entries in their places; what was
+entered is kept beside it, with all that is wrong: the book shows the one, and is worked out with the other.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator, Sequence
+from copy import deepcopy
+from typing import Any, Literal, TypeVar, get_origin
+
+from pydantic import BaseModel, ValidationError
+
+from workbook.entries import rules
+from workbook.entries.machine import Design, Fault, Machine, Replaced
+from workbook.entries.types import DesignError, TogetherError
+from workbook.laws.entries import key_of
+
+M = TypeVar("M", bound=Machine)
+BEYOND = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
+MOST_ROUNDS = 24
+NONE = object()
+"""stands where a description has no entry"""
+
+
+class RefusedError(Exception):
+    """What is wrong with the structure or type of a description: pydantic's faults, or those of a design."""
+
+    def __init__(self, faults: list[Any]) -> None:
+        super().__init__(str(faults))
+        self.faults = faults
+
+
+def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]) -> M:
+    """Return the machine of a description; raise RefusedError for one of a wrong structure or type.
+
+    Entries that do not do are replaced by ``example``'s, or by those that a rule says would fit, one after the other
+    until the rest goes together; ``check`` says what only the engine can see.
+    """
+    replaced: dict[str, int] = {}  # the turn in which each place was
+    faults: list[Fault] = []
+    tried = data
+    for turn in range(MOST_ROUNDS):
+        machine, found = attempted(model, check, tried)
+        if machine is not None:
+            kept = differing(model, data, machine.model_dump(), replaced)
+            machine._design = Design(kept, tuple(faults))
+            return machine
+        if turn == 0:
+            tried, dumped = deepcopy(data), example().model_dump()
+        for fault in found:
+            path = fault.key
+            while path in replaced and path:
+                path = joined(parts(path)[:-1])
+            if not path:
+                raise RefusedError(found)
+            whole = path == fault.key
+            fits = whole and fault.fits is not None
+            set_at(tried, parts(path), fault.fits if fits else fitting(model, path, dumped, tried))
+            replaced.setdefault(path, turn)
+            if whole:
+                faults.append(fault._replace(turn=turn))
+    raise RefusedError(found)
+
+
+def attempted(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
+    """Return the machine of a description, or what of its numbers does not do; raise RefusedError for all else."""
+    try:
+        machine = model.model_validate(data)
+        check(machine)
+    except ValidationError as error:
+        told = error.errors(include_url=False)
+        refused = [fault for fault in told if not numeric(fault, model)]
+        if refused:
+            raise RefusedError(refused) from None
+        return None, [each for fault in told for each in numbers_of(fault, model)]
+    except DesignError as error:
+        return None, [of_rule("", error)]
+    return machine, []
+
+
+def numeric(fault: Any, model: type[BaseModel]) -> bool:
+    """Whether a fault of pydantic's is one of numbers: beyond bounds, not there, or not going together."""
+    key, rule = keys_of(fault["loc"])
+    if isinstance(fault.get("ctx", {}).get("error"), TogetherError):
+        return True
+    if key.startswith("sizes") or fault["type"] == "extra_forbidden":
+        return False
+    kind, constraints = rules.field_at(model, rule)
+    if fault["type"] in BEYOND:
+        return isinstance(fault["input"], int | float) and finite(fault["input"])
+    if fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
+        return rules.is_table(kind)
+    empty = fault["type"] == "missing" or fault["input"] is None or fault["input"] == {}
+    return empty and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
+
+
+def finite(value: float) -> bool:
+    """Whether a number is one that a cell can hold."""
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False
+
+
+def numbers_of(fault: Any, model: type[BaseModel]) -> Iterator[Fault]:
+    """Yield the faults of a design that one of pydantic's tells."""
+    key, rule = keys_of(fault["loc"])
+    cause = fault.get("ctx", {}).get("error")
+    if isinstance(cause, TogetherError):
+        for error in cause.found:
+            yield of_rule(key, error)
+    else:
+        value = fault["input"] if fault["type"] in BEYOND else None
+        yield Fault(key, key, "", f"expected {rules.expectation(*rules.field_at(model, rule))}", value)
+
+
+def of_rule(where: str, error: DesignError) -> Fault:
+    """Return the fault of a rule, of the entries at ``where``."""
+    return Fault(f"{where}.{error.field}".strip("."), where, error.rule, str(error), None, error.fits)
+
+
+def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: dict[str, Any]) -> Any:
+    """Return an entry, or all below a place, that does: the example's, with the words that are held."""
+    rule = ruled(path, tried)
+    found = at(example, rule)
+    if found is NONE or found is None:
+        return rules.within(*rules.field_at(model, rule))
+    return refilled(at(tried, path), found)
+
+
+def keys_of(loc: tuple[int | str, ...]) -> tuple[str, str]:
+    """Return the key of a fault of pydantic's, and of the rule for it: a law's entries have those of its family."""
+    given = [*map(str, loc)]
+    if len(given) < 3 or given[0] != "laws":
+        return ".".join(given), ".".join(given)
+    _, name, family, *rest = given
+    return joined(["laws", name, *rest]), ".".join(["laws", family, *rest])
+
+
+def ruled(path: str, data: dict[str, Any]) -> str:
+    """Return the key of the rule for an entry: of a law that has a name of its own, that of its family."""
+    names = parts(path)
+    if len(names) > 1 and names[0] == "laws":
+        entry = data.get("laws", {}).get(names[1], {})
+        names[1] = entry.get("family", names[1])
+    return joined(names)
+
+
+PART = re.compile(r'"([^"]*)"|([^.]+)')
+
+
+def parts(path: str) -> list[str]:
+    """Return the names of a path; those of laws may stand in quotes."""
+    return [quoted or plain for quoted, plain in PART.findall(path)]
+
+
+def joined(names: Sequence[str]) -> str:
+    """Return the path of names."""
+    return ".".join([key_of(name) if i == 1 and names[0] == "laws" else name for i, name in enumerate(names)])
+
+
+def refilled(held: Any, example: Any) -> Any:
+    """Return an example's numbers at the places of what is held, whose texts and length stay."""
+    if isinstance(example, dict):
+        known = held if isinstance(held, dict) else {}
+        return {key: refilled(known.get(key, NONE), value) for key, value in example.items() if value is not None}
+    if isinstance(example, list) and example and isinstance(held, list) and held:
+        return [refilled(one, example[min(i, len(example) - 1)]) for i, one in enumerate(held)]
+    return held if isinstance(held, str) and isinstance(example, str) else deepcopy(example)
+
+
+def at(data: Any, path: str) -> Any:
+    """Return what a description has at a place, of a list too short its last; NONE where there is nothing."""
+    for part in parts(path):
+        if isinstance(data, list) and data:
+            data = data[min(int(part), len(data) - 1)]
+        elif isinstance(data, dict) and part in data:
+            data = data[part]
+        else:
+            return NONE
+    return data
+
+
+def set_at(data: Any, path: list[str], value: Any) -> None:
+    """Set an entry, making tables on the way."""
+    *above, last = path
+    for part in above:
+        data = data[int(part)] if isinstance(data, list) else data.setdefault(part, {})
+    if isinstance(data, list):
+        data[int(last)] = value
+    else:
+        data[last] = value
+
+
+def differing(
+    model: type[BaseModel], entered: dict[str, Any], made: dict[str, Any], replaced: dict[str, int]
+) -> dict[str, Replaced]:
+    """Return by key the entries below the places that were replaced, where they differ."""
+    found: dict[str, Replaced] = {}
+    for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
+        old = dict(leaves(exactly(entered, path), path))
+        for key, value in leaves(exactly(made, path), path):
+            was = old.pop(key, NONE)
+            if was is NONE or was == {}:
+                was = rules.default_at(model, ruled(key, entered))
+            if was != value:
+                found.setdefault(key, Replaced(was, turn))
+        for key, was in old.items():
+            if was is not None and was != {}:
+                found.setdefault(key, Replaced(was, turn))
+    return found
+
+
+def exactly(data: Any, path: str) -> Any:
+    """Return what a description has at a place; None where there is nothing."""
+    for part in parts(path):
+        if isinstance(data, list):
+            data = data[int(part)] if int(part) < len(data) else None
+        else:
+            data = data.get(part) if isinstance(data, dict) else None
+    return data
+
+
+def leaves(data: Any, path: str) -> Iterator[tuple[str, Any]]:
+    """Yield the entries at and below a place by their keys."""
+    if isinstance(data, dict) and data:
+        for key, value in data.items():
+            yield from leaves(value, joined([*parts(path), key]))
+    elif isinstance(data, list):
+        for i, value in enumerate(data):
+            yield from leaves(value, f"{path}.{i}")
+    else:
+        yield path, data
+
+
+def as_entered(machine: Machine) -> dict[str, Any]:
+    """Return the description of a machine with what was entered, finished or not."""
+    data = machine.model_dump(exclude_none=True)
+    for key, old in machine.design.replaced.items():
+        put_back(data, parts(key), old.value)
+    return {key: emptied(value) for key, value in data.items()}
+
+
+def put_back(data: Any, path: list[str], value: Any) -> None:
+    """Set an entry, or take it away where there was none."""
+    *above, last = path
+    for part in above:
+        data = data[int(part)] if isinstance(data, list) else data.setdefault(part, {})
+    if isinstance(data, list):
+        data[int(last)] = value
+    elif value is None:
+        data.pop(last, None)
+    else:
+        data[last] = value
+
+
+def emptied(data: Any) -> Any:
+    """Return a description without the rows at the end of a list in which nothing is entered."""
+    if isinstance(data, dict):
+        return {key: emptied(value) for key, value in data.items()}
+    if isinstance(data, list):
+        rows = [emptied(value) for value in data]
+        while rows and rows[-1] in ({}, None):
+            rows.pop()
+        return rows
+    return data

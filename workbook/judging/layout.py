@@ -1,0 +1,147 @@
+"""Rows and columns put into a table, or taken out of it: one finding each, and none for what follows from it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import groupby
+
+from openpyxl.utils import get_column_letter
+from pydantic import ValidationError
+
+from workbook.book.address import Address, Fit
+from workbook.book.declare import Block
+from workbook.entries.machine import Machine
+from workbook.judging.matching import Match
+from workbook.judging.report import LAYOUT, Finding, Report
+from workbook.reading.files import BookFile
+from workbook.templates import AnyTemplate
+
+FOLLOWING = frozenset(("value", "error", "follows", "saved"))
+NEAR = (1, 2, 3, -1)  # rows by which a table may have been larger or smaller
+UNDO = "undo that, or take the table from a copy; `regenerate` carries over what is entered"
+SPARE = "no row between the table's own: delete it, and enter what it should hold in a spare row"
+
+
+def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[Match, Machine]:
+    """Return the file held against its declaration, and the machine by whose sizes most tables are as declared.
+
+    Where a row is gone from one of several tables of one size, the others tell what that was.
+    """
+    best, given = Match(file, template.declare(machine)), machine
+    for size in template.sizes:
+        if not best.misfits or any(place is None for _, place in best.misfits):
+            break
+        for more in NEAR:
+            other = resized(given, size, more)
+            try:
+                match = Match(file, template.declare(other)) if other is not None else best
+            except ValueError:  # too small for what is entered
+                continue
+            if other is not None and amiss(match) < amiss(best):
+                best, machine = match, other
+    return best, machine
+
+
+def amiss(match: Match) -> int:
+    """Return how many tables are not as declared; one that is larger, with no row put into it, hardly can be."""
+    sizes = ((block.size, match.size_of(block)) for block, place in match.misfits if place is not None)
+    return sum(1 if held < size else 2 for size, held in sizes)
+
+
+def resized(machine: Machine, size: str, more: int) -> Machine | None:
+    """Return a machine whose tables of a size have so many rows more; None where that is beyond a limit."""
+    sizes = machine.sizes.model_dump()
+    try:
+        made = type(machine.sizes)(**sizes | {size: sizes[size] + more})
+    except ValidationError:
+        return None
+    return machine.model_copy(update={"sizes": made})
+
+
+def layout(match: Match) -> Iterator[Finding]:
+    """Yield a finding for each row or column of a sheet that was put into tables, or is gone from them."""
+    known = [(block, fit_of(match, block)) for block in match.declared.blocks.values() if block.is_table]
+    there = [(block, fit) for block, fit in known if fit is not None]
+    yield from inserted(there)
+    gone: dict[tuple[str, int, int], list[Block]] = {}
+    for block, fit in there:
+        for row, count in fit.lost:
+            gone.setdefault((fit.place.sheet, row, count), []).append(block)
+    for (sheet, row, count), blocks in gone.items():
+        found = f"{rows_in_words(count)} gone above row {row}"
+        yield Finding(sheet, f"{row}:{row}", LAYOUT, found, UNDO, titled(blocks))
+    columns: dict[tuple[str, int], list[tuple[Block, str]]] = {}
+    for block, fit in there:
+        for j in fit.gone:
+            columns.setdefault((fit.place.sheet, fit.before(j)), []).append((block, block.quantities[j].label))
+    for (sheet, number), torn in columns.items():
+        letter, labels = get_column_letter(number), dict.fromkeys(repr(label) for _, label in torn)
+        found = f"a column is gone before column {letter}: {', '.join(labels)}"
+        yield Finding(sheet, f"{letter}:{letter}", LAYOUT, found, UNDO, titled([block for block, _ in torn]))
+
+
+def inserted(there: list[tuple[Block, Fit]]) -> Iterator[Finding]:
+    """Yield a finding for each run of rows that was put into tables."""
+    tables: dict[tuple[str, int], list[Block]] = {}
+    for block, fit in there:
+        for row in fit.inserted:
+            tables.setdefault((fit.place.sheet, row), []).append(block)
+    for _, run in groupby(enumerate(sorted(tables)), key=lambda one: (one[1][0], one[1][1] - one[0])):
+        rows = [row for _, row in run]
+        (sheet, first), (_, last) = rows[0], rows[-1]
+        found = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"
+        yield Finding(sheet, f"{first}:{last}", LAYOUT, found, SPARE, titled(tables[rows[0]]))
+
+
+def fit_of(match: Match, block: Block) -> Fit | None:
+    """Return how a table lies that is not as declared; rows that are gone from its end are among those it has lost."""
+    place = match.file.places.get(block.name)
+    if place is None:
+        return None
+    fit = match.file.fits.get(block.name, Fit(place))
+    behind = fit.place.cell(fit.place.rows, 0).row
+    if block.size > fit.size:
+        fit = fit._replace(lost=(*fit.lost, (behind, block.size - fit.size)))
+    if block.size < fit.size:
+        fit = fit._replace(inserted=(*fit.inserted, *range(behind - fit.size + block.size, behind)))
+    return fit
+
+
+def rows_in_words(count: int) -> str:
+    """Return how many rows are, with the verb."""
+    return "a row is" if count == 1 else f"{count} rows are"
+
+
+def titled(blocks: list[Block]) -> str:
+    """Return which tables they are: the heading of the first, and the names of all."""
+    block = blocks[0]
+    above = [text for text in block.sheet.texts if text.style == "heading" and text.row < block.row]
+    heading = max(above, key=lambda text: text.row).text if above else block.title
+    names = [b.name for b in blocks]
+    return f"{heading}: the table {names[0]}" if len(names) == 1 else f"{heading}: the tables {', '.join(names)}"
+
+
+def follow(match: Match, report: Report, suspects: set[Address]) -> None:
+    """Set aside the findings that follow from rows and columns inserted or gone, and from names of cells that are gone.
+
+    A cell with its own formula that computes something else does so for these; and so does a formula that they have
+    left without a cell to refer to.
+    """
+    torn = any(fit.inserted or fit.lost or fit.gone for fit in match.file.fits.values()) or bool(match.misfits)
+    less = any(fit.lost or fit.gone for fit in match.file.fits.values())
+    gone = torn or any(place is None for _, place in match.misfits)
+    if not gone:
+        return
+    formulas = {(p.address.sheet, p.address.a1): p for p in match.pairs}
+    kept = []
+    for f in report.findings:
+        pair = formulas.get((f.sheet, f.cell))
+        bereft = pair is not None and pair.address in suspects and "#REF!" in str(pair.held)
+        own = pair is not None and pair.address not in suspects
+        number = torn and f.kind == "changed" and pair is not None and pair.cell.block.name in match.file.fits
+        follows = (f.kind in FOLLOWING and (own or bereft)) or (f.kind == "formula" and bereft)
+        if follows or number or (less and f.kind == "unread"):
+            report.following.append(f)
+        else:
+            kept.append(f)
+    report.findings[:] = kept

@@ -1,0 +1,170 @@
+"""Cells of a table that were cut and pasted elsewhere: put back before a book is read, and told in one finding.
+
+A program lets formulas follow what is cut, so that they say where it is now; formulas that were cut are known by their
+shape. Names follow only where all of their cells were cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from openpyxl.utils import quote_sheetname
+from openpyxl.worksheet.worksheet import Worksheet
+
+from workbook.book.address import Address
+from workbook.book.declare import Book
+from workbook.book.formula import REFERENCE, TOKEN, corner, unquoted
+from workbook.judging.layout import titled
+from workbook.judging.matching import Match, Pair, is_formula
+from workbook.judging.report import LAYOUT, Finding
+from workbook.reading.files import BookFile
+
+HALF = 2
+
+
+class Way(NamedTuple):
+    """How far cells were moved, and to which sheet."""
+
+    sheet: str
+    down: int
+    right: int
+
+    def end(self, home: Address) -> Address:
+        """Return where a cell is now."""
+        return Address(self.sheet, home.row + self.down, home.column + self.right)
+
+
+def put_back(file: BookFile, layout: Book) -> list[Finding]:
+    """Put cells that were cut from a table of ``layout`` back into it; return a finding for each run of them.
+
+    Tables of which the layout has fewer rows than the file are left as they are.
+    """
+    match = Match(file, layout)
+    small = {name for name, b in layout.blocks.items() if name in file.places and match.size_of(b) > b.size}
+    empty = {p.address: p for p in match.pairs if p.held is None and p.cell.block.name not in small}
+    gone: dict[tuple[str, Way], set[Address]] = {}
+    for home, way in [*referred(match, empty), *reshaped(match, empty)]:
+        gone.setdefault((empty[home].cell.block.name, way), set()).add(home)
+    back: dict[Address, Address] = {}
+    findings = []
+    for (name, way), homes in gone.items():
+        homes |= {a for a, p in empty.items() if p.cell.block.name == name and filled(match, way.end(a))}
+        if any(filled(match, way.end(home)) for home in homes):
+            back |= {way.end(home): home for home in homes}
+            findings.append(told([empty[home] for home in homes], way))
+    if back:
+        replace(file, back)
+    return findings
+
+
+def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
+    """Yield empty cells of a table of which formulas say that they are elsewhere, with how far."""
+    for pair in match.pairs:
+        if not pair.declared_formula or not is_formula(pair.held) or pair.held == pair.cell.content:
+            continue
+        for (name, i, j), there in match.apart(pair):
+            place = match.file.places.get(name)
+            home = place.cell(i, j) if place is not None and i >= 0 else None
+            if home is not None and home in empty and isinstance(there, Address):
+                yield home, Way(there.sheet, there.row - home.row, there.column - home.column)
+
+
+def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
+    """Yield the formulas missing in a table of which most are found elsewhere by their shape, one way from there."""
+    missing = {home: pair for home, pair in empty.items() if pair.declared_formula}
+    shapes: dict[str, list[Address]] = {}
+    for address, formula in match.file.contents.formulas.items() if missing else ():
+        if address not in match.declared_at:
+            shapes.setdefault(formula.shape, []).append(address)
+    counted: dict[str, dict[Way, list[Address]]] = {}
+    for home, pair in missing.items() if shapes else ():
+        for there in shapes.get(match.declared_shape(pair), ()):
+            way = Way(there.sheet, there.row - home.row, there.column - home.column)
+            counted.setdefault(pair.cell.block.name, {}).setdefault(way, []).append(home)
+    for name, ways in counted.items():
+        way, homes = max(ways.items(), key=lambda one: len(one[1]))
+        if HALF * len(homes) > sum(p.cell.block.name == name for p in missing.values()):
+            yield from ((home, way) for home in homes)
+
+
+def filled(match: Match, address: Address) -> bool:
+    """Whether a cell holds anything, and is none of the declared ones."""
+    there = address.sheet in match.file.workbook.sheetnames and address not in match.declared_at
+    return there and address.row > 0 and address.column > 0 and match.file.value(address) is not None
+
+
+def told(pairs: list[Pair], way: Way) -> Finding:
+    """Return the finding on cells of a table that were moved one way."""
+    rows, columns = [p.address.row for p in pairs], [p.address.column for p in pairs]
+    first = Address(pairs[0].address.sheet, min(rows), min(columns))
+    last = Address(first.sheet, max(rows), max(columns))
+    there = f"{way.end(first)}:{way.end(last).a1}"
+    expected = "all cells of the table in their places: cut and paste them back"
+    what = titled([pairs[0].cell.block])
+    return Finding(first.sheet, f"{first.a1}:{last.a1}", LAYOUT, f"cut, and pasted to {there}", expected, what)
+
+
+def replace(file: BookFile, back: Mapping[Address, Address]) -> None:
+    """Move cells of a file, and let all formulas follow."""
+    pages = {page.title: page._cells for page in file.workbook.worksheets}
+    for now, home in back.items():
+        cell = pages[now.sheet].pop((now.row, now.column), None)
+        if cell is None:
+            continue
+        cell.parent, cell.row, cell.column = file.workbook[home.sheet], home.row, home.column
+        pages[home.sheet][home.row, home.column] = cell
+        if now in file.saved:
+            file.saved[home] = file.saved.pop(now)
+    for title, cells in pages.items():
+        for cell in cells.values():
+            if cell.data_type == "f" and isinstance(cell.value, str):
+                cell.value = f"={followed(cell.value[1:], title, back)}"
+    for page in file.workbook.worksheets:
+        for source in sources(page):
+            source.f = followed(source.f, page.title, back)
+    file.mended = True
+    file.__dict__.pop("contents", None)
+
+
+def sources(page: Worksheet) -> Iterator[Any]:
+    """Yield what the charts of a sheet draw, as the references that they have."""
+    for chart in getattr(page, "_charts"):  # noqa: B009 - the stubs hide it
+        for series in chart.series:
+            bars = series.errBars
+            drawn = [series.tx, *(getattr(series, name, None) for name in ("xVal", "yVal", "cat", "val"))]
+            for data in (*drawn, *((bars.plus, bars.minus) if bars is not None else ())):
+                yield from filter(None, (getattr(data, kind, None) for kind in ("numRef", "strRef")))
+
+
+def followed(text: str, sheet: str, back: Mapping[Address, Address]) -> str:
+    """Return a formula of a sheet with its references to cells of ``back`` led to where these go."""
+
+    def replaced(token: object) -> str:
+        word, kind = token[0], token.lastgroup  # type: ignore[index, attr-defined]
+        return led(word, sheet, back) if kind == "reference" else word
+
+    return TOKEN.sub(replaced, text)
+
+
+def led(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
+    """Return a reference led to where its cells go; as it is where not both of its corners are among them."""
+    parts = REFERENCE.fullmatch(word)
+    if parts is None:
+        return word
+    before, first, _, second = parts.groups()
+    title = unquoted(before[:-1]) if before else sheet
+    corners = [Address(title, *corner(end)) for end in (first, second) if end]
+    ends = [back[one] for one in corners if one in back]
+    if len(ends) < len(corners):
+        return word
+    there = ends[0].sheet
+    prefix = "" if there == sheet and not before else before if there == title else f"{quote_sheetname(there)}!"
+    return prefix + ":".join(anchored(old, new) for old, new in zip((first, second), ends, strict=False))
+
+
+def anchored(old: str, new: Address) -> str:
+    """Return a cell with ``$`` where another reference has it."""
+    letters = new.a1.rstrip("0123456789")
+    column = f"${letters}" if old.startswith("$") else letters
+    return f"{column}${new.row}" if "$" in old[1:] else f"{column}{new.row}"

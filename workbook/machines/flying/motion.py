@@ -1,0 +1,74 @@
+"""The tool's motion as pieces: the parts of the cycle, and the table in which a sample finds its piece."""
+
+from __future__ import annotations
+
+from engine.flying.pieces import Stretch, cut_pieces, stretches
+from workbook.book.declare import Sheet, calc, constant
+from workbook.laws.sampling import Pieces
+from workbook.machines.flying.view import Flying
+from workbook.motion.cells import Cells, PieceRows, rows_of_parts
+from workbook.motion.pieces import ABOUT, phase_table_columns, pieces_in_all, pieces_table
+from workbook.motion.stack import last_before
+
+AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "fly_eps", "m", "s", drifts=True, opens=True)
+SPLIT = "IF(fly_waits=1,fly_peak,1)"
+PARTS = ("moves by its law", "waits", "moves on", "works at line speed")
+WHERE = "The parts of the cycle: beside the law the tool moves at line speed, which stands in the column drift."
+
+
+def rows_of(machine: Flying, stack: Pieces) -> PieceRows:
+    """Return the pieces of the tool's motion."""
+    return rows_of_parts(AT, stretches(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
+
+
+def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
+    """Declare the parts of the cycle, and the pieces of the tool's motion."""
+    sheet.heading("Workings: the tool's motion as pieces", ABOUT)
+    sheet.note(WHERE)
+    standing(sheet, machine, stack)
+    parts_table(sheet, machine, stretches(machine.cut), rows)
+    sheet.rows(pieces_in_all(rows))
+    sheet.row += 1
+    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
+
+
+def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
+    """Declare where the law is at its fastest, and so the tool where it waits."""
+    at, law = machine.xi_fastest, machine.law
+    sheet.table(
+        "standing", "The law where it is fastest", 1,
+        calc("xi", "abscissa", "ξ_v", "", "=fly_peak", at),
+        *stack.finding("fly_no", "xi", stack.locate(machine.number, at)),
+        *stack.columns({"s": law.s(at)}, "s"),
+    )  # fmt: skip
+
+
+def parts_table(sheet: Sheet, machine: Flying, parts: tuple[Stretch, ...], rows: PieceRows) -> None:
+    """Declare the parts of the cycle."""
+    scale, time = machine.cut.size, machine.cut.cycle_time
+    of = [part.scaled for part in parts]
+    law, none = "=MATCH(fly_no,piece_number,0)", "=MATCH(1,piece_number,0)"
+    sheet.table(
+        AT.phases, "The parts of the cycle", len(PARTS),
+        constant("what", "the tool", "", "", list(PARTS), align="left"),
+        constant("k", "row", "k", "", [1, 2, 3, 4]),
+        calc("h", "displacement by the law", "h", "m",
+             ["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"], [one.h for one in of], scale=scale(0)),
+        calc("span", "time of the law", "t", "s",
+             ["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"], [one.duration for one in of], scale=time),
+        calc("begin", "where its time counts from", "", "s",
+             ["=0", "=fly_stop", "=fly_wait", "=fly_tr"], [one.x for one in of], scale=time),
+        calc("opens", "begins at", "", "s",
+             ["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"], [part.opens for part in parts], scale=time),
+        calc("drift", "drift", "v", "m/s", ["=fly_v", "=0", "=fly_v", "=fly_v"], [one.drift for one in of]),
+        calc("y0", "position there", "s", "m",
+             ["=0", "=IF(fly_waits=1,fly_v*fly_stop+fly_h1/1000*[standing.s.1],0)", "=0",
+              "=fly_v*fly_tm+fly_h1/1000*INDEX(law_s1,fly_no)"],
+             [one.y for one in of], scale=scale(0)),
+        *phase_table_columns(
+            rows,
+            [law, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_tolerance,1)')}", none],
+            [f"={last_before('fly_no', SPLIT)}-[first]+1", "=fly_waits",
+             f"=IF(fly_waits=1,{last_before('fly_no', '1')}-[first]+1,0)", "=IF([span]>0,1,0)"],
+        ),
+    )  # fmt: skip

@@ -1,0 +1,162 @@
+"""Rows and columns that someone has put into a table of a file, or taken out of it.
+
+A program lets names and formulas follow what is inserted and deleted, so that a table may be larger or smaller than it
+was built. Which of its rows are its own is told by the number that most tables have in each row, or by their formulas;
+which of its columns, by the headings above them and by where formulas stand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from workbook.book.address import Address, Fit, Place
+from workbook.book.declare import Block, Book
+from workbook.book.formula import area_of
+from workbook.book.rows import as_rows
+from workbook.reading.files import BookFile
+
+LOOKED_AT = 30  # rows of a table, where its columns are told apart
+HEADER = 12  # rows above a table in which its headings are looked for
+
+
+def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
+    """Return how those tables of a file lie into which something was put, or from which something was taken."""
+    fits: dict[str, Fit] = {}
+    for name, block in layout.blocks.items():
+        place = file.places.get(name)
+        if block.is_table and place is not None and name not in file.fits:
+            found = fit(file, block, place)
+            if found.inserted or found.added or found.lost or found.gone:
+                fits[name] = found
+    return fits
+
+
+def fit(file: BookFile, block: Block, place: Place) -> Fit:
+    """Return how a table lies in ``place``, that of its name."""
+    columns = range(place.columns) if place.columns == len(block.quantities) else aligned(file, block, place)
+    own = place._replace(columns=len(columns), columns_at=() if isinstance(columns, range) else tuple(columns))
+    rows, lost = rows_of(file, block, own)
+    fitted = own if len(rows) == place.rows else own._replace(rows=len(rows), rows_at=tuple(rows))
+    return Fit(
+        fitted,
+        tuple(place.row + r for r in range(place.rows) if r not in set(rows)),
+        tuple(place.column + c for c in range(place.columns) if c not in set(columns)),
+        tuple((place.row + r, count) for r, count in lost),
+        tuple(j for j, c in enumerate(columns) if c is None),
+    )
+
+
+def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], list[tuple[int, int]]]:
+    """Return which rows of a place are the table's own, and before which of them so many rows are gone."""
+    j, rows = counting(block), range(place.rows)
+    formulas = [k for k, q in enumerate(block.quantities) if q.formula is not None and place.cell(0, k).column]
+    if j is None or not place.cell(0, j).column:
+        looked_at = formulas or range(place.columns)
+        used = [any(held(file, place.cell(r, k), bool(formulas)) for k in looked_at) for r in rows]
+        last = max((r for r in rows if used[r]), default=0)
+        own = [r for r in rows if used[r] or (r > last and not formulas)]
+        return (own if 2 * len(own) > place.rows else rows), []
+    first = as_rows(block.quantities[j].value, block.size, block.name)[0]
+    numbers = [number(file.value(place.cell(r, j))) for r in rows]
+    if numbers == list(range(first, first + place.rows)):
+        return rows, []
+    empty = [not any(held(file, place.cell(r, k), True) for k in formulas) for r in rows]
+    return by_numbers(numbers, empty, first, lambda r: leads_up(file, place, r)) or (rows, [])
+
+
+def by_numbers(
+    numbers: Sequence[int | None], empty: Sequence[bool], first: int, leads_up: Callable[[int], int | None]
+) -> tuple[list[int], list[tuple[int, int]]] | None:  # fmt: skip
+    """Return what :func:`rows_of` does by the number in each row, from ``first`` on; None where they do not say.
+
+    ``empty`` are rows without formulas; ``leads_up`` tells which row the formulas of a row take for the one above.
+    """
+    own: list[int] = []
+    aside: list[int] = []
+    lost: list[tuple[int, int]] = []
+    last = first - 1
+    for r, found in enumerate(numbers):
+        if found is not None and found > last:
+            missing = found - last - 1
+            if missing and missing == len(aside):
+                own += aside  # emptied, not inserted
+            elif missing:
+                lost.append((r, missing))
+            own.append(r)
+            last, aside = found, []
+        elif found is not None and own and found == last:
+            if any(leads_up(below) == r for below in range(r + 1, min(r + 2, len(numbers)))):
+                own[-1] = r  # the copy was put above it
+        elif found is None and empty[r]:
+            aside.append(r)
+        else:
+            return None
+    return own, lost
+
+
+def leads_up(file: BookFile, place: Place, r: int) -> int | None:
+    """Return the row of a place above row ``r`` to which single references in its formulas lead."""
+    own = area_of(place)
+    for j in range(place.columns):
+        formula = file.contents.formulas.get(place.cell(r, j))
+        for area in formula.arguments if formula is not None else ():
+            if not isinstance(area, str) and area.single and own.holds(area.first) and area.top < place.row + r:
+                return area.top - place.row
+    return None
+
+
+def counting(block: Block) -> int | None:
+    """Return the column in which a table numbers its rows, if it has one."""
+    for j, q in enumerate(block.quantities):
+        if q.role not in ("input", "check") and q.formula is None and block.size > 1:
+            values = as_rows(q.value, block.size, block.name)
+            if isinstance(values[0], int) and values == list(range(values[0], values[0] + block.size)):
+                return j
+    return None
+
+
+def number(held: Any) -> int | None:
+    """Return a whole number that a cell holds."""
+    whole = isinstance(held, int | float) and not isinstance(held, bool) and held == int(held)
+    return int(held) if whole else None
+
+
+def held(file: BookFile, address: Address, formula: bool) -> bool:
+    """Whether a cell holds anything, or a formula."""
+    cell = file.cell(address)
+    return cell is not None and (cell.data_type == "f" if formula else cell.value is not None)
+
+
+def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
+    """Return for each column of a table which one of the place it is, None where it is gone: in their order."""
+    names = {column: {t.text for t in block.sheet.texts if t.column == column and 0 < block.row - t.row <= 4 and t.text}
+             for column in block.columns.values()}  # fmt: skip
+    above = [texts_above(file, place, c) for c in range(place.columns)]
+    kinds = [kind(file, place, c) for c in range(place.columns)]
+    likes = [
+        [2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - kinds[c]) for c in range(place.columns)]
+        for q, column in zip(block.quantities, block.columns.values(), strict=True)
+    ]
+    best: list[list[tuple[float, tuple[int | None, ...]]]] = [[(0.0, ())] * (place.columns + 1)]
+    for j, row in enumerate(likes):
+        line = [(best[j][0][0], (*best[j][0][1], None))]
+        for c in range(place.columns):
+            kept, skipped, gone = best[j][c], line[c], best[j][c + 1]
+            line.append(max(
+                (kept[0] + row[c], (*kept[1], c)), skipped, (gone[0], (*gone[1], None)), key=lambda one: one[0]
+            ))  # fmt: skip
+        best.append(line)
+    return list(best[-1][-1][1])
+
+
+def texts_above(file: BookFile, place: Place, c: int) -> set[str]:
+    """Return the texts above a column of a place."""
+    cells = (Address(place.sheet, place.row - up, place.column + c) for up in range(1, min(HEADER, place.row)))
+    return {text for text in map(file.value, cells) if isinstance(text, str)}
+
+
+def kind(file: BookFile, place: Place, c: int) -> float:
+    """Return the share of formulas in a column of a place."""
+    rows = range(min(place.rows, LOOKED_AT))
+    return sum(held(file, Address(place.sheet, place.row + r, place.column + c), True) for r in rows) / len(rows)

@@ -1,0 +1,162 @@
+"""The book of an unfinished design: what was entered, FAIL where it does not do, and no value where that leaves none.
+
+The book is declared for a machine whose entries do. Those that were replaced are put back; the formula cells that hang
+on them have no engine value (None), but for the checks of the rules themselves, and what these come to together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from workbook.book.address import Address
+from workbook.book.checks import settled
+from workbook.book.declare import Book, Quantity
+from workbook.book.depends import Dependence
+from workbook.book.formats import number_format, sample
+from workbook.book.limits import COLUMN, EMPTY, Guard
+from workbook.book.quantity import HOLDS, SAYS
+from workbook.book.rows import as_rows, filled
+from workbook.book.sentence import Sentence
+from workbook.entries.machine import Design, Fault, Machine
+from workbook.laws.entries import key_of
+from workbook.laws.library import named
+
+OK = "OK"
+MOST_TURNS = 1000
+
+
+def with_entries(book: Book, machine: Machine) -> Book:
+    """Return the book of a machine, with what was entered of its unfinished design."""
+    if not machine.design.replaced:
+        return book
+    laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws)}
+    return Unfinished(book, machine.design, laws).book
+
+
+class Unfinished:
+    """A book that is being changed: entries first, then what is known of the checks, then what hangs on entries."""
+
+    def __init__(self, book: Book, design: Design, laws: dict[str, str]) -> None:
+        self.book, self.design, self.laws = book, design, laws
+        self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
+        self.dependence = Dependence(book)
+        self.values: dict[tuple[str, int], list[Any]] = {}
+        turns = dict(self._entered())
+        known = self._known(turns)
+        summed = {at for name, values in settled(book).items() for at in self._column(name, len(values))}
+        moved = [at for at, value in known.items() if self.at[at].expected != value]
+        for at in self.dependence.on([*turns, *moved], {*known, *summed}):
+            self._put(at, None)
+        for at, value in known.items():
+            self._put(at, value)
+        self._write()
+        for name, values in settled(book).items():
+            for at, value in zip(self._column(name, len(values)), values, strict=True):
+                self._put(at, value)
+        self._write()
+
+    def _entered(self) -> Iterator[tuple[Address, int]]:
+        """Put what was entered into the inputs; yield those cells, and the turn in which each was replaced."""
+        for at, cell in self.at.items():
+            q = cell.quantity
+            old = self.design.replaced.get(self._key(q.key, cell.i)) if q.role == "input" else None
+            if old is not None:
+                self._put(at, old.value)
+                yield at, old.turn
+
+    def _known(self, turns: dict[Address, int]) -> dict[Address, Any]:
+        """Return what the checks of the entries say, and the columns that they read."""
+        known: dict[Address, Any] = {}
+        for guard in self.book.guards:
+            codes, said = self._guarded(guard)
+            known |= zip(self._column(f"{guard.table}.{COLUMN}", len(codes)), codes, strict=True) if codes else ()
+            known |= self._verdict(guard.check, said)
+        for _, q in self.book.checks:
+            where, _, rule = q.rule.partition(":")
+            if rule:
+                told = self._told(q, self._key(where), rule, turns)
+                known |= {} if told is None else self._verdict(q.name, told)
+        return known
+
+    def _guarded(self, guard: Guard) -> tuple[list[int], str]:
+        """Return the number of the first entry beyond its limits in each row of a table, and the sentence, if any."""
+        found: list[tuple[int, int, Any]] = []
+        for place, (q, _) in enumerate(guard.entries):
+            for i in range(guard.rows):
+                key = self._key(q.key, i)
+                found += [(place, i, fault.value) for fault in self._faults(key, "")]
+        above = self._key(guard.entries[0][0].key.partition(".*")[0])
+        for place, rule in enumerate(guard.rules, len(guard.entries)):
+            column = next(q.key for q in self.book.blocks[guard.table].quantities if q.name == rule.column)
+            for i in range(guard.rows):
+                if any(self._faults(f"{above}.{i}", rule.rule)):
+                    found.append((place, i, self._held(self._key(column, i))))
+        if guard.table and any(self._faults(above, "")):
+            return filled([], guard.rows, 0), EMPTY
+        first = {i: place for place, i, _ in sorted(found, key=lambda each: each[:2], reverse=True)}
+        told = min(((place, i) for i, place in first.items()), default=None)
+        value = next((value for place, i, value in found if (place, i) == told), None)
+        codes = [first.get(i, -1) + 1 for i in range(guard.rows)] if guard.table else []
+        return codes, guard.says(*told, value) if told else ""
+
+    def _told(self, q: Quantity, where: str, rule: str, turns: dict[Address, int]) -> str | None:
+        """Return what a rule's check says: nothing where it holds, None where the entries do not tell."""
+        faults = list(self._faults(where, rule))
+        below = f"{where}."
+        if where and not any(f.turn == 0 and f.where != where and f.key.startswith(below) for f in self.design.faults):
+            return next((fault.said for fault in faults if fault.turn == 0), "")  # asked of what was entered
+        last = faults[0].turn if faults else MOST_TURNS
+        before = [at for at, turn in turns.items() if turn < last]
+        (at,) = self._column(f"{q.name}.{q.name}", 1)
+        if at in self.dependence.on(before):
+            return None
+        return faults[0].said if faults else ""
+
+    def _verdict(self, check: str, said: str) -> dict[Address, Any]:
+        """Return what stands in a check, and in the sentence beside it."""
+        holds = self.book.blocks[f"{check}{SAYS}"].quantities[0]
+        (at,), (beside,) = self._column(f"{check}.{check}", 1), self._column(f"{holds.name}.{holds.name}", 1)
+        source = next(q.source for _, q in self.book.checks if q.name == check) or HOLDS
+        return {at: "FAIL", beside: Sentence(said)} if said else {at: OK, beside: source}
+
+    def _faults(self, where: str, rule: str) -> Iterator[Fault]:
+        return (fault for fault in self.design.faults if (fault.where, fault.rule) == (where, rule))
+
+    def _held(self, key: str) -> Any:
+        """Return what was entered at a key of an input."""
+        if key in self.design.replaced:
+            return self.design.replaced[key].value
+        cells = (c for c in self.at.values() if c.quantity.role == "input")
+        return next((c.content for c in cells if self._key(c.quantity.key, c.i) == key), None)
+
+    def _key(self, key: str, row: int = 0) -> str:
+        """Return the key of an entry in a row, with the law's name where cells have its number."""
+        begin = ".".join(key.split(".")[:2])
+        return f"{self.laws.get(begin, begin)}{key.removeprefix(begin)}".replace("*", str(row))
+
+    def _column(self, name: str, rows: int) -> Iterator[Address]:
+        """Yield the addresses of a column, named ``block.quantity``."""
+        block, _, quantity = name.partition(".")
+        found = self.book.blocks[block]
+        for i in range(rows):
+            yield Address(found.sheet.title, found.row + i, found.columns[quantity])
+
+    def _put(self, at: Address, value: Any) -> None:
+        cell = self.at[at]
+        key = (cell.block.name, cell.column - cell.block.column)
+        if key not in self.values:
+            self.values[key] = list(as_rows(cell.quantity.value, cell.block.size, cell.quantity.name))
+        self.values[key][cell.i] = value
+
+    def _write(self) -> None:
+        """Give the blocks of the book what was put into their cells."""
+        for (name, j), values in self.values.items():
+            block = self.book.blocks[name]
+            q = block.quantities[j]
+            look = number_format(q, sample(q)) if q.formula is not None else q.format
+            changed = replace(q, value=values if block.is_table else values[0], format=look)
+            block.quantities = (*block.quantities[:j], changed, *block.quantities[j + 1 :])
+        told = {block.quantities[0].name: block.quantities[0] for block in self.book.blocks.values()}
+        self.book.checks = [(s, replace(q, value=told[q.name].value)) for s, q in self.book.checks]

@@ -1,0 +1,5 @@
+"""The names of the witnesses, for those who need not load them."""
+
+NAMES = ("pycel", "formualizer", "formulon", "ironcalc", "libreoffice", "saved")
+ALL = "all"
+"""all of them that are on this machine"""
