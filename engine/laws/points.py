@@ -31,8 +31,9 @@ FLAT = 1e-12  # a curvature below this is none
 
 
 class Rates(NamedTuple):
-    """v, a, j, b = da²/du² and its slope, and the slope g = a² + v j of v·a: numbers, or arrays of one shape."""
+    """s, v, a, j, b = da²/du² and its slope, and the slope g = a² + v j of v·a: numbers, or arrays of one shape."""
 
+    s: Array
     v: Array
     a: Array
     j: Array
@@ -55,7 +56,13 @@ class Rates(NamedTuple):
         return 3.0 * self.a * self.j + self.v * self.b
 
 
-CHAINS = {"v": ("v", "a", "j"), "a": ("a", "j", "b"), "j": ("j", "b", "e"), "va": ("va", "g", "gg")}
+CHAINS = {
+    "s": ("s", "v", "a"),
+    "v": ("v", "a", "j"),
+    "a": ("a", "j", "b"),
+    "j": ("j", "b", "e"),
+    "va": ("va", "g", "gg"),
+}
 """what has extremes, with its slope and its curvature"""
 
 
@@ -78,7 +85,8 @@ class Spread:
     """Points k = 0, 1, … on pieces entered with their velocities: equally many, at equal steps, on each in use."""
 
     pieces: tuple[Piece, ...]
-    entered: tuple[float, ...]
+    entered: tuple[tuple[float, float], ...]
+    """s and v at the begin of each"""
     points: int
 
     @cached_property
@@ -152,9 +160,11 @@ class Spread:
     def at(self, piece: int, u: float) -> Rates:
         """Return the law and its derivatives at one place."""
         one = self.pieces[piece]
-        _, v, a, j = gains(np.array([u]), np.array(one.row)[:, None])
+        s0, v0 = self.entered[piece]
+        s, v, a, j = gains(np.array([u]), np.array(one.row)[:, None])
         bend = self._bends[piece]
-        return Rates(self.entered[piece] + v[0], a[0], j[0], bend(u), bend.derivative()(u))  # type: ignore[arg-type]
+        at = s0 + v0 * u + s[0], v0 + v[0], a[0], j[0], bend(u), bend.derivative()(u)
+        return Rates(*at)  # type: ignore[arg-type]
 
     @cached_property
     def _bends(self) -> list[Curve]:

@@ -65,7 +65,12 @@ class Stretch:
 
     def shaft(self, u: Array) -> ShaftMotion:
         """Return the motion of the mechanism's own shaft."""
-        return self.train.shaft(self.load(u))
+        return self.train.shaft(self.load(u), self.within)
+
+    @cached_property
+    def within(self) -> float:
+        """The load's position in the middle, which says on which side of a knot its ends are."""
+        return self.curves[0](0.5 * (self.low + self.high))
 
     def motor_speed(self, u: Array) -> Array:
         """Return the speed of the motor (rad/s)."""
@@ -79,7 +84,7 @@ class Stretch:
         load = self.load(u)
         if shaft == len(self.weights):
             return self.force.at(load)
-        turning = self.train.shaft(load)
+        turning = self.train.shaft(load, self.within)
         weights = self.weights[shaft]
         return np.asarray(weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration)
 

@@ -11,27 +11,29 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.laws.sampling import Pieces
 
 FORMS = {
+    "s": "=[s0]+[{u}]*([s1]+[{u}]*([c0]/2+[{u}]*([c1]/6+[{u}]*([c2]/12+[{u}]*[c3]/20))))-[ps]*SIN([om]*[{u}]+[ph])",
     "v": "=[s1]+[{u}]*([c0]+[{u}]*([c1]/2+[{u}]*([c2]/3+[{u}]*[c3]/4)))-[pv]*COS([om]*[{u}]+[ph])",
     "a": "=[c0]+[{u}]*([c1]+[{u}]*([c2]+[{u}]*[c3]))+[P]*SIN([om]*[{u}]+[ph])",
     "j": "=[c1]+[{u}]*(2*[c2]+[{u}]*3*[c3])+[P]*[om]*COS([om]*[{u}]+[ph])",
     "b": "=2*[c2]+[{u}]*6*[c3]-[P]*[om]^2*SIN([om]*[{u}]+[ph])",
     "e": "=6*[c3]-[P]*[om]^3*COS([om]*[{u}]+[ph])",
 }
-"""v, a and the derivatives of a at a local abscissa of a piece"""
+"""s, v, a and the derivatives of a at a local abscissa of a piece"""
 SLOPES = {
+    "s": ("v", "a", "[v{n}]", "[a{n}]"),
     "v": ("a", "j", "[a{n}]", "[j{n}]"),
     "a": ("j", "b", "[j{n}]", "[b{n}]"),
     "j": ("b", "e", "[b{n}]", "[e{n}]"),
     "va": ("vaj", "b", "([a{n}]^2+[v{n}]*[j{n}])", "(3*[a{n}]*[j{n}]+[v{n}]*[b{n}])"),
 }
 """of each extreme: what its slope and its curvature are made of, and both"""
-COLUMNS = {"v": "a", "a": "j", "j": "b", "va": "g"}
+COLUMNS = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}
 """the column of points that is the slope"""
-ENTRIES = ("s1", "c0", "c1", "c2", "c3", "pv", "P", "omega", "phi")
+ENTRIES = ("s0", "s1", "c0", "c1", "c2", "c3", "ps", "pv", "P", "omega", "phi")
 NAMES = {"omega": "om", "phi": "ph"}
 LEAST_POINTS = 60
 """in all, whatever sizes.own_law says"""
-WORDS = {"v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
+WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
 TOP = (
     "=ROUND(IF([k]=0,[{f}],IF([n]=[n-1],IF(ROUND([{g}],9)*ROUND([{g}-1],9)<0,"
     "[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2,[{f}]),[{f}])),9)"
@@ -76,7 +78,7 @@ def extremes(at: Spread, peak: float) -> list[Quantity]:
 def points_table(sheet: Sheet, at: Spread, first: int, peak: float, stack: Pieces) -> None:
     """Declare the table of points; ``first`` is the row of the law's first piece in the stack."""
     rates, q = at.rates, at.piece + float(first)
-    columns = {"v": rates.v, "a": rates.a, "j": rates.j}
+    columns = {"s": rates.s, "v": rates.v, "a": rates.a, "j": rates.j}
     sheet.table(
         "@points", "Points on the pieces, the same number on each that lasts", at.points,
         constant("k", "point", "k", "", list(range(at.points))),
@@ -87,7 +89,7 @@ def points_table(sheet: Sheet, at: Spread, first: int, peak: float, stack: Piece
         calc("xi", "abscissa", "ξ", "", "=INDEX([@pieces.xi],[p])+[u]", at.xi),
         calc("q", "piece row", "q", "", "=@first+[p]-1", q, format="0", source="on the sheet Laws"),
         *stack.arguments(at.angles),
-        *stack.columns(columns, "vaj"),
+        *stack.columns(columns, "svaj"),
         calc("b", "slope of the jerk", "b", "", BEND, rates.b),
         calc("va", "v · a", "", "", "=[v]*[a]", rates.va),
         calc("g", "slope of v · a", "", "", "=[a]^2+[v]*[j]", rates.g, source="a² + v j"),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from engine.laws import Piece, PieceLaw
-from engine.laws.piece_extremes import extremes_of
+from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import MIXED, POLYNOMIAL_345
 from engine.laws.points import Spread, extreme, steepest
 from engine.laws.table import carried
@@ -15,7 +15,7 @@ GAP = (Piece(0.0, (9.0, 0.0, 0.0, 0.0)), *POLYNOMIAL_345, Piece(0.0))
 
 
 def spread(pieces, points=121):
-    return Spread(tuple(pieces), tuple(row.v for row in carried(PieceLaw(pieces), pieces)), points)
+    return Spread(tuple(pieces), tuple((row.s, row.v) for row in carried(PieceLaw(pieces), pieces)), points)
 
 
 def drawn(seed):
@@ -32,7 +32,8 @@ def found(at):
     a, power = at.tops("a"), at.tops("va")
     return (
         steepest(at.tops("v")), extreme(a, 1).value, extreme(a, -1).value, steepest(at.tops("j")),
-        extreme(power, 1).value, extreme(power, -1).value,
+        extreme(power, 1).value, extreme(power, -1).value, extreme(at.tops("s"), -1).value,
+        extreme(at.tops("s"), 1).value,
     )  # fmt: skip
 
 
@@ -41,7 +42,8 @@ def test_the_refined_extremes_are_those_of_the_ladder(pieces):
     at, k = spread(pieces), PieceLaw(pieces).coefficients
     jerk = max(map(abs, extremes_of(pieces, 0.0).j))
     assert at.suffices
-    assert found(at) == pytest.approx((k.cv, k.ca_max, k.ca_min, jerk, k.va_max, k.va_min), rel=1e-11, abs=1e-12)
+    known = k.cv, k.ca_max, k.ca_min, jerk, k.va_max, k.va_min, *reach_of(pieces, 0.0)
+    assert found(at) == pytest.approx(known, rel=1e-11, abs=1e-12)
 
 
 def test_points_lie_on_the_pieces_that_last_at_equal_steps():

@@ -138,6 +138,10 @@ class OwnPage(Page):
         """Return the name that is entered."""
         return entered.name
 
+    def reached(self, end: str) -> str:
+        """Return the formula of the lowest or the highest s: of its extremes."""
+        return {"MIN": "=@s_least", "MAX": "=@s_most"}[end]
+
     def stacked(self, law: Law, room: int) -> list[Stacked]:
         """Return the rows of the stack: the table of the own law, spare rows and all."""
         pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
@@ -194,7 +198,9 @@ class OwnPage(Page):
 
 
 STACKED: dict[str, Callable[[Carried], float]] = {
+    "s0": lambda row: row.position_constant,
     "s1": lambda row: row.position_slope,
+    "ps": lambda row: row.position_sines[0],
     "pv": lambda row: row.velocity_cosines[0],
     "P": lambda row: row.piece.amplitude,
     "omega": lambda row: row.piece.omega,
@@ -211,7 +217,7 @@ STACKED: dict[str, Callable[[Carried], float]] = {
 def spread_of(law: Law, room: int, points: int) -> Spread:
     """Return the points on the pieces of a law in a table of ``room`` rows."""
     pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
-    return Spread(tuple(pieces), tuple(row.v for row in carried(law, pieces)), max(points, LEAST_POINTS) + 1)
+    return Spread(tuple(pieces), tuple((row.s, row.v) for row in carried(law, pieces)), max(points, LEAST_POINTS) + 1)
 
 
 PAGE = OwnPage(

@@ -142,7 +142,7 @@ def checks(station: Station) -> tuple[Quantity, ...]:
     return (
         check("@ok_collide", "The parts do not collide", f"@least>=0-{nearly}", not found.collides,
               "least clearance at least 0"),
-        check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin, "S2: 1 mm"),
+        check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin),
         check("@ok_angle", "The cycle leaves the tool an angle",
               f"{LEFT}>=@least_way", True, "of both ways the shorter", f"overlap:angle{station.number}",
               f'ROUND({LEFT},9)&"° are left to a way; expected at least "&ROUND(@least_way,9)&"°"'),
