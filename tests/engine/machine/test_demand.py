@@ -10,9 +10,11 @@ import pytest
 from engine.choice import Task
 from engine.choice.ratios import ratio_ranges
 from engine.drivetrain import KINDS, Drive, Load, Part, Sizing, Slide, Stage, cylinder, motor_inertia, resisting
+from engine.flying import Cut, rotary_drum
+from engine.flying.pieces import cut_pieces
 from engine.laws import Dwell, law
 from engine.laws.sections import integral
-from engine.machine.course import Course
+from engine.machine.course import Course, Told
 from engine.machine.demand import Demand
 from engine.machine.train import Train, Window
 from engine.mechanisms.registry import DIRECT
@@ -154,6 +156,19 @@ def test_s5_steps_3_and_4():
     least = Demand(drum(best, inertia)).rms_torque
     assert least < min(Demand(drum(best * way, inertia)).rms_torque for way in (0.97, 1.03))
     assert best == pytest.approx(math.sqrt(inertia / 0.02), rel=1e-12)
+
+
+@pytest.mark.parametrize("length", [0.18, 0.32])
+@pytest.mark.parametrize("name", ["CIC", "MTP"])
+def test_s5_drum(length, name):
+    """S5, eqs. (10) to (13): an inertial load asks for J_L ω̇; the tool's law rides on the speed of the line."""
+    cut = Cut(rotary_drum(3, 0.12, radians(30)), length, 1.5, law(name))
+    drive = Drive(KINDS["belt"].of(Load(0.0), 0.24, parts=[Part("drum", 0.02)]), 0.0)
+    found = Demand(Course(Train(drive), Told(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
+    assert found.speed.highest.value == pytest.approx(cut.max_angular_speed, rel=1e-12)
+    assert found.torque.peak == pytest.approx(0.02 * cut.max_angular_acceleration, rel=1e-11)
+    assert found.rms_torque == pytest.approx(0.02 * cut.rms_angular_acceleration, rel=1e-11)
+    assert found.energy.driving == pytest.approx(found.energy.regenerated, rel=1e-10)
 
 
 # Another route
