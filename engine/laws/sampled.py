@@ -9,14 +9,20 @@ from functools import cached_property
 
 import numpy as np
 
-from engine.laws.base import Array, Coefficients, Kinematics
+from engine.laws.base import Array, Coefficients, Kinematics, Law
 from engine.laws.piece import Piece
+from engine.laws.piece_extremes import reach_of
 from engine.laws.pieces import PieceLaw
 
 
 def abscissae(intervals: int) -> Array:
     """Return ξ = k/N for k = 0 … N."""
     return np.arange(intervals + 1) / intervals
+
+
+def reach(law: Law) -> tuple[float, float]:
+    """Return the lowest and the highest position of a law: exact, or of its samples if its coefficients are theirs."""
+    return law.reach if isinstance(law, SampledPieceLaw) else reach_of(law.as_pieces(), law.start.v)
 
 
 class SampledPieceLaw(PieceLaw):
@@ -36,6 +42,12 @@ class SampledPieceLaw(PieceLaw):
     def samples(self) -> Kinematics[Array]:
         """Its values at the samples."""
         return self.evaluate(abscissae(self.intervals))
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """The lowest and the highest position of its samples."""
+        s = self.samples.s
+        return float(s.min()), float(s.max())
 
     @property
     def powers(self) -> Array:

@@ -166,6 +166,10 @@ class Page:
         """Return the formula by which other sheets have a coefficient."""
         return f"=@{name}" if self.has_sheet else self.coefficients[name][0]
 
+    def reached(self, end: str) -> str:
+        """Return the formula of the lowest or the highest s, ``MIN`` or ``MAX``: of a law that turns, other than these."""
+        return f"={end}(0,[s1])"
+
     def end(self, derivative: str, at: str) -> str:
         """Return the formula of s, v or a at an end of the law: at its ``first`` or ``last`` sample."""
         return f"=[{self.samples}.{derivative}.{at}]" if self.samples else "=0"

@@ -12,6 +12,7 @@ from engine.laws.sampled import abscissae
 from engine.laws.table import begins
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.sentence import Said, amount
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
 from workbook.laws.family import COEFFICIENTS, Page, value_at
@@ -122,8 +123,16 @@ def checks(sheet: Sheet, one: NamedLaw) -> None:
         *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
           for each in one.page.checks),
         check("@ends", f"{name} ends at s = 1, at rest",
-              "AND(ABS([@samples.s.last]-1)<check_zero,ABS([@samples.v.last])<check_zero)", True),
+              "AND(ABS([@samples.s.last]-1)<check_zero,ABS([@samples.v.last])<check_zero)", True,
+              says=ended("@samples", one.law)),
     )  # fmt: skip
+
+
+def ended(samples: str, law: Law) -> Said:
+    """Return the sentence on where a law ends, by the last of its ``samples``."""
+    s = amount(f"[{samples}.s.last]", law.end.s, "s(1) = ", ", ")
+    v = amount(f"[{samples}.v.last]", law.end.v, "v(1) = ", "")
+    return Said(f"{s.says}&{v.says}", f"{s.said}{v.said}")
 
 
 def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:

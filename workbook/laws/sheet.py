@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any, cast
 
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.sampled import SampledPieceLaw
+from engine.laws.sampled import SampledPieceLaw, reach
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.machine import Sizes
 from workbook.laws.entries import Laws
@@ -81,12 +81,15 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
         end("v", "velocity", "last"),
         end("a", "acceleration", "first"),
         end("a", "acceleration", "last"),
+        *(calc(name, f"{word} position", f"s_{end.lower()}", "",
+               [one.own(one.page.reached(end)) for one in laws], [reach(one.law)[i] for one in laws])
+          for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
     )  # fmt: skip
     sheet.book.name(
         "laws", law_name="name", law_no="no", law_code="code",
         law_cv="cv", law_ca_max="ca_max", law_ca_min="ca_min", law_ca_rms="ca_rms", law_cj="cj",
         law_va_max="va_max", law_va_min="va_min",
-        law_s0="s0", law_s1="s1", law_v0="v0", law_v1="v1", law_a0="a0", law_a1="a1",
+        law_low="low", law_high="high", law_s0="s0", law_s1="s1", law_v0="v0", law_v1="v1", law_a0="a0", law_a1="a1",
     )  # fmt: skip
 
 

@@ -17,7 +17,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import figure
+from workbook.book.sentence import amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
 from workbook.laws import sampling
@@ -122,6 +122,10 @@ class OwnPage(Page):
         """Return the name that is entered."""
         return entered.name
 
+    def reached(self, end: str) -> str:
+        """Return the formula of the lowest or the highest s: of its samples."""
+        return f"={end}([{self.samples}.s])"
+
     def stacked(self, law: Law, room: int) -> list[Stacked]:
         """Return the rows of the stack: the table of the own law, spare rows and all."""
         pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
@@ -181,9 +185,11 @@ def own_entries(sheet: Sheet, own: OwnLaw, law: Law, room: int) -> None:
         check("own_sum", "OWN: the durations sum to 1", "ABS(SUM([own_pieces.d])-1)<check_zero", True,
               rule="laws.OWN:sum", says='"they sum to "&ROUND(SUM([own_pieces.d]),9)&"; expected 1"'),
         check("own_reaches", "OWN: the law reaches s = 1",
-              "ABS([own_samples.s.last]-1)<check_zero", abs(law.end.s - 1) < ZERO),
+              "ABS([own_samples.s.last]-1)<check_zero", abs(law.end.s - 1) < ZERO,
+              says=amount("[own_samples.s.last]", law.end.s, "s(1) = ", "")),
         check("own_rests", "OWN: the law ends at rest",
-              "ABS([own_samples.v.last])<check_zero", abs(law.end.v) < ZERO),
+              "ABS([own_samples.v.last])<check_zero", abs(law.end.v) < ZERO,
+              says=amount("[own_samples.v.last]", law.end.v, "v(1) = ", "")),
     )  # fmt: skip
 
 

@@ -54,6 +54,9 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
         result("amax", "largest acceleration", "a", "",
                joined.ACCELERATION, filled([p.y2_max for p in phases], n), scale=sides.acceleration,
                source="C_a h/t²; m/s², or rad/s²"),
+        result("jmax", "largest jerk", "j", "",
+               joined.JERK, joined.jerks(filled([p.y3_max for p in phases], n)), scale=moved.size(3),
+               source="C_j h/t³; m/s³, or rad/s³"),
         *(result(name, words, symbol, "Nm",
                  f"=INDEX([extremes.torque],3*([k]-1)+{j + 1})", torques[j], scale=sides.torque, source=source)
           for j, (name, words, symbol, source) in enumerate(PARTS)),

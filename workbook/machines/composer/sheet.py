@@ -8,6 +8,7 @@ from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import amount
 from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.composer.view import Composition
@@ -105,14 +106,15 @@ def results(sheet: Sheet, machine: Composition) -> None:
         result("move_gap", "What the cycle does not close by", "", "lift",
                "=INDEX([phases.y1],move_count)-move_start", motion.gap, format="0.0000##", scale=h,
                source="y(end) − y(begin)"),
-        result("move_low", "Lowest position of the samples", "y_min", "lift",
-               "=MIN([motion.y])", float(y.min()), scale=h),
-        result("move_high", "Highest position of the samples", "y_max", "lift",
-               "=MAX([motion.y])", float(y.max()), scale=h),
+        result("move_low", "Lowest position", "y_min", "lift", "=MIN([phases.low])", motion.reach[0], scale=h),
+        result("move_high", "Highest position", "y_max", "lift", "=MAX([phases.high])", motion.reach[1], scale=h),
         result("move_v", "Greatest velocity", "|y'|_max", PER,
                "=MAX([phases.v])", motion.peaks.y1, scale=v, source="C_v |h|/δ"),
         result("move_a", "Greatest acceleration", "|y''|_max", PER2,
                "=MAX([phases.a])", motion.peaks.y2, scale=a, source="C_a |h|/δ²"),
+        result("move_j", "Greatest jerk", "|y'''|_max", PER3,
+               '=IF(COUNTIF([phases.j],"∞")>0,"∞",MAX([phases.j]))', *joined.jerks([motion.peaks.y3]),
+               scale=motion.size(3), source="C_j |h|/δ³; ∞ where the acceleration jumps"),
         result("move_rms", "RMS acceleration over the whole", "y''_rms", PER2,
                "=SQRT(SUMPRODUCT([phases.rms],[phases.rms],[phases.span])/move_total)", motion.y2_rms, scale=a,
                source="√(Σ y''²_rms δ / Σδ)"),
@@ -125,18 +127,21 @@ def results(sheet: Sheet, machine: Composition) -> None:
 def checks(sheet: Sheet, machine: Composition, joints: Joints) -> None:
     """Declare the checks of the motion."""
     motion = machine.motion
+    lack = max(abs(phase.lack) for phase in motion.phases)
+    jump = max((abs(joint.jump_v) for joint in machine.junctions), default=0.0)
     sheet.checks(
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
-              "each law reaches its lift"),
+              "each law reaches its lift", says=amount(greatest("phases.lack"), lack, "a lift lacks ", "")),
         room_check("move_ok_pieces", AT),
         check("move_ok_velocity", "No jump of velocity",
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
-              "of a cycle that closes, also from its end to its begin"),
+              "of a cycle that closes, also from its end to its begin",
+              says=amount(greatest("junctions.jump_v"), jump, "y' jumps by ", ": see the junctions")),
         joints.check("move_ok_smooth", "As smooth as asked"),
         check("move_ok_closes", "The cycle closes in position",
               f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', machine.axis.closes,
-              "or is open"),
+              "or is open", says=amount("move_gap", motion.gap, "it ends ", " from where it begins")),
     )  # fmt: skip
 
 
@@ -154,6 +159,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
     spans = [p.duration for p in moved]
     begins, ends = zip(*motion.ends, strict=True)
     reached = motion.position + motion.lifts_sum
+    lows, highs = zip(*motion.reaches, strict=True)
 
     def of(values: Iterable[float]) -> list[float]:
         return filled(values, n)
@@ -175,6 +181,8 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
                joined.VELOCITY, of(p.y1_max for p in moved), scale=v, source="C_v h/δ"),
         result("a", "greatest acceleration", "y''max", PER2,
                joined.ACCELERATION, of(p.y2_max for p in moved), scale=a, source="C_a h/δ²"),
+        result("j", "greatest jerk", "y'''max", PER3,
+               joined.JERK, joined.jerks(of(p.y3_max for p in moved)), scale=motion.size(3), source="C_j h/δ³"),
         result("rms", "RMS acceleration", "y''rms", PER2,
                f"={joined.RMS}", of(p.y2_rms for p in moved), scale=a, source="C_a,rms h/δ²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
@@ -188,6 +196,9 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         calc("y0", "position at its begin", "y_0", "lift",
              "=IF([k]=1,move_start,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, reached), scale=h,
              source="lifts before"),
+        *(calc(name, f"{word} position", "", "lift", formula.format("move_start"), filled(values, n, motion.position),
+               scale=h)
+          for name, word, formula, values in (("low", "lowest", joined.LOW, lows), ("high", "highest", joined.HIGH, highs))),
         calc("lack", "lack of lift", "Δy", "lift",
              "=[h]*(1-INDEX(law_s1,[no]))", of(p.lack for p in moved), scale=h,
              source="h (1 − s(1))"),
