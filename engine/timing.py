@@ -32,13 +32,15 @@ def turn_time(rate: float) -> float:
     return FULL_TURN / shaft_speed(rate)
 
 
-def lane(y: Array, floor: float, share: float) -> Array:
+def lane(y: Array, reach: tuple[float, float], floor: float, share: float) -> Array:
     """Return an axis as a timing diagram shows it: its travel as a share of a lane of height 1 that begins at a floor.
+
+    ``reach`` is from its lowest to its highest position.
 
     On the floor where it stands. Source: S1, 'Timing diagram for a cutting machine'.
     """
-    travel = float(y.max() - y.min())
-    return floor + share * (y - y.min()) / travel if travel > 0.0 else np.full(y.shape, float(floor))
+    low, high = reach
+    return floor + share * (y - low) / (high - low) if high > low else np.full(y.shape, float(floor))
 
 
 @dataclass(frozen=True)
@@ -101,6 +103,11 @@ class Movement:
         return self.of.y2_max
 
     @property
+    def y3_max(self) -> float:
+        """max |y'''|; infinite where the law's acceleration jumps"""
+        return self.of.y3_max
+
+    @property
     def v_max(self) -> float:
         """max |ẏ|"""
         return self.y1_max * self.speed
@@ -109,6 +116,11 @@ class Movement:
     def a_max(self) -> float:
         """max |ÿ|"""
         return self.y2_max * self.speed**2
+
+    @property
+    def j_max(self) -> float:
+        """max of the jerk in time; infinite where the law's acceleration jumps"""
+        return self.y3_max * self.speed**3
 
     @property
     def a_rms(self) -> float:

@@ -151,6 +151,26 @@ class Extremes(NamedTuple):
     j: tuple[float, float]
 
 
+def reach_of(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
+    """Return the lowest and the highest position of pieces one after the other, from 0 with the velocity ``v0``.
+
+    They are at an end of a piece, or where v, a polynomial with sines as a is, changes its sign.
+    """
+    s, low, high = 0.0, 0.0, 0.0
+    for piece in pieces:
+        if piece.duration > 0.0:
+            a = acceleration(piece)
+            still = v0 + sum(p / w * math.cos(phi) for p, w, phi in a.sines)
+            turned = tuple((-p / w, w, phi + math.pi / 2.0) for p, w, phi in a.sines)
+            v = Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned)
+            u = np.array([*zeros(v, piece.duration), piece.duration])
+            ds, dv, _, _ = gains(u, np.array(piece.row)[:, None])
+            places = s + v0 * u + ds
+            low, high = min(low, float(places.min())), max(high, float(places.max()))
+            s, v0 = float(places[-1]), v0 + float(dv[-1])
+    return low, high
+
+
 def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
     """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
     found = []

@@ -13,7 +13,7 @@ import numpy as np
 from engine.laws.base import Array
 from engine.laws.ladder import zeros
 from engine.machine.course import Course, Stretch, position, trimmed
-from engine.machine.searching import Function, integral, largest
+from engine.machine.searching import Function, extremes, integral
 
 
 class Extreme(NamedTuple):
@@ -88,7 +88,7 @@ class Demand:
         def square(one: Stretch) -> Function:
             return lambda u: one.torque(u) ** 2
 
-        return math.sqrt(self._total(square, scale) / self.course.motion.total)
+        return math.sqrt(self._total(square, scale) / self.course.told.total)
 
     @cached_property
     def energy(self) -> Energy:
@@ -148,6 +148,5 @@ def _within(one: Stretch, places: Iterable[float]) -> list[float]:
 
 
 def _searched(one: Stretch, function: Function) -> Array:
-    lowest = largest(lambda u: -function(u), one.low, one.high, one.nodes)
-    highest = largest(function, one.low, one.high, one.nodes)
-    return np.array([one.low, lowest[1], highest[1], one.high])
+    lowest, highest = extremes(function, one.low, one.high, one.nodes)
+    return np.array([one.low, lowest.place, highest.place, one.high])

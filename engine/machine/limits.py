@@ -90,7 +90,7 @@ class Judged:
         return {
             "RMS torque": motor.rated_torque,
             BELOW: float(self.limits.peak_curve.torque.max()),
-            "motor speed": motor.max_speed,
+            "motor speed": min(motor.max_speed, float(self.limits.peak_curve.speed[-1])),
             "reducer input speed": reducer.input_speed,
             "reducer peak torque": reducer.peak_torque,
             "reducer mean torque": reducer.mean_torque,
@@ -128,19 +128,24 @@ class Judged:
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
-        """|T| and the curve where the reserve is least; beyond the largest speed the curve has none."""
+        """|T| and the curve where the reserve is least; beyond its last corner the curve is taken to go on level.
+
+        The speed has a check of its own.
+        """
         curve = self.limits.peak_curve
         if self._limits[BELOW] == math.inf:
             return LimitCheck(BELOW, self.demand.torque.peak, math.inf, True)
 
-        def lack(one: Stretch, u: Array) -> Array:
-            return np.asarray(np.abs(one.torque(u)) - curve.at(one.motor_speed(u)))
+        last = float(curve.speed[-1])
 
-        found = []
-        for one in self.course.stretches:
-            lacking, u = largest(lambda u, s=one: lack(s, u), one.low, one.high, one.nodes)
-            found.append((lacking, float(np.abs(one.torque(np.array([u])))[0])))
-        lacking, torque = max(found)
+        def worst(one: Stretch) -> tuple[float, float]:
+            def lack(u: Array) -> Array:
+                return np.asarray(np.abs(one.torque(u)) - curve.at(np.clip(one.motor_speed(u), -last, last)))
+
+            lacking, u = largest(lack, one.low, one.high, one.nodes)
+            return lacking, float(np.abs(one.torque(np.array([u])))[0])
+
+        lacking, torque = max(worst(one) for one in self.course.stretches)
         return LimitCheck(BELOW, torque, torque - lacking, lacking <= 0.0)
 
 

@@ -36,7 +36,7 @@ def highest_rate(axes: Mapping[str, Judged]) -> HighestRate:
     It is looked for from the speed of each course: upwards where all hold, downwards where one does not, to the first
     change. At the speed found all hold, and a little above it the named limit does not.
     """
-    each = [HighestRate(speed, name, limit) for name, one in axes.items() for speed, limit in (of_axis(one),)]
+    each = [HighestRate(speed, name, limit) for name, one in axes.items() for speed, limit in (of_axis(one),) if limit]
     return min(each, default=HighestRate(math.inf, "", ""))
 
 

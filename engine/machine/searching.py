@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.laws.base import Array
 from engine.laws.crossings import narrowed
 
 PARTS = 16
 ROUNDS = 9  # of narrowing a bracket, to an eighth by each
+FLAT = 1e-13
+"""of the largest value: what differs by less is all one height"""
 TOPS = 4  # of which are narrowed, at most
 NOISE = 1e-9
 """of a quantity's size in its piece: what is smaller at an end has no sign, and a change of sign there is none"""
@@ -27,30 +31,57 @@ HALVINGS = 12
 Function = Callable[[Array], Array]
 
 
-def largest(function: Function, low: float, high: float, nodes: int) -> tuple[float, float]:
-    """Return the largest value of a function between two points, and where.
+class Found(NamedTuple):
+    """A value of a function, and where it is."""
 
-    The ends of ``nodes`` parts that are not lower than their neighbours are narrowed, the highest of them; the ends
-    count. Right where the function has at most one top within two parts.
+    value: float
+    place: float
+
+
+def largest(function: Function, low: float, high: float, nodes: int) -> Found:
+    """Return the largest value of a function between two points: see :func:`extremes`."""
+    return extremes(function, low, high, nodes, (1.0,))[0]
+
+
+def extremes(
+    function: Function, low: float, high: float, nodes: int, ways: Sequence[float] = (-1.0, 1.0)
+) -> tuple[Found, ...]:
+    """Return the lowest and the largest value of a function between two points: one for each of ``ways``.
+
+    The ends of ``nodes`` parts that are not lower than their neighbours (or not higher) are narrowed, the best of
+    them; the ends count. Right where the function has at most one top within two parts.
     """
     u = np.linspace(low, high, nodes + 1)
     values = function(u)
-    padded = np.concatenate([[-np.inf], values, [-np.inf]])
-    tops = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]))
-    tops = tops[np.argsort(-values[tops], kind="stable")[:TOPS]]
+    places = [_tops(way * values) for way in ways]
+    best = [Found(float(values[top[0]]), float(u[top[0]])) for top in places]
+    tops = np.concatenate(places)
+    whose = np.repeat(np.arange(len(ways)), [top.size for top in places])
     left, right = u[np.maximum(tops - 1, 0)], u[np.minimum(tops + 1, nodes)]
-    best = int(np.argmax(values))
-    top, place = float(values[best]), float(u[best])
-    each, share = np.arange(tops.size), np.linspace(0.0, 1.0, PARTS + 1)
+    share = np.linspace(0.0, 1.0, PARTS + 1)
     for _ in range(ROUNDS):
         points = left[:, None] + (right - left)[:, None] * share
         found = function(points.ravel()).reshape(points.shape)
-        k = found.argmax(axis=1)
-        one = int(found[each, k].argmax())
-        if found[one, k[one]] > top:
-            top, place = float(found[one, k[one]]), float(points[one, k[one]])
-        left, right = points[each, np.maximum(k - 1, 0)], points[each, np.minimum(k + 1, PARTS)]
-    return top, place
+        sign = np.asarray(ways)[whose]
+        each, k = np.arange(left.size), (sign[:, None] * found).argmax(axis=1)
+        reached, spread = sign * found[each, k], found.max(axis=1) - found.min(axis=1)
+        for one in np.argsort(reached):
+            if reached[one] > ways[whose[one]] * best[whose[one]].value:
+                best[whose[one]] = Found(float(found[one, k[one]]), float(points[one, k[one]]))
+        goal = sign * np.array([one.value for one in best])[whose]
+        worth = (reached + spread > goal) & (spread > FLAT * np.abs(values).max())
+        if not worth.any():
+            break
+        left, right = points[each, np.maximum(k - 1, 0)][worth], points[each, np.minimum(k + 1, PARTS)][worth]
+        whose = whose[worth]
+    return tuple(best)
+
+
+def _tops(values: Array) -> NDArray[np.intp]:
+    """Return the places that are not lower than their neighbours, the highest first, no more than :data:`TOPS`."""
+    padded = np.concatenate([[-np.inf], values, [-np.inf]])
+    tops = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]))
+    return np.asarray(tops[np.argsort(-values[tops], kind="stable")[:TOPS]])
 
 
 def crossed(function: Function, low: float, high: float, nodes: int) -> list[float]:

@@ -105,12 +105,15 @@ class Train:
         """How losses are counted."""
         return self.drive.method
 
-    def shaft(self, load: Motion3) -> ShaftMotion:
-        """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ. Raises OutOfReachError."""
+    def shaft(self, load: Motion3, within: float | None = None) -> ShaftMotion:
+        """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ.
+
+        ``within`` and errors as of :meth:`engine.mechanisms.linkage.Linkage.shaft`.
+        """
         if self.linkage is None:
             ratio = self.drive.mechanism.stages[-1].ratio
             return ShaftMotion(np.full(load.y.shape, ratio), ratio * load.v, ratio * load.a)
-        _, first, second = self.linkage.shaft(load.y)
+        _, first, second = self.linkage.shaft(load.y, within)
         return ShaftMotion(first, first * load.v, second * load.v**2 + first * load.a)
 
     @property

@@ -28,9 +28,8 @@ def crank_slider(
     require_positive("crank-slider", crank=crank, rod=rod)
     require_finite(offset=offset)
     if not rod > crank + abs(offset):
-        raise ValueError(
-            f"crank-slider: rod is {rod:g} m; expected more than crank and offset, {crank + abs(offset):g}"
-        )
+        least = crank + abs(offset)
+        raise ValueError(f"crank-slider: rod is {rod:g} m; expected more than crank and offset, {least:g} m")
     inner, outer = (math.sqrt((rod + way * crank) ** 2 - offset**2) for way in (-1.0, 1.0))
     names = "inner dead centre", "outer dead centre"
     begin, direction, ends = (inner, 1, names) if zero == "inner" else (outer, -1, names[::-1])

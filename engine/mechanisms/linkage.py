@@ -1,4 +1,4 @@
-"""A mechanism whose ratio depends on the position of its load: the angle of its shaft along the load's way. SI units."""
+"""A mechanism whose ratio depends on its load's position: the angle of its shaft along the load's way. SI units."""
 
 from __future__ import annotations
 
@@ -67,21 +67,24 @@ class Linkage(ABC):
         """Between which positions the load can go."""
 
     @abstractmethod
-    def _shaft(self, y: Array) -> ShaftAngles:
-        """Return the shaft's angle of positions within reach."""
+    def _shaft(self, y: Array, within: Array) -> ShaftAngles:
+        """Return the shaft's angle of positions within reach; on a knot, as on the side of ``within``."""
 
     @property
     def knots(self) -> tuple[float, ...]:
         """Positions inside the reach at which φ'' jumps."""
         return ()
 
-    def shaft(self, position: ArrayLike) -> ShaftAngles:
-        """Return φ, φ', φ'' at positions of the load. Raises OutOfReachError for the one that lies farthest out."""
+    def shaft(self, position: ArrayLike, within: float | None = None) -> ShaftAngles:
+        """Return φ, φ', φ'' at positions of the load, on a knot as on the side of the position ``within``.
+
+        Raises OutOfReachError for the one that lies farthest out.
+        """
         y = np.asarray(position, dtype=np.float64)
         beyond = [one for at in (y.min(initial=np.inf), y.max(initial=-np.inf)) if (one := self.beyond(float(at)))]
         if beyond:
             raise max(beyond, key=lambda one: one.by)
-        return self._shaft(y)
+        return self._shaft(y, y if within is None else np.asarray(within))
 
     def beyond(self, position: float) -> OutOfReachError | None:
         """Return by how much a position lies beyond an end of the reach, or None; infinite ones stand for none."""

@@ -23,7 +23,7 @@ class Linked:
 
     def of(
         self, load: Load, efficiency: float = 1.0, gears: Sequence[Stage] = (), parts: Sequence[Part] = ()
-    ) -> Mechanism:  # fmt: skip
+    ) -> Mechanism:
         """Return the chain to its load: gears, then the mechanism as a stage of ratio 1, which a linkage replaces."""
         return Mechanism(self.name, (*gears, Stage(self.element, 1.0, efficiency)), tuple(parts), load)
 
@@ -38,7 +38,8 @@ LINKED = {
 }
 """those whose ratio depends on position"""
 
-MECHANISMS: dict[str, Kind | Linked] = {
-    kind.name: kind for kind in (Kind("direct", "shaft"), *KINDS.values(), *LINKED.values())
-}
+DIRECT = Kind("direct", "shaft")
+"""a load on the motor's own shaft, or behind a reducer"""
+
+MECHANISMS: dict[str, Kind | Linked] = {DIRECT.name: DIRECT, **KINDS, **LINKED}
 """all of them: a direct drive, those of :mod:`engine.drivetrain.kinds` and those whose ratio depends on position"""

@@ -50,10 +50,11 @@ def rocker(
 
 def _ends(lever: float, link: float, offset: float, side: int) -> list[tuple[float, str]]:
     """Return every x of the slide at which the linkage of this side locks, with what happens there."""
-    in_line = [math.sqrt(square) for way in (1.0, -1.0) if (square := (link + way * lever) ** 2 - offset**2) >= 0.0]
-    square = [math.sqrt(rest) for way in (1.0, -1.0) if (rest := lever**2 - (offset + way * link) ** 2) >= 0.0]
-    found = [(sign * x, DEAD) for x in in_line for sign in (1.0, -1.0)]
-    for x in (sign * one for one in square for sign in (1.0, -1.0)):
+    both = 1.0, -1.0
+    in_line = [(link + way * lever) ** 2 - offset**2 for way in both]
+    square = [lever**2 - (offset + way * link) ** 2 for way in both]
+    found = [(sign * math.sqrt(rest), DEAD) for rest in in_line if rest >= 0.0 for sign in both]
+    for x in (sign * math.sqrt(rest) for rest in square if rest >= 0.0 for sign in both):
         psi = float(lever_angle(lever, link, offset, side, np.array(x)))
         if abs(x - lever * math.cos(psi)) <= SAME * link:
             found.append((x, SQUARE))

@@ -35,7 +35,7 @@ class SlideLinkage(Linkage):
         """Between which positions the slide can go."""
         return self.bounds
 
-    def _shaft(self, y: Array) -> ShaftAngles:
+    def _shaft(self, y: Array, within: Array) -> ShaftAngles:
         """Return φ = ±(ψ − ψ0), φ' = 1/|dx/dψ|, φ'' from dx/dψ and d²x/dψ² in closed form."""
         x = self.zero + self.direction * y
         psi = lever_angle(self.lever, self.link, self.offset, self.side, x)

@@ -12,7 +12,8 @@ import numpy as np
 from engine.laws.base import Array, require_finite
 from engine.mechanisms.linkage import Linkage, Reach, ShaftAngles
 
-STEPS = 60  # of Newton's method, or of halving where that leaves the bracket: to the last digit
+STEPS = 60  # of Newton's method, or of halving where that leaves the bracket
+LAST_DIGITS = 4e-16  # of a part between two points: within them rounding turns the steps to and fro
 
 
 @dataclass(frozen=True)
@@ -53,9 +54,9 @@ class PositionTable(Linkage):
         """Positions of the points but the first and the last."""
         return tuple(y for _, y in self.points[1:-1])
 
-    def _shaft(self, y: Array) -> ShaftAngles:
+    def _shaft(self, y: Array, within: Array) -> ShaftAngles:
         angle, position, slope = self._columns
-        k = np.clip(np.searchsorted(position, y, side="right") - 1, 0, position.size - 2)
+        k = np.clip(np.searchsorted(position, within, side="right") - 1, 0, position.size - 2)
         width, rise = angle[k + 1] - angle[k], position[k + 1] - position[k]
         begin, end = slope[k] * width / rise, slope[k + 1] * width / rise
         share = _inverse(begin, end, (y - position[k]) / rise)
@@ -86,5 +87,8 @@ def _inverse(begin: Array, end: Array, height: Array) -> Array:
         low, high = np.where(value > 0.0, low, t), np.where(value > 0.0, t, high)
         rate = begin + t * (2.0 * c2 + 3.0 * t * c3)
         newton = t - np.divide(value, rate, out=np.full_like(t, np.inf), where=rate > 0.0)
-        t = np.where((newton >= low) & (newton <= high), newton, 0.5 * (low + high))
+        following = np.where((newton >= low) & (newton <= high), newton, 0.5 * (low + high))
+        moved, t = float(np.abs(following - t).max(initial=0.0)), following
+        if moved <= LAST_DIGITS:
+            break
     return np.asarray(t)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
+from engine.laws.piece_extremes import reach_of
 from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues, numbered_phase, scaled
 
 EDGE_TOLERANCE = BREAK_TOLERANCE
@@ -99,6 +100,20 @@ class Motion:
         """Largest |h|, |y'|, |y''| and |y'''| of any phase, exact by the laws' coefficients."""
         found = [(abs(p.lift), p.y1_max, p.y2_max, p.y3_max) for p in self.phases]
         return MotionValues(*map(max, zip(*found, strict=True)))
+
+    @cached_property
+    def reaches(self) -> tuple[tuple[float, float], ...]:
+        """The lowest and the highest position of each phase."""
+        found = []
+        for phase, y in zip(self.phases, self._begins.tolist(), strict=True):
+            ends = [y + phase.scale * s for s in reach_of(phase.law.as_pieces(), phase.law.start.v)]
+            found.append((min(ends), max(ends)))
+        return tuple(found)
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """The lowest and the highest position of the whole."""
+        return min(low for low, _ in self.reaches), max(high for _, high in self.reaches)
 
     @cached_property
     def y2_rms(self) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -13,11 +13,12 @@ from engine.laws.piece_extremes import Extremes, extremes_of
 from engine.motion.joining import Rates, slope
 from engine.motion.motion import Motion
 from engine.motion.phase import Phase
+from engine.motion.pieces import MotionPiece
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 ORDERS: tuple[Smoothness, ...] = ("velocity", "acceleration", "jerk")
 JUMP = 1e-9
-"""of the motion's largest velocity, acceleration or jerk: a smaller jump is rounding"""
+"""of what a motion's jumps are measured by: a smaller one is rounding"""
 
 
 class Shortfall(NamedTuple):
@@ -60,7 +61,7 @@ def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tup
     "velocity" asks for a continuous y', "acceleration" for y'' too and "jerk" for y''' too; of a periodic motion
     also from its end to its begin.
     """
-    asked, scales = ORDERS.index(smooth) + 1, _scales(motion)
+    asked, scales = ORDERS.index(smooth) + 1, scales_of(motion)
     stretches = [one for k in range(len(motion.phases)) for one in _stretches(motion, k)]
     pairs = list(itertools.pairwise(stretches))
     if periodic:
@@ -72,10 +73,66 @@ def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tup
     )
 
 
-def _scales(motion: Motion) -> Rates:
-    """Return the largest |y'|, |y''| and |y'''| of any phase."""
-    found = [[max(map(abs, bounds)) for bounds in phase_extremes(phase)] for phase in motion.phases]
-    return Rates(*(max(values) for values in zip(*found, strict=True)))
+class Joint(NamedTuple):
+    """Where a piece of a motion begins: what jumps there, and what it ends with.
+
+    What does not last takes over what is before it: ``lasting`` counts the pieces that last up to here, ``phase`` is
+    the phase of the last of these and ``end`` its rates at its end. ``before`` is the phase of the one before,
+    ``jump`` what jumps, and ``order`` the least derivative that does, of those asked for: 0 where none does.
+    """
+
+    x: float
+    lasting: int
+    phase: int
+    end: Rates
+    before: int
+    jump: Rates
+    order: int
+
+    @property
+    def size(self) -> float:
+        """The jump of that derivative."""
+        return self.jump[self.order - 1] if self.order else 0.0
+
+
+def joints(
+    pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True
+) -> tuple[Joint, ...]:
+    """Return where the pieces of a motion begin; of a periodic one, the first follows the last."""
+    found: list[Joint] = []
+    lasting = [piece for piece in pieces if piece.duration > 0.0]
+    last = Joint(0.0, 0, lasting[-1].phase, _ends(lasting[-1])[1], -1, Rates(), 0)
+    before = last._replace(phase=-1, end=Rates())
+    for piece in pieces:
+        if piece.duration > 0.0:
+            one = last if before.lasting == 0 else before
+            begin, end = _ends(piece)
+            joined = periodic or before.lasting > 0
+            jump = Rates(*(y - x for x, y in zip(one.end, begin, strict=True))) if joined else Rates()
+            order = _order(jump, scales, smooth)
+            before = Joint(piece.begin, before.lasting + 1, piece.phase, end, one.phase, jump, order)
+        else:
+            before = before._replace(x=piece.begin, before=-1, jump=Rates(), order=0)
+        found.append(before)
+    return tuple(found)
+
+
+def _ends(piece: MotionPiece) -> tuple[Rates, Rates]:
+    _, v, a, j = piece.at(np.array([0.0, piece.duration]))
+    begin, end = (Rates(*values) for values in zip(v.tolist(), a.tolist(), j.tolist(), strict=True))
+    return begin, end
+
+
+def _order(jump: Rates, scales: Rates, smooth: Smoothness) -> int:
+    asked = ORDERS.index(smooth) + 1
+    found = (n for n, (size, scale) in enumerate(zip(jump, scales, strict=True), 1) if abs(size) > JUMP * scale)
+    return next((n for n in found if n <= asked), 0)
+
+
+def scales_of(motion: Motion) -> Rates:
+    """Return what jumps are measured by: the largest |y'| and |y''| of any phase, and the latter by its 1/δ."""
+    peaks = motion.peaks
+    return Rates(peaks.y1, peaks.y2, peaks.y2 * max(phase.rate for phase in motion.phases))
 
 
 def _stretches(motion: Motion, k: int) -> Iterator[_Stretch]:

@@ -22,8 +22,8 @@ def test_a_turn_takes_the_time_of_a_piece():
 
 
 def test_an_axis_fills_its_share_of_a_lane_from_the_floor_and_lies_on_it_where_it_stands():
-    assert lane(np.array([5.0, 10.0, 7.5]), 2.0, 0.8) == pytest.approx([2.0, 2.8, 2.4])
-    assert lane(np.full(3, 7.0), 1.0, 0.8).tolist() == [1.0, 1.0, 1.0]
+    assert lane(np.array([5.0, 10.0, 7.5]), (5.0, 10.0), 2.0, 0.8) == pytest.approx([2.0, 2.8, 2.4])
+    assert lane(np.full(3, 7.0), (7.0, 7.0), 1.0, 0.8).tolist() == [1.0, 1.0, 1.0]
 
 
 def test_movements_are_the_phases_that_lift():

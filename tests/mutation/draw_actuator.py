@@ -8,6 +8,7 @@ from tests.mutation.draw_overlap import rising
 from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import vary_laws
 from workbook.machines.actuator.entries import Kind
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
 
@@ -22,7 +23,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     gears = drawn.randint(0, sizes["gears"])
     entry.update(
         mechanism=drawn.choice(get_args(Kind)), method=drawn.choice(("physical", "physical", "document")),
-        holding=drawn.choice(("motor", "brake")), gears=[gear(drawn, k) for k in range(gears)],
+        holding=drawn.choice(("motor", "brake")), smoothness=drawn.choice(get_args(Smoothness)),
+        gears=[gear(drawn, k) for k in range(gears)],
         parts=[part(drawn, k, gears) for k in range(drawn.randint(0, sizes["rotors"]))],
         load=load(drawn), motor=motor(drawn),
     )  # fmt: skip

@@ -1,10 +1,11 @@
 """Random composed motions: of any length, in any units, over several decades."""
 
 import random
-from typing import Any
+from typing import Any, get_args
 
 from tests.laws import MOVING
 from tests.mutation.machines import vary_laws
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
 
@@ -17,6 +18,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     data["motion"].update(
         abscissa_unit=drawn.choice(("s", "°", "mm")), lift_unit=drawn.choice(("mm", "°")),
         position=drawn.choice((0.0, drawn.uniform(-size, size))), cycle=drawn.choice(("closes", "open")),
+        smoothness=drawn.choice(get_args(Smoothness)),
         phases=[phase(drawn, size) for _ in range(count)],
     )  # fmt: skip
     if drawn.random() < 0.3:

@@ -2,11 +2,12 @@
 
 import random
 from itertools import pairwise
-from typing import Any
+from typing import Any, get_args
 
 from tests.laws import MOVING
 from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import shares, vary_laws
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
 
@@ -18,7 +19,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     data["timing"]["rate"] = drawn.uniform(5, 600)
     for axis in data["timing"]["axes"]:
         moved = within(phases(drawn, sizes["phases"]), data["laws"], sizes["motion_pieces"])
-        axis.update(closes=drawn.choice(("feed", "position")), phases=moved)
+        smoothness = drawn.choice(get_args(Smoothness))
+        axis.update(closes=drawn.choice(("feed", "position")), smoothness=smoothness, phases=moved)
     drive.update(
         rate=drawn.uniform(5, 600), force=drawn.choice((0.0, drawn.uniform(-900, 900))), radius=drawn.uniform(0.02, 2),
         resists=drawn.choice(("always", "moving")), axis=drawn.choice(data["timing"]["axes"])["name"],

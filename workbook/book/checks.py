@@ -14,6 +14,7 @@ def checks_sheet(book: Book) -> Sheet:
     """Declare the sheet; to be called when every check of the book is declared."""
     sheet = book.sheet("Checks", "Every check of this book; one FAIL fails the book.")
     sheet.one_page = True
+    sheet.widths = {2: 60, 6: 90}
     found = book.checks
     summed = summary(book)
     sheet.heading("What comes out")
@@ -32,8 +33,8 @@ def checks_sheet(book: Book) -> Sheet:
         constant("k", "number", "", "", list(range(1, len(found) + 1))),
         result("verdict", "verdict", "", "", [f"={q.name}" for _, q in found], summed.verdicts),
         constant("where", "sheet", "", "", [s.title for s, _ in found]),
-        calc("says", "what it is about, or where it fails and by how much", "", "",
-             [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
+        Quantity("says", "what it is about, or where it fails and by how much", "", "", "sentence",
+                 [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
     )  # fmt: skip
     return sheet
 

@@ -130,6 +130,8 @@ class Sheet:
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
     one_page: bool = False
+    widths: dict[int, float] = field(default_factory=dict)
+    """of columns that differ from those of other sheets"""
     scope: str = ""
 
     @contextmanager

@@ -204,15 +204,22 @@ def differing(
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
         old = dict(leaves(exactly(entered, path), path))
         for key, value in leaves(exactly(made, path), path):
-            was = old.pop(key, NONE)
-            if was is NONE or was == {}:
+            was = old.pop(key, None)
+            if was == {}:
+                was = None
+            if was is None and exactly(entered, joined(parts(key)[:-1])):
                 was = rules.default_at(model, ruled(key, entered))
             if was != value:
-                found.setdefault(key, Replaced(was, turn))
+                found.setdefault(key, Replaced(plain(was), turn))
         for key, was in old.items():
             if was is not None and was != {}:
-                found.setdefault(key, Replaced(was, turn))
+                found.setdefault(key, Replaced(plain(was), turn))
     return found
+
+
+def plain(value: Any) -> Any:
+    """Return an entry as models have it: whole numbers too are decimal ones."""
+    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
 def exactly(data: Any, path: str) -> Any:

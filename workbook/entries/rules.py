@@ -107,9 +107,14 @@ def takes_law(constraints: list[Any]) -> bool:
 
 
 def is_table(kind: Any) -> bool:
-    """Whether a list is one of rows, of any number, each of several entries."""
-    rows = get_args(kind)[0]
-    return isinstance(rows, type) and issubclass(rows, BaseModel)
+    """Whether a list is one of rows, each of several entries and none of them a table again."""
+    row = get_args(kind)[0]
+    if not (isinstance(row, type) and issubclass(row, BaseModel)):
+        return False
+    kinds = [unwrap(entry.annotation, [])[0] for entry in row.model_fields.values()]
+    return not any(
+        get_origin(kind) is list or (isinstance(kind, type) and issubclass(kind, BaseModel)) for kind in kinds
+    )
 
 
 def within(kind: Any, constraints: list[Any]) -> Any:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from math import isfinite
 
 from workbook.book.rows import filled
 from workbook.laws.entries import Laws
@@ -11,6 +12,9 @@ LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
 CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
 VELOCITY = "=IF([span]>0,INDEX(law_cv,[no])*ABS([h])/[span],0)"
 ACCELERATION = f"=IF([span]>0,{CA}*ABS([h])/[span]^2,0)"
+JERK = '=IF(ABS([h])*[span]>0,IF(ISNUMBER(INDEX(law_cj,[no])),INDEX(law_cj,[no])*ABS([h])/[span]^3,"∞"),0)'
+LOW = "=IF([span]>0,[y0]+MIN([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
+HIGH = "=IF([span]>0,[y0]+MAX([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
 RMS = "IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)"
 AT_END = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},0)"
 
@@ -32,3 +36,8 @@ def kinds(laws: Sequence[str], lifts: Sequence[float], rows: int) -> list[str]:
 def law_numbers(names: Sequence[str], laws: Laws, rows: int) -> list[int]:
     """Return the number of each phase's law, with the spare rows filled up."""
     return filled([laws.number(name) for name in names], rows, 1)
+
+
+def jerks(values: Iterable[float]) -> list[float | str]:
+    """Return the largest jerks of phases as cells hold them: the sign ∞ where the acceleration jumps."""
+    return [value if isfinite(value) else "∞" for value in values]

@@ -8,8 +8,10 @@ from math import perm
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
+from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.room import CROWDED, rule_of
 from workbook.motion.stack import FIRST, Sine, last_before, of_law
 
 TITLE = "The motion as pieces"
@@ -47,14 +49,19 @@ def pieces_in_all(rows: PieceRows) -> Quantity:
     return calc(at.count, "Pieces in all", "", "", f"=SUM([{at.phases}.pieces])", len(rows.pieces), format="0")
 
 
-def room_check(name: str, at: Cells, of: str = "") -> Quantity:
-    """Return the check that the table of pieces has room for all ``of`` an axis."""
+def room_check(name: str, at: Cells, number: int = 1, of: str = "") -> Quantity:
+    """Return the check that the table of pieces has room for all ``of`` the axis of a number."""
     label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
-    return check(name, label, f"{at.count}<=MAX([{at.pieces}.r])", True, ROOM)
+    rows = f"MAX([{at.pieces}.r])"
+    before, between, after = CROWDED.split("{}")
+    says = "&".join([*([quoted(before)] if before else []), at.count, quoted(between), rows, quoted(after)])
+    return check(name, label, f"{at.count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
 
 
-def pieces_table(sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes) -> None:
-    """Declare the table of a motion's pieces."""
+def pieces_table(
+    sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity
+) -> None:  # fmt: skip
+    """Declare the table of a motion's pieces, and ``more`` columns."""
     at = rows.at
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
     length = f"DEGREES({span})" if at.degrees else span
@@ -87,6 +94,7 @@ def pieces_table(sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Si
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
+        *more,
     )  # fmt: skip
 
 

@@ -3,40 +3,75 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from engine.motion.pieces import placed
 from workbook.entries.machine import Machine
-from workbook.entries.types import EntryError
+from workbook.entries.types import DesignError, EntryError, TogetherError
 from workbook.laws.entries import Laws
 from workbook.laws.library import laws
 
 FEW = 8  # rows more than are used, where a description does not say how many
+CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"
+
+
+class Phased(Protocol):
+    """A phase as entered."""
+
+    @property
+    def law(self) -> str:
+        """The name of its law."""
+
+    def model_dump(self) -> dict[str, Any]:
+        """Return its entries."""
 
 
 def counts(given: Laws) -> dict[str, int]:
     """Return the number of pieces of each law of a book."""
-    return {name: len(placed(law)) for name, law in laws(given, 1).items()}
+    return {name: len(placed(law)) for name, law in laws(given).items()}
 
 
-def settle(machine: Machine, motions: Mapping[str, Sequence[str]], rest: int, at_once: int = 1, more: int = 0) -> None:
-    """Settle the room for the pieces of a motion: what is stated, or a few rows more than the longest motion needs.
+def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
+    """Settle the room for the pieces of a motion, and return it: what is stated, or a few rows more than ``most``.
 
-    ``motions`` are the laws of the phases of each, by the place of its entry in the description; each motion has
-    ``more`` pieces besides. At least there is room for ``rest`` pieces and any law of the book ``at_once`` times:
-    so many does verify try. Raises EntryError for a room of less, or too small for a motion.
+    There is room for ``rest`` pieces and any law of the book ``at_once`` times: so many does verify try. Raises
+    EntryError where less is stated.
     """
-    number, room = counts(machine.laws), machine.sizes.motion_pieces
-    least = rest + at_once * max(machine.sizes.pieces, *number.values())
-    needed = {key: sum(number[name] for name in names) + more for key, names in motions.items()}
+    least = rest + at_once * max(machine.sizes.pieces, *counts(machine.laws).values())
+    room = machine.sizes.motion_pieces
     if room is None:
-        room = max(least, *needed.values()) + FEW
+        room = max(least, most) + FEW
         object.__setattr__(machine, "sizes", machine.sizes.model_copy(update={"motion_pieces": room}))
     if room < least:
         raise EntryError("sizes.motion_pieces", f"{room} pieces are too few; expected at least {least}")
-    for key, count in needed.items():
-        if count > room:
-            raise EntryError(key, f"{count} pieces do not fit into {room}; raise sizes.motion_pieces")
+    return room
+
+
+def settle_phases(machine: Machine, motions: Mapping[str, Sequence[Phased]]) -> None:
+    """Settle the room for motions of phases, by the places of their entries in the description.
+
+    Raises TogetherError for motions of more pieces than there is room for.
+    """
+    number = counts(machine.laws)
+    needed = [sum(number[phase.law] for phase in phases) for phases in motions.values()]
+    room = settle(machine, max(needed), machine.sizes.phases)
+    found = [
+        DesignError(key, CROWDED.format(count, room), rule_of(i), [at_rest(phase) for phase in phases])
+        for i, ((key, phases), count) in enumerate(zip(motions.items(), needed, strict=True), 1)
+        if count > room
+    ]
+    if found:
+        raise TogetherError(found)
+
+
+def rule_of(i: int) -> str:
+    """Return the name of the rule that the pieces of the i-th motion, from 1, find room."""
+    return f"room{i}"
+
+
+def at_rest(phase: Phased) -> dict[str, Any]:
+    """Return the entries of a phase that does not move instead."""
+    return phase.model_dump() | {"law": "DWL", "lift": 0.0}
 
 
 def within(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:

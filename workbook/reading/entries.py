@@ -25,6 +25,7 @@ from workbook.laws.layout import numbered, with_laws
 from workbook.reading.files import BookFile, Words
 from workbook.reading.fitting import fitted
 from workbook.reading.work import require_little_work
+from workbook.selection.entries import referred
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import LONGEST, found
@@ -70,8 +71,8 @@ def counted(key: str) -> str:
 
 
 def write_machine(machine: Machine) -> str:
-    """Return the TOML of a machine description."""
-    return tomli_w.dumps(as_entered(machine))
+    """Return the TOML of a machine description; catalogues that come with the templates are referred to."""
+    return tomli_w.dumps(referred(as_entered(machine)))
 
 
 def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:

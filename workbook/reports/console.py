@@ -100,7 +100,8 @@ def verdict(report: Report) -> list[str]:
     said = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
     lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
     lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {said}.")
-    lines += [c.line for c in report.failing[:MOST]]
+    for c in report.failing[:MOST]:
+        lines.append(f"{c.found}  {c.sheet}!{c.cell}  {c.what}" + (f": {c.says}" if c.says else ""))
     if len(report.failing) > MOST:
         lines.append(f"… and {len(report.failing) - MOST} more")
     return [*lines, f"The machine's own checks: {own_verdict(report)}."]

@@ -36,11 +36,13 @@ class MotorRow(Model):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield half a curve, or one that falls beyond the largest speed."""
-        level = self.model_dump() | {"full_torque_to": None, "end_torque": None}
         if (self.full_torque_to is None) != (self.end_torque is None):
-            yield DesignError("", HALF.words, HALF.rule, level)
+            missing = "full_torque_to" if self.full_torque_to is None else "end_torque"
+            said = "half of the torque–speed curve is empty; expected both figures, or neither"
+            yield DesignError(missing, said, HALF.rule, 0.0)
         if self.full_torque_to is not None and self.full_torque_to >= self.max_speed:
-            yield DesignError("", FALLING.words, FALLING.rule, level)
+            said = f"the torque falls from {self.full_torque_to:g} rpm; expected less than the largest speed"
+            yield DesignError("full_torque_to", said, FALLING.rule, 0.0)
 
 
 HALF = RowRule("half", "COUNT([knee],[end])<>1", "knee", "half of the curve is empty: peak torque up to")

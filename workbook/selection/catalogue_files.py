@@ -13,7 +13,7 @@ from pydantic import ValidationError
 
 import workbook
 from workbook.entries import rules
-from workbook.entries.types import EntryError
+from workbook.entries.types import EntryError, TogetherError
 from workbook.errors import InputError, ReadError
 from workbook.intake import read_text
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -130,7 +130,8 @@ def parse(
         try:
             yield model.model_validate({entry: cell for entry, cell in given.items() if cell is not None})
         except ValidationError as error:
-            faults += [f"{where}, {told(fault, model, names)}" for fault in error.errors(include_url=False)]
+            told = error.errors(include_url=False)
+            faults += [f"{where}, {line}" for fault in told for line in lines_of(fault, model, names)]
 
 
 def value(cell: str, entry: str, separator: str) -> Any:
@@ -141,12 +142,14 @@ def value(cell: str, entry: str, separator: str) -> Any:
     return float(text) if NUMBER.fullmatch(text) else cell
 
 
-def told(fault: Any, model: type[Row], names: dict[str, str]) -> str:
-    """Return the column, what was found, what is expected."""
+def lines_of(fault: Any, model: type[Row], names: dict[str, str]) -> list[str]:
+    """Return the column, what was found, what is expected: a file's products are whole, or they are refused."""
     cause = fault.get("ctx", {}).get("error")
+    if isinstance(cause, TogetherError):
+        return [f"column {names[each.field]}: {each}" for each in cause.found]
     if isinstance(cause, EntryError):
-        return f"column {names[cause.field or str(fault['loc'][0])]}: {cause}"
+        return [f"column {names[cause.field or str(fault['loc'][0])]}: {cause}"]
     entry = str(fault["loc"][0])
     expected = rules.expectation(*rules.field_at(model, entry))
     what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
-    return f"column {names[entry]}: {what}; expected {expected}"
+    return [f"column {names[entry]}: {what}; expected {expected}"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
@@ -16,11 +17,24 @@ from workbook.selection.catalogue_files import committed_motors, committed_reduc
 MOST_PRODUCTS = 100  # rows of a catalogue
 
 
+COMMITTED: dict[str, Callable[[], Sequence[Model]]] = {"motors": committed_motors, "reducers": committed_reducers}
+REFERENCE = "committed"
+"""instead of a catalogue: the one that comes with the templates, whatever lies beside the description"""
+
+
+def referred(data: dict[str, Any]) -> dict[str, Any]:
+    """Return a description that refers to the catalogues which come with the templates instead of repeating them."""
+    chosen = data.get("selection", {})
+    whole = {entry: [row.model_dump(exclude_none=True) for row in rows()] for entry, rows in COMMITTED.items()}
+    named = {entry: REFERENCE for entry, rows in whole.items() if chosen.get(entry) == rows}
+    return data | {"selection": chosen | named} if named else data
+
+
 class Selection(Model):
     """The catalogues, the criterion, and the pair that is looked at.
 
-    Without catalogues, those that come with the templates. A motor or reducer that is not named is the first one,
-    unless it is to be looked at.
+    Without catalogues, or with the word ``committed`` for one, those that come with the templates. A motor or reducer
+    that is not named is the first one, unless it is to be looked at.
     """
 
     criterion: Criterion = "margin"
@@ -37,6 +51,9 @@ class Selection(Model):
     def _complete(cls, data: Any) -> Any:
         if not isinstance(data, dict):
             return data
+        for entry, committed in COMMITTED.items():
+            if data.get(entry) == REFERENCE:
+                data = data | {entry: committed()}
         for entry, committed in (("motor", committed_motors), ("reducer", committed_reducers)):
             rows = data.get(f"{entry}s", committed())
             named = data.get(entry) is not None or data.get("pair") == "chosen"

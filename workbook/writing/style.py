@@ -27,6 +27,7 @@ CELL_STYLES = {
     "result": "Output",
     "check": "Check Cell",
     "constant": "Explanatory Text",
+    "sentence": "Explanatory Text",
 }
 TEXT_STYLES: dict[str, dict[str, Any]] = {
     "title": {"style": "Title"},

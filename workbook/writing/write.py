@@ -132,8 +132,9 @@ def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
 def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     """Columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
+    widths = WIDTHS | sheet.widths
     for column in range(1, max(used, LAST_PAGE_COLUMN, sheet.print_columns) + 1):
-        page.column_dimensions[get_column_letter(column)].width = WIDTHS.get(column, COLUMN_WIDTH)
+        page.column_dimensions[get_column_letter(column)].width = widths.get(column, COLUMN_WIDTH)
     page.sheet_view.showGridLines = False
     page.freeze_panes = "A4"
     page.protection.sheet = True

@@ -13,8 +13,12 @@ from engine.mechanisms.rocker import rocker
 from engine.mechanisms.table import PositionTable
 from engine.motion import Motion
 
-CRANKS = [(0.05, 0.2, offset, zero, branch)
-          for offset in (0.0, 0.03, -0.06) for zero in ("inner", "outer") for branch in ("ahead", "behind")]  # fmt: skip
+CRANKS = [
+    (0.05, 0.2, offset, zero, branch)
+    for offset in (0.0, 0.03, -0.06)
+    for zero in ("inner", "outer")
+    for branch in ("ahead", "behind")
+]
 ROCKERS = [
     (0.1, 0.15, 0.1, pi / 2 + 0.1, True, 1),
     (0.1, 0.15, 0.12, 1.2, False, -1),

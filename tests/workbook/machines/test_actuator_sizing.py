@@ -108,7 +108,7 @@ def test_the_description_is_the_engine_s_conveyor():
     data = entries(CONVEYOR, load__friction=0.05, method="physical", holding="motor")
     data["actuator"]["gears"][0]["efficiency"] = 0.9
     machine = TEMPLATE.model.model_validate(data)
-    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws, 8))
+    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws))
     sizing = Sizing(mechanism, view.phases, mechanism.inertia())
     assert value("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-12)
     assert value("act_peak") == pytest.approx(sizing.peak_torque, rel=1e-12)
@@ -134,7 +134,7 @@ def test_a_train_of_two_gears():
     machine = TEMPLATE.model.model_validate(data)
     parts, gears = [Part("a", 1e-4), Part("b", 1e-3, 1)], [Stage("first", 3.0, 0.8), Stage("second", 5.0, 0.7)]
     train = KINDS["gear train"].of(Load(0.05, 1.0, 0.5), gears=gears, parts=parts)
-    phases = Sized(machine, laws(machine.laws, 8)).phases
+    phases = Sized(machine, laws(machine.laws)).phases
     value = computed(TEMPLATE, machine)
     assert value("act_rms") == pytest.approx(Sizing(train, phases, 1e-4).rms_torque, rel=1e-11)
     assert value("act_lrms") == pytest.approx(Sizing(train, phases, 0.0).rms_torque, rel=1e-11)
@@ -147,7 +147,7 @@ def test_rms_in_closed_form_where_power_turns_round_within_the_law(law, slope):
     """The cells split a law where its load gives power back; the engine integrates; fine samples are nearly so."""
     there_and_back = [{"law": law, "lift": lift, "duration": 0.22} for lift in (160.0, -160.0)]
     machine = described(method="physical", holding="motor", load__slope=slope, phases=there_and_back)
-    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws, 8))
+    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws))
     assert any(0 < x < 1 for x in value("turns", "x1"))  # it does turn round
     sizing = view.sizing
     assert value("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-11)
@@ -167,8 +167,8 @@ def test_rms_of_the_own_law_comes_near_the_exact_one_as_its_samples_grow():
     gaps = []
     for samples in (20, 200):
         data = entries(method="physical", phases=there_and_back)
-        data["sizes"]["own_law"] = samples
-        view = Sized(TEMPLATE.model.model_validate(data), laws(described().laws, samples))
+        data["sizes"]["law"] = samples
+        view = Sized(TEMPLATE.model.model_validate(data), laws(described().laws))
         gaps.append(abs(view.rms_torque / view.sizing.rms_torque - 1))
     assert 0 < gaps[1] < 0.03 * gaps[0]
     assert gaps[1] < 1e-5
@@ -200,7 +200,6 @@ def test_the_columns_for_a_selection_are_the_load_without_the_motor():
         ({"motor__rated_torque": 0.0437}, "act_ok_rms"),
         ({"motor__peak_torque": 0.102}, "act_ok_peak"),
         ({"motor__max_speed": 1439.0}, "act_ok_speed"),
-        ({"motor__temperature": 150.0}, "act_ok_rms"),
     ],
 )
 def test_a_motor_that_is_too_small_fails_one_check(changed, failed):
@@ -241,24 +240,10 @@ def test_another_mechanism_chosen_in_the_book(mechanism, tmp_path, build_book):
 @pytest.mark.parametrize(
     ("changed", "line"),
     [
-        ({"output__turns": None}, "output.turns.*empty; a lead screw needs its turns per mm"),
-        ({"mechanism": "conveyor"}, "output.diameter.*empty; a conveyor needs the diameter of its roller"),
         ({"mechanism": "cam"}, "mechanism.*found 'cam'; expected lead screw, conveyor, .* or gear train"),
-        ({"output__efficiency": 0.0}, "efficiency.*found 0.0; expected a number greater than 0"),
-        ({"motor__temperature": 180.0}, "temperature.*180 °C; expected less than the limit, 175 °C"),
-        ({"motor__inertia_ratio": None}, "inertia_ratio.*empty, and so is the motor's inertia"),
-        ({"phases": [{"law": "DWL", "lift": 1.0, "duration": 1.0}]}, "a dwell has no lift"),
         (
             {"phases": [{"law": "CIC", "lift": 1.0, "duration": 1.0}] * 7},
             "7 rows do not fit into 6; raise sizes.phases",
-        ),
-        ({"parts": [{"name": "x", "count": 1.0, "diameter": 3.0}]}, "length.*empty; expected an inertia, or diameter"),
-        ({"parts": [{"name": "x", "count": 1.0, "inertia": 1.0, "bore": 3.0}]}, "both an inertia and the size"),
-        ({"parts": [{"name": "x", "count": 1.0, "inertia": 1.0, "shaft": 1.0}]}, r"shaft.*found 1; expected 0 to 0"),
-        ({"parts": [{"name": "x", "count": 1.0, "inertia": 1.0, "shaft": 0.5}]}, r"found 0.5; expected the number"),
-        (
-            {"parts": [{"name": "x", "count": 1.0, "diameter": 3.0, "length": 1.0, "density": 1.0, "bore": 3.0}]},
-            "bore.*the bore is 3 mm; expected less than the diameter",
         ),
     ],
 )
@@ -266,13 +251,6 @@ def test_entries_that_cannot_be_get_one_line(changed, line):
     with pytest.raises(InputError, match=line) as found:
         checked(TEMPLATE, entries(**changed), str)
     assert len(found.value.lines) == 1
-
-
-def test_an_own_law_that_moves_backwards_gets_one_line():
-    data = entries(phases=[{"law": "OWN", "lift": 8.0, "duration": 0.2}])
-    data["laws"]["OWN"]["pieces"] = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]
-    with pytest.raises(InputError, match=r"phases.*law.*the own law moves backwards"):
-        checked(TEMPLATE, data, str)
 
 
 @pytest.mark.parametrize("path", [TEMPLATE.description, CONVEYOR], ids=["screw", "conveyor"])

@@ -92,7 +92,8 @@ def test_every_formula_cell_has_an_engine_value():
 
 def test_junctions_report_the_jumps():
     """Constant acceleration 0 → 10 in 2, then −10 in 4: y'' falls from −10 to −2.5 at the top."""
-    value = computed(TEMPLATE, with_motion(described(), phases=[phase("ACS", 10.0, 2.0), phase("ACS", -10.0, 4.0)]))
+    phases = [phase("ACS", 10.0, 2.0), phase("ACS", -10.0, 4.0)]
+    value = computed(TEMPLATE, with_motion(described(), smoothness="velocity", phases=phases))
     assert value("junctions", "kind")[:3] == ["joint", "wrap", "spare"]
     assert value("junctions", "x")[:2] == [2.0, 6.0]
     assert value("junctions", "jump_a")[:3] == pytest.approx([-2.5 + 10, 10 - 2.5, 0], rel=1e-13)
@@ -104,7 +105,7 @@ def test_junctions_report_the_jumps():
 @pytest.mark.parametrize(("cycle", "verdict"), [("closes", "FAIL"), ("open", "OK")])
 def test_a_motion_that_does_not_come_back(cycle, verdict):
     value = computed(
-        TEMPLATE, with_motion(described(), cycle=cycle, phases=[phase("CIC", 7.0, 2.0), phase("CUB", -3.0, 4.0)])
+        TEMPLATE, with_motion(described(), cycle=cycle, phases=[phase("CIC", 7.0, 2.0), phase("CIC", -3.0, 4.0)])
     )
     assert value("move_gap") == pytest.approx(4.0)
     assert value("junctions", "jump_y")[1] == pytest.approx(4.0 if cycle == "closes" else 0.0)
@@ -164,10 +165,8 @@ def test_twenty_four_phases_fit_and_twenty_five_do_not():
 @pytest.mark.parametrize(
     ("column", "entry", "said"),
     [
-        ("duration", 0, "greater than 0"),
-        ("duration", None, "empty; expected a number greater than 0"),
-        ("law", "Sine", "expected DWL, ACS"),
-        ("lift", 5.0, "a dwell has no lift"),
+        ("law", "Sine", "expected one of DWL, ACS"),
+        ("duration", "long", "expected a number"),
     ],
 )
 def test_a_wrong_entry_names_the_cell(column, entry, said, tmp_path):

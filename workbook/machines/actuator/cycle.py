@@ -11,7 +11,7 @@ from workbook.book.rows import filled
 from workbook.drive.motor import limits_table
 from workbook.drive.stages import through
 from workbook.entries.units import RPM, shown
-from workbook.machines.actuator.tables import AT, resists
+from workbook.machines.actuator.tables import AT, joints, resists
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import ABOUT, TITLE, pieces_in_all, pieces_table
@@ -37,15 +37,17 @@ def cycle_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
             "The load, ω_L, ω̇_L and T*_L, is that at the shaft which the motor is coupled to, without the motor.",
         )
         cycle(sheet, machine, rows)
+        found = joints(machine, rows)
         sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
         sheet.rows(
             pieces_in_all(rows),
+            found.order(),
             calc("@eps", "Tolerance of a time", "ε", "s",
                  "=@time*break_tolerance", machine.sizing.motion.tolerance, format="0E+00",
                  source="a sample this near to a begin counts as on it"),
         )  # fmt: skip
         sheet.row += 1
-        pieces_table(sheet, TITLE, rows, machine.room, machine.sizing.motion.size)
+        pieces_table(sheet, TITLE, rows, machine.room, machine.sizing.motion.size, *found.columns(machine.room))
     sheet.print_columns = 12
 
 

@@ -12,7 +12,8 @@ from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
 from workbook.entries.machine import Machine
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.types import DesignError, EntryError, Model, NotNegative, Number, Positive
-from workbook.motion.room import settle
+from workbook.motion.asked import Smoothness
+from workbook.motion.room import settle_phases
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "rotary table", "gear train"]
@@ -69,6 +70,7 @@ class ActuatorEntry(Model):
     mechanism: Kind
     method: Literal["physical", "document"] = "physical"
     holding: Literal["motor", "brake"] = "motor"
+    smoothness: Smoothness = "acceleration"
     output: Output
     gears: list[Gear] = Field(default_factory=list)
     parts: list[PlacedParts] = Field(default_factory=list)
@@ -113,5 +115,5 @@ class ActuatorSizing(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{size}")
         require_room(self.selection, self.sizes)
-        settle(self, {"actuator.phases": [phase.law for phase in a.phases]}, self.sizes.phases)
+        settle_phases(self, {"actuator.phases": a.phases})
         return self

@@ -14,10 +14,12 @@ from workbook.drive.motor import limit_checks, limits_given, plane
 from workbook.drive.stages import gears_table, parts_table, stages_table
 from workbook.entries.units import RPM, shown
 from workbook.machines.actuator.entries import Kind
-from workbook.machines.actuator.tables import AT, motion
+from workbook.machines.actuator.tables import AT, joints, motion
 from workbook.machines.actuator.view import Sized
+from workbook.motion.asked import ABOUT as CONTINUOUS
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import room_check
+from workbook.motion.smooth import Joints
 
 SCOPE = "act_"
 BELOW_CHARTS = 66  # the row from which the sheet is free in its whole width
@@ -31,7 +33,7 @@ def actuator_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
         entries(sheet, machine)
         outcome(sheet, machine)
         reserve(sheet, machine)
-        verdicts(sheet, machine)
+        verdicts(sheet, machine, joints(machine, rows))
         draw(sheet)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         sheet.heading("What to enter, continued")
@@ -64,6 +66,7 @@ def entries(sheet: Sheet, machine: Sized) -> None:
               e.method, "actuator.method", source="document: over η always (S4); physical: times η if driven"),
         given("@holding", "In a dwell the load is held by", "", "",
               e.holding, "actuator.holding", source="S4 counts no torque there, as with a brake"),
+        given("@smooth", "Must be continuous", "", "", e.smoothness, "actuator.smoothness", source=CONTINUOUS),
         given("@mass", "Load that travels: mass of one", "m", "kg",
               load.mass, "actuator.load.mass", format="0.0##", source="S4: 6; conveyor 15"),
         given("@count", "how many", "n", "",
@@ -169,13 +172,14 @@ HOT = 'ROUND(MAX(@temp,@temp_rated),9)&" °C; expected less than the limit, "&RO
 SIZE = "IF(@no=1,@turns,@diameter)"
 
 
-def verdicts(sheet: Sheet, machine: Sized) -> None:
+def verdicts(sheet: Sheet, machine: Sized, found: Joints) -> None:
     """Declare the checks."""
-    rises = "OR(COUNTIF([phases.no],OWN_no)=0,MIN([own_samples.v])>=0-check_zero)"
+    rises = "MIN([phases.low])>=0-check_zero"
     cool = "AND(@temp<@temp_limit,@temp_rated<@temp_limit)"
     sheet.checks(
         *limit_checks(machine.reserve, "", "@rated_left", "continuous torque", "derated by the temperature"),
         room_check("@ok_pieces", AT),
+        found.check("@ok_smooth", "The motion is as smooth as asked"),
         check("@ok_rises", "The laws never move backwards", rises, True,
               "an own law may not, or driving and braking mix", ":rises", BACK),
         check("@ok_shafts", "Every part turns behind a gear that is there",

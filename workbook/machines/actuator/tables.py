@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from engine.laws import Law
 from engine.laws.base import Array
+from engine.laws.piece_extremes import extremes_of
 from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.entries.phase import AT_REST
@@ -10,6 +12,7 @@ from workbook.laws import phases as joined
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import phase_columns
+from workbook.motion.smooth import Asked, Joints
 
 AT = Cells("phases", "act_pieces", "act_pieces_all", "act_time", "act_eps", x="s")
 FILL = (
@@ -21,6 +24,17 @@ PARTS = (
     ("level", "torque uniform", "T_ss", "at a = 0; in a dwell"),
     ("dec", "torque decelerating", "T_dec", "at the lowest a"),
 )
+
+
+def joints(machine: Sized, rows: PieceRows) -> Joints:
+    """Return the joints of the motion's pieces, and how smooth they must be."""
+    base = "m" if machine.kind.travels else "rad"
+    units = tuple((f'IF(act_travels=1,"m/{s}","rad/{s}")', f"{base}/{s}") for s in ("s", "s²", "s³"))
+    asked = Asked(
+        machine.given.smoothness, "act_smooth", "act_order", ("MAX([phases.v])", "MAX([phases.amax])"), ('" s"', " s"),
+        units,
+    )  # fmt: skip
+    return Joints(rows, machine.sizing.motion, asked)
 
 
 def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
@@ -42,11 +56,16 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
         result("amax", "largest acceleration", "a", "",
                joined.ACCELERATION, filled([p.y2_max for p in phases], n), scale=sides.acceleration,
                source="C_a h/t²; m/s², or rad/s²"),
+        result("jmax", "largest jerk", "j", "",
+               joined.JERK, joined.jerks(filled([p.y3_max for p in phases], n)), scale=moved.size(3),
+               source="C_j h/t³; m/s³, or rad/s³"),
         *(result(name, words, symbol, "Nm",
                  f"=INDEX([extremes.torque],3*([k]-1)+{j + 1})", torques[j], scale=sides.torque, source=source)
           for j, (name, words, symbol, source) in enumerate(PARTS)),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", joined.LAW_NUMBER, filled(machine.numbers, n, 1), format="0"),
+        calc("low", "lowest velocity of the law", "", "",
+             "=INDEX(law_v_low,[no])", filled([lowest(p.law) for p in phases], n)),
         calc("h", "lift used", "h", "",
              "=[lift]*@unit", filled([p.lift for p in phases], n), scale=sides.lift, source="in m, or rad"),
         calc("span", "duration used", "t", "s",
@@ -72,3 +91,8 @@ def resists(machine: Sized) -> list[float]:
     """Return what resists at the load in each phase (N or Nm), nothing in the spare rows."""
     found: Array = machine.drive.resisting([move.direction for move in machine.sizing.moves])
     return filled(found, machine.sizes.phases)
+
+
+def lowest(law: Law) -> float:
+    """Return the lowest velocity of a law."""
+    return extremes_of(law.as_pieces(), law.start.v).v[0]

@@ -7,6 +7,7 @@ from typing import Any
 from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.laws.variations import own_pieces as own
 from workbook.machines.actuator.entries import ActuatorSizing
+from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 from workbook.selection.variations import vary_selection
 
@@ -38,6 +39,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "mechanism": KINDS[k],
         "method": "document" if k == 3 else "physical",
         "holding": "brake" if k % 3 == 1 else "motor",
+        "smoothness": smoothness_for(turn),
         "output": {"turns": 0.05 + 0.03 * k, "diameter": 80.0 + 13 * k, "efficiency": 0.55 + 0.07 * k},
         "gears": [gear(k, i) for i in range((k + 1) % 3 if k else sizes["gears"])],
         "phases": phases(turn, sizes["phases"], data["laws"]),
@@ -74,7 +76,7 @@ def phases(turn: int, room: int, laws: dict[str, Any]) -> list[dict[str, Any]]:
     own = own_in(laws)
     names = [name for name in laws if k % 3 == 0 or name not in own]
     for i in range(room if k == 0 else min(room, (24, 6, 6, 2, 6, 6)[k])):
-        law = "OWN" if k == 2 else "DWL" if (i + k) % 4 == 1 else law_for(turn + i, names)
+        law = "OWN" if k == 2 else "DWL" if (i + k) % 4 == 1 else law_for(turn + turn // SIX + i, names)
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (60.0 + 17 * i) * (-1) ** (i + k)
         made.append({"law": law, "lift": lift, "duration": (0.2 + 0.17 * ((i * 5 + k) % 4)) / (3 if k == 1 else 1)})
     return made

@@ -10,7 +10,8 @@ from workbook.entries.machine import Machine, Sizes
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.texts import NO_FORMULA, ONE_LINE
 from workbook.entries.types import EntryError, Model, Number
-from workbook.motion.room import settle
+from workbook.motion.asked import Smoothness
+from workbook.motion.room import settle_phases
 
 MOST_PHASES = 24
 Unit = Annotated[str, Field(min_length=1, max_length=12, pattern=NO_FORMULA), ONE_LINE]
@@ -23,6 +24,7 @@ class ComposedMotion(Model):
     lift_unit: Unit = "°"
     position: Number = 0.0
     cycle: Literal["closes", "open"] = "closes"
+    smoothness: Smoothness = "acceleration"
     phases: Annotated[list[PhaseEntry], Field(min_length=1, max_length=MOST_PHASES)]
 
 
@@ -44,5 +46,5 @@ class MotionComposer(Machine):
         for path, filled, room in (("motion.phases", len(self.motion.phases), self.sizes.phases),):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
-        settle(self, {"motion.phases": [phase.law for phase in self.motion.phases]}, self.sizes.phases)
+        settle_phases(self, {"motion.phases": self.motion.phases})
         return self

@@ -8,14 +8,18 @@ from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import amount
 from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.composer.view import Composition
+from workbook.motion.asked import ABOUT as CONTINUOUS
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, TITLE, phase_columns, pieces_in_all, pieces_table, room_check
 from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.smooth import Asked, Joints
 
 AT = Cells("phases", "move_pieces", "move_pieces_all", "move_total", "move_near", "lift", "x")
+UNITS = ('move_y&"/"&move_x', 'move_y&"/"&move_x&"²"', 'move_y&"/"&move_x&"³"')
 PER, PER2, PER3 = "lift/x", "lift/x²", "lift/x³"  # units, which the engineer names: in the headers they stand as words
 
 
@@ -27,7 +31,8 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.heading("What comes out")
     results(sheet, machine)
     sheet.row += 1
-    checks(sheet, machine)
+    joints = Joints(rows, machine.motion, asked(machine))
+    checks(sheet, machine, joints)
     draw_position(sheet)
     sheet.heading(
         "Phases", "As in S3: a law, a lift and a duration each; the position is carried on from phase to phase."
@@ -41,13 +46,24 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
     sheet.rows(
         pieces_in_all(rows),
+        joints.order(),
         calc("move_near", "Tolerance of a begin", "ε", "x",
              "=move_total*break_tolerance", machine.motion.tolerance, format="0E+00",
              source="a sample this near to a begin counts as on it"),
     )  # fmt: skip
     sheet.row += 1
-    pieces_table(sheet, TITLE, rows, machine.room, machine.motion.size)
+    pieces_table(sheet, TITLE, rows, machine.room, machine.motion.size, *joints.columns(machine.room))
     sheet.print_columns = 17
+
+
+def asked(machine: Composition) -> Asked:
+    """Return how smooth the motion must be."""
+    x = machine.given.abscissa_unit
+    return Asked(
+        machine.given.smoothness, "move_smooth", "move_order", ("MAX([phases.v])", "MAX([phases.a])"),
+        ('" "&move_x', f" {x}"), tuple(zip(UNITS, machine.units, strict=True)), wraps='move_cycle="closes"',
+        periodic=machine.repeats,
+    )  # fmt: skip
 
 
 def entries(sheet: Sheet, machine: Composition) -> None:
@@ -62,6 +78,8 @@ def entries(sheet: Sheet, machine: Composition) -> None:
         given("move_start", "Position at the begin", "y_0", "lift", m.position, "motion.position", format="0.0####"),
         given("move_cycle", "The cycle", "", "",
               m.cycle, "motion.cycle", align="center", source="closes: it repeats; open: it does not"),
+        given("move_smooth", "Must be continuous", "", "",
+              m.smoothness, "motion.smoothness", align="center", source=CONTINUOUS),
         calc("move_title_x", "Abscissa, with its unit", "", "",
              '="x ["&move_x&"]"', f"x [{x}]", align="center", source="written x in the headers below"),
         calc("move_title_y", "Position, with its unit", "", "",
@@ -88,14 +106,15 @@ def results(sheet: Sheet, machine: Composition) -> None:
         result("move_gap", "What the cycle does not close by", "", "lift",
                "=INDEX([phases.y1],move_count)-move_start", motion.gap, format="0.0000##", scale=h,
                source="y(end) − y(begin)"),
-        result("move_low", "Lowest position of the samples", "y_min", "lift",
-               "=MIN([motion.y])", float(y.min()), scale=h),
-        result("move_high", "Highest position of the samples", "y_max", "lift",
-               "=MAX([motion.y])", float(y.max()), scale=h),
+        result("move_low", "Lowest position", "y_min", "lift", "=MIN([phases.low])", motion.reach[0], scale=h),
+        result("move_high", "Highest position", "y_max", "lift", "=MAX([phases.high])", motion.reach[1], scale=h),
         result("move_v", "Greatest velocity", "|y'|_max", PER,
                "=MAX([phases.v])", motion.peaks.y1, scale=v, source="C_v |h|/δ"),
         result("move_a", "Greatest acceleration", "|y''|_max", PER2,
                "=MAX([phases.a])", motion.peaks.y2, scale=a, source="C_a |h|/δ²"),
+        result("move_j", "Greatest jerk", "|y'''|_max", PER3,
+               '=IF(COUNTIF([phases.j],"∞")>0,"∞",MAX([phases.j]))', *joined.jerks([motion.peaks.y3]),
+               scale=motion.size(3), source="C_j |h|/δ³; ∞ where the acceleration jumps"),
         result("move_rms", "RMS acceleration over the whole", "y''_rms", PER2,
                "=SQRT(SUMPRODUCT([phases.rms],[phases.rms],[phases.span])/move_total)", motion.y2_rms, scale=a,
                source="√(Σ y''²_rms δ / Σδ)"),
@@ -105,20 +124,24 @@ def results(sheet: Sheet, machine: Composition) -> None:
     )  # fmt: skip
 
 
-def checks(sheet: Sheet, machine: Composition) -> None:
+def checks(sheet: Sheet, machine: Composition, joints: Joints) -> None:
     """Declare the checks of the motion."""
     motion = machine.motion
+    lack = max(abs(phase.lack) for phase in motion.phases)
+    jump = max((abs(joint.jump_v) for joint in machine.junctions), default=0.0)
     sheet.checks(
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
-              "each law reaches its lift"),
+              "each law reaches its lift", says=amount(greatest("phases.lack"), lack, "a lift lacks ", "")),
         room_check("move_ok_pieces", AT),
         check("move_ok_velocity", "No jump of velocity",
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
-              "of a cycle that closes, also from its end to its begin"),
+              "of a cycle that closes, also from its end to its begin",
+              says=amount(greatest("junctions.jump_v"), jump, "y' jumps by ", ": see the junctions")),
+        joints.check("move_ok_smooth", "As smooth as asked"),
         check("move_ok_closes", "The cycle closes in position",
               f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', machine.axis.closes,
-              "or is open"),
+              "or is open", says=amount("move_gap", motion.gap, "it ends ", " from where it begins")),
     )  # fmt: skip
 
 
@@ -136,6 +159,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
     spans = [p.duration for p in moved]
     begins, ends = zip(*motion.ends, strict=True)
     reached = motion.position + motion.lifts_sum
+    lows, highs = zip(*motion.reaches, strict=True)
 
     def of(values: Iterable[float]) -> list[float]:
         return filled(values, n)
@@ -157,6 +181,8 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
                joined.VELOCITY, of(p.y1_max for p in moved), scale=v, source="C_v h/δ"),
         result("a", "greatest acceleration", "y''max", PER2,
                joined.ACCELERATION, of(p.y2_max for p in moved), scale=a, source="C_a h/δ²"),
+        result("j", "greatest jerk", "y'''max", PER3,
+               joined.JERK, joined.jerks(of(p.y3_max for p in moved)), scale=motion.size(3), source="C_j h/δ³"),
         result("rms", "RMS acceleration", "y''rms", PER2,
                f"={joined.RMS}", of(p.y2_rms for p in moved), scale=a, source="C_a,rms h/δ²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
@@ -170,6 +196,10 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
         calc("y0", "position at its begin", "y_0", "lift",
              "=IF([k]=1,move_start,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, reached), scale=h,
              source="lifts before"),
+        *(calc(name, f"{word} position", "", "lift", formula.format("move_start"), filled(values, n, motion.position),
+               scale=h)
+          for name, word, formula, values in (("low", "lowest", joined.LOW, lows),
+                                              ("high", "highest", joined.HIGH, highs))),
         calc("lack", "lack of lift", "Δy", "lift",
              "=[h]*(1-INDEX(law_s1,[no]))", of(p.lack for p in moved), scale=h,
              source="h (1 − s(1))"),

@@ -7,6 +7,7 @@ from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.composer.entries import MotionComposer
+from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
 UNITS = (("s", "mm"), ("°", "°"), ("mm", "mm"), ("°", "mm"), ("rad", "m"), ("s", "°"))
@@ -28,6 +29,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "lift_unit": y,
         "position": (k - 2) * 7.5,
         "cycle": "open" if k % 2 else "closes",
+        "smoothness": smoothness_for(turn),
         "phases": within(
             phases(turn, data["sizes"]["phases"], scale, data["laws"]), data["laws"], data["sizes"]["motion_pieces"]
         ),

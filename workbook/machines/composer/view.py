@@ -26,6 +26,12 @@ class Composition:
         self.junctions = self.motion.junctions(periodic=self.repeats)
 
     @property
+    def units(self) -> tuple[str, ...]:
+        """Units of velocity, acceleration and jerk."""
+        x, y = self.given.abscissa_unit, self.given.lift_unit
+        return f"{y}/{x}", f"{y}/{x}²", f"{y}/{x}³"
+
+    @property
     def room(self) -> int:
         """Rows of the table of pieces."""
         return self.sizes.motion_pieces or 0

@@ -14,7 +14,8 @@ from workbook.entries.phase import resting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawName
-from workbook.motion.room import settle
+from workbook.motion.asked import Smoothness
+from workbook.motion.room import settle_phases
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 TURN = 360.0  # degrees
@@ -39,6 +40,7 @@ class Axis(Model):
     name: Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
     group: Text
     closes: Literal["position", "feed"] = "position"
+    smoothness: Smoothness = "acceleration"
     phases: Annotated[list[Phase], Field(min_length=1)]
 
     def design_faults(self) -> Iterator[DesignError]:
@@ -123,6 +125,5 @@ class CuttingMachine(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
-        laws = {f"timing.axes.{i}.phases": [p.law for p in axis.phases] for i, axis in enumerate(self.timing.axes)}
-        settle(self, laws, self.sizes.phases)
+        settle_phases(self, {f"timing.axes.{i}.phases": axis.phases for i, axis in enumerate(self.timing.axes)})
         return self

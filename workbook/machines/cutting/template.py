@@ -53,7 +53,7 @@ def declare(given: CuttingMachine) -> Book:
     axes = enumerate(reference.axes, 1)
     timing_sheet(book, reference, [rows_of(cells(i), axis.motion, shelf.stack, rooms) for i, axis in axes])
     book.name(
-        "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_travel="travel",
+        "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_smooth="smooth", axis_travel="travel",
         axis_low="low", axis_high="high", axis_v="v", axis_a="a",
     )  # fmt: skip
     drive_sheet(book, reference)

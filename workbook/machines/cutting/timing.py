@@ -5,21 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
+
 from engine import timing as engine_timing
 from engine.laws.base import Array
 from engine.timing import Movement, lane, turn_time
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import amount
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import phases as joined_phases
-from workbook.laws.phases import ACCELERATION, AT_END, LAW_NUMBER, RMS, VELOCITY
+from workbook.laws.phases import ACCELERATION, AT_END, HIGH, JERK, LAW_NUMBER, LOW, RMS, VELOCITY, jerks
 from workbook.machines.cutting.entries import Axis
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table, room_check
 from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.smooth import Asked, Joints
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
@@ -30,6 +34,16 @@ LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}
 def cells(i: int) -> Cells:
     """Return where the motion of an axis stands."""
     return Cells(f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "timing_eps", "m", "rad", degrees=True)
+
+
+def asked(machine: Cutting, i: int) -> Asked:
+    """Return how smooth an axis must be."""
+    units = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
+    axis, t = machine.machine.timing.axes[i - 1], f"axis{i}"
+    return Asked(
+        axis.smoothness, f"INDEX([axes.smooth],{i})", f"{t}_order", (f"MAX([{t}.y1])", f"MAX([{t}.y2])"),
+        ('"°"', "°"), units, (f"INDEX([axes.name],{i})", axis.name),
+    )  # fmt: skip
 
 
 def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
@@ -53,16 +67,20 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     axes_table(sheet, machine)
     draw_diagram(sheet, timing.axes)
     sheet.row = max(sheet.row, 26)
-    for i, of_axis in enumerate(rows, 1):
+    joints = [Joints(found, axis.motion, asked(machine, i))
+              for i, (axis, found) in enumerate(zip(machine.axes, rows, strict=True), 1)]  # fmt: skip
+    for i, (of_axis, of_joints) in enumerate(zip(rows, joints, strict=True), 1):
         phases(sheet, machine, i, of_axis)
-        joined(sheet, machine, i)
+        joined(sheet, machine, i, of_joints)
     draw_curves(sheet, timing.axes)
     sheet.heading("Table over the cycle")
     cycle(sheet, machine, rows)
     sheet.heading("Workings: the motions as pieces", ABOUT)
-    for axis, of_axis in zip(machine.axes, rows, strict=True):
-        sheet.rows(pieces_in_all(of_axis))
-        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, machine.room, axis.motion.size)
+    room = machine.room
+    for axis, of_axis, of_joints in zip(machine.axes, rows, joints, strict=True):
+        sheet.rows(pieces_in_all(of_axis), of_joints.order())
+        columns = of_joints.columns(room)
+        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, room, axis.motion.size, *columns)
     sheet.print_columns = 17
 
 
@@ -70,7 +88,7 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
     """Declare the names of the axes and what each comes to."""
     axes = machine.machine.timing.axes
     moves = [axis.movements(machine.speed) for axis in machine.axes]
-    positions = [shown(axis.motion.at(si(machine.angles, DEGREE)).y, MM) for axis in machine.axes]
+    lows, highs = zip(*(shown(np.array(axis.motion.reach), MM).tolist() for axis in machine.axes), strict=True)
 
     def each(formula: str) -> list[str]:
         return [formula.format(i) for i in range(1, len(axes) + 1)]
@@ -82,10 +100,12 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
         given("name", "axis", "", "", [a.name for a in axes], "timing.axes.*.name"),
         given("closes", "closes in", "", "",
               [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
+        given("smooth", "must be continuous", "", "",
+              [a.smoothness for a in axes], "timing.axes.*.smoothness", source="velocity, acceleration, jerk"),
         calc("travel", "travel a cycle", "Σh", "mm",
              each("=SUM([axis{0}.lift])"), [shown(axis.motion.lifts_sum, MM) for axis in machine.axes]),
-        calc("low", "lowest position", "", "mm", each("=MIN([cycle.y{0}])"), [float(y.min()) for y in positions]),
-        calc("high", "highest position", "", "mm", each("=MAX([cycle.y{0}])"), [float(y.max()) for y in positions]),
+        calc("low", "lowest position", "", "mm", each("=MIN([axis{0}.low])*1000"), list(lows)),
+        calc("high", "highest position", "", "mm", each("=MAX([axis{0}.high])*1000"), list(highs)),
         result("v", "greatest velocity", "ẏ_max", "m/s",
                each("=MAX([axis{0}.v])"), [max((m.v_max for m in found), default=0.0) for found in moves]),
         result("a", "greatest acceleration", "ÿ_max", "m/s²",
@@ -98,6 +118,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
     axis, engine_axis, n = machine.machine.timing.axes[i - 1], machine.axes[i - 1], machine.machine.sizes.phases
     motion, moves = engine_axis.motion, {m.phase: m for m in engine_axis.movements(machine.speed)}
     begins, ends = zip(*motion.ends, strict=True)
+    lows, highs = zip(*motion.reaches, strict=True)
     *inner, wrap = motion.junctions()
     junctions = [wrap, *inner]  # each where its phase begins
     laws = [p.law for p in axis.phases]
@@ -121,8 +142,11 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
         result("y1", "geometric velocity", "y'max", "m/rad", VELOCITY, of(lambda m: m.y1_max), source="C_v h/δ"),
         result("y2", "geometric acceleration", "y''max", "m/rad²",
                ACCELERATION, of(lambda m: m.y2_max), source="C_a h/δ²"),
+        result("y3", "geometric jerk", "y'''max", "m/rad³", JERK, jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
         result("v", "velocity", "ẏmax", "m/s", "=[y1]*timing_omega", of(lambda m: m.v_max), source="y' ω"),
         result("a", "acceleration", "ÿmax", "m/s²", "=[y2]*timing_omega^2", of(lambda m: m.a_max), source="y'' ω²"),
+        result("j", "jerk", "j_max", "m/s³",
+               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(of(lambda m: m.j_max)), source="y''' ω³"),
         result("rms", "RMS acceleration", "ÿrms", "m/s²",
                f"={RMS}*timing_omega^2", of(lambda m: m.a_rms), source="C_a,rms h/δ² ω²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
@@ -138,6 +162,8 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
         calc("y0", "position at begin", "y_0", "m",
              "=IF([k]=1,0,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, motion.lifts_sum),
              source="lifts before"),
+        *(calc(name, f"{word} position", "", "m", formula.format(0), filled(values, n))
+          for name, word, formula, values in (("low", "lowest", LOW, lows), ("high", "highest", HIGH, highs))),
         calc("gap", "gap before", "", "°",
              '=IF([stop]="",0,[start]-IF([k]=1,0,[stop-1]))', filled([], n), scale=360.0),
         calc("back", "runs backwards", "", "",
@@ -188,10 +214,13 @@ def in_row(i: int, column: str, says: str) -> str:
     return f'INDEX([axes.name],{i})&" row "&{row}&{says.format(f"axis{i}", row)}'
 
 
-def joined(sheet: Sheet, machine: Cutting, i: int) -> None:
+def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
     """Declare the checks of one axis."""
     axis, t = machine.axes[i - 1], f"axis{i}"
     motion, name, key = axis.motion, axis.name, f"timing.axes.{i - 1}"
+
+    lack = max(abs(phase.lack) for phase in motion.phases)
+    jump = max(abs(joint.jump_v) for joint in motion.junctions())
 
     def greatest(column: str) -> str:
         return f"MAX(MAX([{t}.{column}]),-MIN([{t}.{column}]))"
@@ -205,13 +234,17 @@ def joined(sheet: Sheet, machine: Cutting, i: int) -> None:
         check(f"{t}_fills", f"{name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True,
               rule=f"{key}:fills", says=f"INDEX([axes.name],{i})&{UNFILLED.format(t)}"),
         check(f"{t}_position", f"{name}: no jump of position",
-              f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete),
-        room_check(f"{t}_room", cells(i), name),
+              f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete,
+              says=amount(f"{greatest('jump_y')}*1000", shown(lack, MM), "a lift lacks ", " mm")),
+        room_check(f"{t}_room", cells(i), i, name),
         check(f"{t}_velocity", f"{name}: no jump of velocity",
-              f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth()),
+              f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth(),
+              says=amount(greatest("jump_v"), jump, "y' jumps by ", " m/rad: see jump of y'")),
+        joints.check(f"{t}_smooth", f"{name}: as smooth as asked"),
         check(f"{t}_closes", f"{name}: the cycle closes",
               f'OR(INDEX([axes.closes],{i})="feed",ABS({gap})<=check_zero*{greatest("h")})', axis.closes,
-              "in position, or, as a feed, in velocity"),
+              "in position, or, as a feed, in velocity",
+              says=amount(f"({gap})*1000", shown(motion.gap, MM), "it ends ", " mm from where it begins")),
     )  # fmt: skip
 
 
@@ -262,7 +295,7 @@ def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: f
 
 def in_lane(i: int, axis: engine_timing.Axis, at: Array, floor: int) -> Quantity:
     """Return the axis as the timing diagram shows it."""
-    values = lane(axis.motion.at(at).y, floor, LANE_SHARE)
+    values = lane(axis.motion.at(at).y, axis.motion.reach, floor, LANE_SHARE)
     return calc(f"lane{i}", f"{axis.name} in the diagram", "", "", LANE.format(i, floor), values)
 
 

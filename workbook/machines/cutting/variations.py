@@ -8,6 +8,7 @@ from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
 from workbook.machines.cutting.entries import CuttingMachine
+from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 from workbook.selection.variations import vary_selection
 
@@ -25,7 +26,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     vary_laws(data["laws"], k, scale, sizes["pieces"])
     timing["rate"] *= next(scale)
     for i, axis in enumerate(timing["axes"]):
-        axis["closes"] = "feed" if (i + k) % 2 else "position"
+        axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i)}
         axis["phases"] = within(phases(i, turn, sizes["phases"], data["laws"]), data["laws"], sizes["motion_pieces"])
     drive["axis"] = timing["axes"][k % 3]["name"]
     drive["resists"] = "moving" if k % 2 else "always"

@@ -113,5 +113,5 @@ class FlyingCutter(Machine):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         require_room(self.selection, self.sizes)
-        settle(self, {"cutter.law": [self.cutter.law]}, MORE, more=MORE)
+        settle(self, MORE, MORE)
         return self

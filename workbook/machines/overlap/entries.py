@@ -99,6 +99,5 @@ class IndexingOverlap(Machine):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        tools = {f"overlap.tools.{i}.law_in": [t.law_in, t.law_out] for i, t in enumerate(self.overlap.tools)}
-        settle(self, tools | {"overlap.transfer.law": [self.overlap.transfer.law]}, REST, at_once=2, more=REST)
+        settle(self, REST, REST, at_once=2)
         return self

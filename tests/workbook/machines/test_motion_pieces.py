@@ -1,0 +1,90 @@
+"""A motion as one table of pieces in cells: its room, its joints, and the verdicts of all committed books."""
+
+import openpyxl
+import pytest
+
+from tests.workbook.cells import computed, disagreeing
+from workbook.book.quantity import SAYS
+from workbook.build import build, committed
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
+from workbook.templates import TEMPLATES
+
+COMPOSER, CUTTING = TEMPLATES["motion-composer"], TEMPLATES["cutting-machine"]
+SMALL = {"cycle": 24, "law": 4, "own_law": 4}
+
+
+def composed(phases, **entries):
+    data = read_machine(COMPOSER.description).model_dump()
+    data["sizes"] |= SMALL | {"motion_pieces": entries.pop("room", None)}
+    data["motion"] |= entries | {"phases": [{"law": w, "lift": h, "duration": d} for w, h, d in phases]}
+    return COMPOSER.model.model_validate(data)
+
+
+def verdicts(path):
+    machine = read_machine(path)
+    book = TEMPLATES[machine.template].declare(machine)
+    return {q.name: q.value for _, q in book.checks if "smooth" in q.name}
+
+
+def test_every_committed_book_is_as_smooth_as_its_description_asks():
+    found = {path.stem: verdicts(path) for path in committed()}
+    asked = {name for name, checks in found.items() if checks}
+    assert {v for checks in found.values() for v in checks.values()} == {"OK"}
+    assert asked >= {"cutting-machine", "motion-composer", "motion-composer-example-1", "motion-composer-example-2",
+                     "actuator-sizing", "actuator-sizing-conveyor"}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("smoothness", "said"),
+    [
+        ("velocity", None),
+        ("acceleration", "row 1 to 2 at 60 °: acceleration jumps by 0.022222222 °/°²"),
+        ("jerk", "row 3 to 1 at 0 °: jerk jumps by 0.0000571156 °/°³"),
+    ],
+)
+def test_a_joint_that_is_less_smooth_than_asked_is_named(smoothness, said):
+    machine = composed([("DWL", 0.0, 60.0), ("ACS", 20.0, 60.0), ("CIC", -20.0, 240.0)], smoothness=smoothness)
+    value = computed(COMPOSER, machine)
+    assert value("move_ok_smooth") == ("FAIL" if said else "OK")
+    if said:
+        assert value(f"move_ok_smooth{SAYS}").startswith(said.partition(" by ")[0])
+    assert disagreeing(COMPOSER, machine)[0] == []
+
+
+def test_a_law_that_jumps_within_itself_is_named_by_its_one_row():
+    machine = composed([("TVP", 20.0, 60.0), ("DWL", 0.0, 300.0)], cycle="open")
+    said = computed(COMPOSER, machine)(f"move_ok_smooth{SAYS}")
+    assert said.startswith("row 1 at 20 °: acceleration jumps by ")
+
+
+def test_across_the_end_of_the_cycle_too_unless_it_is_open():
+    phases = [("CUB", 20.0, 180.0), ("CUB", -20.0, 180.0)]
+    again, once = (computed(COMPOSER, composed(phases, cycle=cycle)) for cycle in ("closes", "open"))
+    assert (again("move_ok_smooth"), once("move_ok_smooth")) == ("OK", "OK")
+    jerk = [computed(COMPOSER, composed(phases, cycle=cycle, smoothness="jerk")) for cycle in ("closes", "open")]
+    assert jerk[0](f"move_ok_smooth{SAYS}").startswith("row 2 to 1 at 0 °: jerk jumps by ")
+    assert jerk[1](f"move_ok_smooth{SAYS}").startswith("row 1 to 2 at 180 °: jerk jumps by ")
+
+
+def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
+    """As an engineer comes to it: laws of more pieces, chosen in a book that was built for fewer."""
+    path = tmp_path / "book.xlsx"
+    build(composed([("CUB", 5.0, 15.0) for _ in range(24)]), path)
+    workbook = openpyxl.load_workbook(path)
+    sheet, (area,) = workbook["Motion"], workbook.defined_names["phases"].destinations
+    top = sheet[area[1].replace("$", "")][0]
+    law = next(cell.column for cell in sheet[top[0].row - 3] if cell.value == "law")
+    for row in range(top[0].row, top[0].row + 24):
+        sheet.cell(row, law).value = "MTP"
+    workbook.save(path)
+    report = verify(path, ["pycel"])
+    assert report.findings == []
+    (failing,) = [check for check in report.checks if check.found == "FAIL"]
+    assert failing.what == "The table of pieces has room for all"
+    assert failing.says.startswith("168 pieces do not fit into 40 rows")
+
+
+def test_the_room_is_a_few_rows_more_than_are_used():
+    machine = composed([("MTP", 5.0, 15.0) for _ in range(24)])
+    assert machine.sizes.motion_pieces == 24 * 7 + 8

@@ -1,0 +1,297 @@
+"""Unfinished designs: built, told by row and amount, verified without a finding, read back and built again the same."""
+
+import copy
+import tomllib
+
+import openpyxl
+import pytest
+import tomli_w
+
+from workbook.build import build, described, inputs
+from workbook.entries.design import designed
+from workbook.errors import InputError
+from workbook.judging.many import FAILS, Target, exit_code, verify_one
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.files import open_book
+from workbook.templates import TEMPLATES
+from workbook.writing.same import same_book
+
+AXIS = ("timing", "axes", 1, "phases")
+TOOL = ("overlap", "tools", 0)
+ROTORS = "Drive, Rotating parts (S1, slide 'Feeding group layout'): entries within their limits"
+PHASES = "Timing, Phases of MC02: entries within their limits"
+MOTION = "Motion, Fill one row each, in order: entries within their limits"
+UNEQUAL = [0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]
+
+CASES = {
+    "cutting-machine": {
+        "a gap": ([(*AXIS, 1, "start", 95.0)], "MC02: the phases follow on",
+                  "MC02 row 2 begins at 95°, 5° after row 1 ends"),
+        "an overlap": ([(*AXIS, 1, "start", 60.0)], "MC02: the phases follow on",
+                       "MC02 row 2 begins at 60°, 30° before row 1 ends"),
+        "a late begin": ([(*AXIS, 0, "start", 2.5)], "MC02: the phases follow on",
+                         "MC02 row 1 begins at 2.5°, 2.5° after 0°"),
+        "a phase that runs backwards": ([(*AXIS, 1, "stop", 60.0)], "MC02: every phase runs forward",
+                                        "MC02 row 2 ends at 60°, 30° before it begins"),
+        "no whole turn": ([(*AXIS, 4, "start", 340.0), (*AXIS, 3, "stop", 340.0), (*AXIS, 4, "stop", 350.0)],
+                          "MC02: the phases fill the cycle", "MC02 ends at 350°, 10° before 360°"),
+        "a missing law": ([(*AXIS, 1, "law", None)], PHASES, "lift of a dwell or without a law, row 2: 20"),
+        "a missing end": ([(*AXIS, 0, "stop", None)], PHASES,
+                          "to, row 1: empty; expected a number of at least 0 and at most 360"),
+        "an angle beyond the turn": ([(*AXIS, 4, "stop", 400.0)], PHASES,
+                                     "to, row 5: 400; expected a number of at least 0 and at most 360"),
+        "no phases": ([("timing", "axes", 1, "phases", [])], PHASES, "no row is filled"),
+        "a dwell with a lift": ([(*AXIS, 0, "lift", 5.0)], PHASES, "lift of a dwell or without a law, row 1: 5"),
+        "a negative rate": ([("timing", "rate", -200.0)], "Timing: entries within their limits",
+                            "Production rate: -200; expected a number greater than 0"),
+        "no rate": ([("timing", "rate", None)], "Timing: entries within their limits",
+                    "Production rate: empty; expected a number greater than 0"),
+        "a ratio of zero": ([("drive", "motor", "reduction", 0.0)], "Drive: entries within their limits",
+                            "Reduction of the reducer: 0; expected a number greater than 0"),
+        "an efficiency above 1": ([("drive", "motor", "efficiency", 1.2)], "Drive: entries within their limits",
+                                  "Efficiency of the reducer: 1.2; expected a number greater than 0 and at most 1"),
+        "a negative inertia": ([("drive", "rotors", 0, "inertia", -1e-5)], ROTORS,
+                               "inertia of one, row 1: -1e-05; expected a number of at least 0"),
+        "teeth of one gear": ([("drive", "rotors", 1, "teeth_driven", None)], ROTORS,
+                              "teeth of one gear alone, of the driver, row 2: 90"),
+        "half a curve": ([("selection", "motors", 0, "end_torque", 1.0)], None,
+                         "half of the curve is empty: peak torque up to, row 1: empty"),
+        "several": ([("timing", "rate", 0.0), (*AXIS, 1, "start", 95.0), ("drive", "radius", -1.0)],
+                    "MC02: the phases follow on", "MC02 row 2 begins at 95°, 5° after row 1 ends"),
+    },
+    "motion-composer": {
+        "a negative duration": ([("motion", "phases", 0, "duration", -3.0)], MOTION,
+                                "duration, row 1: -3; expected a number greater than 0"),
+        "a missing number": ([("motion", "phases", 2, "duration", None)], MOTION,
+                             "duration, row 3: empty; expected a number greater than 0"),
+        "a number beyond all": ([("motion", "phases", 0, "lift", 1e300)], MOTION,
+                                "lift, row 1: beyond 1E9; expected a number"),
+        "break points in disorder": ([("laws", "TVP", {"rise_end": 0.8, "fall_start": 0.2})],
+                                     "TVP: the break points follow each other", "brakes from 0.2, before 0.8"),
+        "durations that do not sum": ([("laws", "MTP", {"durations": UNEQUAL})],
+                                      "MTP: the seven durations sum to 1", "they sum to 1.1; expected 1"),
+        "a law that cannot stop": ([("laws", "MTP", {"durations": [0.5, 0.5, 0, 0, 0, 0, 0]})],
+                                   "MTP: the law starts and stops", "stages 1 to 3, or 5 to 7, are all 0"),
+        "an own law of 0.7": ([("laws", "OWN", {"pieces": [{"duration": 0.7}]})],
+                              "OWN: the durations sum to 1", "they sum to 0.7; expected 1"),
+        "a sine without frequency": ([("laws", "OWN", {"pieces": [{"duration": 1.0, "amplitude": 2.0}]})], None,
+                                     "ω of a sine, expected more than 0, row 1: 0"),
+        "a named law": ([("laws", "Soft 1.5", {"family": "MTP", "durations": UNEQUAL}),
+                         ("motion", "phases", 0, "law", "Soft 1.5")],
+                        "Soft 1.5: the seven durations sum to 1", "they sum to 1.1; expected 1"),
+    },
+    "flying-cutter": {
+        "a product too short": ([("cutter", "product_length", 1.0)], "The products leave time to re-position",
+                                "a product of 1 mm; expected at least 62.894684925 mm"),
+        "a line that runs backwards": ([("cutter", "line_speed", -20.0)], "Cutter: entries within their limits",
+                                       "Line speed: -20; expected a number greater than 0"),
+        "half a tool": ([("cutter", "drum", "tools", 2.5)], "A drum has whole tools",
+                        "2.5 tools; expected a whole number"),
+        "tools in step for too long": ([("cutter", "drum", "tool_angle", 120.0)],
+                                       "The angle in step is less than between the tools",
+                                       "3 tools in step over 120° each take more than 360°"),
+        "lengths that do not rise": ([("cutter", "lengths", "longest", 1.0)], "The range of product lengths rises",
+                                     "from 150 mm to 1 mm; expected a longest above the shortest"),
+        "nothing to move": ([("cutter", "load", "inertia", 0.0)], "The shaft has something to move",
+                            "inertia and mass are 0; expected one of them above"),
+        "a law that does not rest": ([("cutter", "law", "OWN"),
+                                      ("laws", "OWN", {"pieces": [{"duration": 1.0, "c0": 2.0}]})],
+                                     "The law speeds up once and slows down once",
+                                     "the law OWN does not: see its sheet, or Laws"),
+    },
+    "indexing-overlap": {
+        "a margin above the clearance": ([(*TOOL, "passage", "margin", 50.0)],
+                                         "The margin is not more than the clearance",
+                                         "a margin of 50 mm; expected at most 20 mm"),
+        "no angle left": ([(*TOOL, "dwell", 300.0)], "The cycle leaves the tool an angle",
+                          "-50° are left to a way; expected at least 0.01°"),
+        "more than a turn": ([(*TOOL, "angle_in", 250.0)], "Way in, dwell and way out fit into the turn",
+                             "way in, dwell and way out take 469.836914727°; expected at most 360°"),
+        "no stroke": ([("overlap", "transfer", "stroke", 0.0)], "Overlap: entries within their limits",
+                      "its stroke: 0; expected a number greater than 0"),
+        "a law that moves backwards": ([(*TOOL, "law_in", "OWN"), ("laws", "OWN", {"pieces": [
+            {"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]})],
+            "The laws never move backwards", "a law moves backwards: see its sheet, or Laws"),
+    },
+    "actuator-sizing": {
+        "an efficiency above 1": ([("actuator", "output", "efficiency", 1.2)], "Actuator: entries within their limits",
+                                  "Efficiency of screw, roller, pinion, pulley: 1.2; expected a number greater than 0 "
+                                  "and of at least 0.01 and at most 1"),
+        "too hot": ([("actuator", "motor", "temperature", 200.0)], "The motor is cooler than its limit",
+                    "200 °C; expected less than the limit, 175 °C"),
+        "no inertia": ([("actuator", "motor", "inertia_ratio", None)], "The motor's inertia is known",
+                       "neither the motor's inertia nor a ratio is entered"),
+        "no size": ([("actuator", "output", "turns", None)], "The last element has its size",
+                    "a lead screw has no turns per mm"),
+        "a negative duration": ([("actuator", "phases", 0, "duration", -1.0)], None,
+                                "duration, row 1: -1; expected a number greater than 0"),
+        "a part behind no gear": ([("actuator", "parts", [{"name": "x", "count": 1.0, "inertia": 1.0, "shaft": 2.0}])],
+                                  "Every part turns behind a gear that is there", "row 1: behind 2 gears, of 0"),
+        "a bore too wide": ([("actuator", "parts", [
+            {"name": "x", "count": 1.0, "diameter": 3.0, "length": 1.0, "density": 1.0, "bore": 3.0}])], None,
+            "bore, not less than the diameter, row 1: 3"),
+    },
+}  # fmt: skip
+TRIED = [(name, case) for name, cases in CASES.items() for case in cases]
+SMALL = {"cycle": 12, "law": 10, "own_law": 20}
+
+
+def small(name):
+    """The committed description, with tables as small as they may be."""
+    data = tomllib.loads(TEMPLATES[name].description.read_text(encoding="utf-8"))
+    data["sizes"] = data.get("sizes", {}) | SMALL
+    if name not in ("motion-composer", "indexing-overlap"):
+        few = read_machine(TEMPLATES[name].description).selection.model_dump(exclude_none=True)
+        data["selection"] = {entry: few[entry][:2] for entry in ("motors", "reducers")}
+        data["sizes"] |= {"motors": 2, "reducers": 2}
+    return data
+
+
+def changed(data, changes):
+    """A description with these entries; None takes one away."""
+    data = copy.deepcopy(data)
+    for *above, last, value in changes:
+        entry = data
+        for part in above:
+            if isinstance(part, str) and part not in entry:
+                entry[part] = {}
+            entry = entry[part]
+        if value is None:
+            del entry[last]
+        else:
+            entry[last] = value
+    return data
+
+
+def written(data, path):
+    path.write_text(tomli_w.dumps(data), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(("name", "case"), TRIED)
+def test_out_in_and_through(name, case, tmp_path):
+    changes, check, sentence = CASES[name][case]
+    machine = described(written(changed(small(name), changes), tmp_path / "machine.toml"))
+    lines = build(machine, tmp_path / "book.xlsx")
+    assert any(line.endswith(f": {sentence}") and line.startswith(check or "") for line in lines), lines
+    outcome = verify_one(Target(tmp_path / "book.xlsx", named=True), ["pycel"])
+    assert (outcome.reason, outcome.report and outcome.report.findings) == ("", [])
+    assert exit_code([outcome]) == FAILS
+    report = outcome.report
+    told = [c for c in report.failing if c.what == check] if check else report.failing
+    assert [c for c in told if c.found == "FAIL" and c.says.endswith(sentence)]
+    assert report.compared + report.unfinished == report.declared
+    back, notes = inputs(tmp_path / "book.xlsx")
+    assert (back, notes) == (machine, [])
+    build(back, tmp_path / "again.xlsx")
+    assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
+    (tmp_path / "again.toml").write_text(write_machine(back), encoding="utf-8")
+    assert described(tmp_path / "again.toml") == machine
+
+
+EDITED = {
+    "cutting-machine": [("axis2", "start", 1, 95.0), ("timing_rate", None, 0, -200.0)],
+    "motion-composer": [("phases", "duration", 1, None), ("TVP_av", None, 0, 1.5)],
+    "flying-cutter": [("fly_length", None, 0, 1.0), ("fly_inertia", None, 0, -1.0)],
+    "indexing-overlap": [("tool1_dwell", None, 0, 300.0), ("overlap_rate", None, 0, None)],
+    "actuator-sizing": [("act_eta_out", None, 0, 1.3), ("phases", "duration", 0, 0.0)],
+}
+
+
+@pytest.mark.parametrize(("name", "edit"), [(name, edit) for name, edits in EDITED.items() for edit in edits])
+def test_what_is_pasted_into_a_book(name, edit, tmp_path):
+    """No validation holds it back: the sheet, verify, inputs and regenerate take it alike."""
+    machine = described(written(small(name), tmp_path / "machine.toml"))
+    build(machine, tmp_path / "book.xlsx")
+    block, column, row, value = edit
+    place = TEMPLATES[name].declare(machine).blocks[block]
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    book[place.sheet.title].cell(place.row + row, place.columns[column or block]).value = value
+    book.save(tmp_path / "edited.xlsx")
+    report = verify(tmp_path / "edited.xlsx")
+    assert (report.findings, report.holds) == ([], False)
+    assert report.unfinished
+    assert any(c.found == "FAIL" and c.says for c in report.failing)
+    found, _ = inputs(tmp_path / "edited.xlsx")
+    assert len(found.design.replaced) >= 1
+    build(found, tmp_path / "new.xlsx")
+    assert (verify(tmp_path / "new.xlsx").findings, inputs(tmp_path / "new.xlsx")[0]) == ([], found)
+
+
+def test_empty_cells_have_no_value(tmp_path):
+    """A cell that is unfinished keeps its formula and is saved without a value; no cell has an error value."""
+    machine = described(written(changed(small("cutting-machine"), [("drive", "rate", 0.0)]), tmp_path / "machine.toml"))
+    build(machine, tmp_path / "book.xlsx")
+    declared = TEMPLATES["cutting-machine"].declare(machine)
+    formulas = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    values = openpyxl.load_workbook(tmp_path / "book.xlsx", data_only=True)
+    unfinished = [c for c in declared.cells() if c.quantity.formula is not None and c.expected is None]
+    assert len(unfinished) > 50
+    for cell in unfinished:
+        title = cell.block.sheet.title
+        assert values[title].cell(cell.row, cell.column).value is None
+        assert formulas[title].cell(cell.row, cell.column).value == cell.content
+
+
+def test_a_gap_of_one_axis_leaves_the_others_and_the_laws(tmp_path):
+    machine = described(written(changed(small("cutting-machine"), [(*AXIS, 1, "start", 95.0)]), tmp_path / "m.toml"))
+    book = TEMPLATES["cutting-machine"].declare(machine)
+    unfinished = {(c.block.name, c.quantity.name) for c in book.cells() if c.expected is None and c.quantity.formula}
+    blocks = {block for block, _ in unfinished}
+    assert not blocks & {"axis1", "axis3", "drive", "pieces", "laws", "ranking", "MTP_samples", "own_samples"}
+    assert ("cycle", "y1") not in unfinished
+    assert ("cycle", "y2") in unfinished
+
+
+@pytest.mark.parametrize(
+    ("changes", "line"),
+    [
+        ([("timing", "rate", "fast")], "timing.rate"),
+        ([("timing", "rate", float("nan"))], "timing.rate"),
+        ([("timing", "rate", float("inf"))], "timing.rate"),
+        ([("timing", "speed", 3.0)], "timing.speed"),
+        ([(*AXIS, 1, "law", "MPT")], "law"),
+        ([(*AXIS, 1, "start", 95.0), (*AXIS, 1, "law", "MPT")], "law"),
+        ([("laws", "MTP", {"durations": [0.5, 0.5]})], "durations"),
+        ([("timing", "axes", [])], "axes"),
+        ([("sizes", "cycle", 1)], "sizes.cycle"),
+        ([("timing", "axes", 0, "name", "MC02")], "name"),
+    ],
+)
+def test_structure_and_type_refuse_in_one_line(changes, line, tmp_path):
+    with pytest.raises(InputError) as refused:
+        described(written(changed(small("cutting-machine"), changes), tmp_path / "machine.toml"))
+    (told,) = refused.value.lines
+    assert line in told
+
+
+def test_a_finished_design_has_nothing_replaced():
+    machine = read_machine(TEMPLATES["cutting-machine"].description)
+    again = designed(type(machine), lambda made: None, machine.model_dump(), lambda: machine)
+    assert again == machine
+    assert not again.design.replaced
+
+
+def test_verify_reads_the_sentence_of_the_sheet(tmp_path):
+    """A decimal comma, and fewer digits, are the same sentence; another row is another one."""
+    machine = described(written(changed(small("cutting-machine"), [(*AXIS, 1, "start", 95.5)]), tmp_path / "m.toml"))
+    build(machine, tmp_path / "book.xlsx")
+    file = open_book(tmp_path / "book.xlsx")
+    said = TEMPLATES["cutting-machine"].declare(machine).blocks["axis2_follows_says"].quantities[0].value
+    assert file.places["axis2_follows_says"]
+    assert said == "MC02 row 2 begins at 95.5°, 5.5° after row 1 ends"
+    assert said.says("MC02 row 2 begins at 95,5°, 5,5° after row 1 ends")
+    assert not said.says("MC02 row 3 begins at 95.5°, 5.5° after row 1 ends")
+    assert not said.says("MC02 row 2 begins at 95.6°, 5.5° after row 1 ends")
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_every_check_says_where_and_by_how_much(name):
+    template = TEMPLATES[name]
+    book = template.declare(read_machine(template.description))
+    assert [q.name for _, q in book.checks if not q.says] == []
+    blocks = {block.name for block in book.blocks.values() for q in block.quantities
+              if q.role == "input" and book.limit(q.key) is not None}  # fmt: skip
+    watched = {q.name for guard in book.guards for q, _ in guard.entries} | {guard.table for guard in book.guards}
+    assert blocks <= watched

@@ -1,0 +1,161 @@
+"""How smooth a motion must be: what jumps at the begin of each of its pieces, and the check of what is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from math import perm
+from typing import Any
+
+from engine.motion import Motion
+from engine.motion.smoothness import ORDERS, Joint, joints, scales_of, shortfalls
+from workbook.book.declare import Quantity, calc, check
+from workbook.book.rows import filled
+from workbook.book.sentence import Said, figure, figure_of
+from workbook.entries.units import DEGREE, shown
+from workbook.motion.asked import ABOUT, Smoothness
+from workbook.motion.cells import PieceRows
+from workbook.motion.sampled import TURNED
+
+RATES = ("v", "a", "j")
+WORDS = ",".join(f'"{word}"' for word in ORDERS)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """How smooth a motion must be.
+
+    ``entry`` is the formula of what is entered, ``order`` the name of the cell that counts the derivatives, ``largest``
+    are the formulas of the largest |y'| and |y''|. In sentences stand the motion's name ``of``, the unit of the
+    abscissa behind a ``place`` and those of the derivatives: each a formula, and the text that it gives. ``wraps`` is
+    the condition under which the motion repeats, which it does if it is ``periodic``.
+    """
+
+    smooth: Smoothness
+    entry: str
+    order: str
+    largest: tuple[str, str]
+    place: tuple[str, str]
+    units: tuple[tuple[str, str], ...]
+    of: tuple[str, str] = ("", "")
+    wraps: str = ""
+    periodic: bool = True
+
+
+def ended(n: int, joint: Joint) -> float:
+    """Return the n-th derivative at the end of what lasts up to a joint."""
+    return joint.end[n - 1]
+
+
+def jumped(n: int, joint: Joint) -> float:
+    """Return the jump of the n-th derivative at a joint."""
+    return joint.jump[n - 1]
+
+
+class Joints:
+    """The joints of a motion's pieces: the engine's, and the columns that find them."""
+
+    def __init__(self, rows: PieceRows, motion: Motion, asked: Asked) -> None:
+        self.rows, self.motion, self.asked = rows, motion, asked
+        self.found = joints(rows.pieces, scales_of(motion), asked.smooth, asked.periodic)
+
+    def order(self) -> Quantity:
+        """Return the row that says how many derivatives must be continuous."""
+        entry = self.asked.entry
+        formula = f'=IF({entry}="velocity",1,IF({entry}="acceleration",2,3))'
+        return calc(self.asked.order, "Derivatives that must not jump", "", "",
+                    formula, ORDERS.index(self.asked.smooth) + 1, format="0")  # fmt: skip
+
+    def columns(self, room: int) -> list[Quantity]:
+        """Return the columns beside the pieces of the motion."""
+        table, scales = self.rows.at.pieces, scales_of(self.motion)
+
+        def of(figure: Callable[[Joint], Any], spare: Any) -> list[Any]:
+            return filled((figure(joint) for joint in self.found), room, spare)
+
+        last, wraps = self.found[-1], self.asked.wraps
+        first = f"[{table}.{{0}}1.last]" if not wraps else f"IF({wraps},[{table}.{{0}}1.last],{{1}})"
+        ends = [
+            calc(f"{name}1", f"{word} reached", "", "",
+                 f"=IF([d]>0,{self._value(n, '[d]')},IF([r]=1,0,[{name}1-1]))",
+                 of(partial(ended, n), last.end[n - 1]), scale=scales[n - 1],
+                 source="at its end")
+            for n, (name, word) in enumerate(zip(RATES, ORDERS, strict=True), 1)
+        ]  # fmt: skip
+        jumps = [
+            calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "",
+                 f"=IF([d]>0,{begin}-IF([n]=1,{first.format(name, begin)},[{name}1-1]),0)",
+                 of(partial(jumped, n), 0.0), scale=scales[n - 1], source="at its begin")
+            for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, ("'", "''", "'" "''"), strict=True), 1)
+            for begin in [self._value(n, "")]
+        ]  # fmt: skip
+        return [
+            calc("n", "pieces that last, so far", "", "",
+                 "=IF([r]=1,0,[n-1])+IF([d]>0,1,0)", of(lambda joint: joint.lasting, last.lasting), format="0"),
+            calc("of", "phase of the last of them", "", "",
+                 "=IF([d]>0,[p],IF([r]=1,0,[of-1]))", of(lambda joint: joint.phase + 1, last.phase + 1), format="0"),
+            calc("from", "phase before", "", "",
+                 f"=IF([d]>0,IF([n]=1,[{table}.of.last],[of-1]),0)", of(lambda joint: joint.before + 1, 0), format="0"),
+            *ends,
+            *jumps,
+            calc("order", "what jumps", "", "", self._order(), of(lambda joint: joint.order, 0), format="0",
+                 source="1 y', 2 y'', 3 y" "'''"),
+            calc("fault", "is less smooth than asked", "", "",
+                 "=IF([order]>0,1,0)", of(lambda joint: int(joint.order > 0), 0), format="0"),
+            calc("size", "by how much", "", "",
+                 "=CHOOSE([order]+1,0,[dv],[da],[dj])", of(lambda joint: joint.size, 0.0), scale=max(scales)),
+        ]  # fmt: skip
+
+    def _value(self, order: int, u: str) -> str:
+        """Return the formula of a derivative at the begin of a piece, or at its end, ``[d]``."""
+        text, highest = "", self.rows.powers - 1 if u else order
+        for i in range(highest, order - 1, -1):
+            share = perm(i, order)
+            scaled = f"[c{i}]" if share == 1 else f"{share}*[c{i}]"
+            text = f"{scaled}+{u}*({text})" if text else scaled
+        for *_, mark in self.rows.sines:
+            x = f"[om{mark}]*{u}+[ph{mark}]" if u else f"[ph{mark}]"
+            text += TURNED[order].format(A=f"[A{mark}]", om=f"[om{mark}]", x=x)
+        return f"({text})"
+
+    def _order(self) -> str:
+        v, a = self.asked.largest
+        asked, j = self.asked.order, f"{a}*MAX([{self.rows.at.phases}.rate])"
+        jerk = f"IF(AND({asked}>2,ABS([dj])>check_zero*{j}),3,0)"
+        return f"=IF(ABS([dv])>check_zero*{v},1,IF(AND({asked}>1,ABS([da])>check_zero*{a}),2,{jerk}))"
+
+    def check(self, name: str, label: str) -> Quantity:
+        """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
+        ok = not shortfalls(self.motion, self.asked.smooth, self.asked.periodic)
+        holds = f"SUM([{self.rows.at.pieces}.fault])=0"
+        return check(name, label, holds, ok, ABOUT, says=Said(self._says(), self._said()))
+
+    def _says(self) -> str:
+        table, asked = self.rows.at.pieces, self.asked
+        row = f"MATCH(1,[{table}.fault],0)"
+
+        def at(column: str) -> str:
+            return f"INDEX([{table}.{column}],{row})"
+
+        within = f"AND({at('from')}={at('p')},{at('n')}>1)"
+        rows = f'"row "&{at("from")}&IF({within},""," to "&{at("p")})'
+        size = figure_of(f"ABS({at('size')})")
+        what = f"CHOOSE({at('order')},{WORDS})"
+        begin = f'" at "&ROUND({at("begin")},9)&{asked.place[0]}'
+        unit = f'" "&CHOOSE({at("order")},{",".join(formula for formula, _ in asked.units)})'
+        head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
+        return f'{head}{rows}&{begin}&": "&{what}&" jumps by "&{size}&{unit}'
+
+    def _said(self) -> str:
+        first = next(((piece, j) for piece, j in zip(self.rows.pieces, self.found, strict=True) if j.order), None)
+        if first is None:
+            return ""
+        (piece, joint), asked = first, self.asked
+        within = joint.before == piece.phase and joint.lasting > 1
+        rows = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'}"
+        x = figure(shown(piece.begin, DEGREE) if self.rows.at.degrees else piece.begin)
+        unit = asked.units[joint.order - 1][1]
+        head = f"{asked.of[1]} " if asked.of[1] else ""
+        what = ORDERS[joint.order - 1]
+        return f"{head}{rows} at {x}{asked.place[1]}: {what} jumps by {figure(abs(joint.size))} {unit}"
