@@ -144,17 +144,9 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
 def step(at: Spread, what: str, tops: list[Top], n: int) -> list[Quantity]:
     """Return the columns of a step of Newton's method."""
     slope, curve, rate, curvature = (text.format(n=n) for text in SLOPES[what])
-    found = [at.at(top.piece - 1, top.steps[n]) for top in tops]
+    found = at.at_step(tops, n)
     parts = [
-        calc(
-            f"{d}{n}",
-            f"{d} there",
-            d,
-            "",
-            FORMS[d].format(u=f"u{n}"),
-            [float(getattr(one, d)) for one in found],
-            scale=at.size(d),
-        )
+        calc(f"{d}{n}", f"{d} there", d, "", FORMS[d].format(u=f"u{n}"), getattr(found, d).tolist(), scale=at.size(d))
         for d in slope + curve
     ]
     formula = f"=MAX([low],MIN([high],[u{n}]-IF(ABS({curvature})>{FLAT!r},{rate}/{curvature},0)))"
@@ -168,9 +160,9 @@ def valued(at: Spread, what: str, tops: list[Top]) -> list[Quantity]:
     u = f"u{STEPS}"
     if what != "va":
         return [result("value", WORDS[what], what, "", FORMS[what].format(u=u), [top.value for top in tops])]
-    found = [at.at(top.piece - 1, top.steps[-1]) for top in tops]
+    found = at.at_step(tops, STEPS)
     return [
-        *(calc(f"{d}{STEPS}", f"{d} there", d, "", FORMS[d].format(u=u), [float(getattr(one, d)) for one in found],
+        *(calc(f"{d}{STEPS}", f"{d} there", d, "", FORMS[d].format(u=u), getattr(found, d).tolist(),
                scale=at.size(d))
           for d in "va"),
         result("value", "v · a", "", "", f"=[v{STEPS}]*[a{STEPS}]", [top.value for top in tops]),
