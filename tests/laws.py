@@ -11,7 +11,7 @@ PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
 def blended(code: str, dice: Any) -> dict[str, Any]:
     """Return parameters between two variations of a law's page, or one of the two; none of a law without."""
     found = FAMILY[code].page.variations
-    if not found:
+    if not found or code == "OWN":
         return {}
     one, other = dice.sample(found, 2)
     share = dice.choice((0.0, dice.random()))

@@ -31,7 +31,7 @@ def with_entries(book: Book, machine: Machine) -> Book:
     """Return the book of a machine, with what was entered of its unfinished design."""
     if not machine.design.replaced:
         return book
-    laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws, machine.sizes.own_law)}
+    laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws)}
     return Unfinished(book, machine.design, laws).book
 
 

@@ -51,5 +51,6 @@ ENTRY = Entry(
         },
     ),
     example=ConstantAcceleration,
-    beyond=(ConstantAcceleration(0.3), ConstantAcceleration(0.6, Ends(1.0, 0.4, -0.2))),
+    others=(ConstantAcceleration(0.3),),
+    beyond=(ConstantAcceleration(0.6, Ends(1.0, 0.4, -0.2)),),
 )

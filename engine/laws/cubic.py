@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedCubic
 from engine.laws.entry import Claims, Entry
-from engine.laws.piece import Piece
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import LINE_DOWN
 
@@ -23,7 +22,6 @@ class Cubic(HalvedPolynomial):
     code = "CUB"
     name = "Cubic"
     HALF = LINE_DOWN
-    WHOLE = Piece(1.0, (6.0, -12.0, 0.0, 0.0))
     ENDED = EndedCubic
 
 
@@ -45,5 +43,5 @@ ENTRY = Entry(
         },
     ),
     example=Cubic,
-    beyond=(Cubic(0.3),),
+    others=(Cubic(0.3),),
 )

@@ -7,12 +7,9 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
-from engine.laws.piece import Piece
 from engine.laws.pulse import CYCLOIDAL
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
-
-FULL_SINE = Piece(1.0, amplitude=math.tau, omega=math.tau)
 
 
 @dataclass(frozen=True)
@@ -36,10 +33,6 @@ class Cycloidal(PulseLaw):
     def _course(self) -> Course:
         return Course(CYCLOIDAL, self.share, 0.0, CYCLOIDAL, 1.0 - self.share)
 
-    @property
-    def _whole(self) -> Piece | None:
-        return FULL_SINE if self.share == 0.5 and self.ends == REST else None
-
 
 ENTRY = Entry(
     law=Cycloidal,
@@ -59,5 +52,6 @@ ENTRY = Entry(
         },
     ),
     example=Cycloidal,
-    beyond=(Cycloidal(0.3), Cycloidal(0.6, Ends(1.0, 0.8, -0.3))),
+    others=(Cycloidal(0.3),),
+    beyond=(Cycloidal(0.6, Ends(1.0, 0.8, -0.3)),),
 )

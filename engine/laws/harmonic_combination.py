@@ -29,6 +29,7 @@ class HarmonicCombination(PulseLaw):
 
     code = "HAC"
     name = "Harmonic combination"
+    STAGES = (0, 2, 4, 6)
 
     share: float = 0.5
     reversal: Literal["start", "end"] = "end"
@@ -38,10 +39,6 @@ class HarmonicCombination(PulseLaw):
         require_share("share", self.share)
         if self.reversal not in ("start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'start' or 'end'")
-
-    @property
-    def _stages(self) -> tuple[int, ...]:
-        return (0, 2, 4) if self._at_end else (2, 4, 6)
 
     @property
     def _at_end(self) -> bool:

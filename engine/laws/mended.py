@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from engine.laws.piece import Piece, gains_at
 
@@ -26,6 +27,54 @@ def misses(pieces: Sequence[Piece]) -> Misses:
     return Misses(math.fsum(s for s, _ in found) - 1.0, math.fsum(v for _, v in found))
 
 
+class Groups(NamedTuple):
+    """What the pieces that gain velocity add to s(1) and v(1), and what those that lose it; each one's gains."""
+
+    gained: list[tuple[float, float]]
+    sizes: list[float]
+    slows: list[bool]
+    s1: float
+    v1: float
+    s2: float
+    v2: float
+
+    @property
+    def least(self) -> float:
+        """A velocity below which none is gained."""
+        return NONE * max(self.sizes, default=0.0)
+
+    @property
+    def under(self) -> float:
+        """S⁺ V⁻ − S⁻ V⁺."""
+        return self.s1 * self.v2 - self.s2 * self.v1
+
+    @property
+    def factors(self) -> tuple[float, float]:
+        """α and β; 0 where none do."""
+        if any(self.slows) or self.v1 > self.least:
+            return (self.v2 / self.under, -self.v1 / self.under) if self.under else (0.0, 0.0)
+        one = 1.0 / self.s1 if self.s1 > 0.0 else 0.0
+        return one, one
+
+    @property
+    def mends(self) -> bool:
+        """Whether both factors are positive."""
+        return min(self.factors) > 0.0
+
+
+def groups(pieces: Sequence[Piece]) -> Groups:
+    """Return the pieces in two groups, those that lose velocity apart."""
+    found, sizes = _gained(pieces), [_size(piece) for piece in pieces]
+    least = NONE * max(sizes, default=0.0)
+    slows = [v < -least for _, v in found]
+    sums = [
+        math.fsum(one[i] for one, slow in zip(found, slows, strict=True) if slow == side)
+        for side in (False, True)
+        for i in (0, 1)
+    ]
+    return Groups(found, sizes, slows, *sums)
+
+
 def mended(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     """Return the pieces with c0 … c5 and P scaled so that the law ends at s = 1 and at rest.
 
@@ -33,22 +82,16 @@ def mended(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     adds to s(1) and v(1), α S⁺ + β S⁻ = 1 and α V⁺ + β V⁻ = 0. Where v(1) = 0 already, both are 1/s(1).
     Raises ValueError where no positive factors do: a law that only speeds up, or moves away from its rise.
     """
-    found = _gained(pieces)
-    least = NONE * max((_size(piece) for piece in pieces), default=0.0)
-    slows = [v < -least for _, v in found]
-    s1, v1, s2, v2 = (
-        math.fsum(one[i] for one, slow in zip(found, slows, strict=True) if slow == side)
-        for side in (False, True)
-        for i in (0, 1)
-    )
-    under = s1 * v2 - s2 * v1
-    if any(slows) or v1 > least:
-        up, down = (v2 / under, -v1 / under) if under else (0.0, 0.0)
-    else:
-        up = down = 1.0 / s1 if s1 > 0.0 else 0.0
-    if not min(up, down) > 0.0:
+    found = groups(pieces)
+    if not found.mends:
         raise ValueError("no factors bring the own law to rest at its rise; expected it to speed up, then slow down")
-    return tuple(_times(piece, down if slow else up) for piece, slow in zip(pieces, slows, strict=True))
+    up, down = found.factors
+    return tuple(_times(piece, down if slow else up) for piece, slow in zip(pieces, found.slows, strict=True))
+
+
+def scaled_by(factors: Sequence[float], values: Sequence[float]) -> list[float]:
+    """Return each value times its factor."""
+    return [factor * value for factor, value in zip(factors, values, strict=True)]
 
 
 def _gained(pieces: Sequence[Piece]) -> list[tuple[float, float]]:

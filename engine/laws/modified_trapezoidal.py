@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
-from engine.laws.pulse import K, Quarter, SineEdged
+from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.seven_stages import course_of
 from engine.laws.shares import seven_durations
@@ -36,15 +36,6 @@ class ModifiedTrapezoidal(PulseLaw):
 
     def _course(self) -> Course:
         return course_of(self.durations, SineEdged)
-
-    @property
-    def quarters(self) -> tuple[Quarter, Quarter]:
-        """The quarter sines on either side of the uniform velocity, with their velocities in this law."""
-        _, _, d3, _, d5, _, _ = self.durations
-        rise, fall = self.lobes
-        sides = (rise.velocity - K * d3, d3, self.acceleration), (fall.velocity - K * d5, d5, self.deceleration)
-        up, down = (Quarter(velocity, K * d).scaled(height) for velocity, d, height in sides)
-        return up, down
 
 
 ENTRY = Entry(

@@ -45,6 +45,11 @@ def ends(pieces: Sequence[Piece]) -> list[Ends]:
     return found
 
 
+def spread_turn(piece: Piece) -> float:
+    """Return ω d, by which the first sine of a piece turns (rad)."""
+    return piece.omega * piece.duration
+
+
 def _acceleration(piece: Piece, u: float) -> float:
     return float(Polynomial(piece.c)(u)) + piece.amplitude * math.sin(piece.omega * u + piece.phase)
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedQuintic
 from engine.laws.entry import Claims, Entry
-from engine.laws.piece import Piece
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import HALF_345
 
@@ -23,7 +22,6 @@ class Polynomial345(HalvedPolynomial):
     name = "Polynomial 3-4-5"
     TAKES = "va"
     HALF = HALF_345
-    WHOLE = Piece(1.0, (0.0, 60.0, -180.0, 120.0))
     ENDED = EndedQuintic
 
 
@@ -45,5 +43,5 @@ ENTRY = Entry(
         },
     ),
     example=Polynomial345,
-    beyond=(Polynomial345(0.3),),
+    others=(Polynomial345(0.3),),
 )

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedSeptic
 from engine.laws.entry import Claims, Entry
-from engine.laws.piece import Piece
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import HALF_4567
 
@@ -23,7 +22,6 @@ class Polynomial4567(HalvedPolynomial):
     name = "Polynomial 4-5-6-7"
     TAKES = "vaj"
     HALF = HALF_4567
-    WHOLE = Piece(1.0, (0.0, 0.0, 420.0, -1680.0, 2100.0, -840.0))
     ENDED = EndedSeptic
 
 
@@ -45,5 +43,5 @@ ENTRY = Entry(
         },
     ),
     example=Polynomial4567,
-    beyond=(Polynomial4567(0.3),),
+    others=(Polynomial4567(0.3),),
 )

@@ -7,7 +7,6 @@ from typing import ClassVar
 
 from engine.laws.ended_polynomial import EndedPolynomial
 from engine.laws.ends import REST, EndError, Ends, require_ends
-from engine.laws.piece import Piece
 from engine.laws.pulse import Pulse
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
@@ -25,7 +24,6 @@ class HalvedPolynomial(PulseLaw):
     STAGES = (0, 2)
     ends = REST
     HALF: ClassVar[Pulse]
-    WHOLE: ClassVar[Piece]
     ENDED: ClassVar[type[EndedPolynomial]]
 
     share: float = 0.5
@@ -40,10 +38,6 @@ class HalvedPolynomial(PulseLaw):
 
     def _course(self) -> Course:
         return Course(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
-
-    @property
-    def _whole(self) -> Piece | None:
-        return self.WHOLE if self.share == 0.5 else None
 
     def between(self, ends: Ends) -> EndedPolynomial:
         """Return the polynomial of this degree between these ends; EndError where a share shifts the law."""

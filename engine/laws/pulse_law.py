@@ -86,38 +86,27 @@ class PulseLaw(EndedLaw):
         return (self.top - self.ends.v1) / (self.course.fall.gain * self.course.fall_time)
 
     @property
-    def _stages(self) -> tuple[int, ...] | None:
-        return self.STAGES
-
-    @property
     def own_acceleration(self) -> tuple[bool, bool]:
         """Whether the first pulse begins, and the second ends, above 0."""
         return self.course.rise.outer != 0.0, self.course.fall.outer != 0.0
 
     @property
-    def _whole(self) -> Piece | None:
-        """The one piece that both pulses together are; None, as in most laws, if they are not."""
-        return None
-
-    @property
     def breaks(self) -> tuple[float, ...]:
-        """The ends of all stages but the last; none where both pulses together are one piece."""
+        """The ends of all stages but the last."""
         c = self.course
         rise, fall = ([piece.duration for piece in pulse.pieces] for pulse in (c.rise, c.fall.turned))
         times = (*(d * c.rise_time for d in rise), c.cruise, *(d * c.fall_time for d in fall))
-        return () if self._whole else tuple(accumulate(self._taken(times)[:-1]))
+        return tuple(accumulate(self._taken(times)[:-1]))
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
-        if self._whole:
-            return (self._whole,)
         c = self.course
         rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
         fall = [stretched(piece, -self.deceleration, c.fall_time) for piece in c.fall.turned.pieces]
         return self._taken((*rise, Piece(c.cruise), *fall))
 
     def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
-        return stages if self._stages is None else tuple(stages[k] for k in self._stages)
+        return stages if self.STAGES is None else tuple(stages[k] for k in self.STAGES)
 
     def shapes(self) -> Shapes | None:
         """Return the shares of each stage's shape; None between prescribed ends and where a pulse is a polynomial."""

@@ -23,7 +23,18 @@ MODULES = (
     "cubic",
     "modified_trapezoidal",
     "pieces",
+    "straight_line",
+    "simple_harmonic",
+    "double_harmonic",
+    "polynomial_345",
+    "polynomial_4567",
     "modified_sine",
+    "trapezoid_by_share",
+    "sine_constant_cosine",
+    "harmonic_combination",
+    "sine_straight_sine",
+    "sine_ramps",
+    "s_curve",
 )
 
 

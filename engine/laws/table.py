@@ -1,7 +1,7 @@
 """A law as a table of pieces: what is carried from piece to piece, and how an abscissa finds its piece.
 
 The position on a piece is S0 + u (S1 + polynomial) − P/ω² sin(ωu + φ), its velocity S1 + polynomial −
-P/ω cos(ωu + φ): one formula each for every piece of every law.
+P/ω cos(ωu + φ), of two sines less both: one formula each for every piece of every law.
 """
 
 from __future__ import annotations
@@ -31,24 +31,32 @@ class Carried:
     dv: float
 
     @property
-    def position_sine(self) -> float:
-        """P/ω², the amplitude of the position's sine; 0 without a frequency."""
-        return self.piece.amplitude / self.piece.omega**2 if self.piece.omega > 0.0 else 0.0
+    def position_sines(self) -> tuple[float, float]:
+        """P/ω² of either sine, the amplitudes of the position's; 0 without a frequency."""
+        p = self.piece
+        return _over(p.amplitude, p.omega**2), _over(p.amplitude2, p.omega2**2)
 
     @property
-    def velocity_cosine(self) -> float:
-        """P/ω, the amplitude of the velocity's cosine; 0 without a frequency."""
-        return self.piece.amplitude / self.piece.omega if self.piece.omega > 0.0 else 0.0
+    def velocity_cosines(self) -> tuple[float, float]:
+        """P/ω of either sine, the amplitudes of the velocity's cosines; 0 without a frequency."""
+        p = self.piece
+        return _over(p.amplitude, p.omega), _over(p.amplitude2, p.omega2)
 
     @property
     def position_constant(self) -> float:
-        """S0 = s_k + P/ω² sin φ."""
-        return self.s + self.position_sine * math.sin(self.piece.phase)
+        """S0 = s_k + P/ω² sin φ, with that of both sines."""
+        one, other = self.position_sines
+        return self.s + one * math.sin(self.piece.phase) + other * math.sin(self.piece.phase2)
 
     @property
     def position_slope(self) -> float:
-        """S1 = v_k + P/ω cos φ."""
-        return self.v + self.velocity_cosine * math.cos(self.piece.phase)
+        """S1 = v_k + P/ω cos φ, with that of both sines."""
+        one, other = self.velocity_cosines
+        return self.v + one * math.cos(self.piece.phase) + other * math.cos(self.piece.phase2)
+
+
+def _over(amplitude: float, divisor: float) -> float:
+    return amplitude / divisor if divisor > 0.0 else 0.0
 
 
 def begins(pieces: Sequence[Piece]) -> list[float]:
@@ -66,11 +74,12 @@ def carried(law: Law, pieces: Sequence[Piece]) -> list[Carried]:
 
 
 class Place(NamedTuple):
-    """Where abscissae lie among the pieces of a law: piece (from 0), u from its begin, and the angle ωu + φ (rad)."""
+    """Where abscissae lie among the pieces of a law: piece (from 0), u from its begin, ωu + φ of both sines (rad)."""
 
     piece: NDArray[np.intp]
     u: Array
     angle: Array
+    angle2: Array
 
 
 def located(pieces: Sequence[Piece], xi: Array) -> Place:
@@ -78,8 +87,9 @@ def located(pieces: Sequence[Piece], xi: Array) -> Place:
     starts = np.array(begins(pieces))
     k = stage_of(xi, starts)
     u = xi - starts[k]
-    omega, phi = np.array([(piece.omega, piece.phase) for piece in pieces]).T
-    return Place(k, u, omega[k] * u + phi[k])
+    rates = np.array([(piece.omega, piece.phase, piece.omega2, piece.phase2) for piece in pieces]).T
+    omega, phi, omega2, phi2 = rates[:, k]
+    return Place(k, u, omega * u + phi, omega2 * u + phi2)
 
 
 def key(number: int, xi: float) -> float:

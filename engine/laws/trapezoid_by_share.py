@@ -26,6 +26,7 @@ class TrapezoidByShare(PulseLaw):
 
     code = "MTS"
     name = "Modified trapezoid by share"
+    STAGES = (0, 1, 2, 4, 5, 6)
 
     share: float = 0.5
     reversal: Literal["none", "start", "end"] = "none"
@@ -37,10 +38,6 @@ class TrapezoidByShare(PulseLaw):
         require_part("edge", self.edge)
         if self.reversal not in ("none", "start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'none', 'start' or 'end'")
-
-    @property
-    def _stages(self) -> tuple[int, ...]:
-        return {"none": (0, 1, 2, 4, 5, 6), "start": (1, 2, 4, 5, 6), "end": (0, 1, 2, 4, 5)}[self.reversal]
 
     def _course(self) -> Course:
         cut = SineEdged(0.0, 1.0 - self.edge, self.edge)

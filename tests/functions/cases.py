@@ -9,7 +9,7 @@ from engine.drivetrain import Part, reflected_inertia
 from engine.laws.inverse import inverse
 from engine.motion import Motion, Phase
 from tests.functions.case import NUM, Case
-from workbook.functions.declared import CODES, OWN_WIDTH
+from workbook.functions.declared import CODES, OWN_WIDTH, TAKES
 from workbook.laws.registry import FAMILY
 
 SEED = 20261121
@@ -39,14 +39,14 @@ MORE = {
 
 def engine_law(code, p):
     """The engine's law of a code with its parameters, given as the functions take them."""
-    numbers = [v or 0.0 for row in p for v in row] if isinstance(p, tuple) else []
+    numbers = [v or 0.0 for row in p for v in row] if isinstance(p, tuple) and code in TAKES else []
     return FAMILY[code].page.law_of(numbers)
 
 
 def known(code):
     """Parameters of a law as the functions take them: as delivered, and others; 0 for a law that takes none."""
     page = FAMILY[code].page
-    if page.entries is None:
+    if code not in TAKES:
         return [0]
     entered = [page.entries(), *(page.entries.model_validate(one) for one in page.variations)]
     rows = [rowed(code, page.numbers(one)) for one in entered]

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from typing import Annotated, Any, NamedTuple, Self
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model
 from workbook.laws.entries import Laws, key_of, resolve
+from workbook.laws.tops import LEAST_POINTS
 
 
 class Sizes(Model):
-    """How large the tables are built: intervals of a cycle and of a law, rows to fill."""
+    """How large the tables are built: intervals of a cycle and of a law, points of an own law; rows to fill."""
 
     cycle: Annotated[int, Field(ge=4, le=7200)] = 360
     law: Annotated[int, Field(ge=4, le=1000)] = 100
-    own_law: Annotated[int, Field(ge=4, le=1000)] = 200
+    own_law: Annotated[int, Field(ge=4, le=1000), AfterValidator(lambda n: max(n, LEAST_POINTS))] = 120
     phases: Annotated[int, Field(ge=2, le=60)] = 8
     rotors: Annotated[int, Field(ge=2, le=60)] = 6
     pieces: Annotated[int, Field(ge=2, le=60)] = 8

@@ -29,7 +29,7 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from engine.laws.entry import IncompleteError
-from workbook.laws.family import ENTRIES
+from workbook.laws.pages.pieces import OWN_ENTRIES
 from workbook.laws.registry import BASIC, CODES
 
 NAMESPACE = "MOTION"
@@ -71,9 +71,7 @@ class Function:
         return f"{NAMESPACE}.{self.key}"
 
 
-PARAMETERS = {family.code: len(family.page.parameters) for family in BASIC if family.code != "OWN"}
-"""Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
-OWN_WIDTH = len(ENTRIES)
+OWN_WIDTH = len(OWN_ENTRIES)
 TAKES = {
     "TVP": Text(
         "end of acceleration, start of deceleration",
@@ -87,9 +85,13 @@ TAKES = {
         "eine Zeile je Abschnitt (Dauer, c0, c1, c2, c3, P, ω, φ)",
     ),
 }
-"""What a law takes, of those that take anything."""
-if wrong := sorted(TAKES.keys() ^ {"OWN", *(code for code, count in PARAMETERS.items() if count)}):
-    raise IncompleteError(f"TAKES lacks words for the parameters of {', '.join(wrong)}, or has some for a law of none")
+"""What a law takes, of those that take anything: a share λ that others have on their pages is ½ here."""
+PARAMETERS = {
+    family.code: len(family.page.parameters) if family.code in TAKES else 0 for family in BASIC if family.code != "OWN"
+}
+"""Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
+if wrong := [code for code in TAKES if not PARAMETERS.get(code, OWN_WIDTH)]:
+    raise IncompleteError(f"TAKES has words for the parameters of {', '.join(wrong)}, which takes none")
 
 
 def spelled(last: str) -> str:

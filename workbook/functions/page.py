@@ -18,7 +18,7 @@ LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
     family.code: f"[{family.code}.{names[0]}]:[{family.code}.{names[-1]}]"
     for family in BASIC
-    if (names := [parameter.column for parameter in family.page.parameters])
+    if family.code in TAKES and (names := [parameter.column for parameter in family.page.parameters])
 }
 """where the parameters of each law stand that takes any, a table a law"""
 RANGES["OWN"] = "[OWN.duration.first]:[OWN.phase.last]"
@@ -80,7 +80,7 @@ def parameters(sheet: Sheet, shown: Shown) -> None:
     """Declare the parameters of the laws that take any."""
     laws, pieces = shown.laws, shown.laws["OWN"].pieces
     sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
-    for family in (family for family in BASIC if family.page.parameters):
+    for family in (family for family in BASIC if family.code in TAKES and family.page.parameters):
         code, entered = family.code, laws[family.code]
         sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
             given(one.column, one.short, "", "",

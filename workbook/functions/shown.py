@@ -14,6 +14,7 @@ from engine.laws import Law
 from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase
 from workbook.entries.types import Model, NotNegative, Number, Positive, Share
+from workbook.functions.declared import TAKES
 from workbook.laws.entries import Laws, as_listed
 from workbook.laws.registry import CODES, FAMILY
 
@@ -76,7 +77,7 @@ class Shown(Model):
     @property
     def parameters(self) -> list[float]:
         """The numbers that the chosen law takes, piece after piece those of the own law."""
-        return FAMILY[self.law].page.numbers(self.laws[self.law])
+        return FAMILY[self.law].page.numbers(self.laws[self.law]) if self.law in TAKES else []
 
     @cached_property
     def xis(self) -> NDArray[np.float64]:

@@ -15,7 +15,7 @@ from engine.laws.edges import inner_edges
 from engine.laws.pulse import K
 from engine.laws.pulse_law import PulseLaw
 from workbook.book.declare import Quantity, calc
-from workbook.laws.family import PieceRow, ShapeFormulas
+from workbook.laws.family import Page, PieceRow, ShapeFormulas
 
 RISE, CRUISE, FALL = (1, 2, 3), 4, (7, 6, 5)
 """stages of the first pulse, of uniform velocity, and of the second pulse told from its end"""
@@ -118,8 +118,8 @@ class Stages:
             "ca_min": ("=0-@ca_max*@m/@n", "−B = −A m/n"),
             "ca_rms": (f"=SQRT({squares})", "√(A² ∫p² + B² ∫q²), p and q the pulses of unit height"),
             "cj": self.jerk(),
-            "va_max": self.power(RISE, "@drive", "@ca_max"),
-            "va_min": self.power(FALL, "@brake", "@ca_min"),
+            "va_max": self.strongest(RISE, "@drive", "@ca_max"),
+            "va_min": self.strongest(FALL, "@brake", "@ca_min"),
         }
 
     def jerk(self) -> tuple[str, str]:
@@ -135,7 +135,7 @@ class Stages:
         shortest = ",".join(f"@d{k}" for side in edges for k, _ in side)
         return f'=IF(MIN({shortest})>0,MAX({",".join(steepest)}),"∞")', "of the steepest edge; ∞ where one has no time"
 
-    def power(self, side: Sequence[int], name: str, height: str) -> tuple[str, str]:
+    def strongest(self, side: Sequence[int], name: str, height: str) -> tuple[str, str]:
         """Return the formula of the greatest v·a of a side, on the stage next to the greatest velocity."""
         k, form = self.forms(side)[-1]
         if form is FLAT:
@@ -218,6 +218,14 @@ SEARCHES = {
 def times(factor: str, of: str) -> str:
     """Return a product, without a factor of 1."""
     return of if factor == "1" else f"{factor}*{of}"
+
+
+def edged(stages: Stages, **stated: Any) -> Page:
+    """Return the page of a family by its stages; ``stated`` is what else a page states."""
+    return Page(
+        pieces=stages.rows(), workings=stages.workings, coefficients=stages.coefficients(), fastest=stages.fastest,
+        shapes=stages.shapes(), **stated,
+    )  # fmt: skip
 
 
 def law_of(kind: Callable[..., Any], *fields: str) -> Callable[[Any], Any]:

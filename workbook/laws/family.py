@@ -11,8 +11,10 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from engine.laws import Entry, Law, Piece
+from engine.laws.base import Kinematics
 from engine.laws.entry import IncompleteError
-from workbook.book.declare import Quantity
+from workbook.book.declare import Quantity, Sheet, check
+from workbook.book.sentence import Said, amount
 from workbook.entries.types import Model, Number, Positive
 
 COEFFICIENTS = (
@@ -24,8 +26,14 @@ COEFFICIENTS = (
     ("va_max", "Largest v·a, when driving", "max(v·a)"),
     ("va_min", "Lowest v·a, when braking", "min(v·a)"),
 )
-ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
-"""the columns of a table of pieces"""
+SINE, SECOND = ("P", "omega", "phi"), ("P2", "omega2", "phi2")
+POWERS = ("c0", "c1", "c2", "c3", "c4", "c5")
+ENTRIES = ("d", *POWERS, *SINE, *SECOND)
+"""the columns of a table of pieces; those of a second sine are there in books with a law that needs them"""
+
+
+REACHES = "ABS([@samples.s.last]-1)<check_zero"
+RESTS = f"AND({REACHES},ABS([@samples.v.last])<check_zero)"
 
 
 class LawSheet(Model):
@@ -67,7 +75,7 @@ class LawCheck(NamedTuple):
 
 @dataclass(frozen=True)
 class PieceRow:
-    """One piece as written in the books: a(u) = c0 + c1 u + P sin(ωu + φ), a formula for each entry."""
+    """One piece as written in the books: a(u) = c0 + … + c5 u⁵ + P sin(ωu + φ), a formula for each entry."""
 
     name: str
     equation: str
@@ -76,9 +84,14 @@ class PieceRow:
     c1: str = "=0"
     c2: str = "=0"
     c3: str = "=0"
+    c4: str = "=0"
+    c5: str = "=0"
     P: str = "=0"
     omega: str = "=0"
     phi: str = "=0"
+    P2: str = "=0"
+    omega2: str = "=0"
+    phi2: str = "=0"
 
 
 class ShapeFormulas(NamedTuple):
@@ -116,28 +129,37 @@ class Page:
     coefficients: Mapping[str, tuple[str, str]]
     """formula of each coefficient, and the equation in words"""
     fastest: str
-    shapes: ShapeFormulas
+    shapes: ShapeFormulas | None
+    """None of a family whose stages are of no such shape"""
     parameters: tuple[Parameter, ...] = ()
     variations: tuple[Mapping[str, Any], ...] = ()
     constants: tuple[Quantity, ...] = ()
     workings: Callable[[Any], list[Quantity]] = lambda law: []
     checks: tuple[LawCheck, ...] = ()
+    rests: bool = True
+    """whether it begins and ends at rest"""
+    single: bool = True
+    """whether it speeds up once, from rest, and comes to rest, whatever its parameters"""
+    start: str = "=0"
+    """the formula of the velocity with which it begins"""
+    lowest: str = "=0"
+    """the formula of its lowest velocity"""
+    wrong: str = "=0"
+    """the formula of the greatest step of v the wrong way: down before it is largest, up after it"""
     has_sheet: bool = True
     """whether its formulas stand in cells of its own, which other sheets refer to"""
     samples: str = "@samples"
     """the table of its samples; a law without stands still"""
-
-    def law(self, entered: Any, intervals: int) -> Law:
-        """Return the engine's law; one without closed coefficients has those of a table of ``intervals``."""
-        return self.made(entered)
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the engine's law of its parameters in a row, as the functions MOTION.* take them."""
         return self.made(self.entered(numbers))
 
     def entered(self, numbers: Sequence[float]) -> Any:
-        """Return the entries with these parameters, which stand in the order of :attr:`parameters`."""
+        """Return the entries with these parameters, in the order of :attr:`parameters`; those by default of none."""
         data: dict[str, Any] = {}
+        if not numbers:
+            return self.entries() if self.entries else None
         for parameter, number in zip(self.parameters, numbers, strict=True):
             field, _, index = parameter.key.partition(".")
             if index:
@@ -149,6 +171,29 @@ class Page:
     def numbers(self, entered: Any) -> list[float]:
         """Return the parameters that are entered, in a row."""
         return [value_at(entered, parameter.key) for parameter in self.parameters]
+
+    def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
+        """Declare what is entered besides the rise shown and the parameters: nothing, of most families."""
+
+    def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+        """Declare workings that need the whole book, or none."""
+
+    def stepping(self, law: Law, sizes: Any) -> float:
+        """Return the greatest step of v the wrong way, as :attr:`wrong` has it."""
+        return 0.0
+
+    def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+        """Declare tables behind that of the samples, or none."""
+
+    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
+        """Return the checks of one of the book's laws."""
+        name = one.called
+        ends = f"{name} ends at s = 1{', at rest' if self.rests else ''}"
+        return [
+            *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
+              for each in self.checks),
+            check("@ends", ends, RESTS if self.rests else REACHES, True, says=ended(one.law.end)),
+        ]  # fmt: skip
 
     def variation(self, k: int, room: int) -> dict[str, Any]:
         """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""
@@ -167,7 +212,7 @@ class Page:
         return f"=@{name}" if self.has_sheet else self.coefficients[name][0]
 
     def reached(self, end: str) -> str:
-        """Return the formula of the lowest or the highest s, ``MIN`` or ``MAX``: of a law that turns, other than these."""
+        """Return the formula of the lowest or the highest s, ``MIN`` or ``MAX``; a law that turns has others."""
         return f"={end}(0,[s1])"
 
     def end(self, derivative: str, at: str) -> str:
@@ -188,9 +233,14 @@ class Page:
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """The entries that its table of pieces shows: all but c2 and c3, and these where a piece has them."""
-        shown = (name for name in ("c2", "c3") if any(getattr(row, name) != "=0" for row in self.pieces))
-        return ("d", "c0", "c1", *shown, "P", "omega", "phi")
+        """The entries that its table of pieces shows: duration, c0, c1, one sine, and others where a piece has them."""
+        always = ("d", "c0", "c1", *SINE)
+        return tuple(n for n in ENTRIES if n in always or any(getattr(row, n) != "=0" for row in self.pieces))
+
+    @property
+    def second_sine(self) -> bool:
+        """Whether a piece of the family has two sines."""
+        return any(row.P2 != "=0" for row in self.pieces)
 
     def require_complete(self, entry: Entry) -> None:
         """Raise IncompleteError, naming the law and what its page leaves out or has too much of."""
@@ -198,7 +248,7 @@ class Page:
         wrong = [name for name, *_ in COEFFICIENTS if name not in self.coefficients]
         if any(len(law.as_pieces()) != len(self.pieces) for law in examples):
             wrong.append(f"pieces as many as the engine's {len(examples[0].as_pieces())}")
-        if any(law.shapes() is None for law in examples):
+        if any((law.shapes() is None) != (self.shapes is None) for law in examples):
             wrong.append("shapes that the engine knows too")
         wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]
         wrong += [f"variations of {key}" for key in self._fields() if any(key not in v for v in self.variations)]
@@ -221,8 +271,15 @@ class Page:
         return found
 
 
-def value_at(entered: Any, key: str) -> float:
-    """Return the number at a key such as ``durations.0``."""
+def value_at(entered: Any, key: str) -> Any:
+    """Return what is entered at a key such as ``durations.0``."""
     field, _, index = key.partition(".")
     value = getattr(entered, field)
-    return float(value[int(index)]) if index else float(value)
+    return value[int(index)] if index else value
+
+
+def ended(end: Kinematics[float]) -> Said:
+    """Return the sentence on where a law ends, by the last of its samples."""
+    s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
+    v = amount("[@samples.v.last]", end.v, "v(1) = ", "")
+    return Said(f"{s.says}&{v.says}", f"{s.said}{v.said}")

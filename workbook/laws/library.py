@@ -7,13 +7,10 @@ from functools import cached_property
 from typing import Any
 
 from engine.laws import Law
-from engine.laws.sampled import SampledPieceLaw as OwnLaw
 from workbook.book.chart import in_scope
 from workbook.laws.entries import Laws
 from workbook.laws.family import Page
 from workbook.laws.registry import CODES, FAMILY, Family
-
-__all__ = ["NamedLaw", "OwnLaw", "laws", "named"]
 
 
 @dataclass(frozen=True)
@@ -24,14 +21,13 @@ class NamedLaw:
     number: int
     family: Family
     entered: Any
-    intervals: int
     called: str
     """its name when the book was built: titles and checks keep it"""
 
     @cached_property
     def law(self) -> Law:
         """The engine's law."""
-        return self.page.law(self.entered, self.intervals)
+        return self.page.made(self.entered)
 
     @property
     def page(self) -> Page:
@@ -68,10 +64,10 @@ class NamedLaw:
         return f'=MATCH("{self.name}",law_code,0)' if self.basic else "=MATCH(@called,law_code,0)"
 
 
-def named(given: Laws, intervals: int) -> list[NamedLaw]:
-    """Return the laws of a book in the order of their numbers; own laws are sampled in ``intervals``."""
+def named(given: Laws) -> list[NamedLaw]:
+    """Return the laws of a book in the order of their numbers."""
     return [
-        NamedLaw(name, number, family_of(given, name), given[name], intervals, given.called(name))
+        NamedLaw(name, number, family_of(given, name), given[name], given.called(name))
         for number, name in enumerate(given.names, 1)
     ]
 
@@ -81,6 +77,6 @@ def family_of(given: Laws, name: str) -> Family:
     return FAMILY[name if name == "DWL" else given[name].family]
 
 
-def laws(given: Laws, intervals: int) -> dict[str, Law]:
-    """Return the engine's laws by name, in the order of their numbers; own laws are sampled in ``intervals``."""
-    return {one.name: one.law for one in named(given, intervals)}
+def laws(given: Laws) -> dict[str, Law]:
+    """Return the engine's laws by name, in the order of their numbers."""
+    return {one.name: one.law for one in named(given)}

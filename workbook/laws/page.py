@@ -11,14 +11,15 @@ from engine.laws.rise import Rise
 from engine.laws.sampled import abscissae
 from engine.laws.table import begins
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.book.sentence import Said, amount
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
+from workbook.entries.machine import Sizes
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
 from workbook.laws.family import COEFFICIENTS, Page, value_at
 from workbook.laws.library import NamedLaw
 
 LONGEST_TITLE = 31  # characters of a sheet's title; Excel's limit
+POWERS = {"c0": "", "c1": " u", "c2": " u²", "c3": " u³", "c4": " u⁴", "c5": " u⁵"}
 RESERVED = ("About", "Checks", "Laws", "History")
 """sheets that come later, and a title that Excel keeps for itself"""
 
@@ -28,7 +29,7 @@ def finite(value: float) -> float | str:
     return value if math.isfinite(value) else "∞"
 
 
-def law_sheet(book: Book, one: NamedLaw, intervals: int, stack: sampling.Pieces) -> None:
+def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> None:
     """Declare the sheet of one law."""
     page, law, entered = one.page, one.law, one.entered
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
@@ -36,21 +37,31 @@ def law_sheet(book: Book, one: NamedLaw, intervals: int, stack: sampling.Pieces)
     with sheet.scoped(f"{one.slug}_"):
         sheet.heading("What to enter")
         entries(sheet, one)
+        page.enter(sheet, one, sizes)
         sheet.heading("What comes out: the coefficients, for unit rise and time")
         coefficients(sheet, page, law)
         sheet.heading("What comes out: the rise h in the time t_a")
         risen(sheet, one, rise)
-        sheet.heading(
-            "Pieces",
-            "On each piece a(u) = c0 + c1 u + P sin(ωu + φ), u = ξ − ξ_k; velocity and position are carried on.",
-        )
-        pieces_table(sheet, page, law)
-        checks(sheet, one)
+        page.work(sheet, one, stack, sizes)
+        if page.pieces:
+            sheet.heading(
+                "Pieces",
+                f"On each piece a(u) = {spelled(page)}, u = ξ − ξ_k; velocity and position are carried on.",
+            )
+            pieces_table(sheet, page, law)
+        sheet.checks(*page.verdicts(one, sizes))
         draw(sheet, one.called)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = 19
         sheet.heading("Table")
-        samples(sheet, rise, entered.lift, intervals, stack.locate(one.number, abscissae(intervals)))
+        samples(sheet, rise, entered.lift, sizes.law, stack)
+        page.detail(sheet, one, stack, sizes)
+
+
+def spelled(page: Page) -> str:
+    """Return a(u) of the family's pieces."""
+    powers = [f"{name}{power}" for name, power in POWERS.items() if name in page.columns]
+    return " + ".join([*powers, "P sin(ωu + φ)", *(["P₂ sin(ω₂u + φ₂)"] if page.second_sine else [])])
 
 
 def sheet_title(name: str, taken: Iterable[str]) -> str:
@@ -116,25 +127,6 @@ def risen(sheet: Sheet, one: NamedLaw, rise: Rise) -> None:
     )  # fmt: skip
 
 
-def checks(sheet: Sheet, one: NamedLaw) -> None:
-    """Declare the law's own checks, and that it ends where it should."""
-    name = one.called
-    sheet.checks(
-        *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
-          for each in one.page.checks),
-        check("@ends", f"{name} ends at s = 1, at rest",
-              "AND(ABS([@samples.s.last]-1)<check_zero,ABS([@samples.v.last])<check_zero)", True,
-              says=ended("@samples", one.law)),
-    )  # fmt: skip
-
-
-def ended(samples: str, law: Law) -> Said:
-    """Return the sentence on where a law ends, by the last of its ``samples``."""
-    s = amount(f"[{samples}.s.last]", law.end.s, "s(1) = ", ", ")
-    v = amount(f"[{samples}.v.last]", law.end.v, "v(1) = ", "")
-    return Said(f"{s.says}&{v.says}", f"{s.said}{v.said}")
-
-
 def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
     """Declare the law's pieces, a textbook equation beside each."""
     rows, pieces = page.pieces, law.as_pieces()
@@ -143,9 +135,14 @@ def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
         "c1": ("slope", "c1", [piece.c[1] for piece in pieces]),
         "c2": ("quadratic", "c2", [piece.c[2] for piece in pieces]),
         "c3": ("cubic", "c3", [piece.c[3] for piece in pieces]),
+        "c4": ("quartic", "c4", [piece.row[4] for piece in pieces]),
+        "c5": ("quintic", "c5", [piece.row[5] for piece in pieces]),
         "P": ("amplitude", "P", [piece.amplitude for piece in pieces]),
         "omega": ("frequency", "ω", [piece.omega for piece in pieces]),
         "phi": ("phase", "φ", [piece.phase for piece in pieces]),
+        "P2": ("second amplitude", "P₂", [piece.amplitude2 for piece in pieces]),
+        "omega2": ("its frequency", "ω₂", [piece.omega2 for piece in pieces]),
+        "phi2": ("its phase", "φ₂", [piece.phase2 for piece in pieces]),
     }
     sheet.table(
         "@pieces", "Pieces of the law", len(rows),
@@ -159,7 +156,7 @@ def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
     )  # fmt: skip
 
 
-def samples(sheet: Sheet, rise: Rise, lift: float, n: int, located: sampling.Located) -> None:
+def samples(sheet: Sheet, rise: Rise, lift: float, n: int, stack: sampling.Pieces) -> None:
     """Declare the sampled table: ξ, s, v, a, j and the dimensional y, ẏ, ÿ."""
     xi = abscissae(n)
     y, yv, ya = rise.at(xi)
@@ -167,11 +164,11 @@ def samples(sheet: Sheet, rise: Rise, lift: float, n: int, located: sampling.Loc
         "@samples", "The law over ξ = t / t_a, and the rise h in the time t_a", n + 1,
         constant("k", "sample", "k", "", list(range(n + 1))),
         calc("xi", "abscissa", "ξ", "", "=[k]/[@samples.k.last]", xi, source="k / N", format="0.0000"),
-        *sampling.shape(rise.law, xi, role=result),
+        *stack.shape(rise.law, xi, role=result),
         result("y", "position", "y", "mm", "=@h*[s]", shown(y, MM), scale=abs(lift), source="h s"),
         result("yv", "velocity", "ẏ", "m/s", "=@h_m/@t*[v]", yv, source="h v / t_a"),
         result("ya", "acceleration", "ÿ", "m/s²", "=@h_m/@t^2*[a]", ya, source="h a / t_a²"),
-        *sampling.finding("@no", "xi", located),
+        *stack.finding("@no", "xi", stack.locate(stack.number(rise.law), xi)),
     )  # fmt: skip
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from engine.laws.base import Shapes
 from workbook.book.declare import Quantity, Sheet, calc
+from workbook.laws.family import ShapeFormulas
 from workbook.laws.library import NamedLaw
 
 WORDS = {
@@ -25,7 +26,7 @@ def shapes_table(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
         "shapes", "Laws, in the order of the sheet Laws", len(laws),
         listed(laws),
         *(calc(name, words, "", "",
-               [one.own(getattr(one.page.shapes, name)) for one in laws],
+               [one.own(getattr(one.page.shapes or ShapeFormulas(), name)) for one in laws],
                [getattr(share, name) for share in values])
           for name, words in WORDS.items()),
     )  # fmt: skip

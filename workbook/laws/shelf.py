@@ -12,7 +12,7 @@ from workbook.laws.sheet import laws_sheet
 from workbook.laws.stack import locator, stacked
 
 PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
-LAW_SIZES = {"law": (f"{PAGED[0]}_samples", 1), "own_law": ("own_samples", 1), "pieces": ("own_pieces", 0)}
+LAW_SIZES = {"law": (f"{PAGED[0]}_samples", 1), "own_law": ("OWN_points", 1), "pieces": ("OWN_pieces", 0)}
 
 
 class LawShelf:
@@ -20,7 +20,7 @@ class LawShelf:
 
     def __init__(self, given: Laws, sizes: Sizes) -> None:
         self.given, self.sizes = given, sizes
-        self.named = named(given, sizes.own_law)
+        self.named = named(given)
         self.laws = {one.name: one.law for one in self.named}
         self.rows = stacked(self.named, sizes)
         self.stack = locator(self.named, self.rows)
@@ -29,5 +29,5 @@ class LawShelf:
         """Declare a page for each law, and the Laws sheet."""
         for one in self.named:
             if one.page.has_sheet:
-                law_sheet(book, one, self.sizes.law, self.stack)
-        laws_sheet(book, self.named, self.given, self.sizes, self.rows, self.stack)
+                law_sheet(book, one, self.sizes, self.stack)
+        laws_sheet(book, self.named, self.sizes, self.rows, self.stack)

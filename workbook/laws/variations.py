@@ -11,7 +11,7 @@ from workbook.laws.registry import CODES, FAMILY
 
 SIX = 6
 """variations of a template, unless its laws need more to have their turn"""
-MOST = 120
+MOST = 300
 """turns after which a law that has not come never will"""
 
 
@@ -21,14 +21,17 @@ def law_for(turn: int, names: Iterable[str]) -> str:
     return known[turn % len(known)]
 
 
-def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]]) -> list[dict[str, Any]]:
+def variations(
+    machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]],
+    suited: Callable[[dict[str, Any]], Iterable[str]] = list,
+) -> list[dict[str, Any]]:  # fmt: skip
     """Return six variations of a machine's description, and of further turns those by which a law has its first turn.
 
-    ``varied(description, turn)`` makes the one of a turn, counted from 0, with laws by :func:`law_for`.
-    Raises LookupError, with the laws that never come.
+    ``varied(description, turn)`` makes the one of a turn, counted from 0, with laws by :func:`law_for`; ``suited``
+    tells which laws of a description the machine can have. Raises LookupError, with those that never come.
     """
     made: list[dict[str, Any]] = []
-    names = set(dict(machine.laws.items()))
+    names = set(suited(machine.laws.model_dump()))
     missing = set(names)
     for turn in range(MOST):
         description = varied(machine.model_dump(), turn)
@@ -57,6 +60,11 @@ def vary_laws(laws: dict[str, Any], k: int, scale: Any, room: int) -> None:
             entry["time"] *= next(scale)
     for i, (name, entry) in enumerate(laws.items()):
         entry.update(page_of(name, entry).variation(k if name in CODES else k + i, room))
+
+
+def single_humped(laws: dict[str, Any]) -> list[str]:
+    """Return the laws that speed up once, from rest to rest, whatever their parameters."""
+    return [name for name, entry in laws.items() if page_of(name, entry).single]
 
 
 def page_of(name: str, entry: dict[str, Any]) -> Page:

@@ -28,7 +28,7 @@ class Phased(Protocol):
 
 def counts(given: Laws) -> dict[str, int]:
     """Return the number of pieces of each law of a book."""
-    return {name: len(placed(law)) for name, law in laws(given, 1).items()}
+    return {name: len(placed(law)) for name, law in laws(given).items()}
 
 
 def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:

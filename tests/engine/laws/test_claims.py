@@ -179,8 +179,8 @@ class ABreakAtTheWrongPlace(TrapezoidalVelocity):
 
 class AHigherPiece(Cycloidal):
     def as_pieces(self):
-        (piece,) = super().as_pieces()
-        return (replace(piece, amplitude=piece.amplitude * (1 + 1e-10)),)
+        first, second = super().as_pieces()
+        return replace(first, amplitude=first.amplitude * (1 + 1e-10)), second
 
 
 class APieceTooShort(ModifiedTrapezoidal):

@@ -5,16 +5,20 @@ import math
 import numpy as np
 import pytest
 
-from engine.laws import CATALOGUE, ModifiedTrapezoidal, Piece, PieceLaw
+from engine.laws import Piece, PieceLaw
+from engine.laws.edges import inner_edges
 from engine.laws.piece import gains
 from engine.laws.piece_integrals import ends, squares
+from engine.laws.pieces import MIXED
+from engine.laws.polynomial_pulse import PolynomialPulse
+from engine.laws.pulse import SineEdged
+from engine.laws.pulse_law import PulseLaw
 from engine.laws.rise import Rise
-from engine.laws.sampled import SampledPieceLaw, abscissae
 from engine.laws.table import begins, carried, key, located
+from tests.engine.families import ENTRIES
 
-EXAMPLES = [law for entry in CATALOGUE for law in entry.examples]
+EXAMPLES = [law for entry in ENTRIES for law in entry.examples]
 LAWS = pytest.mark.parametrize("law", EXAMPLES, ids=str)
-MIXED = EXAMPLES[-1].pieces
 
 
 @LAWS
@@ -22,18 +26,14 @@ def test_the_table_of_pieces_evaluates_the_law_by_one_formula_each(law):
     rows = carried(law, law.as_pieces())
     xi = np.linspace(0, 1, 401)
     place = located(law.as_pieces(), xi)
-    for x, k, u, angle in zip(xi, *place, strict=True):
+    for x, k, u, angle, angle2 in zip(xi, *place, strict=True):
         row = rows[k]
-        c0, c1, c2, c3 = row.piece.c
-        s = (
-            row.position_constant + row.position_slope * u
-            + u**2 * (c0 / 2 + u * (c1 / 6 + u * (c2 / 12 + u * c3 / 20))) - row.position_sine * math.sin(angle)
-        )  # fmt: skip
-        v = (
-            row.position_slope
-            + u * (c0 + u * (c1 / 2 + u * (c2 / 3 + u * c3 / 4)))
-            - row.velocity_cosine * math.cos(angle)
-        )
+        c = row.piece.row[:6]
+        (ps, ps2), (pv, pv2) = row.position_sines, row.velocity_cosines
+        s = row.position_constant + row.position_slope * u - ps * math.sin(angle) - ps2 * math.sin(angle2)
+        v = row.position_slope - pv * math.cos(angle) - pv2 * math.cos(angle2)
+        s += sum(c[i] * u ** (i + 2) / ((i + 1) * (i + 2)) for i in range(6))
+        v += sum(c[i] * u ** (i + 1) / (i + 1) for i in range(6))
         at = law.evaluate(float(x))
         assert (s, v) == pytest.approx((at.s, at.v), abs=1e-13)
 
@@ -72,23 +72,6 @@ def test_a_rise_in_its_own_units(law):
     assert rise.acceleration_rms == pytest.approx(7.5 * k.ca_rms)
 
 
-def test_an_own_law_has_the_coefficients_of_its_samples_and_the_exact_rms():
-    own, exact = SampledPieceLaw(MIXED, 7), PieceLaw(MIXED).coefficients
-    at = own.evaluate(abscissae(7))
-    assert abscissae(7)[3] == 3 / 7
-    assert own.coefficients.cv == np.abs(at.v).max() < exact.cv
-    assert (own.coefficients.ca_max, own.coefficients.ca_min) == (at.a.max(), at.a.min())
-    assert own.powers == pytest.approx(at.v * at.a)
-    assert (own.coefficients.va_max, own.coefficients.va_min) == (own.powers.max(), own.powers.min())
-    assert (own.coefficients.ca_rms, own.coefficients.cj) == (exact.ca_rms, math.inf)
-
-
-def test_a_smooth_own_law_has_the_jerk_of_its_samples():
-    own = SampledPieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))], 3)
-    assert own.coefficients.cj == pytest.approx(60.0)
-    assert own.coefficients.ca_max == pytest.approx(own.a(1 / 3))
-
-
 @pytest.mark.parametrize("piece", [*MIXED, Piece(0.8, (1.0, -2.0, 3.0, -4.0), 5.0, 300.0, 0.7)], ids=str)
 def test_the_parts_of_the_square_of_a_piece_against_fine_samples(piece):
     u = (np.arange(200_000) + 0.5) / 200_000 * piece.duration
@@ -110,17 +93,22 @@ def test_accelerations_at_the_ends_of_pieces_pass_over_those_of_no_duration():
     assert (sine.begin, sine.end) == pytest.approx((2.0, 0.0))
 
 
-@pytest.mark.parametrize("law", [law for law in EXAMPLES if isinstance(law, ModifiedTrapezoidal)], ids=str)
-def test_the_power_of_seven_stages_is_greatest_where_its_quarter_sine_says(law):
-    drive, brake = law.quarters
-    d = law.durations
-    assert drive.velocity == pytest.approx(law.v(d[0] + d[1]), abs=1e-12)
-    assert brake.velocity == pytest.approx(law.v(1.0 - d[5] - d[6]), abs=1e-12)
-    assert (drive.velocity + drive.gain, brake.velocity + brake.gain) == pytest.approx([law.coefficients.cv] * 2)
-    for quarter, height, greatest in (
-        (drive, law.acceleration, law.coefficients.va_max), (brake, law.deceleration, -law.coefficients.va_min),
-    ):  # fmt: skip
-        x = np.linspace(0.0, math.pi / 2, 10_001)
-        power = height * np.cos(x) * (quarter.velocity + quarter.gain * np.sin(x))
+EDGED = [law for law in EXAMPLES if isinstance(law, PulseLaw)]
+
+
+@pytest.mark.parametrize("law", EDGED, ids=str)
+def test_the_power_of_a_pulse_is_greatest_where_its_inner_edge_says(law):
+    c = law.course
+    sides = zip(inner_edges(law), (c.rise, c.fall), (law.acceleration, law.deceleration), strict=True)
+    powers = law.coefficients.va_max, -law.coefficients.va_min
+    x = np.linspace(0.0, 1.0, 10_001)
+    for (edge, pulse, height), greatest in zip(sides, powers, strict=True):
+        if edge is None:
+            assert pulse.inner > 0.0 or isinstance(pulse, PolynomialPulse)
+            continue
+        a, v = (np.sqrt(1.0 - x * x), x) if isinstance(pulse, SineEdged) else (x, 1.0 - x * x)
+        power = height * a * (edge.velocity + edge.gain * v)
+        assert edge.velocity + edge.gain == pytest.approx(law.top, rel=1e-12)
         assert power.max() == pytest.approx(greatest, rel=1e-7)
-        assert np.sin(x[power.argmax()]) == pytest.approx(quarter.sin if quarter.gain else 0.0, abs=2e-4)
+        if edge.gain:
+            assert x[power.argmax()] == pytest.approx(edge.at, abs=2e-4)

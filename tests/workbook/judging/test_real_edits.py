@@ -130,10 +130,10 @@ def test_phase_table_filled_to_its_last_row(hands, declared):
 
 
 def test_own_law_filled_to_its_last_row(hands, declared):
-    rows = declared.blocks["own_pieces"].size
+    rows = declared.blocks["OWN_pieces"].size
     for row in range(rows):
-        hands.fill("own_pieces", row, d=1 / rows, c0=row - 3.5, c1=0, c2=0, c3=0, P=2, omega=7, phi=0.3)
-    hands.cell("own_name").value = "Eight pieces"
+        hands.fill("OWN_pieces", row, d=1 / rows, c0=row - 3.5, c1=0, c2=0, c3=0, P=2, omega=7, phi=0.3)
+    hands.cell("OWN_name").value = "Eight pieces"
     hands.fill("axis1", 0, law="OWN")
     assert hands.verify().findings == []
     assert len(hands.entered().laws.OWN.pieces) == rows

@@ -108,7 +108,7 @@ def test_the_description_is_the_engine_s_conveyor():
     data = entries(CONVEYOR, load__friction=0.05, method="physical", holding="motor")
     data["actuator"]["gears"][0]["efficiency"] = 0.9
     machine = TEMPLATE.model.model_validate(data)
-    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws, 8))
+    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws))
     sizing = Sizing(mechanism, view.phases, mechanism.inertia())
     assert value("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-12)
     assert value("act_peak") == pytest.approx(sizing.peak_torque, rel=1e-12)
@@ -134,7 +134,7 @@ def test_a_train_of_two_gears():
     machine = TEMPLATE.model.model_validate(data)
     parts, gears = [Part("a", 1e-4), Part("b", 1e-3, 1)], [Stage("first", 3.0, 0.8), Stage("second", 5.0, 0.7)]
     train = KINDS["gear train"].of(Load(0.05, 1.0, 0.5), gears=gears, parts=parts)
-    phases = Sized(machine, laws(machine.laws, 8)).phases
+    phases = Sized(machine, laws(machine.laws)).phases
     value = computed(TEMPLATE, machine)
     assert value("act_rms") == pytest.approx(Sizing(train, phases, 1e-4).rms_torque, rel=1e-11)
     assert value("act_lrms") == pytest.approx(Sizing(train, phases, 0.0).rms_torque, rel=1e-11)
@@ -147,7 +147,7 @@ def test_rms_in_closed_form_where_power_turns_round_within_the_law(law, slope):
     """The cells split a law where its load gives power back; the engine integrates; fine samples are nearly so."""
     there_and_back = [{"law": law, "lift": lift, "duration": 0.22} for lift in (160.0, -160.0)]
     machine = described(method="physical", holding="motor", load__slope=slope, phases=there_and_back)
-    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws, 8))
+    value, view = computed(TEMPLATE, machine), Sized(machine, laws(machine.laws))
     assert any(0 < x < 1 for x in value("turns", "x1"))  # it does turn round
     sizing = view.sizing
     assert value("act_rms") == pytest.approx(sizing.rms_torque, rel=1e-11)
@@ -167,8 +167,8 @@ def test_rms_of_the_own_law_comes_near_the_exact_one_as_its_samples_grow():
     gaps = []
     for samples in (20, 200):
         data = entries(method="physical", phases=there_and_back)
-        data["sizes"]["own_law"] = samples
-        view = Sized(TEMPLATE.model.model_validate(data), laws(described().laws, samples))
+        data["sizes"]["law"] = samples
+        view = Sized(TEMPLATE.model.model_validate(data), laws(described().laws))
         gaps.append(abs(view.rms_torque / view.sizing.rms_torque - 1))
     assert 0 < gaps[1] < 0.03 * gaps[0]
     assert gaps[1] < 1e-5

@@ -2,8 +2,8 @@
 
 from engine.laws.modified_sine import ModifiedSine
 from workbook.entries.types import Share
-from workbook.laws.edged import SINE_IN, SINE_OUT, Stage, Stages, law_of
-from workbook.laws.family import LawSheet, Page, Parameter
+from workbook.laws.edged import SINE_IN, SINE_OUT, Stage, Stages, edged, law_of
+from workbook.laws.family import LawSheet, Parameter
 from workbook.laws.shared import SHARE, Between
 
 
@@ -22,7 +22,8 @@ STAGES = Stages({
     7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
 })  # fmt: skip
 
-PAGE = Page(
+PAGE = edged(
+    STAGES,
     title="Modified sine",
     source="LCamHdl, D_D_MOD_SINE",
     entries=Edges,
@@ -38,9 +39,4 @@ PAGE = Page(
         {"share": 0.6, "rise_edge": 0.0, "fall_edge": 1.0},
         {"share": 0.3, "rise_edge": 0.5, "fall_edge": 0.1},
     ),
-    pieces=STAGES.rows(),
-    workings=STAGES.workings,
-    coefficients=STAGES.coefficients(),
-    fastest=STAGES.fastest,
-    shapes=STAGES.shapes(),
 )  # fmt: skip

@@ -1,8 +1,8 @@
-"""The engineer's own law, piece by piece: it stands on the sheet Laws."""
+"""The engineer's own law, piece by piece."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,9 +11,11 @@ from pydantic import Field
 
 from engine import laws as engine
 from engine.laws import Entry, Law, PieceLaw
-from engine.laws.piece_integrals import ends, squares
-from engine.laws.sampled import SampledPieceLaw, abscissae
-from workbook.book.chart import Chart, Series
+from engine.laws.mended import groups, misses, scaled_by
+from engine.laws.piece_integrals import ends, spread_turn, squares
+from engine.laws.points import CHAINS, Spread
+from engine.laws.sections import velocity_peak
+from engine.laws.table import Carried, begins, carried
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
@@ -21,7 +23,11 @@ from workbook.book.sentence import amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
 from workbook.laws import sampling
-from workbook.laws.family import ENTRIES, Page, ShapeFormulas, Stacked
+from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
+from workbook.laws.tops import DENSE, LEAST_POINTS, extremes, points_table, spread_rows, top_table
+
+OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
+"""what is entered of a piece"""
 
 
 class Piece(Model):
@@ -54,7 +60,7 @@ TURNING = RowRule("turning", "OR([P]+0=0,[omega]+0<>0)", "omega", "ω of a sine,
 SLOW = RowRule("slow", f"OR([omega]+0<=0,[omega]+0>={SMALLEST!r})", "omega", "ω, too small")
 
 
-class OwnLaw(Model):
+class OwnLaw(LawSheet):
     """The engineer's own law, piece by piece; the default is the polynomial 3-4-5."""
 
     name: Text = "Polynomial 3-4-5"
@@ -92,77 +98,6 @@ VARIATIONS = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True, kw_only=True)
-class OwnPage(Page):
-    """The page of an own law: any number of pieces, entered one by one, with the coefficients of its samples."""
-
-    def law(self, entered: OwnLaw, intervals: int) -> Law:
-        """Return the engine's law, with the coefficients of a table of ``intervals``."""
-        return SampledPieceLaw(entered.made, intervals)
-
-    def law_of(self, numbers: Sequence[float]) -> Law:
-        """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
-        rows = np.array(numbers).reshape(-1, len(ENTRIES)).tolist()
-        return PieceLaw([engine.Piece(d, (a, b, c, e), *sine) for d, a, b, c, e, *sine in rows])
-
-    def numbers(self, entered: OwnLaw) -> list[float]:
-        """Return the pieces in a row, eight numbers each."""
-        return [float(value) for piece in entered.pieces for value in piece.model_dump().values()]
-
-    def variation(self, k: int, room: int) -> dict[str, Any]:
-        """Return the ``k``-th of other pieces, round and round; where they do not find room, a single one."""
-        found = super().variation(k, room)
-        return found if len(found["pieces"]) <= room else dict(VARIATIONS[0])
-
-    def name_formula(self, entry: Entry) -> str:
-        """Return the formula of the name that is entered."""
-        return "=own_name"
-
-    def name_entered(self, entry: Entry, entered: OwnLaw) -> str:
-        """Return the name that is entered."""
-        return entered.name
-
-    def reached(self, end: str) -> str:
-        """Return the formula of the lowest or the highest s: of its samples."""
-        return f"={end}([{self.samples}.s])"
-
-    def stacked(self, law: Law, room: int) -> list[Stacked]:
-        """Return the rows of the stack: the table of the own law, spare rows and all."""
-        pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
-        return [
-            Stacked(piece, {name: f"=[own_pieces.{name}.{k}]" for name in ENTRIES}) for k, piece in enumerate(pieces, 1)
-        ]
-
-    def require_complete(self, entry: Entry) -> None:
-        """Accept it: its pieces are what is entered."""
-
-
-PAGE = OwnPage(
-    title="Own law",
-    source="entered piece by piece",
-    entries=OwnLaw,
-    made=lambda entered: entered.exact,
-    has_sheet=False,
-    samples="own_samples",
-    pieces=(),
-    coefficients={
-        "cv": ("=MAX(MAX([own_samples.v]),-MIN([own_samples.v]))", "of its samples"),
-        "ca_max": ("=MAX([own_samples.a])", "of its samples"),
-        "ca_min": ("=MIN([own_samples.a])", "of its samples"),
-        "ca_rms": ("=SQRT(SUM([own_pieces.poly2])+SUM([own_pieces.cross])+SUM([own_pieces.sine2]))", "exact"),
-        "cj": (
-            '=IF(MAX(MAX([own_pieces.jump]),ABS([own_pieces.reached.last]))>check_zero,"∞",'
-            "MAX(MAX([own_samples.j]),-MIN([own_samples.j])))",
-            "of its samples; ∞ where the acceleration jumps",
-        ),
-        "va_max": ("=MAX([own_samples.va])", "of its samples"),
-        "va_min": ("=MIN([own_samples.va])", "of its samples"),
-    },
-    fastest="=MIN([own_fast.at])",  # the table of a sheet that asks where the laws are fastest
-    shapes=ShapeFormulas(),  # none: what needs them sums its samples instead
-    variations=VARIATIONS,
-)
-
 POLYNOMIAL_SQUARED = (
     "=[d]*([c0]^2+[d]*([c0]*[c1]+[d]*(([c1]^2+2*[c0]*[c2])/3+[d]*(([c0]*[c3]+[c1]*[c2])/2"
     "+[d]*(([c2]^2+2*[c1]*[c3])/5+[d]*([c2]*[c3]/3+[d]*[c3]^2/7))))))"
@@ -177,34 +112,154 @@ CROSS = (
 )
 
 
-def own_entries(sheet: Sheet, own: OwnLaw, law: Law, room: int) -> None:
-    """Declare the block that the engineer fills with a law of his own, and its checks."""
-    sheet.rows(given("own_name", "Name of the own law", "", "", own.name, "laws.OWN.name"))
-    own_table(sheet, own, room)
-    sheet.checks(
-        check("own_sum", "OWN: the durations sum to 1", "ABS(SUM([own_pieces.d])-1)<check_zero", True,
-              rule="laws.OWN:sum", says='"they sum to "&ROUND(SUM([own_pieces.d]),9)&"; expected 1"'),
-        check("own_reaches", "OWN: the law reaches s = 1",
-              "ABS([own_samples.s.last]-1)<check_zero", abs(law.end.s - 1) < ZERO,
-              says=amount("[own_samples.s.last]", law.end.s, "s(1) = ", "")),
-        check("own_rests", "OWN: the law ends at rest",
-              "ABS([own_samples.v.last])<check_zero", abs(law.end.v) < ZERO,
-              says=amount("[own_samples.v.last]", law.end.v, "v(1) = ", "")),
-    )  # fmt: skip
+@dataclass(frozen=True, kw_only=True)
+class OwnPage(Page):
+    """The page of an own law: any number of pieces, entered one by one."""
+
+    def law_of(self, numbers: Sequence[float]) -> Law:
+        """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
+        rows = np.array(numbers).reshape(-1, len(OWN_ENTRIES)).tolist()
+        return PieceLaw([engine.Piece(d, (a, b, c, e), *sine) for d, a, b, c, e, *sine in rows])
+
+    def numbers(self, entered: OwnLaw) -> list[float]:
+        """Return the pieces in a row, eight numbers each."""
+        return [float(value) for piece in entered.pieces for value in piece.model_dump().values()]
+
+    def variation(self, k: int, room: int) -> dict[str, Any]:
+        """Return the ``k``-th of other pieces, round and round; where they do not find room, a single one."""
+        found = super().variation(k, room)
+        return found if len(found["pieces"]) <= room else dict(VARIATIONS[0])
+
+    def name_formula(self, entry: Entry) -> str:
+        """Return the formula of the name that is entered."""
+        return "=@name"
+
+    def name_entered(self, entry: Entry, entered: OwnLaw) -> str:
+        """Return the name that is entered."""
+        return entered.name
+
+    def reached(self, end: str) -> str:
+        """Return the formula of the lowest or the highest s: of its extremes."""
+        return {"MIN": "=@s_least", "MAX": "=@s_most"}[end]
+
+    def stacked(self, law: Law, room: int) -> list[Stacked]:
+        """Return the rows of the stack: the table of the own law, spare rows and all."""
+        pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
+        return [
+            Stacked(piece, {name: f"=[@pieces.{name}.{k}]" if name in OWN_ENTRIES else "=0" for name in ENTRIES})
+            for k, piece in enumerate(pieces, 1)
+        ]
+
+    def require_complete(self, entry: Entry) -> None:
+        """Accept it: its pieces are what is entered."""
+
+    def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
+        """Declare the name and the table of pieces."""
+        sheet.rows(given("@name", "Name of the own law", "", "", one.entered.name, f"{one.key}.name"))
+        pieces_entered(sheet, one.entered, one.key, sizes.pieces)
+
+    def work(self, sheet: Sheet, one: Any, stack: sampling.Pieces, sizes: Any) -> None:
+        """Declare what the coefficients are worked out from, and by how much the law misses."""
+        at = spread_of(one.law, sizes.pieces, sizes.own_law)
+        sheet.rows(
+            calc("@first", "Row of its first piece on the sheet Laws", "", "",
+                 "=MATCH(@no,piece_number,0)", float(stack.first[one.number]), format="0"),
+            *spread_rows(at),
+            *extremes(at, velocity_peak(one.law)),
+        )  # fmt: skip
+        missing(sheet, one.law, sizes.pieces)
+
+    def stepping(self, law: Law, sizes: Any) -> float:
+        """Return the greatest step of v the wrong way from point to point."""
+        return float(spread_of(law, sizes.pieces, sizes.own_law).wrong_way(velocity_peak(law)).max())
+
+    def detail(self, sheet: Sheet, one: Any, stack: sampling.Pieces, sizes: Any) -> None:
+        """Declare the points on the pieces, and the refinement of the extremes."""
+        at = spread_of(one.law, sizes.pieces, sizes.own_law)
+        first, rows = stack.first[one.number], carried(one.law, at.pieces)
+        held = {name: [figure(row) for row in rows] for name, figure in STACKED.items()}
+        sheet.heading("Table of points, and where the extremes are refined")
+        points_table(sheet, at, first, velocity_peak(one.law), stack)
+        for what in CHAINS:
+            top_table(sheet, at, what, first, held)
+
+    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
+        """Return the checks of the own law."""
+        at, end, name = spread_of(one.law, sizes.pieces, sizes.own_law), one.law.end, one.called
+        return [
+            check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
+                  rule=f"{one.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
+            check("@reaches", f"{name}: the law reaches s = 1",
+                  "ABS([@samples.s.last]-1)<check_zero", abs(end.s - 1) < ZERO,
+                  says=amount("[@samples.s.last]", end.s, "s(1) = ", "")),
+            check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO),
+            check("@dense", f"{name}: the points are dense enough for its extremes", DENSE, at.suffices,
+                  "of a sine with many turns: split its piece, or raise sizes.own_law"),
+        ]  # fmt: skip
 
 
-def own_table(sheet: Sheet, own: OwnLaw, n: int) -> None:
+STACKED: dict[str, Callable[[Carried], float]] = {
+    "s0": lambda row: row.position_constant,
+    "s1": lambda row: row.position_slope,
+    "ps": lambda row: row.position_sines[0],
+    "pv": lambda row: row.velocity_cosines[0],
+    "P": lambda row: row.piece.amplitude,
+    "omega": lambda row: row.piece.omega,
+    "phi": lambda row: row.piece.phase,
+    "xi": lambda row: row.begin,
+    "c0": lambda row: row.piece.c[0],
+    "c1": lambda row: row.piece.c[1],
+    "c2": lambda row: row.piece.c[2],
+    "c3": lambda row: row.piece.c[3],
+}
+"""what the stack holds of a piece"""
+
+
+def spread_of(law: Law, room: int, points: int) -> Spread:
+    """Return the points on the pieces of a law in a table of ``room`` rows."""
+    pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
+    return Spread(tuple(pieces), tuple((row.s, row.v) for row in carried(law, pieces)), max(points, LEAST_POINTS) + 1)
+
+
+PAGE = OwnPage(
+    title="Own law",
+    source="entered piece by piece",
+    entries=OwnLaw,
+    made=lambda entered: entered.exact,
+    pieces=(),
+    coefficients={
+        "cv": ("=MAX(@v_most,0-@v_least)", "largest of its extremes"),
+        "ca_max": ("=@a_most", "largest acceleration"),
+        "ca_min": ("=@a_least", "lowest acceleration"),
+        "ca_rms": ("=SQRT(SUM([@pieces.poly2])+SUM([@pieces.cross])+SUM([@pieces.sine2]))", "√∫a² of the pieces"),
+        "cj": (
+            '=IF(MAX(MAX([@pieces.jump]),ABS([@pieces.reached.last]))>check_zero,"∞",MAX(@j_most,0-@j_least))',
+            "∞ where the acceleration jumps",
+        ),
+        "va_max": ("=@va_most", "largest v·a"),
+        "va_min": ("=@va_least", "lowest v·a"),
+    },
+    fastest="=@v_at",
+    lowest="=@v_least",
+    wrong="=@back",
+    shapes=None,
+    variations=VARIATIONS,
+)
+
+
+def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
     """Declare the table of pieces."""
 
-    def entry(name: str, label: str, symbol: str, key: str) -> Quantity:
-        values = filled([getattr(piece, key) for piece in own.pieces], n, None)
+    def entry(name: str, label: str, symbol: str, field: str) -> Quantity:
+        values = filled([getattr(piece, field) for piece in own.pieces], n, None)
         digits = "0.0000" if name == "d" else "General"
-        return given(name, label, symbol, "", values, f"laws.OWN.pieces.*.{key}", format=digits)
+        return given(name, label, symbol, "", values, f"{key}.pieces.*.{field}", format=digits)
 
     pieces = filled(own.made, n, engine.Piece(0.0))
     at, square = ends(pieces), [squares(piece) for piece in pieces]
+    counted = Spread(tuple(pieces), (), 0).counted
     sheet.table(
-        "own_pieces", "Pieces of the own law; as delivered, the polynomial 3-4-5", n,
+        "@pieces", "Fill one row each, in order; the durations sum to 1; leave spare rows empty", n,
         constant("k", "piece", "k", "", list(range(1, n + 1))),
         entry("d", "duration", "d", "duration"),
         entry("c0", "constant", "c0", "c0"),
@@ -214,6 +269,10 @@ def own_table(sheet: Sheet, own: OwnLaw, n: int) -> None:
         entry("P", "amplitude", "P", "amplitude"),
         entry("omega", "frequency", "ω", "omega"),
         entry("phi", "phase", "φ", "phase"),
+        calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
+        calc("nth", "of those that last", "", "", "=IF([d]>0,1,0)+IF([k]=1,0,[nth-1])", counted, format="0"),
+        calc("turn", "angle of the sine", "ω d", "rad",
+             "=[omega]*[d]", [spread_turn(piece) for piece in pieces]),
         calc("a0", "a at its begin", "", "", "=[c0]+[P]*SIN([phi])", [row.begin for row in at]),
         calc("a1", "a at its end", "", "",
              "=[c0]+[d]*([c1]+[d]*([c2]+[d]*[c3]))+[P]*SIN([omega]*[d]+[phi])", [row.end for row in at]),
@@ -228,21 +287,55 @@ def own_table(sheet: Sheet, own: OwnLaw, n: int) -> None:
     )  # fmt: skip
 
 
-def own_samples(sheet: Sheet, law: SampledPieceLaw, number: int, pieces: sampling.Pieces) -> None:
-    """Declare the sampled own law and its charts."""
-    n = law.intervals
-    xi = abscissae(n)
-    sheet.chart_row(
-        *(Chart(f"OWN: {name} {d}(ξ)", "ξ = t / t_a", d, (Series(d, "[own_samples.xi]", f"[own_samples.{d}]"),),
-                f"Dimensionless {name} of the engineer's own law over the rise", (0, 1, 0.1))
-          for d, name in (("s", "position"), ("v", "velocity"), ("a", "acceleration"))),
+EITHER = "=IF(OR(MAX([@mend.slow])>0,@v_up>@least),IF(ABS(@under)>0,{0}/@under,0),IF(@s_up>0,1/@s_up,0))"
+"""a factor: of two groups, or, where nothing slows down, of all"""
+WORTH = '=IF(MIN(@up,@down)>0,"yes","no: it should speed up, then slow down")'
+
+
+def missing(sheet: Sheet, law: Law, n: int) -> None:
+    """Declare by how much the law misses its rise and rest, and the entries scaled so that it does not."""
+    pieces = filled(law.as_pieces(), n, engine.Piece(0.0))
+    found, off = groups(pieces), misses(pieces)
+    up, down = found.factors
+    factors = [down if slow else up for slow in found.slows]
+    sheet.row += 1
+    sheet.heading("By how much it misses", "And its entries scaled so that it reaches 1 at rest.")
+    sheet.rows(
+        result("@miss_s", "It misses its rise by", "s(1) − 1", "", "=[@samples.s.last]-1", off.s, format="0.0000####"),
+        result("@miss_v", "and rest by", "v(1)", "", "=[@samples.v.last]", off.v, format="0.0000####"),
+        result("@mends", "Do two factors mend it?", "", "",
+               WORTH, "yes" if found.mends else "no: it should speed up, then slow down", align="center"),
+        result("@up", "Factor of the pieces that gain velocity", "α", "", EITHER.format("@v_down"), up),
+        result("@down", "Factor of those that lose it", "β", "", EITHER.format("(0-@v_up)"), down),
+        calc("@least", "A velocity below this is none", "", "",
+             "=1E-12*MAX([@mend.size])", found.least, format="0E+00"),
+        calc("@s_up", "Travel of those that gain", "S⁺", "",
+             "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_s])", found.s1),
+        calc("@v_up", "Velocity that they gain", "V⁺", "", "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_v])", found.v1),
+        calc("@s_down", "Travel of those that lose", "S⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_s])", found.s2),
+        calc("@v_down", "Velocity that they lose", "V⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_v])", found.v2),
+        calc("@under", "Determinant", "", "", "=@s_up*@v_down-@s_down*@v_up", found.under, source="S⁺V⁻ − S⁻V⁺"),
     )  # fmt: skip
-    sheet.rows(calc("OWN_no", "Number of the own law", "", "", '=MATCH("OWN",law_code,0)', number, format="0"))
+    row, d = "@first+[k]-1", "INDEX([@pieces.d],[k])"
+
+    def scaled(name: str, label: str, symbol: str, values: Sequence[float]) -> Quantity:
+        formula = f"=[factor]*INDEX([@pieces.{name}],[k])"
+        return result(name, label, symbol, "", formula, scaled_by(factors, values), format="General")
+
     sheet.table(
-        "own_samples", "The own law over ξ", n + 1,
-        constant("k", "sample", "k", "", list(range(n + 1))),
-        calc("xi", "abscissa", "ξ", "", "=[k]/[own_samples.k.last]", xi, source="k / N", format="0.0000"),
-        *sampling.shape(law, xi, role=result),
-        calc("va", "v · a", "", "", "=[v]*[a]", law.powers),
-        *sampling.finding("OWN_no", "xi", pieces.locate(number, xi)),
+        "@mend", "The entries scaled: durations, frequencies and phases stay", n,
+        constant("k", "piece", "k", "", list(range(1, n + 1))),
+        *(scaled(f"c{i}", f"scaled c{i}", f"c{i}", [piece.c[i] for piece in pieces]) for i in range(4)),
+        scaled("P", "scaled amplitude", "P", [piece.amplitude for piece in pieces]),
+        calc("factor", "factor", "", "", "=IF([slow]=1,@down,@up)", factors),
+        calc("gain_v", "adds to v(1)", "", "", f"=INDEX(piece_dv,{row})", [v for _, v in found.gained]),
+        calc("gain_s", "adds to s(1)", "", "",
+             f"=INDEX(piece_ds,{row})-INDEX(piece_v,{row})*INDEX(piece_d,{row})"
+             f"+[gain_v]*(SUM([@pieces.d])-INDEX(piece_xi,{row})-INDEX(piece_d,{row}))",
+             [s for s, _ in found.gained], source="∬a over it, and ∫a over the time that follows"),
+        calc("size", "size", "", "",
+             f"={d}*(ABS(INDEX([@pieces.c0],[k]))+{d}*(ABS(INDEX([@pieces.c1],[k]))+{d}*(ABS(INDEX([@pieces.c2],[k]))"
+             f"+{d}*ABS(INDEX([@pieces.c3],[k]))))+ABS(INDEX([@pieces.P],[k])))", found.sizes),
+        calc("slow", "loses velocity", "", "",
+             "=IF([gain_v]<0-@least,1,0)", [float(slow) for slow in found.slows], format="0"),
     )  # fmt: skip

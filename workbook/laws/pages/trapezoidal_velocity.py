@@ -24,7 +24,9 @@ class BreakPoints(LawSheet):
             yield DesignError("", said, "order", self.model_dump() | BreakPoints().model_dump(exclude={"lift", "time"}))
 
 
-ORDER = '"brakes from "&ROUND(@aw,9)&", before "&ROUND(@av,9)'
+BEFORE = '"brakes from "&ROUND(@aw,9)&", before "&ROUND(@av,9)'
+ORDER = LawCheck("@order", "the break points follow each other", "@av<=@aw", "order", BEFORE)
+
 PAGE = Page(
     title="Trapezoidal velocity",
     source="S1, second and third slide of the asymmetric trapezoidal profile; S3, function TVP",
@@ -44,7 +46,7 @@ PAGE = Page(
         {"rise_end": 0.43, "fall_start": 0.8},
         {"rise_end": 0.5, "fall_start": 0.85},
     ),
-    checks=(LawCheck("@order", "the break points follow each other", "@av<=@aw", "order", ORDER),),
+    checks=(ORDER,),
     pieces=(
         PieceRow("acceleration", "y'' = A, y' = Aα, y = ½Aα²", "=@av", c0="=@ca_max"),
         PieceRow("uniform velocity", "y'' = 0, y' = Aα_v, y = Aα_v(α − α_v/2)", "=@aw-@av"),

@@ -19,7 +19,7 @@ BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 def check(machine: ActuatorSizing) -> None:
     """Raise DesignError where the mechanism lacks its size, or a phase has a law that moves backwards."""
     require_size(machine)
-    used, library = [phase.law for phase in machine.actuator.phases], laws(machine.laws, machine.sizes.own_law)
+    used, library = [phase.law for phase in machine.actuator.phases], laws(machine.laws)
     for name in dict.fromkeys(used):
         if not is_monotone(library[name]):
             raise DesignError(f"actuator.phases.{used.index(name)}.law", BACKWARDS, "rises", RISING[0])

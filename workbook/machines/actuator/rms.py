@@ -20,9 +20,10 @@ N2 = (
     "=[peak]^2*([flat]*(1-[x{0}])^2+[sine]*2/PI()*([gap{0}]*(1/2+[x{0}]^2)-3/2*[x{0}]*SQRT(1-[x{0}]^2))"
     "+[ramp]*(1-[x{0}])^3/3)+[oo{0}]"
 )
-OWN = (
-    "=IF([no]=OWN_no,(SUMPRODUCT(([own_samples.a]*[m]>[y{0}])*([own_samples.a]*[m]-[y{0}]){1})"
-    "-(MAX(0,[own_samples.a.first]*[m]-[y{0}]){1}+MAX(0,[own_samples.a.last]*[m]-[y{0}]){1})/2)/[own_samples.k.last],0)"
+SAMPLED = (
+    "IF([no]={law}_no,(SUMPRODUCT(([{law}_samples.a]*[m]>[y{k}])*([{law}_samples.a]*[m]-[y{k}]){power})"
+    "-(MAX(0,[{law}_samples.a.first]*[m]-[y{k}]){power}+MAX(0,[{law}_samples.a.last]*[m]-[y{k}]){power})/2)"
+    "/[{law}_samples.k.last],0)"
 )
 
 
@@ -52,7 +53,7 @@ def rms_sheet(book: Book, machine: Sized, laws: Sequence[NamedLaw]) -> None:
         sheet.heading("Workings: the phases")
         sheet.note(PHASE)
         sheet.note(TURNS)
-        turns(sheet, machine)
+        turns(sheet, machine, [one for one in laws if one.page.shapes is None])
         for name, one in machine.flows.items():
             direction(sheet, machine, name, one)
         shapes(sheet, laws)
@@ -72,7 +73,7 @@ def outcome(sheet: Sheet, machine: Sized) -> None:
     )  # fmt: skip
 
 
-def turns(sheet: Sheet, machine: Sized) -> None:
+def turns(sheet: Sheet, machine: Sized, sampled: Sequence[NamedLaw]) -> None:
     """Declare a row for each phase: its line, its mean squares, and at each stage what power flowing back changes."""
     n, sides = machine.sizes.phases, machine.sides
     a = sides.acceleration
@@ -118,7 +119,7 @@ def turns(sheet: Sheet, machine: Sized) -> None:
         calc("peak", "largest y", "", "",
              "=[per]*IF([sign]>0,0-INDEX(law_ca_min,[no]),INDEX(law_ca_max,[no]))", of(lambda p: p.peak), scale=a),
         *shares(machine),
-        *(column for stage in range(machine.mechanism.last) for column in stage_columns(machine, stage)),
+        *(column for stage in range(machine.mechanism.last) for column in stage_columns(machine, stage, sampled)),
     )  # fmt: skip
 
 
@@ -153,13 +154,16 @@ def chosen(column: str, row: int) -> str:
     return f"IF([dir]<0,[@backward.{column}.{row}],[@forward.{column}.{row}])"
 
 
-def stage_columns(machine: Sized, stage: int) -> list[Quantity]:
+def stage_columns(machine: Sized, stage: int, laws: Sequence[NamedLaw]) -> list[Quantity]:
     """Return the columns of one stage, numbered from the load's; a spare row turns as one that moves forward."""
     k, n, a = stage + 1, machine.sizes.phases, machine.sides.acceleration
     name, spare = f"stage {machine.mechanism.last - stage}", float(machine.flows["forward"].turn[stage])
 
     def integrals(power: int) -> list[float]:
         return filled([p.hinge(stage, power) for p in machine.bent], n)
+
+    def summed(power: str) -> str:
+        return f"={'+'.join(SAMPLED.format(law=one.slug, k=k, power=power) for one in laws)}"
 
     def sampled(power: int) -> list[float]:
         return filled([p.hinge(stage, power) if p.intervals is not None else 0.0 for p in machine.bent], n)
@@ -171,10 +175,10 @@ def stage_columns(machine: Sized, stage: int) -> list[Quantity]:
              f"=IF([peak]>0,MIN(1,[y{k}]/[peak]),1)", filled([float(p.shares[stage]) for p in machine.bent], n, 1.0)),
         calc(f"gap{k}", f"{name}: angle", "acos x", "rad",
              f"=ATAN2([x{k}],SQRT(1-[x{k}]^2))", filled([float(p.angles[stage]) for p in machine.bent], n)),
-        calc(f"o{k}", f"{name}: N1 of the own law", "", "",
-             OWN.format(k, ""), sampled(1), scale=a, source="by trapezoids on its samples"),
-        calc(f"oo{k}", f"{name}: N2 of the own law", "", "",
-             OWN.format(k, "^2"), sampled(2), scale=machine.sides.mean_square, source="by trapezoids on its samples"),
+        calc(f"o{k}", f"{name}: N1 of laws of other shapes", "", "",
+             summed(""), sampled(1), scale=a, source="by trapezoids on its samples"),
+        calc(f"oo{k}", f"{name}: N2 of laws of other shapes", "", "",
+             summed("^2"), sampled(2), scale=machine.sides.mean_square, source="by trapezoids on its samples"),
         calc(f"n{k}", f"{name}: N1", "N1", "", N1.format(k), integrals(1), scale=a, source="∫(y − y_s)+ dξ"),
         calc(f"nn{k}", f"{name}: N2", "N2", "",
              N2.format(k), integrals(2), scale=machine.sides.mean_square, source="∫(y − y_s)+² dξ"),
@@ -235,6 +239,7 @@ def shape(law: Law, sign: float) -> list[float]:
 def shapes(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     """Declare for each law the shares of its time on stages of each shape."""
     sheet.heading(
-        "Workings: stages of the laws", "Shares of a law's time; the own law is summed from its samples instead."
+        "Workings: stages of the laws",
+        "Shares of a law's time; laws of other shapes are summed from their samples instead.",
     )
     shapes_table(sheet, laws)

@@ -174,7 +174,7 @@ SIZE = "IF(@no=1,@turns,@diameter)"
 
 def verdicts(sheet: Sheet, machine: Sized, found: Joints) -> None:
     """Declare the checks."""
-    rises = "OR(COUNTIF([phases.no],OWN_no)=0,MIN([own_samples.v])>=0-check_zero)"
+    rises = "MIN([phases.low])>=0-check_zero"
     cool = "AND(@temp<@temp_limit,@temp_rated<@temp_limit)"
     sheet.checks(
         *limit_checks(machine.reserve, "", "@rated_left", "continuous torque", "derated by the temperature"),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from engine.laws import Law
 from engine.laws.base import Array
+from engine.laws.piece_extremes import extremes_of
 from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.entries.phase import AT_REST
@@ -62,6 +64,8 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
           for j, (name, words, symbol, source) in enumerate(PARTS)),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", joined.LAW_NUMBER, filled(machine.numbers, n, 1), format="0"),
+        calc("low", "lowest velocity of the law", "", "",
+             "=INDEX(law_v_low,[no])", filled([lowest(p.law) for p in phases], n)),
         calc("h", "lift used", "h", "",
              "=[lift]*@unit", filled([p.lift for p in phases], n), scale=sides.lift, source="in m, or rad"),
         calc("span", "duration used", "t", "s",
@@ -87,3 +91,8 @@ def resists(machine: Sized) -> list[float]:
     """Return what resists at the load in each phase (N or Nm), nothing in the spare rows."""
     found: Array = machine.drive.resisting([move.direction for move in machine.sizing.moves])
     return filled(found, machine.sizes.phases)
+
+
+def lowest(law: Law) -> float:
+    """Return the lowest velocity of a law."""
+    return extremes_of(law.as_pieces(), law.start.v).v[0]

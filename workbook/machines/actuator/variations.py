@@ -76,7 +76,7 @@ def phases(turn: int, room: int, laws: dict[str, Any]) -> list[dict[str, Any]]:
     own = own_in(laws)
     names = [name for name in laws if k % 3 == 0 or name not in own]
     for i in range(room if k == 0 else min(room, (24, 6, 6, 2, 6, 6)[k])):
-        law = "OWN" if k == 2 else "DWL" if (i + k) % 4 == 1 else law_for(turn + i, names)
+        law = "OWN" if k == 2 else "DWL" if (i + k) % 4 == 1 else law_for(turn + turn // SIX + i, names)
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (60.0 + 17 * i) * (-1) ** (i + k)
         made.append({"law": law, "lift": lift, "duration": (0.2 + 0.17 * ((i * 5 + k) % 4)) / (3 if k == 1 else 1)})
     return made

@@ -34,7 +34,6 @@ from engine.motion import Phase
 from workbook.book.rows import filled
 from workbook.drive.entries import PlacedParts
 from workbook.entries.units import DEGREE, MM, RPM, shown, si
-from workbook.laws.library import OwnLaw
 from workbook.machines.actuator.entries import ActuatorSizing
 
 SPARE = Stage("none", 1.0)
@@ -148,8 +147,8 @@ class Sized:
 
     @cached_property
     def bent(self) -> list[BentPhase]:
-        """The phases in the flow of power; an own law adds by its samples, as its cells do."""
-        return [BentPhase(self.drive, p, p.law.intervals if isinstance(p.law, OwnLaw) else None) for p in self.phases]
+        """The phases in the flow of power; a law of other shapes adds by its samples, as its cells do."""
+        return [BentPhase(self.drive, p, None if p.law.shapes() is not None else self.sizes.law) for p in self.phases]
 
     @cached_property
     def squares(self) -> CycleSquares:

@@ -198,7 +198,8 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
              source="lifts before"),
         *(calc(name, f"{word} position", "", "lift", formula.format("move_start"), filled(values, n, motion.position),
                scale=h)
-          for name, word, formula, values in (("low", "lowest", joined.LOW, lows), ("high", "highest", joined.HIGH, highs))),
+          for name, word, formula, values in (("low", "lowest", joined.LOW, lows),
+                                              ("high", "highest", joined.HIGH, highs))),
         calc("lack", "lack of lift", "Δy", "lift",
              "=[h]*(1-INDEX(law_s1,[no]))", of(p.lack for p in moved), scale=h,
              source="h (1 − s(1))"),

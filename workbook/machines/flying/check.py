@@ -7,7 +7,6 @@ import numpy as np
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import velocity_extremes
 from workbook.book.sentence import figure
-from workbook.entries.machine import Sizes
 from workbook.entries.types import END_TOLERANCE, DesignError
 from workbook.entries.units import MM, shown
 from workbook.laws.entries import Laws
@@ -21,7 +20,7 @@ LEAST_CV = 1.001  # below, no product is too long to keep moving
 
 def check(machine: FlyingCutter) -> None:
     """Raise DesignError for a law that does not do, and for products that leave no time to re-position."""
-    require_law(machine.cutter.law, machine.laws, machine.sizes)
+    require_law(machine.cutter.law, machine.laws)
     least = shown(tool_of(machine.cutter).shortest_product, MM)
     for entry, length in (
         ("product_length", machine.cutter.product_length),
@@ -32,9 +31,9 @@ def check(machine: FlyingCutter) -> None:
             raise DesignError(f"cutter.{entry}", said, "length", least + least)
 
 
-def require_law(code: str, given: Laws, sizes: Sizes) -> None:
+def require_law(code: str, given: Laws) -> None:
     """Raise DesignError unless the law goes from rest at 0 to rest at 1, speeds up once and slows down once."""
-    law = laws(given, sizes.own_law)[code]
+    law = laws(given)[code]
     speeds = law.v(velocity_extremes(law))
     top = int(np.argmax(speeds))
     falls = np.diff(speeds)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from engine.flying.pieces import Stretch, cut_pieces, stretches
 from workbook.book.declare import Sheet, calc, constant
-from workbook.laws import sampling
 from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import Flying
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
@@ -39,8 +38,8 @@ def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
     sheet.table(
         "standing", "The law where it is fastest", 1,
         calc("xi", "abscissa", "ξ_v", "", "=fly_peak", at),
-        *sampling.finding("fly_no", "xi", stack.locate(machine.number, at)),
-        *sampling.columns({"s": law.s(at)}, "s"),
+        *stack.finding("fly_no", "xi", stack.locate(machine.number, at)),
+        *stack.columns({"s": law.s(at)}, "s"),
     )  # fmt: skip
 
 

@@ -177,10 +177,10 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
     holds, cut, limits = machine.holds, machine.cut, machine.given.limits
     stroke = 0.0 if machine.is_drum else shown(cut.stroke, MM)
     near = "*(1+check_zero)"
-    own = (
-        'OR(fly_law<>"OWN",AND(MAX([own_fast.back])<check_zero,MIN([own_samples.v])>=0-check_zero,'
-        "ABS([own_samples.v.first])<check_zero,ABS([own_samples.v.last])<check_zero,"
-        "ABS([own_samples.s.last]-1)<check_zero))"
+    rests = ",".join(f"ABS(INDEX(law_{end},fly_no))<check_zero" for end in ("v0", "v1"))
+    law = (
+        "AND(INDEX(law_wrong,fly_no)<check_zero,INDEX(law_v_low,fly_no)>=0-check_zero,"
+        f"{rests},ABS(INDEX(law_s1,fly_no)-1)<check_zero,fly_cv>=fly_least_cv)"
     )
     sheet.checks(
         check("fly_ok_speed", "The shaft's speed is allowed", f"fly_n<=fly_rpm_max{near}", holds["speed"],
@@ -204,7 +204,7 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
               says=PIECES),
         check("fly_ok_angle", "The angle in step is less than between the tools",
               f"OR(NOT({IS_DRUM}),fly_angle*fly_tools<360)", True, "θ_T < θ_0", "cutter:angle", IN_STEP),
-        check("fly_ok_law", "The law speeds up once and slows down once", f"AND({own},fly_cv>=fly_least_cv)", True,
+        check("fly_ok_law", "The law speeds up once and slows down once", law, True,
               "from rest to rest; S5, 'Motion law parameters'", ":law",
               '"the law "&fly_law&" does not: see its sheet, or Laws"'),
     )  # fmt: skip

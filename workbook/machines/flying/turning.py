@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from engine.flying import SAME_LENGTH
 from engine.halving import velocity_halvings
+from engine.laws.sections import velocity_peak
 from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.entries.units import MM, shown
 from workbook.laws import sampling
 from workbook.laws.library import NamedLaw
 from workbook.laws.shapes import fastest_formulas, listed
-from workbook.machines.flying.view import REST, Flying, fastest
+from workbook.machines.flying.view import Flying
 
 HALVINGS = 30  # the position at a turning point is known to the square of what this leaves
 
@@ -25,7 +24,6 @@ def turning_sheet(book: Book, machine: Flying, laws: Sequence[NamedLaw], pieces:
     )
     peaks(sheet, laws)
     turning_points(sheet, machine, pieces)
-    own_peak(sheet, machine)
 
 
 def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
@@ -35,7 +33,7 @@ def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
         "fastest", "The laws by number", len(laws),
         listed(laws),
         calc("at", "abscissa", "ξ_v", "",
-             fastest_formulas(laws), [fastest(one.law) if one.family.entry.rises else 0.0 for one in laws]),
+             fastest_formulas(laws), [velocity_peak(one.law) if one.family.entry.rises else 0.0 for one in laws]),
     )  # fmt: skip
 
 
@@ -73,32 +71,6 @@ def turning_points(sheet: Sheet, machine: Flying, pieces: sampling.Pieces) -> No
             calc("low", "not before", "ξ", "", f"=IF([k]=1,{begin},IF({before},[xi-1],[low-1]))", low),
             calc("high", "not after", "ξ", "", f"=IF([k]=1,{end},IF({before},[high-1],[xi-1]))", high),
             calc("xi", "middle", "ξ", "", "=([low]+[high])/2", xi),
-            *sampling.finding("fly_no", "xi", pieces.locate(number, xi)),
-            *sampling.columns(values, "sv"),
+            *pieces.finding("fly_no", "xi", pieces.locate(number, xi)),
+            *pieces.columns(values, "sv"),
         )  # fmt: skip
-
-
-def own_peak(sheet: Sheet, machine: Flying) -> None:
-    """Declare where the samples of the own law are fastest, and whether they speed up or slow down elsewhere."""
-    law, n = machine.library["OWN"], machine.sizes.own_law
-    number = [*machine.library].index("OWN") + 1
-    xi = np.linspace(0.0, 1.0, n + 1)
-    v = law.v(xi)
-    peak = fastest(law)
-    gain = np.diff(v, prepend=v[0])
-    back = np.where(xi <= peak, np.maximum(0.0, -gain), np.maximum(0.0, gain))
-    sheet.heading("The own law's peak", "The first of its samples that is as fast as any.")
-    sheet.rows(calc("fly_own_top", "Fastest of the samples", "v_max", "", "=MAX([own_samples.v])", float(v.max())))
-    sheet.row += 1
-    sheet.table(
-        "own_fast", "Samples of the own law", n + 1,
-        constant("k", "sample", "k", "", list(range(1, n + 2))),
-        calc("at", "fastest here", "ξ", "",
-             "=IF(INDEX([own_samples.v],[k])>=fly_own_top-check_zero,INDEX([own_samples.xi],[k]),1)",
-             np.where(v >= v.max() - REST, xi, 1.0), source="1: not here"),
-        calc("back", "the wrong way", "Δv", "",
-             (f"=IF([k]=1,0,MAX(0,IF(INDEX([own_samples.xi],[k])<=[fastest.at.{number}],"
-              "INDEX([own_samples.v],[k]-1)-INDEX([own_samples.v],[k]),"
-              "INDEX([own_samples.v],[k])-INDEX([own_samples.v],[k]-1))))"), back,
-             source="slower before the peak, faster after it"),
-    )  # fmt: skip

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import pi, radians
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, own_in, single_humped, variations, vary_laws
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.selection.variations import vary_selection
 
@@ -19,7 +19,7 @@ RISING = [
 
 def variants(machine: FlyingCutter) -> list[FlyingCutter]:
     """Return six machines of the same layout: every law, drum and saw, each case, each limit exceeded."""
-    return [FlyingCutter.model_validate(data) for data in variations(machine, varied)]
+    return [FlyingCutter.model_validate(data) for data in variations(machine, varied, single_humped)]
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
@@ -27,7 +27,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     k = turn % SIX
     entries, scale = data["cutter"], factors(k)
     vary_laws(data["laws"], k, scale, data["sizes"]["pieces"])
-    law = law_for(turn + 4, data["laws"])
+    law = law_for(turn + 4, single_humped(data["laws"]))
     if law in own_in(data["laws"]):
         data["laws"][law]["pieces"] = RISING
     drum, saw, load = entries["drum"], entries["saw"], entries["load"]

@@ -16,7 +16,6 @@ from engine.laws.base import Array
 from engine.laws.sections import velocity_peak
 from engine.motion import Phase
 from workbook.entries.units import DEGREE, MM, MM_PER_TURN, PER_MINUTE, RPM, shown, si
-from workbook.laws.library import OwnLaw
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 
 CASES = {"faster": "faster", "constant speed": "in step", "slower": "slower"}
@@ -30,15 +29,6 @@ def tool_of(given: CutterEntry) -> Tool:
         drum = given.drum
         return rotary_drum(int(drum.tools), si(drum.radius, MM), si(drum.tool_angle, DEGREE))
     return flying_saw(si(given.saw.tool_length, MM), si(given.saw.lead, MM_PER_TURN))
-
-
-def fastest(law: Law) -> float:
-    """Return where a law is fastest; of the own law, the first of its samples that is as fast as any."""
-    if not isinstance(law, OwnLaw):
-        return velocity_peak(law)
-    xi = np.linspace(0.0, 1.0, law.intervals + 1)
-    v = law.v(xi)
-    return float(xi[np.argmax(v >= v.max() - REST)])
 
 
 class Asked(NamedTuple):
@@ -60,7 +50,7 @@ class Flying:
         self.line = si(self.given.line_speed, PER_MINUTE)
         load = self.given.load
         self.load = Load(self.tool.load_inertia(load.inertia, load.mass), load.torque)
-        self.peak = fastest(self.law)
+        self.peak = velocity_peak(self.law)
         self.cut = self.of(self.given.product_length)
 
     @property

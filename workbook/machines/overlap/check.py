@@ -16,7 +16,7 @@ BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 def check(machine: IndexingOverlap) -> None:
     """Raise DesignError where a law cannot be inverted, or a tool's schedule takes more than a turn."""
     require_rising(machine)
-    for station in Overlapping(machine, laws(machine.laws, machine.sizes.own_law)).stations:
+    for station in Overlapping(machine, laws(machine.laws)).stations:
         require_one_turn(station)
 
 
@@ -26,7 +26,7 @@ def require_rising(machine: IndexingOverlap) -> None:
     used = {"transfer.law": given.transfer.law}
     for i, tool in enumerate(given.tools):
         used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
-    library = laws(machine.laws, machine.sizes.own_law)
+    library = laws(machine.laws)
     for entry, name in used.items():
         law = library[name]
         if not is_monotone(law):

@@ -6,6 +6,7 @@ halving, which alone reaches 1e-9, then two steps of Newton's method take it to 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,6 +15,7 @@ from engine.halving import middles, newton_step
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import inverse
+from engine.laws.piece_extremes import extremes_of
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount
@@ -30,14 +32,31 @@ COEFFICIENTS = (
     ("xk", "begin of the piece", "ξ_k", "xi"), ("d", "its duration", "d", "d"),
     ("s0", "constant of position", "S0", "s0"), ("s1", "slope of position", "S1", "s1"),
     ("c0", "constant", "c0", "c0"), ("c1", "slope", "c1", "c1"), ("c2", "quadratic", "c2", "c2"),
-    ("c3", "cubic", "c3", "c3"), ("ps", "sine of position", "P/ω²", "ps"), ("pv", "cosine of velocity", "P/ω", "pv"),
+    ("c3", "cubic", "c3", "c3"), ("c4", "quartic", "c4", "c4"), ("c5", "quintic", "c5", "c5"),
+    ("ps", "sine of position", "P/ω²", "ps"), ("pv", "cosine of velocity", "P/ω", "pv"),
     ("omega", "frequency", "ω", "omega"), ("phi", "phase", "φ", "phi"),
 )  # fmt: skip
 CARRIED = "=IF([k]<=[used.count.{0}],INDEX(piece_s,[used.skip.{0}]+MIN([k],[used.count.{0}])),inverse_beyond)"
-HEIGHT = "=[s0]+[{t}]*([s1]+[{t}]*([c0]/2+[{t}]*([c1]/6+[{t}]*([c2]/12+[{t}]*[c3]/20))))-[ps]*SIN([omega]*[{t}]+[phi])"
-SLOPE = "=[s1]+[{t}]*([c0]+[{t}]*([c1]/2+[{t}]*([c2]/3+[{t}]*[c3]/4)))-[pv]*COS([omega]*[{t}]+[phi])"
+SECOND = (
+    ("ps2", "second sine of position", "P₂/ω₂²", "ps2"), ("pv2", "second cosine of velocity", "P₂/ω₂", "pv2"),
+    ("omega2", "its frequency", "ω₂", "omega2"), ("phi2", "its phase", "φ₂", "phi2"),
+)  # fmt: skip
+"""in a book with a law of two sines"""
+HEIGHT = (
+    "=[s0]+[{t}]*([s1]+[{t}]*([c0]/2+[{t}]*([c1]/6+[{t}]*([c2]/12+[{t}]*([c3]/20+[{t}]*([c4]/30+[{t}]*[c5]/42))))))"
+    "-[ps]*SIN([omega]*[{t}]+[phi])"
+)
+SLOPE = (
+    "=[s1]+[{t}]*([c0]+[{t}]*([c1]/2+[{t}]*([c2]/3+[{t}]*([c3]/4+[{t}]*([c4]/5+[{t}]*[c5]/6)))))"
+    "-[pv]*COS([omega]*[{t}]+[phi])"
+)
+SWING, TURN = "-[ps2]*SIN([omega2]*[{t}]+[phi2])", "-[pv2]*COS([omega2]*[{t}]+[phi2])"
 HALVE = "=[t{k}]+IF(AND([s]>0,[f{k}]<=[s]+inverse_near),1,0-1)*ABS([t{k}]-{before})/2"
 STEP = "=MAX(0,MIN([d],[{t}]-IF([{v}]>inverse_slow,([{s}]-[s])/[{v}],0)))"
+
+
+Column = tuple[str, str, str, str]
+"""of a piece: its name here, its label and symbol, and its name in the stack"""
 
 
 class Wanted(NamedTuple):
@@ -51,8 +70,11 @@ class Wanted(NamedTuple):
     head: tuple[Quantity, ...]
 
 
-def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
-    """Declare the sheet: the laws in use, then a table for the transfer and two for each tool."""
+def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row], second: bool) -> None:
+    """Declare the sheet: the laws in use, then a table for the transfer and two for each tool.
+
+    ``second`` says whether the stack of pieces has the columns of a second sine.
+    """
     sheet = book.sheet(
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
     )
@@ -88,13 +110,14 @@ def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row]) -> None:
         constant("inverse_beyond", "More than any s", "", "", BEYOND, source="fills the rows that a law does not need"),
     )  # fmt: skip
     laws_in_use(sheet, machine, rows)
-    inversion(sheet, "inverse_transfer", "Transfer: where it is in the way", in_the_way(machine), rows)
+    columns = (*COEFFICIENTS, *(SECOND if second else ()))
+    inversion(sheet, "inverse_transfer", "Transfer: where it is in the way", in_the_way(machine), rows, columns)
     for station in machine.stations:
         into, out = heights(station)
         whose = "Tool" if machine.alone else f"Tool {station.number}"
         with sheet.scoped(station.scope):
-            inversion(sheet, "@inverse_in", f"{whose}, way in", into, rows)
-            inversion(sheet, "@inverse_out", f"{whose}, way out, counted in reverse", out, rows)
+            inversion(sheet, "@inverse_in", f"{whose}, way in", into, rows, columns)
+            inversion(sheet, "@inverse_out", f"{whose}, way out, counted in reverse", out, rows, columns)
 
 
 def in_the_way(machine: Overlapping) -> Wanted:
@@ -149,6 +172,8 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
         calc("no", "law number", "", "", "=MATCH([code],law_code,0)", numbers, format="0"),
         calc("skip", "rows before its pieces", "", "", "=MATCH([no],piece_number,0)-1", skipped, format="0"),
         calc("count", "pieces", "", "", "=COUNTIF(piece_number,[no])", [len(p) for p in pieces], format="0"),
+        calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])",
+             [extremes_of(machine.library[c].as_pieces(), machine.library[c].start.v).v[0] for c in codes]),
         calc("ca", "acceleration coefficient", "C_a", "",
              "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))",
              [machine.library[c].coefficients.ca for c in codes], source="max |a|"),
@@ -161,9 +186,11 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
     )  # fmt: skip
 
 
-def inversion(sheet: Sheet, name: str, title: str, wanted: Wanted, rows: list[Row]) -> None:
+def inversion(
+    sheet: Sheet, name: str, title: str, wanted: Wanted, rows: list[Row], columns: Sequence[Column]
+) -> None:  # fmt: skip
     """Declare one table: for each s its ξ and the residual, then piece, halvings, Newton's steps."""
-    at = solved(wanted, rows)
+    at = solved(wanted, rows, columns)
     last = f"u{NEWTON}"
     sheet.table(
         name, title, len(wanted.s),
@@ -178,7 +205,7 @@ def inversion(sheet: Sheet, name: str, title: str, wanted: Wanted, rows: list[Ro
              source="last s_k not above s"),
         calc("q", "piece row", "q", "", f"=[used.skip.{wanted.use}]+[p]", at["q"], format="0"),
         *(calc(n, label, symbol, "",
-               f"=INDEX(piece_{column},[q])", at[n]) for n, label, symbol, column in COEFFICIENTS),
+               f"=INDEX(piece_{column},[q])", at[n]) for n, label, symbol, column in columns),
         *halvings(at),
         *newton(at),
     )  # fmt: skip
@@ -193,7 +220,7 @@ def halvings(at: dict[str, Array]) -> list[Quantity]:
         formula = "=[d]/2" if k == 1 else HALVE.format(k=k - 1, before=before)
         made += [
             calc(f"t{k}", f"halving {k}", "t", "", formula, at[f"t{k}"], source="± half the last step"),
-            calc(f"f{k}", "position there", "s(t)", "", HEIGHT.format(t=f"t{k}"), at[f"f{k}"]),
+            calc(f"f{k}", "position there", "s(t)", "", height(f"t{k}", at), at[f"f{k}"]),
         ]
     return made
 
@@ -203,22 +230,32 @@ def newton(at: dict[str, Array]) -> list[Quantity]:
     made, t, s = [], f"t{HALVINGS}", f"f{HALVINGS}"
     for k in range(1, NEWTON + 1):
         made += [
-            calc(f"v{k}", f"velocity, step {k}", "v", "", SLOPE.format(t=t), at[f"v{k}"]),
+            calc(f"v{k}", f"velocity, step {k}", "v", "", slope(t, at), at[f"v{k}"]),
             calc(f"u{k}", f"Newton's step {k}", "u", "",
                  STEP.format(t=t, v=f"v{k}", s=s), at[f"u{k}"], source="t − (s(t) − s)/v"),
-            calc(f"fu{k}", "position there", "s(u)", "", HEIGHT.format(t=f"u{k}"), at[f"fu{k}"]),
+            calc(f"fu{k}", "position there", "s(u)", "", height(f"u{k}", at), at[f"fu{k}"]),
         ]  # fmt: skip
         t, s = f"u{k}", f"fu{k}"
     return made
 
 
-def solved(wanted: Wanted, rows: list[Row]) -> dict[str, Array]:
+def height(t: str, at: dict[str, Array]) -> str:
+    """Return the formula of the position at a local abscissa."""
+    return (HEIGHT + (SWING if "ps2" in at else "")).format(t=t)
+
+
+def slope(t: str, at: dict[str, Array]) -> str:
+    """Return the formula of the velocity at a local abscissa."""
+    return (SLOPE + (TURN if "ps2" in at else "")).format(t=t)
+
+
+def solved(wanted: Wanted, rows: list[Row], columns: Sequence[Column]) -> dict[str, Array]:
     """Return the engine's side: the middles of the halvings follow from the engine's own inverse of s + ε."""
     law, own = wanted.law, [(i, r) for i, r in enumerate(rows, 1) if r.law == wanted.code]
     p = np.searchsorted([r.s for _, r in own], wanted.s + BREAK_TOLERANCE, side="right")
     found = [own[i - 1][1] for i in p]
     at: dict[str, Array] = {"p": p.astype(float), "q": np.array([float(own[i - 1][0]) for i in p])}
-    for name, _, _, column in COEFFICIENTS:
+    for name, _, _, column in columns:
         at[name] = np.array([float(getattr(r, column)) for r in found])
     sought = np.where(wanted.s > 0, np.minimum(wanted.s + NEAR, 1.0), 0.0)  # at a law's end no height is sought
     root = inverse(law, sought) - at["xk"]

@@ -100,7 +100,7 @@ def rising() -> Quantity:
     return check(
         "overlap_ok_rises",
         "The laws never move backwards",
-        "OR(COUNTIF([used.no],OWN_no)=0,MIN([own_samples.v])>=0-check_zero)",
+        "MIN([used.low])>=0-check_zero",
         True,
         "only a law that rises throughout can be inverted",
         ":rises",

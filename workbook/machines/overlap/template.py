@@ -30,7 +30,7 @@ def declare(given: IndexingOverlap) -> Book:
     overlap_sheet(book, view, shelf.stack)
     picture_sheet(book, view, shelf.stack)
     cycle_sheets(book, view, shelf.stack)
-    inverse_sheet(book, view, shelf.rows)
+    inverse_sheet(book, view, shelf.rows, shelf.stack.second_sine)
     shelf.sheets(book)
     return finish(book, "Overlap of motions", ("S2", "S1", "S3"))
 

@@ -1,0 +1,229 @@
+"""Points spread over the pieces of a law, and its extremes refined from the likeliest of them.
+
+It is how a table of cells finds the extremes of a law that has no closed form; the engine's own are those of
+:mod:`engine.laws.piece_extremes`, which miss none.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.laws.base import Array
+from engine.laws.ladder import Curve
+from engine.laws.piece import Piece, gains
+from engine.laws.piece_extremes import acceleration
+from engine.laws.table import begins
+
+RANKS = 3  # likeliest places of the largest values, and of the lowest, that are refined
+STEPS = 4  # of Newton's method from the chord
+DIGITS = 9  # after the point that count: of equal estimates the first is taken, a slope below is none
+WIDEST = 0.3  # rad of a sine from one point to the next, at most
+LEAST = 6  # points of a piece
+FLAT = 1e-12  # a curvature below this is none
+
+
+class Rates(NamedTuple):
+    """s, v, a, j, b = da²/du² and its slope, and the slope g = a² + v j of v·a: numbers, or arrays of one shape."""
+
+    s: Array
+    v: Array
+    a: Array
+    j: Array
+    b: Array
+    e: Array
+
+    @property
+    def va(self) -> Array:
+        """The power v·a."""
+        return self.v * self.a
+
+    @property
+    def g(self) -> Array:
+        """Its slope, a² + v j."""
+        return self.a * self.a + self.v * self.j
+
+    @property
+    def gg(self) -> Array:
+        """The slope of that, 3 a j + v b."""
+        return 3.0 * self.a * self.j + self.v * self.b
+
+
+CHAINS = {
+    "s": ("s", "v", "a"),
+    "v": ("v", "a", "j"),
+    "a": ("a", "j", "b"),
+    "j": ("j", "b", "e"),
+    "va": ("va", "g", "gg"),
+}
+"""what has extremes, with its slope and its curvature"""
+
+
+class Top(NamedTuple):
+    """A candidate for an extreme: estimate, row of its point (from 1), piece (from 1), bracket, steps, and value."""
+
+    side: int
+    rank: int
+    estimate: float
+    row: int
+    piece: int
+    low: float
+    high: float
+    steps: tuple[float, ...]
+    value: float
+
+
+@dataclass(frozen=True)
+class Spread:
+    """Points k = 0, 1, … on pieces entered with their velocities: equally many, at equal steps, on each in use."""
+
+    pieces: tuple[Piece, ...]
+    entered: tuple[tuple[float, float], ...]
+    """s and v at the begin of each"""
+    points: int
+
+    @cached_property
+    def lasting(self) -> list[int]:
+        """The pieces that last, from 0."""
+        return [k for k, piece in enumerate(self.pieces) if piece.duration > 0.0]
+
+    @property
+    def used(self) -> int:
+        """How many they are."""
+        return len(self.lasting)
+
+    @property
+    def counted(self) -> list[int]:
+        """How many of the pieces up to each last."""
+        return list(accumulate(int(piece.duration > 0.0) for piece in self.pieces))
+
+    @property
+    def each(self) -> int:
+        """The points of a piece, both its ends included."""
+        return max(2, self.points // self.used)
+
+    @cached_property
+    def place(self) -> NDArray[np.intp]:
+        """Which of the pieces that last each point is on, from 0."""
+        return np.minimum(np.arange(self.points) // self.each, self.used - 1)
+
+    @cached_property
+    def piece(self) -> NDArray[np.intp]:
+        """The piece of each point, from 0."""
+        return np.array(self.lasting)[self.place]
+
+    @cached_property
+    def u(self) -> Array:
+        """The local abscissa of each point."""
+        share = (np.arange(self.points) - self.place * self.each) / (self.each - 1)
+        return np.asarray(np.array([one.duration for one in self.pieces])[self.piece] * np.minimum(share, 1.0))
+
+    @cached_property
+    def xi(self) -> Array:
+        """ξ of each point."""
+        return np.array(begins(self.pieces))[self.piece] + self.u
+
+    @property
+    def angles(self) -> list[list[float]]:
+        """ωu + φ of either sine at the points (rad)."""
+        places = [(self.pieces[int(k)], float(u)) for k, u in zip(self.piece, self.u, strict=True)]
+        return [[p.omega * u + p.phase for p, u in places], [p.omega2 * u + p.phase2 for p, u in places]]
+
+    @property
+    def turn(self) -> float:
+        """The largest ω d of a piece (rad)."""
+        return max(one.omega * one.duration for one in self.pieces)
+
+    @property
+    def suffices(self) -> bool:
+        """Whether the points are dense enough for the polynomials and sines of all pieces."""
+        room = self.each * self.used <= self.points and self.each >= LEAST
+        return room and self.turn <= WIDEST * (self.each - 1)
+
+    @cached_property
+    def rates(self) -> Rates:
+        """The law and its derivatives at the points."""
+        found = [self.at(int(k), u) for k, u in zip(self.piece, self.u, strict=True)]
+        return Rates(*np.array(found).T)
+
+    def size(self, of: str) -> float:
+        """Return the largest size at the points of one of the law's derivatives."""
+        return float(np.abs(getattr(self.rates, of)).max())
+
+    def at(self, piece: int, u: float) -> Rates:
+        """Return the law and its derivatives at one place."""
+        one = self.pieces[piece]
+        s0, v0 = self.entered[piece]
+        s, v, a, j = gains(np.array([u]), np.array(one.row)[:, None])
+        bend = self._bends[piece]
+        at = s0 + v0 * u + s[0], v0 + v[0], a[0], j[0], bend(u), bend.derivative()(u)
+        return Rates(*at)  # type: ignore[arg-type]
+
+    @cached_property
+    def _bends(self) -> list[Curve]:
+        return [acceleration(one).derivative().derivative() for one in self.pieces]
+
+    def crosses(self, what: str) -> NDArray[np.bool_]:
+        """Return for each point whether an extreme lies between it and the point before, on the same piece."""
+        slope = getattr(self.rates, CHAINS[what][1]).round(DIGITS)
+        found = np.zeros(self.points, dtype=bool)
+        found[1:] = (self.piece[1:] == self.piece[:-1]) & (slope[1:] * slope[:-1] < 0.0)
+        return found
+
+    def estimates(self, what: str) -> Array:
+        """Return at each point the value there, or by the chord of the slope that of the extreme just before it."""
+        value, slope = (getattr(self.rates, name) for name in CHAINS[what][:2])
+        found: Array = value.copy()
+        for k in np.flatnonzero(self.crosses(what)):
+            share = slope[k - 1] ** 2 / (slope[k - 1] - slope[k])
+            found[k] = value[k - 1] + share * (self.u[k] - self.u[k - 1]) / 2.0
+        return found.round(DIGITS)
+
+    def tops(self, what: str) -> list[Top]:
+        """Return the candidates: first for the largest values, then for the lowest."""
+        estimates, crosses = self.estimates(what), self.crosses(what)
+        falling = np.sort(estimates)[::-1]
+        sides = [(1, rank, falling[rank - 1]) for rank in range(1, RANKS + 1)]
+        sides += [(-1, rank, falling[-rank]) for rank in range(1, RANKS + 1)]
+        return [self._top(what, side, rank, value, estimates, crosses) for side, rank, value in sides]
+
+    def _top(
+        self, what: str, side: int, rank: int, estimate: float, estimates: Array, crosses: NDArray[np.bool_]
+    ) -> Top:  # fmt: skip
+        k = int(np.flatnonzero(estimates == estimate)[0])
+        piece, high = int(self.piece[k]), float(self.u[k])
+        low = float(self.u[k - 1]) if crosses[k] else high
+        value, slope, curve = CHAINS[what]
+        begin, end = (float(getattr(self.at(piece, u), slope)) for u in (low, high))
+        u = low + (high - low) * begin / (begin - end) if low < high else high
+        steps = [u]
+        for _ in range(STEPS):
+            at = self.at(piece, u)
+            rate, curvature = float(getattr(at, slope)), float(getattr(at, curve))
+            u = max(low, min(high, u - (rate / curvature if abs(curvature) > FLAT else 0.0)))
+            steps.append(u)
+        return Top(side, rank, float(estimate), k + 1, piece + 1, low, high, tuple(steps),
+                   float(getattr(self.at(piece, u), value)))  # fmt: skip
+
+    def wrong_way(self, peak: float) -> Array:
+        """Return by how much v falls before the peak's ξ, or rises after it, from each point to the next."""
+        gain = np.diff(self.rates.v, prepend=self.rates.v[0])
+        return np.maximum(0.0, np.where(self.xi <= peak, -gain, gain))
+
+
+def extreme(tops: Sequence[Top], side: int) -> Top:
+    """Return the best of the candidates of one side: the first of equal ones."""
+    mine = [top for top in tops if top.side == side]
+    return max(mine, key=lambda top: (side * top.value, -top.rank))
+
+
+def steepest(tops: Sequence[Top]) -> float:
+    """Return the largest size among the candidates."""
+    return max(math.fabs(top.value) for top in tops)

@@ -1,0 +1,58 @@
+"""A book with one law of each family, with other parameters than the default: every cell, by every witness."""
+
+import pytest
+
+from tests.workbook.cells import disagreeing
+from workbook.laws.registry import FAMILIES, FAMILY
+from workbook.reading.entries import checked, counted, read_machine
+from workbook.templates import TEMPLATES
+from workbook.witnesses.registry import WITNESSES
+
+COMPOSER = TEMPLATES["motion-composer"]
+NAMED = tuple(family.code for family in FAMILIES if family.page.entries)
+TURNS = max(len(FAMILY[code].page.variations) for code in NAMED)
+
+
+def one_of_each(turn, **sizes):
+    """A composed motion, with a law of each family in its phases too."""
+    data = read_machine(COMPOSER.description).model_dump()
+    data["sizes"] |= {"cycle": 48, "law": 10, "motion_pieces": 90} | sizes
+    for code in NAMED:
+        found = FAMILY[code].page.variations
+        data["laws"][f"One {code}"] = {"family": code} | (found[turn % len(found)] if found else {})
+    data["motion"]["cycle"] = "open"
+    data["motion"]["phases"] = [
+        {"law": f"one {code}", "lift": 10.0 + k, "duration": 20.0 + k}
+        for k, code in enumerate(NAMED)
+        if code != "DHM"  # two sines
+    ]
+    return checked(COMPOSER, data, counted)
+
+
+@pytest.mark.parametrize("turn", range(TURNS))
+def test_every_cell_of_every_family_computes_what_the_engine_has(turn):
+    wrong, count = disagreeing(COMPOSER, one_of_each(turn))
+    assert wrong == []
+    assert count > 300 * len(NAMED)
+
+
+@pytest.mark.parametrize("witness", ["formualizer", "formulon", pytest.param("libreoffice", marks=pytest.mark.nightly)])
+def test_and_so_say_the_other_witnesses(witness, tmp_path):
+    found = WITNESSES[witness]()
+    if found.version() is None:
+        pytest.skip(f"{witness} is not on this machine")
+    from workbook.build import build
+    from workbook.judging.verify import verify
+
+    for turn in range(2):
+        path = tmp_path / f"{turn}.xlsx"
+        build(one_of_each(turn, cycle=12, law=4), path)
+        report = verify(path, (witness,))
+        assert report.findings == []
+        assert report.compared == report.declared
+
+
+def test_every_family_has_a_turn():
+    names = set(one_of_each(0).laws.names)
+    assert {f"One {code}" for code in NAMED} <= names
+    assert len(NAMED) == len(FAMILIES) - 1

@@ -1,0 +1,62 @@
+"""Laws of one's own: any number, exact extremes, by how much they miss, and what mends them."""
+
+import pytest
+
+from engine.laws.mended import mended, misses
+from tests.workbook.cells import computed, disagreeing
+from workbook.reading.entries import checked, counted, read_machine
+from workbook.templates import TEMPLATES
+
+COMPOSER = TEMPLATES["motion-composer"]
+OFF = [{"duration": 0.3, "c0": 4.0}, {"duration": 0.3}, {"duration": 0.4, "c0": -3.5}]
+UP = [{"duration": 1.0, "c0": 4.0}]
+
+
+def machine(**laws):
+    data = read_machine(COMPOSER.description).model_dump()
+    data["sizes"] |= {"cycle": 12, "law": 10}
+    data["laws"] |= {name: {"family": "OWN", "pieces": pieces} for name, pieces in laws.items()}
+    return checked(COMPOSER, data, counted)
+
+
+@pytest.fixture(scope="module")
+def cells():
+    return computed(COMPOSER, machine(Off=OFF, Up=UP))
+
+
+def test_the_polynomial_345_has_its_exact_extremes_on_its_page(cells):
+    assert cells("OWN_cv") == pytest.approx(1.875, rel=1e-12)
+    assert cells("OWN_ca_max") == pytest.approx(10 / 3**0.5, rel=1e-12)
+    assert cells("OWN_ca_min") == pytest.approx(-10 / 3**0.5, rel=1e-12)
+    assert cells("OWN_cj") == pytest.approx(60.0, rel=1e-12)
+    assert cells("OWN_va_max") == pytest.approx(6075 / (343 * 7**0.5), rel=1e-12)
+    assert cells("OWN_dense") == "OK"
+
+
+def test_each_own_law_tells_by_how_much_it_misses_and_what_mends_it(cells):
+    made = machine(Off=OFF).laws["Off"].made
+    off, right = misses(made), mended(made)
+    assert (cells("OWN8_miss_s"), cells("OWN8_miss_v")) == pytest.approx((off.s, off.v), rel=1e-9)
+    assert cells("OWN8_mends") == "yes"
+    assert cells("OWN8_mend", "c0")[:3] == pytest.approx([piece.c[0] for piece in right], rel=1e-9)
+    assert (cells("OWN8_reaches"), cells("OWN8_rests")) == ("FAIL", "FAIL")
+    assert cells("OWN9_mends").startswith("no")
+
+
+def test_a_law_with_the_scaled_entries_passes_its_checks():
+    pieces = [{"duration": p.duration, "c0": p.c[0]} for p in mended(machine(Off=OFF).laws["Off"].made)]
+    value = computed(COMPOSER, machine(Right=pieces))
+    assert [value(f"OWN8_{name}") for name in ("sum", "reaches", "rests", "dense")] == ["OK"] * 4
+
+
+@pytest.mark.parametrize("pieces", [
+    [{"duration": 0.0, "c0": 9.0}, {"duration": 0.5, "c0": 4.0}, {"duration": 0.0}, {"duration": 0.5, "c0": -4.0}],
+    [{"duration": 1.0, "amplitude": 4.0, "omega": 22.0, "c0": -1.0}],
+])  # fmt: skip
+def test_stages_of_no_duration_and_many_turns_agree(pieces):
+    assert disagreeing(COMPOSER, machine(Odd=pieces))[0] == []
+
+
+def test_a_sine_with_too_many_turns_for_the_points_is_told():
+    value = computed(COMPOSER, machine(Fast=[{"duration": 1.0, "amplitude": 4.0, "omega": 90.0}]))
+    assert value("OWN8_dense") == "FAIL"

@@ -1,0 +1,32 @@
+"""Polynomial 4-5-6-7."""
+
+from engine.laws.polynomial_4567 import Polynomial4567
+from workbook.laws.edged import law_of
+from workbook.laws.family import Page, PieceRow
+from workbook.laws.shared import SHARE, SHARES, Shared
+
+PAGE = Page(
+    title="Polynomial 4-5-6-7",
+    source="LCamHdl, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'",
+    entries=Shared,
+    made=law_of(Polynomial4567, "share"),
+    parameters=(SHARE,),
+    variations=SHARES,
+    pieces=(
+        PieceRow("first half", "s = 2λ S(ξ/2λ), S = 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷", "=@share",
+                 c2="=105/(2*@share^3)", c3="=0-105/@share^4", c4="=525/(8*@share^5)", c5="=0-105/(8*@share^6)"),
+        PieceRow("second half", "s = 1 − 2μ S((1 − ξ)/2μ), μ = 1 − λ", "=1-@share",
+                 c1="=0-105/(8*(1-@share)^2)", c3="=105/(4*(1-@share)^4)", c5="=0-105/(8*(1-@share)^6)"),
+    ),
+    coefficients={
+        "cv": ("=35/16", "S' = 140x³(1 − x)³ at x = ½"),
+        "ca_max": ("=42/(5*SQRT(5)*@share)", "S''/2λ at x = (5 − √5)/10"),
+        "ca_min": ("=0-42/(5*SQRT(5)*(1-@share))", "by symmetry, over 2μ"),
+        "ca_rms": ("=SQRT(70/(11*@share*(1-@share)))", "√(70/11λμ)"),
+        "cj": ("=105/(8*MIN(@share,1-@share)^2)", "S'''/4λ² or /4μ² in the middle"),
+        "va_max": ("=58800/2048*(10/11)^5/(SQRT(11)*@share)", "S'S''/2λ at x = (11 − √11)/22"),
+        "va_min": ("=0-58800/2048*(10/11)^5/(SQRT(11)*(1-@share))", "by symmetry, over 2μ"),
+    },
+    fastest="=@share",
+    shapes=None,
+)  # fmt: skip

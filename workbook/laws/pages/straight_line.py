@@ -1,0 +1,18 @@
+"""Straight line: constant velocity."""
+
+from engine.laws.straight_line import StraightLine
+from workbook.laws.family import COEFFICIENTS, Page, PieceRow, ShapeFormulas
+
+PAGE = Page(
+    title="Straight line",
+    source="LCamHdl, CONST_VELO",
+    made=lambda entered: StraightLine(),
+    pieces=(PieceRow("straight line", "s = ξ", "=1"),),
+    coefficients={name: ("=0", "no acceleration") for name, *_ in COEFFICIENTS} | {"cv": ("=1", "v = 1")},
+    fastest="=0",
+    shapes=ShapeFormulas(),
+    start="=1",
+    lowest="=1",
+    rests=False,
+    single=False,
+)
