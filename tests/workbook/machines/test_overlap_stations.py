@@ -126,7 +126,7 @@ def test_a_collision_of_the_second_tool_fails_its_own_checks_and_the_book():
 @pytest.mark.parametrize(
     ("path", "changed", "line"),
     [
-        ((), {"law_out": "DWL"}, r"overlap.tools\[3\].law_out .*: found 'DWL'; expected ACS, TVP"),
+        ((), {"law_out": "DWL"}, r"overlap.tools\[3\].law_out .*: a dwell does not move; expected one of ACS, TVP"),
         ((), {"name": "Die"}, r"overlap.tools\[3\].name .*: a second tool is named 'Die'; expected a name of its own"),
     ],
 )
