@@ -199,7 +199,7 @@ def _drawn(t: Array, line: Array, peaks: Array, sums: Array) -> tuple[Array, Arr
 
 def _time(course: Course, stretch: Stretch, u: float) -> float:
     """Return the time (s) in the cycle of a place in a stretch."""
-    x = stretch.piece.begin + u - float(course.motion.edges[0]) + course.shift
+    x = stretch.piece.begin + u - course.told.begin + course.shift
     return float(x / course.speed % course.time)
 
 

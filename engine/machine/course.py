@@ -170,15 +170,25 @@ def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
 
 
 @dataclass(frozen=True)
+class Told:
+    """A motion over one cycle as a table of pieces, from ``begin`` on over a ``total`` of its abscissa."""
+
+    pieces: tuple[MotionPiece, ...]
+    begin: float
+    total: float
+
+
+@dataclass(frozen=True)
 class Course:
     """A train over the cycle of its load's motion, whose abscissa advances at ``speed`` (1/s).
 
+    The motion is one of phases, or told by its pieces (a flying tool's, whose law rides on the line's speed).
     ``shift`` is by how much the motion is later than it is told: y(x) = y0(x − shift); windows stay where they are.
     Raises ValueError unless the speed is above 0.
     """
 
     train: Train
-    motion: Motion
+    motion: Motion | Told
     speed: float = 1.0
     shift: float = 0.0
 
@@ -189,12 +199,19 @@ class Course:
     @property
     def time(self) -> float:
         """Time of the cycle (s)."""
-        return self.motion.total / self.speed
+        return self.told.total / self.speed
+
+    @cached_property
+    def told(self) -> Told:
+        """The pieces of the motion."""
+        if isinstance(self.motion, Told):
+            return self.motion
+        return Told(tuple(motion_pieces(self.motion)), float(self.motion.edges[0]), self.motion.total)
 
     @cached_property
     def stretches(self) -> tuple[Stretch, ...]:
         """All stretches, in the order of the motion as it is told. Raises OutOfReachError."""
-        pieces = [piece for piece in motion_pieces(self.motion) if piece.duration > 0.0]
+        pieces = [piece for piece in self.told.pieces if piece.duration > 0.0]
         fastest = max(_largest(position(piece).derivative(), piece.duration) for piece in pieces)
         return tuple(stretch for piece in pieces for stretch in self._of(piece, fastest))
 
@@ -208,13 +225,13 @@ class Course:
         for low, high in parts(cuts, piece.duration):
             middle = 0.5 * (low + high)
             going = float(np.sign(velocity(middle))) if moves else 0.0
-            force = self.train.force(going, piece.begin + middle + self.shift, self.motion.total)
+            force = self.train.force(going, piece.begin + middle + self.shift, self.told.total)
             yield from self._split(piece, low, high, going, force)
 
     def _edges(self, piece: MotionPiece) -> Iterator[float]:
         """Yield the edges of windows within a piece."""
         for edge in (edge for window in self.train.windows for edge in (window.begin, window.end)):
-            u = (edge - self.shift - piece.begin) % self.motion.total
+            u = (edge - self.shift - piece.begin) % self.told.total
             if u < piece.duration:
                 yield u
 

@@ -88,7 +88,7 @@ class Demand:
         def square(one: Stretch) -> Function:
             return lambda u: one.torque(u) ** 2
 
-        return math.sqrt(self._total(square, scale) / self.course.motion.total)
+        return math.sqrt(self._total(square, scale) / self.course.told.total)
 
     @cached_property
     def energy(self) -> Energy:

@@ -284,3 +284,14 @@ def test_verify_reads_the_sentence_of_the_sheet(tmp_path):
     assert said.says("MC02 row 2 begins at 95,5°, 5,5° after row 1 ends")
     assert not said.says("MC02 row 3 begins at 95.5°, 5.5° after row 1 ends")
     assert not said.says("MC02 row 2 begins at 95.6°, 5.5° after row 1 ends")
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_every_check_says_where_and_by_how_much(name):
+    template = TEMPLATES[name]
+    book = template.declare(read_machine(template.description))
+    assert [q.name for _, q in book.checks if not q.says] == []
+    blocks = {block.name for block in book.blocks.values() for q in block.quantities
+              if q.role == "input" and book.limit(q.key) is not None}  # fmt: skip
+    watched = {q.name for guard in book.guards for q, _ in guard.entries} | {guard.table for guard in book.guards}
+    assert blocks <= watched

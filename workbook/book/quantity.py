@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from workbook.book.chart import in_scope
-from workbook.book.sentence import Sentence, quoted
+from workbook.book.sentence import Said, Sentence, quoted
 
 HOLDS, FAILS = "holds", "does not hold"
 SAYS = "_says"
@@ -87,16 +87,17 @@ def constant(name: str, label: str, symbol: str, unit: str, value: Any, **more: 
 
 
 def check(
-    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str = "", said: str = ""
-) -> Quantity:
+    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | Said = "",
+) -> Quantity:  # fmt: skip
     """Return a check: a cell that says OK where ``condition`` holds and FAIL where it does not.
 
-    ``says`` is the formula, without =, of the sentence beside it where it fails: where, and by how much; ``said`` is
-    that sentence by the engine. ``rule`` names the rule of the entries that it mirrors, if it is one of these.
+    ``says`` is the formula, without =, of the sentence beside it where it fails: where, and by how much; with what it
+    gives by the engine, where the check is none of a rule. ``rule`` names the rule of the entries that it mirrors.
     """
     formula = f'=IF({condition},"OK","FAIL")'
     verdict = "OK" if ok else "FAIL"
-    return Quantity(name, label, "", "", "check", formula, verdict, source=source, rule=rule, says=says, said=said)
+    text, said = says if isinstance(says, Said) else (says, "")
+    return Quantity(name, label, "", "", "check", formula, verdict, source=source, rule=rule, says=text, said=said)
 
 
 def sentence(q: Quantity) -> Quantity:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Any, NamedTuple
 
 DIGITS = 9
 """decimals that are shown of an entry, at most"""
+FINE = 3
+"""decimals that are shown of an amount"""
 LARGEST = 1e9
 """of the entries that are shown"""
 BEYOND = "beyond 1E9"
@@ -53,3 +55,32 @@ def figure_of(cell: str) -> str:
 def quoted(text: str) -> str:
     """Return a text as formulas write it."""
     return '"' + text.replace('"', '""') + '"'
+
+
+class Said(NamedTuple):
+    """The sentence of a check where it fails: the formula of it, and what that gives by the engine."""
+
+    says: str
+    said: str
+
+
+def amount(cell: str, value: float, before: str, after: str) -> Said:
+    """Return a sentence on one amount, rounded for people."""
+    said = f"{before}{rounded(value)}{after}"
+    return Said("&".join(filter(None, [before and quoted(before), shown(cell), after and quoted(after)])), said)
+
+
+def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Said:
+    """Return a sentence on a value that is above its limit: what it is, and by how much."""
+    one, other = amount(cell, value, "", f" {unit}, "), amount(f"{cell}-{limit}", value - most, "", f" {unit} too much")
+    return Said(f"{one.says}&{other.says}", f"{one.said}{other.said}")
+
+
+def shown(cell: str) -> str:
+    """Return the formula that rounds an amount for people."""
+    return f"ROUND({cell},{FINE})"
+
+
+def rounded(value: float) -> str:
+    """Return an amount as sentences show it."""
+    return f"{round(value, FINE) + 0.0:.15g}"

@@ -8,6 +8,7 @@ from __future__ import annotations
 from engine.drivetrain.motor import CORNERS, Corners, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given
+from workbook.book.sentence import exceeding
 from workbook.drive.entries import MotorLimits
 from workbook.entries.units import RPM, shown
 
@@ -34,11 +35,14 @@ def limit_checks(
     def label(text: str) -> str:
         return f"{of}: {text}" if of else f"{text[0].upper()}{text[1:]}"
 
+    peak, fastest = "MAX(@tmax,0-@tmin)", [shown(n, RPM) for n in (reserve.speed.value, reserve.speed.limit)]
     return [
-        check("@ok_rms", label(f"RMS torque within the {words}"), f"@rms<={rated}", reserve.rms_torque.ok, note),
-        check("@ok_peak", label("peak torque within the motor's"), "MAX(@tmax,0-@tmin)<=@motor_peak",
-              reserve.peak_torque.ok),
-        check("@ok_speed", label("speed within the motor's"), "@speed<=@motor_nmax", reserve.speed.ok),
+        check("@ok_rms", label(f"RMS torque within the {words}"), f"@rms<={rated}", reserve.rms_torque.ok, note,
+              says=exceeding("@rms", rated, "Nm", reserve.rms_torque.value, reserve.rms_torque.limit)),
+        check("@ok_peak", label("peak torque within the motor's"), f"{peak}<=@motor_peak", reserve.peak_torque.ok,
+              says=exceeding(peak, "@motor_peak", "Nm", reserve.peak_torque.value, reserve.peak_torque.limit)),
+        check("@ok_speed", label("speed within the motor's"), "@speed<=@motor_nmax", reserve.speed.ok,
+              says=exceeding("@speed", "@motor_nmax", "rpm", *fastest)),
     ]  # fmt: skip
 
 

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from engine.laws import Entry, Law, Piece
+from engine.laws.base import Kinematics
 from engine.laws.entry import IncompleteError
 from workbook.book.declare import Quantity, Sheet, check
+from workbook.book.sentence import Said, amount
 from workbook.entries.types import Model, Number, Positive
 
 COEFFICIENTS = (
@@ -190,7 +192,7 @@ class Page:
         return [
             *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
               for each in self.checks),
-            check("@ends", ends, RESTS if self.rests else REACHES, True),
+            check("@ends", ends, RESTS if self.rests else REACHES, True, says=ended(one.law.end)),
         ]  # fmt: skip
 
     def variation(self, k: int, room: int) -> dict[str, Any]:
@@ -274,3 +276,10 @@ def value_at(entered: Any, key: str) -> Any:
     field, _, index = key.partition(".")
     value = getattr(entered, field)
     return value[int(index)] if index else value
+
+
+def ended(end: Kinematics[float]) -> Said:
+    """Return the sentence on where a law ends, by the last of its samples."""
+    s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
+    v = amount("[@samples.v.last]", end.v, "v(1) = ", "")
+    return Said(f"{s.says}&{v.says}", f"{s.said}{v.said}")

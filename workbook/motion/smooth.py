@@ -12,7 +12,7 @@ from engine.motion import Motion
 from engine.motion.smoothness import ORDERS, Joint, joints, scales_of, shortfalls
 from workbook.book.declare import Quantity, calc, check
 from workbook.book.rows import filled
-from workbook.book.sentence import figure, figure_of
+from workbook.book.sentence import Said, figure, figure_of
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.asked import ABOUT, Smoothness
 from workbook.motion.cells import PieceRows
@@ -129,7 +129,7 @@ class Joints:
         """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
         ok = not shortfalls(self.motion, self.asked.smooth, self.asked.periodic)
         holds = f"SUM([{self.rows.at.pieces}.fault])=0"
-        return check(name, label, holds, ok, ABOUT, says=self._says(), said=self._said())
+        return check(name, label, holds, ok, ABOUT, says=Said(self._says(), self._said()))
 
     def _says(self) -> str:
         table, asked = self.rows.at.pieces, self.asked

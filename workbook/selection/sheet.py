@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import Said, amount, exceeding
 from workbook.entries.units import RPM, shown
 from workbook.selection.charts import charts
 from workbook.selection.curves import curves
@@ -163,8 +164,30 @@ def verdicts(view: Choosing) -> list[Quantity]:
     """Return the check that there is a pair, and step 7's; without a pair all fail."""
     found = view.checks
     held = [c.ok for c in found] or filled([], len(LIMITS), False)
-    return [check("sel_ok", "Selection: a motor and a reducer are found", "sel_found*sel_moves=1",
-                  bool(found) and view.task.moves)] + [
-        check(name, label, f"AND(sel_found=1,{condition})", ok)
-        for (name, label, condition), ok in zip(LIMITS, held, strict=True)
+    there = bool(found) and view.task.moves
+    return [check("sel_ok", "Selection: a motor and a reducer are found", "sel_found*sel_moves=1", there,
+                  says=Said("sel_message", message(view)))] + [
+        check(name, label, f"AND(sel_found=1,{condition})", ok, says=says)
+        for (name, label, condition), ok, says in zip(LIMITS, held, beyond(view), strict=True)
     ]  # fmt: skip
+
+
+def beyond(view: Choosing) -> list[Said]:
+    """Return what step 7's checks say where they do not hold."""
+    if view.checks:
+        rms, _, speed, entered, torque = [(c.value, c.limit) for c in view.checks]
+        least = float(view.reserve.min())
+    else:
+        rms = speed = entered = torque = (0.0, 0.0)
+        least = 0.0
+    told = (
+        exceeding("sel_rms", "sel_rated", "Nm", *rms),
+        amount("sel_spare", least, "", " Nm are left below the curve"),
+        exceeding("sel_speed", "sel_nmax", "rpm", *(shown(n, RPM) for n in speed)),
+        exceeding("sel_speed", "sel_nlimit", "rpm", *(shown(n, RPM) for n in entered)),
+        exceeding("sel_tmax", "sel_tlimit", "Nm", *torque),
+    )
+    return [Said(f'IF(sel_found=1,{one.says},"{NO_PAIR}")', one.said if view.checks else NO_PAIR) for one in told]
+
+
+NO_PAIR = "there is no motor with a reducer"

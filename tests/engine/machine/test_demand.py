@@ -7,12 +7,17 @@ from math import degrees, pi, radians
 import numpy as np
 import pytest
 
+from engine.choice import Task
+from engine.choice.ratios import ratio_ranges
 from engine.drivetrain import KINDS, Drive, Load, Part, Sizing, Slide, Stage, cylinder, motor_inertia, resisting
+from engine.flying import Cut, rotary_drum
+from engine.flying.pieces import cut_pieces
 from engine.laws import Dwell, law
 from engine.laws.sections import integral
-from engine.machine.course import Course
+from engine.machine.course import Course, Told
 from engine.machine.demand import Demand
 from engine.machine.train import Train, Window
+from engine.mechanisms.registry import DIRECT
 from engine.motion import Motion, Phase
 from tests.engine.machine.machines import SIZES, course_of, sampled
 from tests.engine.profiles import thirds
@@ -20,6 +25,7 @@ from tests.tiers import nights, seed
 
 RPM = 30 / pi
 STEEL = 7800.0
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
 
 
 def machines(everyday, night=200):
@@ -132,7 +138,52 @@ def test_one_sided_limits_count_at_an_instant_of_rest():
     assert Demand(only_rise).torque.lowest.value == pytest.approx(-400 * 0.7 / turns, rel=1e-12)
 
 
+def drum(tau, inertia):
+    """S5's load: an inertia that indexes, by a motor of an inertia through a ratio τ."""
+    drive = Drive(DIRECT.of(Load(0.02), gears=[Stage("reducer", 1 / tau)]), inertia)
+    return Course(Train(drive), Motion([Phase(law("CIC"), 1.2, 0.08), Phase(Dwell(), 0.0, 0.04)]))
+
+
+def test_s5_steps_3_and_4():
+    """S5, eqs. (14) to (18): the RMS torque is T_M,N at τ_min and τ_max, least at τ_opt; at τ_M,lim it is fastest."""
+    inertia, rated, fastest = 3e-4, 5.0, 600.0
+    task = Task.of_load(Load(0.02), drum(1.0, inertia).motion.phases)
+    ranges = ratio_ranges(task, rated, inertia, fastest)
+    low, high, best, limit = (float(one) for one in ranges[1:5])
+    for tau in (low, high):
+        assert Demand(drum(tau, inertia)).rms_torque == pytest.approx(rated, rel=1e-11)
+    assert Demand(drum(limit, inertia)).speed.peak == pytest.approx(fastest, rel=1e-12)
+    least = Demand(drum(best, inertia)).rms_torque
+    assert least < min(Demand(drum(best * way, inertia)).rms_torque for way in (0.97, 1.03))
+    assert best == pytest.approx(math.sqrt(inertia / 0.02), rel=1e-12)
+
+
+@pytest.mark.parametrize("length", [0.18, 0.32])
+@pytest.mark.parametrize("name", ["CIC", "MTP"])
+def test_s5_drum(length, name):
+    """S5, eqs. (10) to (13): an inertial load asks for J_L ω̇; the tool's law rides on the speed of the line."""
+    cut = Cut(rotary_drum(3, 0.12, radians(30)), length, 1.5, law(name))
+    drive = Drive(KINDS["belt"].of(Load(0.0), 0.24, parts=[Part("drum", 0.02)]), 0.0)
+    found = Demand(Course(Train(drive), Told(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
+    assert found.speed.highest.value == pytest.approx(cut.max_angular_speed, rel=1e-12)
+    assert found.torque.peak == pytest.approx(0.02 * cut.max_angular_acceleration, rel=1e-11)
+    assert found.rms_torque == pytest.approx(0.02 * cut.rms_angular_acceleration, rel=1e-11)
+    assert found.energy.driving == pytest.approx(found.energy.regenerated, rel=1e-10)
+
+
 # Another route
+
+
+@machines(4)
+def test_rms_torque_by_another_rule(request, number):
+    """Gauss–Legendre in eight panels of each stretch, where the engine has Clenshaw–Curtis."""
+    one = drawn(request, number)
+    square = 0.0
+    for stretch in one.stretches:
+        width = stretch.high - stretch.low
+        u = stretch.low + width * (np.arange(8)[:, None] + (NODES + 1) / 2) / 8
+        square += width / 16 * float((WEIGHTS * stretch.torque(u.ravel()).reshape(u.shape) ** 2).sum())
+    assert Demand(one).rms_torque == pytest.approx(math.sqrt(square / one.motion.total), rel=1e-10)
 
 
 @machines(4)

@@ -19,7 +19,7 @@ from engine.laws.table import Carried, begins, carried
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import figure
+from workbook.book.sentence import amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
 from workbook.laws import sampling
@@ -190,7 +190,8 @@ class OwnPage(Page):
             check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
                   rule=f"{one.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
             check("@reaches", f"{name}: the law reaches s = 1",
-                  "ABS([@samples.s.last]-1)<check_zero", abs(end.s - 1) < ZERO),
+                  "ABS([@samples.s.last]-1)<check_zero", abs(end.s - 1) < ZERO,
+                  says=amount("[@samples.s.last]", end.s, "s(1) = ", "")),
             check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO),
             check("@dense", f"{name}: the points are dense enough for its extremes", DENSE, at.suffices,
                   "of a sine with many turns: split its piece, or raise sizes.own_law"),

@@ -8,6 +8,7 @@ from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import amount
 from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
 from workbook.machines.composer.view import Composition
@@ -126,18 +127,21 @@ def results(sheet: Sheet, machine: Composition) -> None:
 def checks(sheet: Sheet, machine: Composition, joints: Joints) -> None:
     """Declare the checks of the motion."""
     motion = machine.motion
+    lack = max(abs(phase.lack) for phase in motion.phases)
+    jump = max((abs(joint.jump_v) for joint in machine.junctions), default=0.0)
     sheet.checks(
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
-              "each law reaches its lift"),
+              "each law reaches its lift", says=amount(greatest("phases.lack"), lack, "a lift lacks ", "")),
         room_check("move_ok_pieces", AT),
         check("move_ok_velocity", "No jump of velocity",
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
-              "of a cycle that closes, also from its end to its begin"),
+              "of a cycle that closes, also from its end to its begin",
+              says=amount(greatest("junctions.jump_v"), jump, "y' jumps by ", ": see the junctions")),
         joints.check("move_ok_smooth", "As smooth as asked"),
         check("move_ok_closes", "The cycle closes in position",
               f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', machine.axis.closes,
-              "or is open"),
+              "or is open", says=amount("move_gap", motion.gap, "it ends ", " from where it begins")),
     )  # fmt: skip
 
 
@@ -194,7 +198,8 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
              source="lifts before"),
         *(calc(name, f"{word} position", "", "lift", formula.format("move_start"), filled(values, n, motion.position),
                scale=h)
-          for name, word, formula, values in (("low", "lowest", joined.LOW, lows), ("high", "highest", joined.HIGH, highs))),
+          for name, word, formula, values in (("low", "lowest", joined.LOW, lows),
+                                              ("high", "highest", joined.HIGH, highs))),
         calc("lack", "lack of lift", "Δy", "lift",
              "=[h]*(1-INDEX(law_s1,[no]))", of(p.lack for p in moved), scale=h,
              source="h (1 − s(1))"),

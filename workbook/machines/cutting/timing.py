@@ -13,6 +13,7 @@ from engine.timing import Movement, lane, turn_time
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import amount
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import phases as joined_phases
@@ -218,6 +219,9 @@ def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
     axis, t = machine.axes[i - 1], f"axis{i}"
     motion, name, key = axis.motion, axis.name, f"timing.axes.{i - 1}"
 
+    lack = max(abs(phase.lack) for phase in motion.phases)
+    jump = max(abs(joint.jump_v) for joint in motion.junctions())
+
     def greatest(column: str) -> str:
         return f"MAX(MAX([{t}.{column}]),-MIN([{t}.{column}]))"
 
@@ -230,14 +234,17 @@ def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
         check(f"{t}_fills", f"{name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True,
               rule=f"{key}:fills", says=f"INDEX([axes.name],{i})&{UNFILLED.format(t)}"),
         check(f"{t}_position", f"{name}: no jump of position",
-              f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete),
+              f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete,
+              says=amount(f"{greatest('jump_y')}*1000", shown(lack, MM), "a lift lacks ", " mm")),
         room_check(f"{t}_room", cells(i), i, name),
         check(f"{t}_velocity", f"{name}: no jump of velocity",
-              f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth()),
+              f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth(),
+              says=amount(greatest("jump_v"), jump, "y' jumps by ", " m/rad: see jump of y'")),
         joints.check(f"{t}_smooth", f"{name}: as smooth as asked"),
         check(f"{t}_closes", f"{name}: the cycle closes",
               f'OR(INDEX([axes.closes],{i})="feed",ABS({gap})<=check_zero*{greatest("h")})', axis.closes,
-              "in position, or, as a feed, in velocity"),
+              "in position, or, as a feed, in velocity",
+              says=amount(f"({gap})*1000", shown(motion.gap, MM), "it ends ", " mm from where it begins")),
     )  # fmt: skip
 
 

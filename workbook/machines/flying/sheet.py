@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from engine.flying import LONGER, SAME_LENGTH, Beyond
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
+from workbook.book.sentence import exceeding
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
@@ -167,12 +168,14 @@ def load(sheet: Sheet, machine: Flying) -> None:
 
 SHORT = "ROUND(IF(fly_length<fly_lt*fly_longer,fly_length,fly_short),9)"
 RANGE = '"from "&ROUND(fly_short,9)&" mm to "&ROUND(fly_long,9)&" mm; expected a longest above the shortest"'
+PIECES = 'fly_pieces&" pieces, and room for "&MAX([tool_pieces.r])'
 IN_STEP = 'ROUND(fly_tools,9)&" tools in step over "&ROUND(fly_angle,9)&"° each take more than 360°"'
 
 
 def verdicts(sheet: Sheet, machine: Flying) -> None:
     """Declare the checks."""
-    holds = machine.holds
+    holds, cut, limits = machine.holds, machine.cut, machine.given.limits
+    stroke = 0.0 if machine.is_drum else shown(cut.stroke, MM)
     near = "*(1+check_zero)"
     rests = ",".join(f"ABS(INDEX(law_{end},fly_no))<check_zero" for end in ("v0", "v1"))
     law = (
@@ -180,11 +183,14 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
         f"{rests},ABS(INDEX(law_s1,fly_no)-1)<check_zero,fly_cv>=fly_least_cv)"
     )
     sheet.checks(
-        check("fly_ok_speed", "The shaft's speed is allowed", f"fly_n<=fly_rpm_max{near}", holds["speed"]),
+        check("fly_ok_speed", "The shaft's speed is allowed", f"fly_n<=fly_rpm_max{near}", holds["speed"],
+              says=exceeding("fly_n", "fly_rpm_max", "rpm", shown(cut.max_angular_speed, RPM), limits.speed)),
         check("fly_ok_acceleration", "The shaft's acceleration is allowed", f"fly_dw<=fly_dw_max{near}",
-              holds["acceleration"]),
+              holds["acceleration"],
+              says=exceeding("fly_dw", "fly_dw_max", "rad/s²", cut.max_angular_acceleration, limits.acceleration)),
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
-              f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none"),
+              f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none",
+              says=exceeding("fly_stroke", "fly_room", "mm", stroke, machine.given.saw.stroke)),
         check("fly_ok_length", "The products leave time to re-position",
               "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T", ":length",
               f'"a product of "&{SHORT}&" mm; expected at least "&ROUND(fly_lt*fly_longer,9)&" mm"'),
@@ -194,7 +200,8 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
               "cutter.load:heavy", '"inertia and mass are 0; expected one of them above"'),
         check("fly_ok_range", "The range of product lengths rises", "fly_long>fly_short", True, "",
               "cutter.lengths:ordered", RANGE),
-        check("fly_ok_pieces", "The table of pieces has room for all", "fly_pieces<=MAX([tool_pieces.r])", True, ROOM),
+        check("fly_ok_pieces", "The table of pieces has room for all", "fly_pieces<=MAX([tool_pieces.r])", True, ROOM,
+              says=PIECES),
         check("fly_ok_angle", "The angle in step is less than between the tools",
               f"OR(NOT({IS_DRUM}),fly_angle*fly_tools<360)", True, "θ_T < θ_0", "cutter:angle", IN_STEP),
         check("fly_ok_law", "The law speeds up once and slows down once", law, True,

@@ -127,8 +127,9 @@ def room_check(station: Station) -> Quantity:
     found = [*OF_TOOL.values(), *([TRANSFER] if station.number == 1 else [])]
     whose = "" if station.machine.alone else f"Tool {station.number}: "
     label = f"{whose}the tables of pieces have room for all"
-    holds = f"MAX({','.join(at.count for at in found)})<=MAX([@a_pieces.r])"
-    return check("@ok_pieces", label if whose else label.capitalize(), holds, True, ROOM)
+    most, room = f"MAX({','.join(at.count for at in found)})", "MAX([@a_pieces.r])"
+    says = f'{most}&" pieces, and room for "&{room}'
+    return check("@ok_pieces", label if whose else label.capitalize(), f"{most}<={room}", True, ROOM, says=says)
 
 
 def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:

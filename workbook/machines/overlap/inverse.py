@@ -18,6 +18,7 @@ from engine.laws.inverse import inverse
 from engine.laws.piece_extremes import extremes_of
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import filled
+from workbook.book.sentence import amount
 from workbook.entries.units import MM, shown
 from workbook.laws.stack import Row
 from workbook.machines.overlap.view import Overlapping, Station
@@ -98,6 +99,7 @@ def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row], second: boo
             "inverse_residual<check_zero",
             True,
             "S2 reads 38 % at 44 % from a table; here to 1e-9",
+            says=amount("inverse_residual", 0.0, "missed by ", ""),
         )
     )
     sheet.rows(

@@ -12,6 +12,7 @@ import numpy as np
 from engine.overlap import rests
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.sentence import amount
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import AtAngles
@@ -137,12 +138,13 @@ def verdicts(sheet: Sheet, station: Station) -> None:
 
 def checks(station: Station) -> tuple[Quantity, ...]:
     """Return the checks of the tool."""
-    found = station.clearance
+    found, margin = station.clearance, station.given.passage.margin
     nearly = "check_zero*MAX(@clearance,@stroke)"
     return (
         check("@ok_collide", "The parts do not collide", f"@least>=0-{nearly}", not found.collides,
-              "least clearance at least 0"),
-        check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin),
+              "least clearance at least 0", says=amount("@least", station.least, "least clearance ", " mm")),
+        check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin,
+              says=amount("@margin-@least", margin - station.least, "", " mm too little stay free")),
         check("@ok_angle", "The cycle leaves the tool an angle",
               f"{LEFT}>=@least_way", True, "of both ways the shorter", f"overlap:angle{station.number}",
               f'ROUND({LEFT},9)&"° are left to a way; expected at least "&ROUND(@least_way,9)&"°"'),

@@ -1,0 +1,173 @@
+"""Damaged files and hostile inputs through the command as a program: one line or a verdict, small and soon done."""
+
+import os
+import resource
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.tiers import seed
+from tests.workbook.reading.fuzz import damaged, without_charts
+from workbook.build import build
+from workbook.reading.entries import read_machine
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
+
+DAY, NIGHT = 4, 2000
+KIB, GIB, SECONDS = 1024, 2**30, 20
+linux = pytest.mark.skipif(sys.platform != "linux", reason="the memory of a child is counted in KiB on Linux")
+
+
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory):
+    """The smallest book there is, and the same without charts."""
+    machine = read_machine(TEMPLATES["motion-composer"].description)
+    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
+    path = tmp_path_factory.mktemp("sound") / "book.xlsx"
+    build(machine.model_copy(update={"sizes": sizes}), path)
+    return path.read_bytes(), without_charts(path.read_bytes())
+
+
+def run(*arguments, folder, most=GIB):
+    """Run the command as a program of its own; its exit code, what it says, its memory and its time."""
+    begin = time.monotonic()
+    child = subprocess.Popen(
+        [sys.executable, "-m", "workbook", *map(str, arguments)], cwd=folder, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, env=os.environ | {"OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": str(FOLDER.parent)},
+    )  # fmt: skip
+    try:
+        out, err = child.communicate(timeout=10 * SECONDS)
+    except subprocess.TimeoutExpired:
+        child.kill()
+        child.communicate()
+        return None, "", "", 10 * SECONDS
+    return child.returncode, out.decode(errors="replace"), err.decode(errors="replace"), time.monotonic() - begin
+
+
+def fault(code, out, err, seconds, allowed):
+    """What is wrong with how a run ended; nothing where all is as it should be."""
+    if code not in allowed:
+        return f"exit code {code}: {err[-300:]}"
+    if "Traceback" in err or "failed inside" in err:
+        return err[-300:]
+    if code == 2 and (out or len(err.splitlines()) != 1 or not err.strip().isprintable()):
+        return f"not one line: {out[-200:]}{err[-300:]}"
+    return f"{seconds:.0f} s" if seconds > SECONDS else None
+
+
+def peak():
+    """The most memory that any child has taken, in bytes."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * KIB
+
+
+def many(numbers, drawn, sound, folder):
+    path, faults = folder / "book.xlsx", []
+    for number in numbers:
+        path.write_bytes(damaged(sound[0] if number % 20 == 0 else sound[1], number, drawn))
+        wrong = fault(*run("verify", path.name, folder=folder), allowed=(0, 1, 2, 3))
+        if wrong:
+            faults.append(f"{number}, seed {drawn!r}: {wrong}")
+    assert faults == []
+    assert os.listdir(folder) == ["book.xlsx"]
+    assert peak() < GIB
+
+
+@linux
+def test_some_damaged_files(sound, tmp_path):
+    many(range(DAY), 0, sound, tmp_path)
+
+
+@linux
+@pytest.mark.nightly
+@pytest.mark.parametrize("chunk", range(20))
+def test_two_thousand_damaged_files(chunk, sound, tmp_path):
+    size = NIGHT // 20
+    many(range(chunk * size, (chunk + 1) * size), seed("command"), sound, tmp_path)
+
+
+DESCRIPTION = (FOLDER / "motion-composer.toml").read_text(encoding="utf-8")
+RATED = (FOLDER / "cutting-machine.toml").read_text(encoding="utf-8")
+TEXTS = {
+    "deep arrays": "a = " + "[" * 100_000 + "]" * 100_000,
+    "deep tables": "a = " + "{b=" * 50_000 + "1" + "}" * 50_000,
+    "a long integer": f'template = "motion-composer"\ntitle = {"9" * 4301}',
+    "a list for a text": DESCRIPTION.replace("title = ", "title = [[1]]\n#", 1),
+    "dotted keys": "\n".join(f"a{i}.b.c = {i}" for i in range(50_000)),
+    "one deep dotted key": ".".join("a" * 50_000) + " = 1",
+    "U+FFFE": DESCRIPTION.replace("title = ", 'title = "a\\uFFFEb"\n#', 1),
+    "an underscore": RATED.replace("rate = 200.0", "rate = 2__00.0"),
+    "Arabic digits": RATED.replace("rate = 200.0", "rate = ٢٠٠"),
+    "no UTF-8": "\udcff",
+    "two megabytes": "# " + "x" * 2_000_000,
+    "control characters": "a\x1b[31m = 1",
+    "nothing": "",
+}
+CATALOGUES = {
+    "a long field": "name,torque\n" + "x" * 131_073 + ",1\n",
+    "many columns": ",".join("x" * 50_000) + "\n",
+    "NUL": "name\n\x00\n",
+    "a quote without end": 'name\n"' + "x" * 900_000,
+    "escapes": "\x1b[31m,[/red]\n1,2\n",
+    "nothing": "",
+}
+
+
+@linux
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", TEXTS)
+def test_hostile_descriptions(name, tmp_path):
+    (tmp_path / "machine.toml").write_bytes(TEXTS[name].encode("utf-8", "surrogateescape"))
+    assert fault(*run("build", "machine.toml", "-o", "new.xlsx", folder=tmp_path), allowed=(2,)) is None
+    assert os.listdir(tmp_path) == ["machine.toml"]
+    assert peak() < GIB
+
+
+@linux
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", CATALOGUES)
+def test_hostile_catalogues(name, tmp_path):
+    (tmp_path / "motors.csv").write_bytes(CATALOGUES[name].encode())
+    arguments = ("build", FOLDER / "cutting-machine.toml", "--motors", "motors.csv", "-o", "new.xlsx")
+    code, out, err, seconds = run(*arguments, folder=tmp_path)
+    assert (code, out) == (2, "")
+    assert all(line.isprintable() for line in err.splitlines())
+    assert seconds < SECONDS
+    assert os.listdir(tmp_path) == ["motors.csv"]
+    assert peak() < GIB
+
+
+def places(folder):
+    """Paths that are no regular file, or odd ones."""
+    os.mkfifo(folder / "pipe.xlsx")
+    (folder / "link.xlsx").symlink_to("/dev/zero")
+    (folder / "gone.xlsx").symlink_to("nowhere.xlsx")
+    (folder / "loop.xlsx").symlink_to("loop.xlsx")
+    (folder / "[b].xlsx").write_bytes(b"")
+    return ["pipe.xlsx", "link.xlsx", "gone.xlsx", "loop.xlsx", "[b].xlsx", "[bold]x[/bold].xlsx", "x" * 300 + ".xlsx",
+            "/dev/zero", "a\x1b[31m\u009b\n.xlsx", "\udcff.xlsx"]  # fmt: skip
+
+
+@linux
+@pytest.mark.nightly
+def test_hostile_paths(tmp_path):
+    faults = {}
+    for path in places(tmp_path):
+        for command in (("verify", path), ("inputs", path), ("regenerate", path, "-o", "new.xlsx"), ("build", path)):
+            wrong = fault(*run(*command, folder=tmp_path), allowed=(2,))
+            if wrong:
+                faults[command] = wrong
+    assert faults == {}
+    assert not Path(tmp_path, "new.xlsx").exists()
+    assert peak() < GIB
+
+
+@linux
+def test_a_folder_of_pipes_and_links_is_passed_over(tmp_path):
+    places(tmp_path)
+    code, _, err, seconds = run("verify", tmp_path, folder=tmp_path)
+    assert code == 2
+    assert "Traceback" not in err
+    assert seconds < SECONDS
