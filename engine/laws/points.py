@@ -20,7 +20,7 @@ from engine.laws.base import Array
 from engine.laws.piece import Piece, bends, gains
 from engine.laws.table import begins
 
-RANKS = 3  # likeliest places of the largest values, and of the lowest, that are refined
+RANKS = 2  # likeliest places of the largest values, and of the lowest, that are refined
 STEPS = 4  # of Newton's method from the chord
 DIGITS = 9  # after the point that count: of equal estimates the first is taken, a slope below is none
 WIDEST = 0.3  # rad of a sine from one point to the next, at most

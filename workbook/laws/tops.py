@@ -1,7 +1,7 @@
 """Extremes of a law without closed forms, in cells: points on its pieces, the likeliest refined by Newton's method.
 
 A point's row knows by the sign of the slope whether an extreme lies between it and the point before, and estimates it
-by the chord; the three largest estimates, and the three lowest, are brackets in which the slope's zero is refined.
+by the chord; the largest estimates, two of each side, are brackets in which the slope's zero is refined.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ COLUMNS = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}
 """the column of points that is the slope"""
 ENTRIES = ("s0", "s1", "c0", "c1", "c2", "c3", "ps", "pv", "P", "omega", "phi")
 NAMES = {"omega": "om", "phi": "ph"}
+RISING, FALLING = range(1, RANKS + 1), range(RANKS + 1, RANKS + RANKS + 1)
+"""rows of the candidates for the largest, and for the lowest"""
 LEAST_POINTS = 60
 """in all, whatever sizes.own_law says"""
 WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
@@ -60,7 +62,7 @@ def extremes(at: Spread, peak: float) -> list[Quantity]:
     rows: list[Quantity] = []
     for what in CHAINS:
         tops = at.tops(what)
-        for name, side, function, numbers in (("most", 1, "MAX", range(1, 4)), ("least", -1, "MIN", range(4, 7))):
+        for name, side, function, numbers in (("most", 1, "MAX", RISING), ("least", -1, "MIN", FALLING)):
             cells = ",".join(f"[@top_{what}.value.{n}]" for n in numbers)
             rows.append(
                 calc(f"@{what}_{name}", f"{'Largest' if side > 0 else 'Lowest'} {WORDS[what]}", what, "",
