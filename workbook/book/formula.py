@@ -18,6 +18,7 @@ from openpyxl.utils import column_index_from_string
 from workbook.book.address import Address, Place
 
 LONGEST = 8_192  # characters of a formula; Excel's limit
+WHOLE = 1e15  # numbers below are exact, and written without a point where they are whole
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
 MOST_CELLS = 200_000  # of one range: what is larger is refused
 
@@ -188,11 +189,11 @@ def corner(cell: str) -> tuple[int, int]:
 
 
 def number(text: str) -> str:
-    """Return a number as Python writes it: ``007`` would be an error there, and ``1E999`` infinite."""
+    """Return a number as Python writes it, ``1.0`` and ``1`` alike: ``007`` would be an error, ``1E999`` infinite."""
     value = float(text)
     if not math.isfinite(value):
         raise FormulaError("#NUM!", f"{text[:20]} is larger than any number")
-    return str(int(text)) if text.isdigit() and len(text) <= 15 else repr(value)
+    return str(int(value)) if value.is_integer() and value < WHOLE else repr(value)
 
 
 def bounded(area: Area, text: str) -> Area:
