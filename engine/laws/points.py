@@ -17,12 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.laws.ladder import Curve
-from engine.laws.piece import Piece, gains
-from engine.laws.piece_extremes import acceleration
+from engine.laws.piece import Piece, bends, gains
 from engine.laws.table import begins
 
-RANKS = 3  # likeliest places of the largest values, and of the lowest, that are refined
+RANKS = 2  # likeliest places of the largest values, and of the lowest, that are refined
 STEPS = 4  # of Newton's method from the chord
 DIGITS = 9  # after the point that count: of equal estimates the first is taken, a slope below is none
 WIDEST = 0.3  # rad of a sine from one point to the next, at most
@@ -150,25 +148,30 @@ class Spread:
     @cached_property
     def rates(self) -> Rates:
         """The law and its derivatives at the points."""
-        found = [self.at(int(k), u) for k, u in zip(self.piece, self.u, strict=True)]
-        return Rates(*np.array(found).T)
+        return self.at(self.piece, self.u)
 
     def size(self, of: str) -> float:
         """Return the largest size at the points of one of the law's derivatives."""
         return float(np.abs(getattr(self.rates, of)).max())
 
-    def at(self, piece: int, u: float) -> Rates:
-        """Return the law and its derivatives at one place."""
-        one = self.pieces[piece]
-        s0, v0 = self.entered[piece]
-        s, v, a, j = gains(np.array([u]), np.array(one.row)[:, None])
-        bend = self._bends[piece]
-        at = s0 + v0 * u + s[0], v0 + v[0], a[0], j[0], bend(u), bend.derivative()(u)
-        return Rates(*at)  # type: ignore[arg-type]
+    def at(self, piece: NDArray[np.intp], u: Array) -> Rates:
+        """Return the law and its derivatives at places: arrays of the shape of ``piece`` and ``u``."""
+        row, (s0, v0) = self._rows[:, piece], self._begins[:, piece]
+        s, v, a, j = gains(u, row)
+        return Rates(s0 + v0 * u + s, v0 + v, a, j, *bends(u, row))
+
+    def at_step(self, tops: Sequence[Top], n: int) -> Rates:
+        """Return the law and its derivatives at the ``n``-th step of each candidate."""
+        places = np.array([(top.piece - 1, top.steps[n]) for top in tops]).T
+        return self.at(places[0].astype(np.intp), places[1])
 
     @cached_property
-    def _bends(self) -> list[Curve]:
-        return [acceleration(one).derivative().derivative() for one in self.pieces]
+    def _rows(self) -> Array:
+        return np.array([one.row for one in self.pieces]).T
+
+    @cached_property
+    def _begins(self) -> Array:
+        return np.array(self.entered).T
 
     def crosses(self, what: str) -> NDArray[np.bool_]:
         """Return for each point whether an extreme lies between it and the point before, on the same piece."""
@@ -192,25 +195,32 @@ class Spread:
         falling = np.sort(estimates)[::-1]
         sides = [(1, rank, falling[rank - 1]) for rank in range(1, RANKS + 1)]
         sides += [(-1, rank, falling[-rank]) for rank in range(1, RANKS + 1)]
-        return [self._top(what, side, rank, value, estimates, crosses) for side, rank, value in sides]
+        rows = np.array([int(np.flatnonzero(estimates == estimate)[0]) for _, _, estimate in sides])
+        piece, high = self.piece[rows], self.u[rows]
+        low = np.where(crosses[rows], self.u[rows - 1], high)
+        steps = self._refined(what, piece, low, high)
+        values = getattr(self.at(piece, steps[-1]), CHAINS[what][0])
+        columns = rows + 1, piece + 1, low, high, np.transpose(steps), values
+        return [
+            Top(side, rank, float(estimate), row, number, begin, end, tuple(way), value)
+            for (side, rank, estimate), row, number, begin, end, way, value in zip(
+                sides, *(column.tolist() for column in columns), strict=True
+            )
+        ]
 
-    def _top(
-        self, what: str, side: int, rank: int, estimate: float, estimates: Array, crosses: NDArray[np.bool_]
-    ) -> Top:  # fmt: skip
-        k = int(np.flatnonzero(estimates == estimate)[0])
-        piece, high = int(self.piece[k]), float(self.u[k])
-        low = float(self.u[k - 1]) if crosses[k] else high
-        value, slope, curve = CHAINS[what]
-        begin, end = (float(getattr(self.at(piece, u), slope)) for u in (low, high))
-        u = low + (high - low) * begin / (begin - end) if low < high else high
-        steps = [u]
+    def _refined(self, what: str, piece: NDArray[np.intp], low: Array, high: Array) -> list[Array]:
+        """Return the steps from the chord of the slope towards its zero; where a bracket is a point, that point."""
+        _, slope, curve = CHAINS[what]
+        begin, end = (getattr(self.at(piece, u), slope) for u in (low, high))
+        open_ = low < high
+        share = np.divide(begin, begin - end, out=np.ones_like(low), where=open_)
+        steps = [np.where(open_, low + (high - low) * share, high)]
         for _ in range(STEPS):
-            at = self.at(piece, u)
-            rate, curvature = float(getattr(at, slope)), float(getattr(at, curve))
-            u = max(low, min(high, u - (rate / curvature if abs(curvature) > FLAT else 0.0)))
-            steps.append(u)
-        return Top(side, rank, float(estimate), k + 1, piece + 1, low, high, tuple(steps),
-                   float(getattr(self.at(piece, u), value)))  # fmt: skip
+            at = self.at(piece, steps[-1])
+            rate, curvature = getattr(at, slope), getattr(at, curve)
+            step = np.divide(rate, curvature, out=np.zeros_like(low), where=np.abs(curvature) > FLAT)
+            steps.append(np.maximum(low, np.minimum(high, steps[-1] - step)))
+        return steps
 
     def wrong_way(self, peak: float) -> Array:
         """Return by how much v falls before the peak's ξ, or rises after it, from each point to the next."""

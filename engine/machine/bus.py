@@ -80,7 +80,9 @@ class Drivetrains:
         """Return the power from the mains and in the resistors, exact: with a ``common`` bus, or each drive alone."""
         figures = []
         for way in (1.0, -1.0):
-            peak = max(0.0, *(section.peak(way, common) for section in self.sections))
+            peak = 0.0
+            for section in self.sections:
+                peak = max(peak, section.peak(way, common, peak))
             energy = math.fsum(section.energy(way, common, peak) for section in self.sections)
             figures += [peak, energy / self.time]
         return Supply(*figures)
@@ -152,9 +154,9 @@ class Section:
             return lambda t: np.asarray(way * self.drawn(t).sum(axis=0))
         return lambda t: np.asarray(np.maximum(way * self.drawn(t), 0.0).sum(axis=0))
 
-    def peak(self, way: float, common: bool) -> float:
-        """Return its largest value (W)."""
-        return largest(self.total(way, common), self.low, self.high, self._nodes)[0]
+    def peak(self, way: float, common: bool, least: float) -> float:
+        """Return its largest value (W); any value below ``least`` where it stays below that."""
+        return largest(self.total(way, common), self.low, self.high, self._nodes, least).value
 
     def energy(self, way: float, common: bool, scale: float) -> float:
         """Return the integral (J) of what it has above 0; ``scale`` is the largest power of the cycle."""

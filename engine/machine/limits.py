@@ -138,14 +138,16 @@ class Judged:
 
         last = float(curve.speed[-1])
 
-        def worst(one: Stretch) -> tuple[float, float]:
+        def worst(one: Stretch, least: float) -> tuple[float, float]:
             def lack(u: Array) -> Array:
                 return np.asarray(np.abs(one.torque(u)) - curve.at(np.clip(one.motor_speed(u), -last, last)))
 
-            lacking, u = largest(lack, one.low, one.high, one.nodes)
+            lacking, u = largest(lack, one.low, one.high, one.nodes, least)
             return lacking, float(np.abs(one.torque(np.array([u])))[0])
 
-        lacking, torque = max(worst(one) for one in self.course.stretches)
+        lacking, torque = -math.inf, 0.0
+        for one in self.course.stretches:
+            lacking, torque = max((lacking, torque), worst(one, lacking))
         return LimitCheck(BELOW, torque, torque - lacking, lacking <= 0.0)
 
 

@@ -38,18 +38,23 @@ class Found(NamedTuple):
     place: float
 
 
-def largest(function: Function, low: float, high: float, nodes: int) -> Found:
-    """Return the largest value of a function between two points: see :func:`extremes`."""
-    return extremes(function, low, high, nodes, (1.0,))[0]
+def largest(function: Function, low: float, high: float, nodes: int, least: float = -np.inf) -> Found:
+    """Return the largest value of a function between two points: see :func:`extremes`.
+
+    Where it stays below ``least``, no more is done than is needed to see that.
+    """
+    return extremes(function, low, high, nodes, (1.0,), least)[0]
 
 
 def extremes(
-    function: Function, low: float, high: float, nodes: int, ways: Sequence[float] = (-1.0, 1.0)
-) -> tuple[Found, ...]:
+    function: Function, low: float, high: float, nodes: int, ways: Sequence[float] = (-1.0, 1.0),
+    least: float = -np.inf,
+) -> tuple[Found, ...]:  # fmt: skip
     """Return the lowest and the largest value of a function between two points: one for each of ``ways``.
 
     The ends of ``nodes`` parts that are not lower than their neighbours (or not higher) are narrowed, the best of
-    them; the ends count. Right where the function has at most one top within two parts.
+    them; the ends count. Right where the function has at most one top within two parts, and
+    rises above an end of theirs by no more than that is above the lower of its neighbours.
     """
     u = np.linspace(low, high, nodes + 1)
     values = function(u)
@@ -57,9 +62,13 @@ def extremes(
     best = [Found(float(values[top[0]]), float(u[top[0]])) for top in places]
     tops = np.concatenate(places)
     whose = np.repeat(np.arange(len(ways)), [top.size for top in places])
-    left, right = u[np.maximum(tops - 1, 0)], u[np.minimum(tops + 1, nodes)]
+    before, after = np.maximum(tops - 1, 0), np.minimum(tops + 1, nodes)
+    signed = np.asarray(ways)[whose, None] * values[np.array([before, tops, after]).T]
+    goal = np.maximum(least, [way * one.value for way, one in zip(ways, best, strict=True)])[whose]
+    hopeful = 2.0 * signed[:, 1] - signed.min(axis=1) >= goal
+    left, right, whose = u[before][hopeful], u[after][hopeful], whose[hopeful]
     share = np.linspace(0.0, 1.0, PARTS + 1)
-    for _ in range(ROUNDS):
+    for _ in range(ROUNDS if left.size else 0):
         points = left[:, None] + (right - left)[:, None] * share
         found = function(points.ravel()).reshape(points.shape)
         sign = np.asarray(ways)[whose]
@@ -68,7 +77,7 @@ def extremes(
         for one in np.argsort(reached):
             if reached[one] > ways[whose[one]] * best[whose[one]].value:
                 best[whose[one]] = Found(float(found[one, k[one]]), float(points[one, k[one]]))
-        goal = sign * np.array([one.value for one in best])[whose]
+        goal = np.maximum(least, [way * one.value for way, one in zip(ways, best, strict=True)])[whose]
         worth = (reached + spread > goal) & (spread > FLAT * np.abs(values).max())
         if not worth.any():
             break

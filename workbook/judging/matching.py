@@ -112,6 +112,12 @@ class Match:
                     for ours, theirs in zip(corners(one), corners(other), strict=True):
                         yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
 
+    def strays(self) -> set[Address]:
+        """Return the cells outside of all blocks, and no heading of theirs, to which some formula refers."""
+        contents = self.file.contents
+        held = (*contents.constants, *contents.formula_cells)
+        return contents.read([address for address in held if address not in self._held_index])
+
     def declared_shape(self, pair: Pair) -> str:
         """Return the shape of the formula that is declared for a cell."""
         return read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area).shape

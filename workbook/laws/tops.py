@@ -1,7 +1,7 @@
 """Extremes of a law without closed forms, in cells: points on its pieces, the likeliest refined by Newton's method.
 
 A point's row knows by the sign of the slope whether an extreme lies between it and the point before, and estimates it
-by the chord; the three largest estimates, and the three lowest, are brackets in which the slope's zero is refined.
+by the chord; the largest estimates, two of each side, are brackets in which the slope's zero is refined.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ COLUMNS = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}
 """the column of points that is the slope"""
 ENTRIES = ("s0", "s1", "c0", "c1", "c2", "c3", "ps", "pv", "P", "omega", "phi")
 NAMES = {"omega": "om", "phi": "ph"}
+RISING, FALLING = range(1, RANKS + 1), range(RANKS + 1, RANKS + RANKS + 1)
+"""rows of the candidates for the largest, and for the lowest"""
 LEAST_POINTS = 60
 """in all, whatever sizes.own_law says"""
 WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
@@ -60,7 +62,7 @@ def extremes(at: Spread, peak: float) -> list[Quantity]:
     rows: list[Quantity] = []
     for what in CHAINS:
         tops = at.tops(what)
-        for name, side, function, numbers in (("most", 1, "MAX", range(1, 4)), ("least", -1, "MIN", range(4, 7))):
+        for name, side, function, numbers in (("most", 1, "MAX", RISING), ("least", -1, "MIN", FALLING)):
             cells = ",".join(f"[@top_{what}.value.{n}]" for n in numbers)
             rows.append(
                 calc(f"@{what}_{name}", f"{'Largest' if side > 0 else 'Lowest'} {WORDS[what]}", what, "",
@@ -144,17 +146,9 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
 def step(at: Spread, what: str, tops: list[Top], n: int) -> list[Quantity]:
     """Return the columns of a step of Newton's method."""
     slope, curve, rate, curvature = (text.format(n=n) for text in SLOPES[what])
-    found = [at.at(top.piece - 1, top.steps[n]) for top in tops]
+    found = at.at_step(tops, n)
     parts = [
-        calc(
-            f"{d}{n}",
-            f"{d} there",
-            d,
-            "",
-            FORMS[d].format(u=f"u{n}"),
-            [float(getattr(one, d)) for one in found],
-            scale=at.size(d),
-        )
+        calc(f"{d}{n}", f"{d} there", d, "", FORMS[d].format(u=f"u{n}"), getattr(found, d).tolist(), scale=at.size(d))
         for d in slope + curve
     ]
     formula = f"=MAX([low],MIN([high],[u{n}]-IF(ABS({curvature})>{FLAT!r},{rate}/{curvature},0)))"
@@ -168,9 +162,9 @@ def valued(at: Spread, what: str, tops: list[Top]) -> list[Quantity]:
     u = f"u{STEPS}"
     if what != "va":
         return [result("value", WORDS[what], what, "", FORMS[what].format(u=u), [top.value for top in tops])]
-    found = [at.at(top.piece - 1, top.steps[-1]) for top in tops]
+    found = at.at_step(tops, STEPS)
     return [
-        *(calc(f"{d}{STEPS}", f"{d} there", d, "", FORMS[d].format(u=u), [float(getattr(one, d)) for one in found],
+        *(calc(f"{d}{STEPS}", f"{d} there", d, "", FORMS[d].format(u=u), getattr(found, d).tolist(),
                scale=at.size(d))
           for d in "va"),
         result("value", "v · a", "", "", f"=[v{STEPS}]*[a{STEPS}]", [top.value for top in tops]),

@@ -150,7 +150,7 @@ def test_the_variations_fail_both_checks_of_the_clearance():
 @pytest.mark.parametrize(
     ("changed", "line"),
     [
-        ({"transfer__law": "DWL"}, "law.*found 'DWL'; expected ACS, TVP, .* or OWN"),
+        ({"transfer__law": "DWL"}, "law.*a dwell does not move; expected one of ACS, TVP"),
     ],
 )
 def test_entries_that_cannot_be_get_one_line(changed, line):

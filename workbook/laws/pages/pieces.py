@@ -19,7 +19,7 @@ from engine.laws.table import Carried, begins, carried
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import amount, figure
+from workbook.book.sentence import Said, amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
 from workbook.laws import sampling
@@ -186,15 +186,19 @@ class OwnPage(Page):
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the own law."""
         at, end, name = spread_of(one.law, sizes.pieces, sizes.own_law), one.law.end, one.called
+        turns = amount("MAX([@pieces.turn])", at.turn, "a sine turns by ", " rad over ")
+        points = amount("@each", at.each, "", " points of its piece")
         return [
             check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
                   rule=f"{one.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
             check("@reaches", f"{name}: the law reaches s = 1",
                   "ABS([@samples.s.last]-1)<check_zero", abs(end.s - 1) < ZERO,
                   says=amount("[@samples.s.last]", end.s, "s(1) = ", "")),
-            check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO),
+            check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO,
+                  says=amount("[@samples.v.last]", end.v, "v(1) = ", "")),
             check("@dense", f"{name}: the points are dense enough for its extremes", DENSE, at.suffices,
-                  "of a sine with many turns: split its piece, or raise sizes.own_law"),
+                  "of a sine with many turns: split its piece, or raise sizes.own_law",
+                  says=Said(f"{turns.says}&{points.says}", f"{turns.said}{points.said}")),
         ]  # fmt: skip
 
 
