@@ -6,7 +6,6 @@ It is how a table of cells finds the extremes of a law that has no closed form; 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -29,7 +28,10 @@ FLAT = 1e-12  # a curvature below this is none
 
 
 class Rates(NamedTuple):
-    """s, v, a, j, b = da²/du² and its slope, and the slope g = a² + v j of v·a: numbers, or arrays of one shape."""
+    """The law and its derivatives, arrays of one shape.
+
+    s, v, a, j; b = d²a/du² and its slope e; the power v·a, its slope g = a² + v j and that one's, 3 a j + v b.
+    """
 
     s: Array
     v: Array
@@ -37,21 +39,9 @@ class Rates(NamedTuple):
     j: Array
     b: Array
     e: Array
-
-    @property
-    def va(self) -> Array:
-        """The power v·a."""
-        return self.v * self.a
-
-    @property
-    def g(self) -> Array:
-        """Its slope, a² + v j."""
-        return self.a * self.a + self.v * self.j
-
-    @property
-    def gg(self) -> Array:
-        """The slope of that, 3 a j + v b."""
-        return 3.0 * self.a * self.j + self.v * self.b
+    va: Array
+    g: Array
+    gg: Array
 
 
 CHAINS = {
@@ -157,8 +147,10 @@ class Spread:
     def at(self, piece: NDArray[np.intp], u: Array) -> Rates:
         """Return the law and its derivatives at places: arrays of the shape of ``piece`` and ``u``."""
         row, (s0, v0) = self._rows[:, piece], self._begins[:, piece]
-        s, v, a, j = gains(u, row)
-        return Rates(s0 + v0 * u + s, v0 + v, a, j, *bends(u, row))
+        s, gained, a, j = gains(u, row)
+        b, e = bends(u, row)
+        v = v0 + gained
+        return Rates(s0 + v0 * u + s, v, a, j, b, e, v * a, a * a + v * j, 3.0 * a * j + v * b)
 
     def at_step(self, tops: Sequence[Top], n: int) -> Rates:
         """Return the law and its derivatives at the ``n``-th step of each candidate."""
@@ -232,8 +224,3 @@ def extreme(tops: Sequence[Top], side: int) -> Top:
     """Return the best of the candidates of one side: the first of equal ones."""
     mine = [top for top in tops if top.side == side]
     return max(mine, key=lambda top: (side * top.value, -top.rank))
-
-
-def steepest(tops: Sequence[Top]) -> float:
-    """Return the largest size among the candidates."""
-    return max(math.fabs(top.value) for top in tops)

@@ -8,7 +8,7 @@ import pytest
 from engine.laws import Piece, PieceLaw
 from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import MIXED, POLYNOMIAL_345
-from engine.laws.points import Spread, extreme, steepest
+from engine.laws.points import Spread, extreme
 from engine.laws.table import carried
 
 GAP = (Piece(0.0, (9.0, 0.0, 0.0, 0.0)), *POLYNOMIAL_345, Piece(0.0))
@@ -26,6 +26,10 @@ def drawn(seed):
               dice.uniform(0.5, 20) * turns, dice.uniform(-3, 3) * turns)
         for length in lengths for turns in (dice.randint(0, 1),)
     ]  # fmt: skip
+
+
+def steepest(tops):
+    return max(abs(top.value) for top in tops)
 
 
 def found(at):
