@@ -23,7 +23,7 @@ needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not 
 @pytest.fixture(scope="module")
 def layout():
     machine = read_machine(TEMPLATE.description)
-    sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})
+    sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 60})
     return machine.model_copy(update={"sizes": sizes})
 
 
@@ -136,7 +136,7 @@ def test_own_law_filled_to_its_last_row(hands, declared):
     hands.cell("OWN_name").value = "Eight pieces"
     hands.fill("axis1", 0, law="OWN")
     assert hands.verify().findings == []
-    assert len(hands.entered().laws.OWN.pieces) == rows
+    assert len(hands.entered().laws["OWN"].pieces) == rows
 
 
 def test_zero_stages_of_the_seven(hands):
