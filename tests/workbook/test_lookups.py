@@ -21,6 +21,8 @@ from workbook.witnesses.formualizer import Formualizer
 
 LEAST = 1e-9
 CALL = re.compile(r"\b(MATCH|INT)\(")
+EQUAL = re.compile(r"(?<![<>])=")
+ROUNDS = re.compile(r"[.*^]|/.*/")  # what may make of whole numbers one that is nearly whole
 
 
 def is_number(value):
@@ -32,7 +34,15 @@ def small(values, k):
     return numbers[k - 1] if k <= len(numbers) else None
 
 
-FUNCTIONS = {"MIN": min, "MAX": max, "INT": math.floor, "SMALL": small}
+def count(values):
+    return sum(map(is_number, values))
+
+
+def either(condition, then, otherwise):
+    return then if condition else otherwise
+
+
+FUNCTIONS = {"MIN": min, "MAX": max, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either}
 
 
 def calls(text):
@@ -52,7 +62,8 @@ def calls(text):
 
 @cache
 def compiled(shape):
-    return compile(re.sub(r":B\d+", "", shape[1:]).replace("^", "**"), shape, "eval")
+    expression = re.sub(r":B\d+", "", shape[1:]).replace("^", "**")
+    return compile(EQUAL.sub("==", expression).replace("<>", "!="), shape, "eval")
 
 
 class Declared:
@@ -69,21 +80,32 @@ class Declared:
         return reference(self.names[name], sheet, self.area)
 
     def value(self, text, sheet):
-        """What an expression comes to; of a range, the values of its cells."""
+        """What an expression comes to; of a range, the values of its cells. An empty cell by itself is 0."""
         formula = read(f"={text}", sheet, self.area)
         arguments = {f"A{i}": self.argument(a) for i, a in enumerate(formula.arguments, 1)}
         return eval(compiled(formula.shape), FUNCTIONS, arguments)
+
+    def is_exact(self, text, sheet):
+        """Whether an expression is of whole numbers, and a quotient at most: where it is whole, it is so exactly."""
+        formula = read(f"={text}", sheet, self.area)
+        cells = [a for a in formula.arguments if a.single]
+        return not ROUNDS.search(formula.shape) and all(float(self.argument(a)).is_integer() for a in cells)
 
     def argument(self, argument):
         if isinstance(argument, str):
             return argument
         values = [self.cells.get(cell) for cell in argument.cells()]
-        return values[0] if argument.single else values
+        if argument.single:
+            return 0 if values[0] is None else values[0]
+        return values
 
 
-def nearest(x, keys):
-    """How near the nearest key lies that would change what is found; a whole number may meet its like."""
-    others = [k for k in keys if is_number(k) and not (k == x == int(x))]
+def nearest(x, keys, exact=False):
+    """How near the nearest key lies that would change what is found; a whole number may meet its like.
+
+    So may any other where only its like is looked for, ``exact``: it is then a copy.
+    """
+    others = [k for k in keys if is_number(k) and not (k == x and (exact or k == int(x)))]
     return min((abs(k - x) for k in others), default=math.inf)
 
 
@@ -101,7 +123,10 @@ def hanging(book):
             keys = declared.value(arguments[1], sheet) if name == "MATCH" else [math.floor(x), math.floor(x) + 1]
             shares = name == "INT" or "piece_key" in arguments[1]
             column = found.setdefault((cell.block.name, cell.quantity.name, n), ([], [], shares))
-            column[0].append(nearest(x, keys) if name == "MATCH" else min(abs(k - x) for k in keys))
+            if name == "INT" and not declared.is_exact(arguments[0], sheet):
+                column[0].append(min(abs(k - x) for k in keys))
+            else:
+                column[0].append(nearest(x, keys, exact=arguments[2:] == ["0"]))
             column[1].append(x)
     return {key: (min(d), 1.0 if shares else max(x) - min(x)) for key, (d, x, shares) in found.items()}
 
