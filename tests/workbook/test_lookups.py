@@ -122,13 +122,13 @@ def hanging(book):
                 continue
             keys = declared.value(arguments[1], sheet) if name == "MATCH" else [math.floor(x), math.floor(x) + 1]
             shares = name == "INT" or "piece_key" in arguments[1]
-            column = found.setdefault((cell.block.name, cell.quantity.name, n), ([], [], shares))
+            column = found.setdefault((cell.block.name, cell.quantity.name, n, shares), ([], []))
             if name == "INT" and not declared.is_exact(arguments[0], sheet):
                 column[0].append(min(abs(k - x) for k in keys))
             else:
                 column[0].append(nearest(x, keys, exact=arguments[2:] == ["0"]))
             column[1].append(x)
-    return {key: (min(d), 1.0 if shares else max(x) - min(x)) for key, (d, x, shares) in found.items()}
+    return {key: (min(d), 1.0 if key[-1] else max(x) - min(x)) for key, (d, x) in found.items()}
 
 
 @pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
