@@ -119,6 +119,11 @@ def motion_pieces(motion: Motion) -> list[MotionPiece]:
     return found
 
 
+def shares(pieces: Sequence[MotionPiece], begin: float, end: float) -> list[float]:
+    """Return where each piece begins, as a share of the whole motion from ``begin`` to ``end``."""
+    return [(piece.begin - begin) / (end - begin) for piece in pieces]
+
+
 class Place(NamedTuple):
     """Where samples lie: which piece (from 0), u from its origin, and the argument ωu + φ of its first sine (rad)."""
 
@@ -132,8 +137,8 @@ def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -
 
     What is nearer to a begin than :data:`BREAK_TOLERANCE` of the whole counts as on it; the end has the left limit.
     """
-    near = BREAK_TOLERANCE * (end - begin)
-    k = np.searchsorted([piece.begin for piece in pieces], np.minimum(x + near, end - near), side="right") - 1
+    reached = np.minimum((x - begin) / (end - begin) + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
+    k = np.searchsorted(shares(pieces, begin, end), reached, side="right") - 1
     k = np.maximum(k, 0)
     origin, omega, phi = np.array([(piece.origin, *piece.sines[0][1:]) for piece in pieces]).T
     u = x - origin[k]

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, Protocol
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, located, motion_pieces
+from engine.motion.pieces import MotionPiece, located, motion_pieces, shares
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
 from workbook.motion.stack import Sine, powers, sines
@@ -25,20 +25,22 @@ class Cells:
     """Where a motion stands in a book.
 
     ``phases`` is the table of its phases, with the columns ``k``, ``no``, ``h``, ``span``, ``begin`` and ``y0``, in
-    units of the motion, beside those that this room adds; ``pieces`` is the table of its pieces. ``count``, ``end`` and
-    ``near`` are what says how many pieces there are, where the abscissa ends and how near to a begin counts as on it.
-    With ``degrees``, begins and samples are in degrees, and the motion per radian. With ``drifts``, phases have a
-    column ``drift``, a velocity that is added; with ``opens``, one of where they begin, if in the middle of a piece.
+    units of the motion, beside those that this room adds; ``pieces`` is the table of its pieces. ``count`` and ``end``
+    are what says how many pieces there are and where the abscissa ends; it begins at 0. With ``degrees``, begins and
+    samples are in degrees, and the motion per radian; ``near`` is then what says how near to a begin counts as on it.
+    In units of its own a motion may be of any length: a sample finds its piece by the share of the whole. With
+    ``drifts``, phases have a column ``drift``, a velocity that is added; with ``opens``, one of where they begin, if in
+    the middle of a piece.
     """
 
     phases: str
     pieces: str
     count: str
     end: str
-    near: str
     y: str = ""
     x: str = ""
     degrees: bool = False
+    near: str = ""
     drifts: bool = False
     opens: bool = False
 
@@ -49,6 +51,12 @@ class Cells:
     def of_piece(self, column: str, q: str) -> str:
         """Return the formula of a figure of the piece that a sample has found."""
         return f"INDEX([{self.pieces}.{column}],[{q}])"
+
+    def piece(self, x: str) -> str:
+        """Return the formula, without its =, of the piece of a sample: the last that begins at or before it."""
+        if self.degrees:
+            return f"MATCH(MIN([{x}]+{self.near},{self.end}-{self.near}),[{self.pieces}.begin],1)"
+        return f"MATCH(MIN([{x}]/{self.end}+break_tolerance,1-break_tolerance),[{self.pieces}.share],1)"
 
     def unit(self, order: int) -> str:
         """Return the unit of a derivative of the motion."""
@@ -121,6 +129,11 @@ class PieceRows:
     def column(self, figure: Callable[[MotionPiece], Any], room: int) -> list[Any]:
         """Return a figure of each piece; spare rows have that of the last."""
         return filled((figure(piece) for piece in self.pieces), room, figure(self.pieces[-1]))
+
+    @property
+    def shares(self) -> list[float]:
+        """Where each piece begins, as a share of the whole motion."""
+        return shares(self.pieces, self.begin, self.end)
 
     def found(self, x: Array) -> Found:
         """Return where samples of the abscissa lie."""

@@ -79,6 +79,8 @@ def pieces_table(
     origin = f"{at.of_phase('begin')}+{length}*{of_law('xi')}"
     opened = [begins("origin", "u counts from", origin, lambda piece: piece.origin)] if at.opens else []
     begin = f"MAX({at.of_phase('opens')},{origin})" if at.opens else origin
+    share = calc("share", "begins at this share of the whole", "", "", f"=[begin]/{at.end}",
+                 filled(rows.shares, room, 1.0), source="spare rows: 1")  # fmt: skip
     sheet.table(
         at.pieces, title, room,
         constant("r", "piece", "r", "", list(range(1, room + 1))),
@@ -90,6 +92,7 @@ def pieces_table(
              format="0"),
         begins("begin", "begins at", begin, lambda piece: piece.begin),
         *opened,
+        *([] if at.degrees else [share]),
         calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{of_law('d')})",
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
         *(power(rows, i, of, sizes) for i in range(rows.powers)),

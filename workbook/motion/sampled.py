@@ -23,8 +23,7 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
     q, local = f"q{suffix}", f"[{x}]-{at.of_piece('origin' if at.opens else 'begin', f'q{suffix}')}"
     return [
         calc(q, f"{of}piece", "q", "",
-             f"=MATCH(MIN([{x}]+{at.near},{at.end}-{at.near}),[{at.pieces}.begin],1)", found.row, format="0",
-             source="last begin not above"),
+             f"={at.piece(x)}", found.row, format="0", source="last begin not above"),
         calc(f"u{suffix}", f"{of}within piece", "u", at.x,
              f"=RADIANS({local})" if at.degrees else f"={local}", found.u, source="from its begin"),
         calc(f"x{suffix}", f"{of}sine argument", "x", "rad",

@@ -42,9 +42,6 @@ def cycle_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
         sheet.rows(
             pieces_in_all(rows),
             found.order(),
-            calc("@eps", "Tolerance of a time", "ε", "s",
-                 "=@time*break_tolerance", machine.sizing.motion.tolerance, format="0E+00",
-                 source="a sample this near to a begin counts as on it"),
         )  # fmt: skip
         sheet.row += 1
         pieces_table(sheet, TITLE, rows, machine.room, machine.sizing.motion.size, *found.columns(machine.room))

@@ -14,7 +14,7 @@ from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import phase_columns
 from workbook.motion.smooth import Asked, Joints
 
-AT = Cells("phases", "act_pieces", "act_pieces_all", "act_time", "act_eps", x="s")
+AT = Cells("phases", "act_pieces", "act_pieces_all", "act_time", x="s")
 FILL = (
     "Phases of the motion: fill one row each, in order; S4's profile of thirds is TVP, "
     "its break points stand on the sheet TVP"

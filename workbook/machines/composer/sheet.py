@@ -18,7 +18,7 @@ from workbook.motion.pieces import ABOUT, TITLE, phase_columns, pieces_in_all, p
 from workbook.motion.sampled import POSITION, derivative, finding
 from workbook.motion.smooth import Asked, Joints
 
-AT = Cells("phases", "move_pieces", "move_pieces_all", "move_total", "move_near", "lift", "x")
+AT = Cells("phases", "move_pieces", "move_pieces_all", "move_total", "lift", "x")
 UNITS = ('move_y&"/"&move_x', 'move_y&"/"&move_x&"²"', 'move_y&"/"&move_x&"³"')
 PER, PER2, PER3 = "lift/x", "lift/x²", "lift/x³"  # units, which the engineer names: in the headers they stand as words
 
@@ -47,9 +47,6 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.rows(
         pieces_in_all(rows),
         joints.order(),
-        calc("move_near", "Tolerance of a begin", "ε", "x",
-             "=move_total*break_tolerance", machine.motion.tolerance, format="0E+00",
-             source="a sample this near to a begin counts as on it"),
     )  # fmt: skip
     sheet.row += 1
     pieces_table(sheet, TITLE, rows, machine.room, machine.motion.size, *joints.columns(machine.room))

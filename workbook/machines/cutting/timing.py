@@ -33,7 +33,7 @@ LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}
 
 def cells(i: int) -> Cells:
     """Return where the motion of an axis stands."""
-    return Cells(f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "timing_eps", "m", "rad", degrees=True)
+    return Cells(f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "m", "rad", degrees=True, near="timing_eps")
 
 
 def asked(machine: Cutting, i: int) -> Asked:

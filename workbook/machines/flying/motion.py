@@ -10,7 +10,7 @@ from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, phase_table_columns, pieces_in_all, pieces_table
 from workbook.motion.stack import last_before
 
-AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "fly_eps", "m", "s", drifts=True, opens=True)
+AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "m", "s", drifts=True, opens=True)
 SPLIT = "IF(fly_waits=1,fly_peak,1)"
 PARTS = ("moves by its law", "waits", "moves on", "works at line speed")
 WHERE = "The parts of the cycle: beside the law the tool moves at line speed, which stands in the column drift."

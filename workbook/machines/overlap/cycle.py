@@ -28,7 +28,9 @@ WAYS = ("dwell", "way out", "rest", "way in")
 
 def cells(name: str) -> Cells:
     """Return where a motion over the master angle stands."""
-    return Cells(f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "overlap_eps", "m", "rad", degrees=True)
+    return Cells(
+        f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "m", "rad", degrees=True, near="overlap_eps"
+    )
 
 
 TRANSFER = cells("transfer")
