@@ -23,13 +23,13 @@ from workbook.witnesses.libreoffice import program
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 NIGHT = pytest.mark.nightly
 TABLES = [
-    ("cutting-machine", "axis2"), ("cutting-machine", "own_pieces"), ("motion-composer", "phases"),
+    ("cutting-machine", "axis2"), ("cutting-machine", "OWN_pieces"), ("motion-composer", "phases"),
     *(pytest.param(*case, marks=NIGHT) for case in (
         ("cutting-machine", "axis1"), ("cutting-machine", "axis3"), ("cutting-machine", "rotors"),
         ("cutting-machine", "motors"), ("cutting-machine", "reducers"), ("cutting-machine", "cycle"),
-        ("motion-composer", "own_pieces"), ("indexing-overlap", "own_pieces"),
-        ("indexing-overlap-stations", "own_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
-        ("flying-cutter-saw", "own_pieces"), ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"),
+        ("motion-composer", "OWN_pieces"), ("indexing-overlap", "own_pieces"),
+        ("indexing-overlap-stations", "OWN_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
+        ("flying-cutter-saw", "OWN_pieces"), ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"),
         ("actuator-sizing", "motors"), ("actuator-sizing-conveyor", "phases"),
         ("motion-composer-example-1", "phases"), ("motion-composer-example-2", "phases"),
     )),

@@ -18,6 +18,7 @@ from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import libreoffice
 from workbook.witnesses.agreed import agreed
+from workbook.witnesses.names import ALL, NAMES
 from workbook.witnesses.registry import WITNESSES
 
 
@@ -232,7 +233,7 @@ def test_one_asked_by_name_and_absent_is_refused(cutting, monkeypatch):
         verify(cutting.path, ["pycel", "libreoffice"])
     with pytest.raises(WitnessError):
         present(["all", "libreoffice"])
-    with pytest.raises(MotionbookError, match=r"expected pycel, formualizer, libreoffice"):
+    with pytest.raises(MotionbookError, match=f"expected {', '.join(NAMES)}, {ALL}"):
         verify(cutting.path, ["excel"])
 
 

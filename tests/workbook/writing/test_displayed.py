@@ -19,6 +19,7 @@ from workbook.writing import archive
 from workbook.writing.write import WIDTHS, parts
 
 DASH = re.compile(r'([0.#]+);-\1;"–"')  # a declared rule: zero is shown as nothing
+BLANK = "0;;"  # a declared rule: zero is not shown
 DECIMALS = re.compile(r"0(?:\.([0#]+))?(E\+00)?")
 GENERAL = 9  # digits after the first that Excel shows of a number without a format of its own
 MOST = 12  # characters in a column of the usual width; longer numbers would be shown as ####
@@ -51,6 +52,8 @@ def says(text, value, number_format, peak):
         return text == (value or "")
     if text == "–":
         return abs(value) <= TOLERANCE * peak and DASH.fullmatch(number_format) is not None
+    if text == "":
+        return value == 0 and number_format == BLANK
     if not re.fullmatch(r"-?\d+(\.\d*)?(E[+-]\d+)?", text) or len(text) > MOST:
         return False
     return abs(float(text) - value) <= (1 + 1e-6) * step(number_format, text) + TOLERANCE * peak
@@ -84,6 +87,7 @@ def test_each_text_reads_back_as_its_value_to_the_shown_digits(shown):
         ("–", 0.2, '0;-0;"–"'),
         ("–", 0.0, "0.0"),
         ("", 0.0, "0.0"),
+        ("", 1, "0;;"),
         ("1.20E+03", 1206.0, "0.00E+00"),
         ("1.20E+02", 1200.0, "0.00E+00"),
         ("OK", "FAIL", "General"),
