@@ -19,12 +19,13 @@ from engine.laws.base import Array
 from engine.laws.piece import Piece, bends, gains
 from engine.laws.table import begins
 
-RANKS = 2  # likeliest places of the largest values, and of the lowest, that are refined
+RANKS = 3  # likeliest places of the largest values, and of the lowest, that are refined
 STEPS = 4  # of Newton's method from the chord
 DIGITS = 9  # after the point that count: of equal estimates the first is taken, a slope below is none
 WIDEST = 0.3  # rad of a sine from one point to the next, at most
 LEAST = 6  # points of a piece
 FLAT = 1e-12  # a curvature below this is none
+SAME = 1e-9  # of ξ: places no farther apart are one
 
 
 class Rates(NamedTuple):
@@ -217,7 +218,7 @@ class Spread:
     def wrong_way(self, peak: float) -> Array:
         """Return by how much v falls before the peak's ξ, or rises after it, from each point to the next."""
         gain = np.diff(self.rates.v, prepend=self.rates.v[0])
-        return np.maximum(0.0, np.where(self.xi <= peak, -gain, gain))
+        return np.maximum(0.0, np.where(self.xi <= peak + SAME, -gain, gain))
 
 
 def extreme(tops: Sequence[Top], side: int) -> Top:

@@ -198,10 +198,11 @@ def outcomes(template: Template, folder: Path, count: int, seed: int | str) -> I
     looks = Looks(template, folder)
     changed = looks.opened()
     faults = formatted(looks, changed, count, seed)
-    said, oracle = looks.said(changed), Oracle(changed)
+    said, built, oracle = looks.said(changed), Oracle(looks.opened()), Oracle(changed)
     for pair, code in faults:
         text = oracle.text(pair.address)
-        misread = not reads_back(text, value_of(pair), pair.cell.quantity.unit)
+        hidden = text == built.text(pair.address) == ""  # a zero that is not to be seen is not seen either
+        misread = not hidden and not reads_back(text, value_of(pair), pair.cell.quantity.unit)
         found = f"{pair.address.sheet}!{pair.address.a1}" in said
         yield f"{pair.address} shown as {text!r} by {code}", found if misread else not (found and code in TASTE)
     for style in ("label", "symbol", "unit"):

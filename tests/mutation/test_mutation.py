@@ -13,7 +13,7 @@ from tests.tiers import seed
 from workbook.templates import TEMPLATES
 
 SEED, PARTS = 7, 3
-SAMPLE = 720  # mutants of a template: more than it has quantities
+SAMPLE = 1080  # mutants of a template: more than it has quantities
 MANY, RUNS = 6000, 10  # mutants of a template in a night, and the tests among which they are divided
 WHOLE = 2  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs

@@ -1,7 +1,7 @@
 """Extremes of a law without closed forms, in cells: points on its pieces, the likeliest refined by Newton's method.
 
 A point's row knows by the sign of the slope whether an extreme lies between it and the point before, and estimates it
-by the chord; the largest estimates, two of each side, are brackets in which the slope's zero is refined.
+by the chord; the largest estimates, three of each side, are brackets in which the slope's zero is refined.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ TOP = (
     "[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2,[{f}]),[{f}])),9)"
 )
 """by the chord of the slope; slopes below 1e-9 are none"""
-BACK = "=IF([k]=0,0,MAX(0,IF([xi]<=@v_at,[v-1]-[v],[v]-[v-1])))"
+BACK = "=IF([k]=0,0,MAX(0,IF([xi]<=@v_at+check_zero,[v-1]-[v],[v]-[v-1])))"
 BEND = "=2*INDEX(piece_c2,[q])+[u]*6*INDEX(piece_c3,[q])-INDEX(piece_P,[q])*INDEX(piece_omega,[q])^2*SIN([x])"
 
 

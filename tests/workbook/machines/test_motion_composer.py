@@ -6,7 +6,7 @@ import random
 import openpyxl
 import pytest
 
-from tests.laws import MOVING
+from tests.laws import MOVING, told
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_random_inputs import durations, piece, shares
 from workbook.build import build, committed, inputs, stale_templates
@@ -210,7 +210,7 @@ def drawn(dice):
     """A motion of any length in any units, its durations over four decades."""
     data = described(cycle=dice.choice((7, 24)), motion_pieces=120).model_dump()
     data["laws"]["MTP"]["durations"] = durations(dice)
-    data["laws"]["OWN"]["pieces"] = [piece(dice, d) for d in shares(dice, dice.randint(1, 4))]
+    data["laws"]["OWN"]["pieces"] = told(lambda: [piece(dice, d) for d in shares(dice, dice.randint(1, 4))])
     low, high = sorted(dice.uniform(0.02, 0.98) for _ in range(2))
     data["laws"]["TVP"].update(rise_end=low, fall_start=high)
     size = 10 ** dice.uniform(-4, 3)
