@@ -30,7 +30,7 @@ class RefusedError(Exception):
     """What is wrong with the structure or type of a description: pydantic's faults, or those of a design."""
 
     def __init__(self, faults: list[Any]) -> None:
-        super().__init__(str(faults))
+        super().__init__(f"{len(faults)} faults")
         self.faults = faults
 
 

@@ -127,7 +127,8 @@ def test_pieces_give_the_same_motion(law_in, law_out, split):
     assert found.y == pytest.approx(schedule.travel(TURN), abs=1e-12)
     for order, values in enumerate(schedule.rates(TURN, 1.0), 1):
         assert found[order] * (2 * pi) ** order == pytest.approx(values, abs=1e-11 * np.abs(values).max())
-    assert {piece.phase for piece in schedule.pieces} == {0, 1, 2, 3}
+    rests = schedule.parts[2].duration > 0.0
+    assert {piece.phase for piece in schedule.pieces} == ({0, 1, 2, 3} if rests else {0, 1, 3})
 
 
 def test_just_below_a_whole_turn_counts_as_on_it():

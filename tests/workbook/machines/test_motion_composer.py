@@ -154,6 +154,7 @@ def test_axis_titles_follow_the_units_entered(tmp_path):
 
 def test_twenty_four_phases_fit_and_twenty_five_do_not():
     data = described().model_dump()
+    data["sizes"]["motion_pieces"] = None
     data["motion"]["phases"] = [phase("CIC", 10.0 * (-1) ** i, 15.0) for i in range(24)]
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
     assert (value("move_count"), value("move_total")) == (24, 360.0)
