@@ -58,6 +58,8 @@ def remembered(declare: Callable[[Machine], Book]) -> Callable[[Machine], Book]:
     books: dict[str, Book] = {}
 
     def found(machine: Machine) -> Book:
+        if machine.design.replaced:  # its book is changed afterwards
+            return declare(machine)
         key = machine.model_dump_json()
         if key not in books:
             books[key] = declare(machine)

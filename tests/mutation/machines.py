@@ -28,9 +28,13 @@ def machine(given: Machine, drawn: random.Random) -> Machine:
     varied = import_module(f"tests.mutation.draw_{MODULES[given.template]}").varied
     for _ in range(TRIES):
         try:
-            return checked(TEMPLATES[given.template], varied(given.model_dump(), drawn), str)
+            made = checked(TEMPLATES[given.template], varied(given.model_dump(), drawn), str)
         except InputError as error:
-            refused = error
+            refused = str(error)
+        else:
+            if not made.design.replaced:
+                return made
+            refused = str(made.design.faults)
     raise AssertionError(f"{TRIES} machines were drawn and none is valid; the last: {refused}")
 
 
