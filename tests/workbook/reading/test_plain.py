@@ -15,7 +15,8 @@ from workbook.reading.scan import Scan
 
 BOOKS = sorted(path for path in Path("templates").glob("*.xlsx"))
 SMALL = (
-    '<?xml version="1.0" encoding="UTF-8"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main">'
+    '<?xml version="1.0" encoding="UTF-8"?>'
+    '<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main">'
     '<sheetFormatPr defaultRowHeight="15"/><sheetData>'
     '<row r="1" spans="1:3"><c r="A1" s="2"><v>1.5</v></c><c r="B1" t="s"><v>0</v></c><c r="C1" s="1"/></row>'
     '<row r="2" ht="33" customHeight="1"><c r="A2"><f>A1&lt;2</f><v>1</v></c><c r="B2" t="str"><f>"a"&amp;"ö"</f>'
