@@ -15,6 +15,7 @@ from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, Words, find_places
 
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
+HEAD = range(1, 4)  # how far above a table its headings are declared
 
 
 class Pair(NamedTuple):
@@ -169,13 +170,20 @@ class Match:
         return 1
 
     def headless(self, block: Block) -> bool:
-        """Whether nothing stands above a table of the file, where the declaration has its headings."""
+        """Whether a table of the file has lost its headings: no text just above it, and none of its own further up."""
         place = self.file.places.get(block.name)
         if place is None or not block.is_table:
             return False
-        above = [(block.sheet.title, block.row - up, column) for up in (1, 2, 3) for column in block.columns.values()]
-        held = (self.file.value(place.cell(-up, j)) for up in (1, 2, 3) if up < place.row for j in range(place.columns))
-        return any(map(self._texts.get, above)) and not any(isinstance(value, str) for value in held)
+        above = [(block.sheet.title, block.row - up, column) for up in HEAD for column in block.columns.values()]
+        names = set(filter(None, map(self._texts.get, above)))
+        held = {up: self._texts_held(place, up) for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))}
+        headed = any(held.get(up) for up in HEAD) or any(names & texts for texts in held.values())
+        return bool(names) and not headed
+
+    def _texts_held(self, place: Place, up: int) -> set[str]:
+        """Return the texts so many rows above a table of the file."""
+        values = (self.file.value(place.cell(-up, j)) for j in range(place.columns))
+        return {value for value in values if isinstance(value, str)}
 
     @cached_property
     def _texts(self) -> dict[tuple[str, int, int], str]:
