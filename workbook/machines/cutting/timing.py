@@ -166,7 +166,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
           for name, word, formula, values in (("low", "lowest", LOW, lows), ("high", "highest", HIGH, highs))),
         calc("gap", "gap before", "", "°",
              '=IF([stop]="",0,[start]-IF([k]=1,0,[stop-1]))', filled([], n), scale=360.0),
-        calc("back", "runs backwards", "", "",
+        calc("backwards", "runs backwards", "", "",
              '=IF([stop]="",0,IF([stop]>[start],0,1))', 0, format="0;;", source="1 where it does"),
         calc("parted", "does not follow on", "", "",
              "=IF(ABS([gap])<check_zero,0,1)", 0, format="0;;", source="1 where it does not"),
@@ -227,8 +227,8 @@ def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
 
     gap = f"SUM([{t}.h])-INDEX([{t}.jump_y],COUNT([{t}.stop]))"
     sheet.checks(
-        check(f"{t}_forward", f"{name}: every phase runs forward", f"SUM([{t}.back])=0", True,
-              rule=f"{key}:forward", says=in_row(i, "back", BACKWARDS)),
+        check(f"{t}_forward", f"{name}: every phase runs forward", f"SUM([{t}.backwards])=0", True,
+              rule=f"{key}:forward", says=in_row(i, "backwards", BACKWARDS)),
         check(f"{t}_follows", f"{name}: the phases follow on", f"SUM([{t}.parted])=0", True,
               rule=f"{key}:follows", says=in_row(i, "parted", PARTED)),
         check(f"{t}_fills", f"{name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True,
