@@ -137,8 +137,9 @@ class Match:
 
     def _is_header(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
         """Whether the header of a table is meant, and stands where its table was before that was moved away."""
-        above = declared[1] == -1 and isinstance(held, Address)
-        return above and declared[0] in self.headless and isinstance(self.file.value(held), str | None)
+        if declared[1] != -1 or not isinstance(held, Address) or declared[0] not in self.headless:
+            return False
+        return isinstance(self.file.value(held), str | None)
 
     def _same_cell(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
         """Whether two cells are one; in a table that has lost rows also by a row's number, and if each is the last."""
@@ -177,7 +178,7 @@ class Match:
 
     @cached_property
     def headless(self) -> set[str]:
-        """The tables of the file that have lost their headings: no text just above, and none of their own further up."""
+        """The tables that have lost their headings: there is no text just above, and none of their own further up."""
         return {block.name for block in self.declared.blocks.values() if block.is_table and self._is_headless(block)}
 
     def _is_headless(self, block: Block) -> bool:
