@@ -6,7 +6,6 @@
 
 from __future__ import annotations
 
-import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -17,7 +16,7 @@ import ironcalc
 import openpyxl
 from openpyxl.workbook.defined_name import DefinedName
 
-from docs.witnesses import differences, shown, written
+from docs.witnesses import settle, shown, written
 from tests.functions.calc import Calc
 from workbook.book.address import Address
 from workbook.functions import oxt
@@ -125,10 +124,7 @@ def main() -> None:
         fresh = page(answers(calc))
     finally:
         calc.close()
-    if "--check" not in sys.argv:
-        PAGE.write_text(fresh, encoding="utf-8")
-    elif found := differences(PAGE.read_text(encoding="utf-8"), fresh):
-        sys.exit(f"{PAGE.name} is not up to date: {', '.join(found)}")
+    settle(PAGE, fresh)
 
 
 if __name__ == "__main__":

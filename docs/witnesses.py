@@ -141,13 +141,17 @@ def differences(kept: str, fresh: str) -> list[str]:
     return [head for head in one if head in other and one[head] != other[head]]
 
 
+def settle(kept: Path, fresh: str) -> None:
+    """Write a page; with --check, compare it with the one that is kept, and exit where they differ."""
+    if "--check" not in sys.argv:
+        kept.write_text(fresh, encoding="utf-8")
+    elif found := differences(kept.read_text(encoding="utf-8"), fresh):
+        sys.exit(f"{kept.name} is not up to date: {', '.join(found)}")
+
+
 def main() -> None:
     """Write the page, or compare it with the one that is kept."""
-    fresh = page(answers())
-    if "--check" not in sys.argv:
-        PAGE.write_text(fresh, encoding="utf-8")
-    elif found := differences(PAGE.read_text(encoding="utf-8"), fresh):
-        sys.exit(f"{PAGE.name} is not up to date: {', '.join(found)}")
+    settle(PAGE, page(answers()))
 
 
 if __name__ == "__main__":
