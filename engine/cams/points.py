@@ -13,6 +13,9 @@ from engine.cams.course import Course
 from engine.laws.base import Array
 
 STEPS = 60  # of halving
+JUMP = 1e-9  # of the largest y'' at a break: a smaller jump is none
+BEFORE = 1e-5
+"""of the cycle: so far before a jump of y'' stands a point of its own"""
 
 
 def equal(of: Course, n: int) -> Array:
@@ -65,3 +68,17 @@ def places(of: Course, steps: NDArray[np.intp]) -> Array:
     """Return the breaks of a course, and between them as many equal steps as each stretch has."""
     inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
     return np.concatenate([*inner, of.edges[-1:]])
+
+
+def doubled(of: Course, x: Array) -> Array:
+    """Return places with one more just before each at which y'' jumps: a point has one y'', which serves both sides."""
+    steps = np.array([one - BEFORE * of.total for one in jumps(of)])
+    return np.unique(np.concatenate([x, steps]))
+
+
+def jumps(of: Course) -> Array:
+    """Return the breaks within a course at which y'' jumps."""
+    inner = of.edges[1:-1]
+    before, after = of.at(inner, left=True).y2, of.at(inner).y2
+    size = max(float(np.abs(np.concatenate([before, after])).max(initial=0.0)), 1e-300)
+    return inner[np.abs(after - before) > JUMP * size]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from engine.cams.certificate import Certificate, certify
 from engine.cams.course import Course
-from engine.cams.points import equal, spread
+from engine.cams.points import doubled, equal, jumps, spread
 from engine.cams.segments import straight
 from engine.laws.base import Array
 from workbook.axes import CamAxis
@@ -28,7 +28,9 @@ DIGITS = 13
 ROUNDED = 1e-14
 """of the largest of a column: what is smaller is none"""
 GROWTH = (1.25, 2.0)
-WORSE = 4.0  # times the best: no more points are tried
+BETTER = 0.95  # times the best so far: more points are worth it
+COARSE = 100
+IDLE = 3  # tries that were not: no more are made
 MOST_TRIED = 4000
 
 
@@ -82,7 +84,14 @@ def placed(target: Target, of: Course, n: int) -> Array:
     if n < (needed := fewest(target, of)):
         raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
     exact = target.exact(of) if target.exact else None
-    return spread(of, n, RULES[target.rules[0]].order, steps(target, of), exact)
+    extra = more(target, of)
+    x = spread(of, n - extra, RULES[target.rules[0]].order, steps(target, of), exact)
+    return doubled(of, x) if extra else x
+
+
+def more(target: Target, of: Course) -> int:
+    """Return how many points of their own jumps of y'' need: those of a target whose points have one y''."""
+    return len(jumps(of)) if "y''" in target.columns else 0
 
 
 def steps(target: Target, of: Course) -> NDArray[np.intp]:
@@ -128,7 +137,7 @@ def tried(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Iter
 def fewest(target: Target, of: Course) -> int:
     """Return the fewest points that do for a motion."""
     least = target.points[0]
-    return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1)
+    return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1 + more(target, of))
 
 
 def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
@@ -137,13 +146,14 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     Raises TargetError where the target has no room for the breaks of the motion.
     """
     best: Made | None = None
-    before = 0
+    before, idle = 0, 0
     for made in tried(target, axis, tolerance):
         if made.excess(tolerance) <= 1.0:
             return fewer(target, axis, tolerance, before, made)
-        if best is None or made.excess(tolerance) < best.excess(tolerance):
-            best = made
-        if made.excess(tolerance) > WORSE * best.excess(tolerance):
+        idle += 1
+        if best is None or made.excess(tolerance) < BETTER * best.excess(tolerance):
+            best, idle = made, 0
+        if idle == IDLE:
             break
         before = made.points
     if best is None:
@@ -153,10 +163,10 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
 
 
 def fewer(target: Target, axis: CamAxis, tolerance: Mapping[str, float], low: int, made: Made) -> Made:
-    """Return the table of the fewest points above ``low`` that still keeps to the tolerance."""
+    """Return the table of the fewest points above ``low`` that still keeps to the tolerance, to a hundredth of them."""
     high = made.points
     low = max(low, fewest(target, axis.course) - 1)
-    while high - low > 1:
+    while high - low > max(1, high // COARSE):
         middle = (low + high) // 2
         one = certified(target, tabulated(target, axis, middle), axis.course)
         if one.excess(tolerance) <= 1.0:

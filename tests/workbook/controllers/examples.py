@@ -18,7 +18,8 @@ SLOPES = np.array([0.0, 0.25, 0.0, 0.0])
 FOUR = CamAxis("Demo", quintics(X, Y, SLOPES, np.zeros(4)), "°", "mm")
 """rise over 0 to 180 with a slope of 0.25 on the way, back over 180 to 360"""
 FIVE = np.insert(X, 3, 270.0)
-MOVING = [entry.code for entry in CATALOGUE if entry.rises and entry.code != "OWN"]
+MOVING = [one.example for one in CATALOGUE if one.rises and min(one.claims.order_ends, one.claims.order_inside) >= 2]
+"""laws whose acceleration does not jump"""
 
 
 def handed(target: Target, axis: CamAxis = FOUR, x: np.ndarray | None = None) -> Handed:
@@ -34,7 +35,7 @@ def random_axis(seed: int) -> CamAxis:
     durations = np.array([dice.uniform(0.5, 1.0) for _ in range(4)])
     *first, last = (360.0 * durations / durations.sum()).tolist()
     lift = round(dice.uniform(5.0, 300.0), 2)
-    rise, back = (law(dice.choice(MOVING)) for _ in range(2))
+    rise, back = (dice.choice(MOVING)() for _ in range(2))
     rest = law("dwell")
     phases = [
         Phase(rise, lift, first[0]),

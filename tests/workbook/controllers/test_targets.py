@@ -11,7 +11,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.cams.course import Course
+from engine import law
+from engine.cams.course import Course, course_of_motion
+from engine.motion import Motion, Phase
 from tests.workbook.controllers.examples import FOUR, X, Y, handed, random_axis
 from workbook.axes import CamAxis
 from workbook.controllers.files import TOLD, header, parsed, read_table
@@ -125,6 +127,16 @@ def test_an_axis_that_begins_above_0_and_before_0_is_read_back_where_it_is(name:
     made = automatic(one, axis, {one.tolerance[0]: 0.05})
     text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
     assert certified(one, reread(one, text, made.table), raised).share("y") < 1e-3
+
+
+@pytest.mark.parametrize("name", ["codesys", "twincat", "siemens", "br", "siemens-segments"])
+def test_where_the_acceleration_jumps_a_point_stands_on_either_side(name: str) -> None:
+    motion = Motion([Phase(law("ACS"), 50.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("ACS"), -50.0, 180.0)])
+    one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "°", "mm")
+    made = automatic(one, axis, {"v": 0.001})
+    assert made.share("v") <= 0.001
+    assert made.share("y") <= 1e-5
+    assert made.points <= 12
 
 
 @given(seed=st.integers(0, 10**6))

@@ -7,7 +7,7 @@ import re
 import numpy as np
 
 from engine.cams.course import Course, Stretch, course
-from engine.cams.interpolation import quintics
+from engine.cams.segments import quintics_between
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, DINT_IN_REAL, LREAL, REAL, literal
 from workbook.controllers.structured import NUMBER, comments, indexed, scalar
@@ -25,10 +25,12 @@ ERRORS = "B&R ACOPOS error pages 5304, 37111"
 
 def built(of: Course, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as polynomials of degree 5 whose coefficients, in steps, are rounded to REAL."""
-    at, last = of.at(x), of.at(x[-1:], left=True)
-    y, v, a = (np.append(one[:-1], other) for one, other in zip(at[:3], last[:3], strict=True))
-    begins = x / steps[0], (y - y[0]) / steps[1], v * steps[0] / steps[1], a * steps[0] ** 2 / steps[1]
-    return table(*scaled(quintics(*begins).c, begins[0]), steps, float(y[0]))
+    dx, dy = steps
+    at, last = of.at(x), of.at(x, left=True)
+    offset = float(at.y[0])
+    begin, end = ([(one.y - offset) / dy, one.y1 * dx / dy, one.y2 * dx**2 / dy] for one in (at, last))
+    made = quintics_between(x / dx, [one[:-1] for one in begin], [one[1:] for one in end])
+    return table(*scaled(made, x / dx), steps, offset)
 
 
 def scaled(c: Array, x: Array) -> tuple[Array, Array]:
