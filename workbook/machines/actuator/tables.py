@@ -45,7 +45,7 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
     torques = list(zip(*machine.part_torques, strict=True))
     sheet.table(
         "phases", FILL, n,
-        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(laws, lifts, n)),
+        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(moved.phases, n)),
         given("law", "law", "", "", filled(laws, n, None), "actuator.phases.*.law", choices="=law_code"),
         given("lift", "lift", "h", "mm or °", filled(lifts, n, None), "actuator.phases.*.lift", format="0.0##"),
         given("duration", "duration", "t", "s",

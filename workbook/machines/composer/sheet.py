@@ -163,7 +163,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
 
     sheet.table(
         "phases", "Fill one row each, in order; leave spare rows empty", n,
-        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(laws, lifts, n)),
+        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(motion.phases, n)),
         given("law", "law", "", "", filled(laws, n, None), "motion.phases.*.law", choices="=law_code"),
         given("lift", "lift", "h", "", filled(lifts, n, None), "motion.phases.*.lift", format="0.0####"),
         given("duration", "duration", "δ", "x",
