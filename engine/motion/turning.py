@@ -52,9 +52,10 @@ def narrowed(f: Callable[[Array], Array], low: float, high: float, lost: float) 
 
 
 class Ladder:
-    """The zeros of the derivatives of y = Σ e_n ξⁿ, up to the seventh power, over ξ from 0 to 1, lost ones among them.
+    """The zeros of the derivatives of y = Σ e_n ξⁿ over ξ from 0 to 1.
 
-    Of the n-th derivative there are 7 − n places, in order: its zeros, and elsewhere ends of brackets.
+    Of the n-th derivative of a polynomial of degree m there are m − n places, in order: its zeros there, and for
+    want of these ends of brackets, which are places like any other.
     """
 
     def __init__(self, powers: tuple[float, ...]) -> None:

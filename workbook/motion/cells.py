@@ -30,7 +30,8 @@ class Cells:
     samples are in degrees, and the motion per radian; ``near`` is then what says how near to a begin counts as on it.
     In units of its own a motion may be of any length: a sample finds its piece by the share of the whole. With
     ``drifts``, phases have a column ``drift``, a velocity that is added; with ``opens``, one of where they begin, if in
-    the middle of a piece. ``ends`` is the table of what phases take from their neighbours, in books that have it.
+    the middle of a piece. ``ends`` is the table of what phases take from their neighbours, in books that have it,
+    ``peaks`` the columns of the greatest |y'| and |y''| of a phase.
     """
 
     phases: str
@@ -44,6 +45,7 @@ class Cells:
     drifts: bool = False
     opens: bool = False
     ends: str = ""
+    peaks: tuple[str, str] = ("y1", "y2")
 
     def of_phase(self, column: str) -> str:
         """Return the formula of a figure of a piece's phase."""

@@ -27,8 +27,8 @@ ABOUT = (
     "of two pulses, from then on y_1 − v1 (δ − u) − h_b (1 − s(ξ)); a polynomial is Σ e_n ξⁿ."
 )
 KIND = (
-    '=IF([span]>0,IF(ABS({v})>check_zero*IF([y1]>0,[y1],1),IF(ABS({a})>check_zero*IF([y2]>0,[y2],1),"B","G"),'
-    'IF(ABS({a})>check_zero*IF([y2]>0,[y2],1),"U","R")),"")'
+    '=IF([span]>0,IF(ABS({v})>check_zero*IF([{0}]>0,[{0}],1),IF(ABS({a})>check_zero*IF([{1}]>0,[{1}],1),"B","G"),'
+    'IF(ABS({a})>check_zero*IF([{1}]>0,[{1}],1),"U","R")),"")'
 )
 HERMITE = {
     2: {5: "[f0]/2", 7: "[f0]/2", 3: "3*[h]-2*[e1]-[f1]"},
@@ -69,8 +69,11 @@ class Ends:
 
     def own(self, column: str, formula: str) -> str:
         """Return a formula of the phases' table where the law is carried out between rests, else a figure from here."""
-        table = self.rows.at.ends
-        return f"=IF(INDEX([{table}.mode],[k])=0,{formula.removeprefix('=')},INDEX([{table}.{column}],[k]))"
+        return self.other(formula, f"INDEX([{self.rows.at.ends}.{column}],[k])")
+
+    def other(self, formula: str, ended: str) -> str:
+        """Return a formula of the phases' table where the law is carried out between rests, else another."""
+        return f"=IF(INDEX([{self.rows.at.ends}.mode],[k])=0,{formula.removeprefix('=')},{ended})"
 
     def at_end(self, derivative: str, end: int) -> str:
         """Return the formula, without its =, of y' or y'' at an end of a phase that lasts, for the table of phases."""
@@ -88,7 +91,9 @@ class Ends:
         both = []
         for i, (name, word) in enumerate((("begins", "begin"), ("ends", "end"))):
             settled, v = f"INDEX([{table}.settled{i}],[k])=1", f"INDEX([{table}.w{i}],[k])"
-            formula = KIND.format(v=f"IF({settled},{v},[v{i}])", a=f"IF({settled},INDEX([{table}.q{i}],[k]),[a{i}])")
+            formula = KIND.format(
+                *self.rows.at.peaks, v=f"IF({settled},{v},[v{i}])", a=f"IF({settled},INDEX([{table}.q{i}],[k]),[a{i}])"
+            )
             values = self.of(lambda one, i=i: one.kinds[i], "")  # type: ignore[misc]
             both.append(result(name, f"kind of its {word}", "", "", formula, values, align="center",
                                source="R rest, G velocity, U reversal, B both"))  # fmt: skip
@@ -122,20 +127,19 @@ class Ends:
         sheet.table(
             at.ends, title, self.room,
             constant("k", "row", "k", "", list(range(1, self.room + 1))),
-            *(calc(name, label, symbol, unit, f"=INDEX([{at.phases}.{column}],[k])", values, source="of the phase")
-              for name, label, symbol, unit, column, values in (
-                  ("h", "lift", "h", at.y, "h", self.of(lambda one: one.phase.lift)),
-                  ("span", "duration", "δ", at.x, "span", self.of(lambda one: one.phase.duration)))),
+            calc("h", "lift", "h", at.y, f"=INDEX([{at.phases}.h],[k])", self.of(lambda one: one.phase.lift),
+                 scale=self.motion.size(0), source="of the phase"),
+            calc("span", "duration", "δ", at.x, f"=INDEX([{at.phases}.span],[k])",
+                 self.of(lambda one: one.phase.duration), scale=self.motion.total, source="of the phase"),
             *self.neighbours(),
             *self.halves(),
             *self.polynomial(),
             *self.turns.columns(),
-            calc("lack", "lack of lift", "Δy", at.y, "=0*[k]", filled([], self.room), source="its ends are met"),
         )  # fmt: skip
 
     def neighbours(self) -> list[Quantity]:
         """Return the columns of what a phase takes from the phases beside it."""
-        at, used, velocity = self.rows.at, self.used, self.rows.at.unit(1)
+        at, used, velocity, size = self.rows.at, self.used, self.rows.at.unit(1), self.motion.size
         straight = [one.way == STRAIGHT for one in self.handed]
         last = len(straight) - 1
         before = self._beside(range(len(straight)), last, -1)
@@ -149,7 +153,7 @@ class Ends:
                  f"=IF([span]>0,INDEX(law_way,INDEX([{at.phases}.no],[k])),-1)", self.of(lambda one: one.way, STRAIGHT),
                  format="0", source="−1 has one, 0 cannot, 1 by two pulses, 3, 5, 7 by a polynomial"),
             calc("slope", "its own velocity", "h/δ", velocity,
-                 "=IF(AND([way]=-1,[span]>0),[h]/[span],0)", self.of(lambda one: one.slope),
+                 "=IF(AND([way]=-1,[span]>0),[h]/[span],0)", self.of(lambda one: one.slope), scale=size(1),
                  source="of a straight line"),
             calc("before", "row before", "", "", f"=IF([k]=1,{wrapped['before']},MIN([k]-1,{used}))",
                  filled(before, self.room, last + 1), format="0", source="0 where nothing is"),
@@ -160,10 +164,10 @@ class Ends:
                    source="by a straight line or a dwell")
               for i, (word, side) in enumerate((("begin", "before"), ("end", "after")))),
             *(calc(f"w{i}", f"velocity asked for at its {word}", f"v_{i}", velocity, hands.format(side, at.ends),
-                   self.of(lambda one, i=i: one.sides[i].asked.v))  # type: ignore[misc]
+                   self.of(lambda one, i=i: one.sides[i].asked.v), scale=size(1))  # type: ignore[misc]
               for i, (word, side) in enumerate((("begin", "before"), ("end", "after")))),
             *(calc(f"q{i}", f"acceleration asked for at its {word}", f"a_{i}", at.unit(2), "=0*[k]",
-                   self.of(lambda one, i=i: one.sides[i].asked.a))  # type: ignore[misc]
+                   self.of(lambda one, i=i: one.sides[i].asked.a), scale=size(2))  # type: ignore[misc]
               for i, word in enumerate(("begin", "end"))),
             calc("mode", "is carried out", "", "",
                  "=IF(OR([way]=-1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,[way])", self.of(lambda one: one.mode),
@@ -180,22 +184,23 @@ class Ends:
 
     def halves(self) -> list[Quantity]:
         """Return the columns of a law of two pulses between its ends."""
-        at, split = self.rows.at, "INDEX(piece_{0},[split])"
+        at, split, h = self.rows.at, "INDEX(piece_{0},[split])", self.motion.size(0)
         return [
             calc("split", "row of its second pulse", "", "",
                  f"=INDEX([{at.phases}.first],[k])+IF([mode]=1,INDEX(law_early,INDEX([{at.phases}.no],[k])),0)",
                  self.splits(), format="0", source="on Laws; of all else its first piece"),
             calc("gain", "velocity gained, as a lift", "", at.y,
-                 f"=IF([mode]=1,([w1]-[w0])*[span]/{split.format('v')},0)", self.of(lambda one: one.gain),
+                 f"=IF([mode]=1,([w1]-[w0])*[span]/{split.format('v')},0)", self.of(lambda one: one.gain), scale=h,
                  source="(v1 − v0) δ/C_v"),
             calc("h1", "lift of its second half", "h_b", at.y,
                  "=IF([mode]=1,[h]-[span]*([w0]*{0}+[w1]*(1-{0}))-{1}*[gain],IF([mode]=0,[h],0))".format(
                      split.format("xi"), split.format("s")),
-                 self.of(lambda one: one.halves[1]), source="h − (v0 λ + v1 (1 − λ)) δ − s(λ) (v1 − v0) δ/C_v"),
+                 self.of(lambda one: one.halves[1]), scale=h,
+                 source="h − (v0 λ + v1 (1 − λ)) δ − s(λ) (v1 − v0) δ/C_v"),
             calc("h0", "lift of its first half", "h_a", at.y,
-                 "=[h1]+[gain]", self.of(lambda one: one.halves[0])),
+                 "=[h1]+[gain]", self.of(lambda one: one.halves[0]), scale=h),
             *(calc(f"d{i}", f"velocity added in its {word} half", "", at.unit(1),
-                   f"=IF([mode]=0,0,[w{i}])", self.of(lambda one, i=i: one.drifts[i]))  # type: ignore[misc]
+                   f"=IF([mode]=0,0,[w{i}])", self.of(lambda one, i=i: one.drifts[i]), scale=self.motion.size(1))  # type: ignore[misc]
               for i, word in enumerate(("first", "second"))),
         ]  # fmt: skip
 
@@ -206,24 +211,24 @@ class Ends:
 
     def polynomial(self) -> list[Quantity]:
         """Return the columns of a polynomial between its ends."""
-        y = self.rows.at.y
+        y, h = self.rows.at.y, self.motion.size(0)
         return [
-            calc("e1", "first power", "e1", y, "=IF([mode]>1,[w0]*[span],0)", self.of(lambda one: one.powers[1]),
-                 source="v0 δ"),
+            calc("e1", "first power", "e1", y, "=IF([mode]>1,[w0]*[span],0)",
+                 self.of(lambda one: one.powers[1]), scale=h, source="v0 δ"),
             calc("f1", "velocity at its end", "v1 δ", y,
-                 "=IF([mode]>1,[w1]*[span],0)", self.of(lambda one: one.hermite.v1)),
+                 "=IF([mode]>1,[w1]*[span],0)", self.of(lambda one: one.hermite.v1), scale=h),
             calc("f0", "acceleration at its begin", "a0 δ²", y,
-                 "=IF([mode]>1,[q0]*[span]^2,0)", self.of(lambda one: one.hermite.a0)),
+                 "=IF([mode]>1,[q0]*[span]^2,0)", self.of(lambda one: one.hermite.a0), scale=h),
             calc("g1", "acceleration at its end", "a1 δ²", y,
-                 "=IF([mode]>1,[q1]*[span]^2,0)", self.of(lambda one: one.hermite.a1)),
-            *(calc(name, label, "", y, formula, self.of(lambda one, i=i: one.left[i]))  # type: ignore[misc]
+                 "=IF([mode]>1,[q1]*[span]^2,0)", self.of(lambda one: one.hermite.a1), scale=h),
+            *(calc(name, label, "", y, formula, self.of(lambda one, i=i: one.left[i]), scale=h)  # type: ignore[misc]
               for i, (name, label, formula) in enumerate((
                   ("w", "lift that the begin leaves", "=IF([mode]=7,[h]-[e1]-[f0]/2,0)"),
                   ("x", "velocity that it leaves", "=IF([mode]=7,[f1]-[e1]-[f0],0)"),
                   ("z", "acceleration that it leaves", "=IF([mode]=7,[g1]-[f0],0)")))
               if self.rows.powers > 6),
             *(calc(f"e{n}", f"power {n}", f"e{n}", y, self._hermite(n),
-                   self.of(lambda one, n=n: one.powers[n]))  # type: ignore[misc]
+                   self.of(lambda one, n=n: one.powers[n]), scale=h)  # type: ignore[misc]
               for n in range(2, self.rows.powers)),
         ]  # fmt: skip
 
@@ -252,12 +257,15 @@ class Ends:
                  f"=IF([m]<{at.of_end('split')},0,IF({at.of_end('mode')}=1,1,0))", of(lambda one, late, _: int(late)),
                  format="0"),
             calc("hp", "lift of its half", "h", at.y,
-                 f"=IF([late]=1,{second.format('h')},{first.format('h')})", of(lambda one, late, _: one.halves[late])),
+                 f"=IF([late]=1,{second.format('h')},{first.format('h')})", of(lambda one, late, _: one.halves[late]),
+                 scale=self.motion.size(0)),
             calc("drift", "velocity added", "", at.unit(1),
-                 f"=IF([late]=1,{second.format('d')},{first.format('d')})", of(lambda one, late, _: one.drifts[late])),
+                 f"=IF([late]=1,{second.format('d')},{first.format('d')})", of(lambda one, late, _: one.drifts[late]),
+                 scale=self.motion.size(1)),
             calc("base", "position without the law", "", at.y,
                  (f"={at.of_phase('y0')}+IF([late]=1,{at.of_phase('h')}-[hp]-[drift]*{at.of_phase('span')},0)"),
-                 of(lambda one, late, piece: one.base(late, self.motion.ends[piece.phase].begin.y))),
+                 of(lambda one, late, piece: one.base(late, self.motion.ends[piece.phase].begin.y)),
+                 scale=self.motion.size(0)),
         ]  # fmt: skip
 
 

@@ -155,7 +155,8 @@ class Turns:
         )
         return [
             calc("top", "velocity between its pulses", "V", at.unit(1),
-                 "=IF([mode]=1,[w0]+[h0]*INDEX(piece_v,[split])/[span],0)", self.of(lambda one: one.reversing)),
+                 "=IF([mode]=1,[w0]+[h0]*INDEX(piece_v,[split])/[span],0)", self.of(lambda one: one.reversing),
+                 scale=size(1)),
             calc("vmax", "greatest velocity", "", at.unit(1),
                  f"=IF([mode]=0,0,IF([mode]=1,MAX(ABS([w0]),ABS([top]),ABS([w1])),MAX({tops(1)})/[span]))",
                  self.of(lambda one: one.phase.y1_max), scale=size(1)),
@@ -211,22 +212,24 @@ class Turns:
         jerks = [float(np.abs(piece.at(both(piece)).y3).max()) if piece.duration else 0.0 for piece in pieces]
         rest = [turns[-1]._replace(at=Narrowed(turns[-1].at.sign, (0.0,) * len(PLACES)))] * (room - len(pieces))
         last = float(pieces[-1].at(np.zeros(1)).y[0])
+        squares = [square_of(piece) for piece in pieces]
         u = "([d]*(1+[gauss.x])/2)"
         before = f"IF(OR([n]=1,[from]<>[p]),0,INDEX([{at.pieces}.a1],MAX([r]-1,1)))"
         return [
             calc("leap", "y'' jumps within its phase", "", "",
                  (f"=IF([d]>0,IF(ABS({in_piece(self.rows, 2, '')}-{before})"
-                  f">check_zero*INDEX([{at.phases}.y2],[p]),1,0),0)"), of(self.leaps), format="0",
+                  f">check_zero*INDEX([{at.phases}.{at.peaks[1]}],[p]),1,0),0)"), of(self.leaps), format="0",
                  source="or begins with one"),
             calc("jerk", "greater jerk of its ends", "", at.unit(3),
                  (f"=IF([d]>0,MAX(ABS({in_piece(self.rows, 3, '')}),"
                   f"ABS({in_piece(self.rows, 3, '[d]')})),0)"), of(jerks), scale=self.motion.size(3)),
             calc("square", "∫y''² dx", "", "",
-                 f"=[d]/2*SUMPRODUCT([gauss.w],{in_piece(self.rows, 2, u)}^2)", of([square_of(p) for p in pieces]),
-                 source="Gauss's rule"),
+                 f"=[d]/2*SUMPRODUCT([gauss.w],{in_piece(self.rows, 2, u)}^2)", of(squares),
+                 scale=max(squares) or 1.0, source="Gauss's rule"),
             *narrowing(
                 PLACES, "sign", ("0", "[d]"), lambda u: in_piece(self.rows, 1, u if u != "0" else ""),
-                f"check_zero*INDEX([{at.phases}.y1],[p])", [turn.at for turn in (*turns, *rest)], at.x, self.rows.end,
+                f"check_zero*INDEX([{at.phases}.{at.peaks[0]}],[p])", [turn.at for turn in (*turns, *rest)], at.x,
+                self.rows.end,
             ),
             calc("turn", "position where it turns", "", at.y, f"={in_piece(self.rows, 0, f'[{PLACES[-1]}]')}",
                  filled([turn.y for turn in turns], room, last), scale=self.motion.size(0), source="if it does"),

@@ -47,6 +47,9 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows, handed: Ends
             return (CARRIED if carried else AT_END).format(f"{derivative}{end}", power)
         return f"=IF([span]>0,{handed.at_end(derivative, end)},{carried or 0})"
 
+    lacking = "=[h]*(1-INDEX(law_s1,[no]))"
+    if handed:
+        lacking = handed.other(lacking, "0")
     mean = own("rms", f"={RMS}")
     sheet.heading(f"Axis {i}: {axis.name}, {axis.group}")
     sheet.table(
@@ -102,7 +105,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows, handed: Ends
              at_end("a", 1, "^2", "IF([k]=1,0,[a1-1])"), filled([end.y2 for end in ends], n, ends[-1].y2),
              source="carried over spare rows"),
         calc("jump_y", "jump of y", "Δy", "m",
-             own("lack", "=[h]*(1-INDEX(law_s1,[no]))"), filled([p.lack for p in motion.phases], n),
+             lacking, filled([p.lack for p in motion.phases], n),
              source="at its end: the law's lack"),
         calc("jump_v", "jump of y'", "Δy'", "m/rad",
              f"=IF([span]>0,[v0]-IF([k]=1,[axis{i}.v1.last],[v1-1]),0)",
