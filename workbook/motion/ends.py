@@ -200,7 +200,8 @@ class Ends:
             calc("h0", "lift of its first half", "h_a", at.y,
                  "=[h1]+[gain]", self.of(lambda one: one.halves[0]), scale=h),
             *(calc(f"d{i}", f"velocity added in its {word} half", "", at.unit(1),
-                   f"=IF([mode]=0,0,[w{i}])", self.of(lambda one, i=i: one.drifts[i]), scale=self.motion.size(1))  # type: ignore[misc]
+                   f"=IF([mode]=0,0,[w{i}])",
+                   self.of(lambda one, i=i: one.drifts[i]), scale=self.motion.size(1))  # type: ignore[misc]
               for i, word in enumerate(("first", "second"))),
         ]  # fmt: skip
 

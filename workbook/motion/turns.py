@@ -7,7 +7,7 @@ derivative down finds all. A piece of a pulse has a velocity that only rises or 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
 from math import isfinite, perm
 from typing import Any
@@ -106,7 +106,7 @@ class Turns:
             for i, bracket in enumerate(pairwise(edges)):
                 names = tuple(f"{step}{order}_{i}" for step in STEPS)
                 found += narrowing(
-                    names, f"s{order}_{i}", bracket, lambda u, n=order: self.value(n, u), "[lost]",  # type: ignore[misc]
+                    names, f"s{order}_{i}", bracket, partial(self.value, order), "[lost]",
                     [one.zeros[order][i] for one in self.ladders], "", 1.0,
                 )  # fmt: skip
             edges = ["0", *(f"[r{order}_{i}]" for i in range(self.degree - order)), "1"]
