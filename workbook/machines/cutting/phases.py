@@ -51,9 +51,13 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows, handed: Ends
     if handed:
         lacking = handed.other(lacking, "0")
     mean = own("rms", f"={RMS}")
-    sheet.heading(f"Axis {i}: {axis.name}, {axis.group}")
+    sheet.heading(f"Axis {i}")
+    sheet.rows(
+        calc(f"axis{i}_name", "Axis and its group", "", "",
+             f'=INDEX([axes.name],{i})&", "&INDEX([axes.group],{i})', f"{axis.name}, {axis.group}", align="left"),
+    )  # fmt: skip
     sheet.table(
-        f"axis{i}", f"Phases of {axis.name}: fill one row each, in order; leave spare rows empty", n,
+        f"axis{i}", f"Phases of axis {i}: fill one row each, in order; leave spare rows empty", n,
         calc("kind", "phase", "", "",
              joined_phases.kind("stop", rows.at.ends), joined_phases.kinds(motion.phases, n)),
         given("start", "from", "", "°", entered("start"), f"{key}.start", format="0.0##"),
@@ -141,7 +145,7 @@ def in_row(i: int, column: str, says: str) -> str:
 def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints, ends: Ends | None) -> None:
     """Declare the checks of one axis."""
     axis, t = machine.axes[i - 1], f"axis{i}"
-    motion, name, key = axis.motion, axis.name, f"timing.axes.{i - 1}"
+    motion, name, key = axis.motion, f"Axis {i}", f"timing.axes.{i - 1}"
 
     lack = max(abs(phase.lack) for phase in motion.phases)
     jump = max(abs(joint.jump_v) for joint in motion.junctions())

@@ -9,6 +9,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.cutting.axes import axes
 from workbook.machines.cutting.drive import drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.machines.cutting.timing import cells, timing_sheet
@@ -45,8 +46,8 @@ def declare(given: CuttingMachine) -> Book:
         book,
         "A three-axis cutting machine: motion laws, timing diagram, and the drive of the feeding group.",
         [
-            result(f"about_a{i}", f"Greatest acceleration of {name}", "ÿ_max", "m/s²", f"=[axes.a.{i}]", a)
-            for i, (name, a) in enumerate(zip(names, greatest, strict=True), 1)
+            result(f"about_a{i}", f"Greatest acceleration of axis {i}", "ÿ_max", "m/s²", f"=[axes.a.{i}]", a)
+            for i, a in enumerate(greatest, 1)
         ],
     )  # fmt: skip
     rooms = given.sizes.phases
@@ -80,4 +81,5 @@ TEMPLATE = Template(
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0), "rotors": ("rotors", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
+    axes=axes,
 )

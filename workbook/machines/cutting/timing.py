@@ -12,7 +12,6 @@ from engine.timing import lane, turn_time
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.units import DEGREE, MM, shown, si
-from workbook.machines.cutting.entries import Axis
 from workbook.machines.cutting.phases import joined, phases
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
@@ -74,7 +73,7 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip
     axes_table(sheet, machine)
-    draw_diagram(sheet, timing.axes)
+    draw_diagram(sheet, range(1, len(timing.axes) + 1))
     sheet.row = max(sheet.row, 26)
     joints = [Joints(found, axis.motion, asked(machine, i))
               for i, (axis, found) in enumerate(zip(machine.axes, rows, strict=True), 1)]  # fmt: skip
@@ -82,17 +81,17 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     for i, (of_axis, of_joints, of_ends) in enumerate(zip(rows, joints, ends, strict=True), 1):
         phases(sheet, machine, i, of_axis, of_ends)
         joined(sheet, machine, i, of_joints, of_ends)
-    draw_curves(sheet, timing.axes)
+    draw_curves(sheet, range(1, len(timing.axes) + 1))
     sheet.heading("Table over the cycle")
     cycle(sheet, machine, rows)
     sheet.heading("Workings: the motions as pieces", ABOUT)
     room = machine.room
-    for axis, of_axis, of_joints, of_ends in zip(machine.axes, rows, joints, ends, strict=True):
+    for i, (axis, of_axis, of_joints, of_ends) in enumerate(zip(machine.axes, rows, joints, ends, strict=True), 1):
         sheet.rows(pieces_in_all(of_axis), of_joints.order())
         columns, taken = of_joints.columns(room), of_ends.taken(room) if of_ends else []
         columns += of_ends.turns.of_pieces(room) if of_ends else []
-        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, room, axis.motion.size, *columns, taken=taken)
-    ends_tables(sheet, [(axis.name, found) for axis, found in zip(machine.axes, ends, strict=True) if found])
+        pieces_table(sheet, f"Pieces of axis {i}", of_axis, room, axis.motion.size, *columns, taken=taken)
+    ends_tables(sheet, [(f"axis {i}", found) for i, found in enumerate(ends, 1) if found])
     sheet.print_columns = 17
 
 
@@ -138,7 +137,7 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     workings = [
         column
         for (i, axis), found in zip(numbered, rows, strict=True)
-        for column in finding(found, "theta", at, f"{axis.name} ", str(i))
+        for column in finding(found, "theta", at, f"axis {i}, ", str(i))
     ]
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(at),
@@ -151,7 +150,7 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
 
 def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: float) -> list[Quantity]:
     """Return the results of one axis: position, geometric and in time."""
-    geometric, timed, name = axis.motion.at(at), axis.motion.at_speed(at, speed), axis.name
+    geometric, timed, name = axis.motion.at(at), axis.motion.at_speed(at, speed), f"axis {i}"
 
     def of(order: int) -> str:
         return derivative(rows, order, str(i))
@@ -173,22 +172,21 @@ def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: f
 def in_lane(i: int, axis: engine_timing.Axis, at: Array, floor: int) -> Quantity:
     """Return the axis as the timing diagram shows it."""
     values = lane(axis.motion.at(at).y, axis.motion.reach, floor, LANE_SHARE)
-    return calc(f"lane{i}", f"{axis.name} in the diagram", "", "", LANE.format(i, floor), values)
+    return calc(f"lane{i}", f"axis {i} in the diagram", "", "", LANE.format(i, floor), values)
 
 
-def draw_diagram(sheet: Sheet, axes: list[Axis]) -> None:
+def draw_diagram(sheet: Sheet, numbers: range) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
-    names = " · ".join(a.name for a in reversed(axes))
     chart = Chart(
-        "Timing diagram", "master angle θ [°]", f"{names} (bottom to top)",
-        tuple(Series(f"{a.name} {a.group}", "[cycle.theta]", f"[cycle.lane{i}]") for i, a in enumerate(axes, 1)),
-        f"Timing diagram: rises, dwells and returns of {names} over one turn of the master shaft",
+        "Timing diagram", "master angle θ [°]", "axes, the first at the top",
+        tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.lane{i}]") for i in numbers),
+        "Timing diagram: rises, dwells and returns of each axis over one turn of the master shaft",
         (0, 360, 30), (0, 3, 1), hide_y=True,
     )  # fmt: skip
     sheet.chart(chart, column=10, row=5, width=8, height=21)
 
 
-def draw_curves(sheet: Sheet, axes: list[Axis]) -> None:
+def draw_curves(sheet: Sheet, numbers: range) -> None:
     """Place the charts of y, y', y'' of the three axes."""
     sheet.heading("Position, geometric velocity and acceleration over the cycle")
     kinds = (
@@ -198,7 +196,7 @@ def draw_curves(sheet: Sheet, axes: list[Axis]) -> None:
     )
     sheet.chart_row(
         *(Chart(title, "master angle θ [°]", label,
-                tuple(Series(a.name, "[cycle.theta]", f"[cycle.{column}{i}]") for i, a in enumerate(axes, 1)),
+                tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.{column}{i}]") for i in numbers),
                 f"{title} of the three axes over the master angle", (0, 360, 60))
           for column, label, title in kinds),
         width=6, height=18,
