@@ -135,6 +135,7 @@ class Ends:
             *self.halves(),
             *self.polynomial(),
             *self.turns.columns(),
+            blank="[span]=0",
         )  # fmt: skip
 
     def neighbours(self) -> list[Quantity]:
