@@ -24,8 +24,8 @@ def page(found: Sequence[tuple[CamAxis, Made]], target: Target) -> str:
     """Return the page of the axes that were exported to a target."""
     title = f"Cam tables for {target.title}"
     how = (
-        f"motionbook {workbook.__version__}. Each file was read back by an independent reader, the motion rebuilt by the "
-        "target's rule and compared with the engine over the whole cycle. No controller was run."
+        f"motionbook {workbook.__version__}. Each file was read back by an independent reader, the motion rebuilt by "
+        "the target's rule and compared with the engine over the whole cycle. No controller was run."
     )
     body = [e("h1", title), e("p", how, css="quiet")]
     body += [e("p", f"{claim.certainty}: {claim.what} ({claim.source})") for claim in target.claims]
