@@ -18,6 +18,7 @@ from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 
 AXIS = ("timing", "axes", 1, "phases")
+MOVED = ("axes", 1, "phases")
 TOOL = ("overlap", "tools", 0)
 ROTORS = "Drive, Rotating parts (S1, slide 'Feeding group layout'): entries within their limits"
 PHASES = "Timing, Phases of MC02: entries within their limits"
@@ -25,6 +26,20 @@ MOTION = "Motion, Fill one row each, in order: entries within their limits"
 UNEQUAL = [0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]
 
 CASES = {
+    "machine": {
+        "an overlap": ([(*MOVED, 1, "start", 120.0)], "Axis 2: no phase begins before the one above ends",
+                       "MC02 row 2 begins at 120°, 15° before row 1 ends"),
+        "a phase that runs backwards": ([(*MOVED, 1, "stop", 300.0)], "Axis 2: every phase runs forward",
+                                        "MC02 row 2 ends at 300°, 5° before it begins"),
+        "a missing end": ([(*MOVED, 0, "stop", None)], "Timing, Phases of axis 2: entries within their limits",
+                          "to, row 1: empty; expected a number of at least 0 and at most 360"),
+        "no phases": ([("axes", 1, "phases", [])], "Timing, Phases of axis 2: entries within their limits",
+                      "no row is filled"),
+        "no rate": ([("master", "rate", None)], "Timing: entries within their limits",
+                    "Production rate: empty; expected a number greater than 0"),
+        "a shift beyond all": ([("axes", 3, "shift", 1e300)], "Timing, Axes: entries within their limits",
+                               "shift, row 4: beyond 1E9; expected a number"),
+    },
     "cutting-machine": {
         "a gap": ([(*AXIS, 1, "start", 95.0)], "MC02: the phases follow on",
                   "MC02 row 2 begins at 95°, 5° after row 1 ends"),
