@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 import workbook
+from workbook.axes import CamAxis
 from workbook.book.about import contents
 from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import FIRST, Book, Text
@@ -30,7 +31,7 @@ class Template(Generic[M]):
     block is longer. ``check`` raises EntryError for entries that only the engine can refuse; what the entries refuse
     by themselves, the model does. ``laid_out`` gives a machine the layout that a file has by its defined names,
     where the number of sheets depends on the description; ``fixed`` returns by key the entries that such a layout tells
-    and no cell holds.
+    and no cell holds. ``axes`` are the motions that a controller can be given.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Template(Generic[M]):
     check: Callable[[M], None] = lambda machine: None
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
     fixed: Callable[[M], dict[str, str]] = lambda machine: {}
+    axes: Callable[[M], list[CamAxis]] = lambda machine: []
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""

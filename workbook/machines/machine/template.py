@@ -6,6 +6,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.machine.axes import axes
 from workbook.machines.machine.cycle import cycle_sheet
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
@@ -20,7 +21,7 @@ def declare(given: AnyMachine) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    axes = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
+    rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
     about_sheet(
         book,
         "A machine: the motions of its axes over one master shaft, at one rate.",
@@ -33,11 +34,11 @@ def declare(given: AnyMachine) -> Book:
             ),
         ],
     )  # fmt: skip
-    timing_sheet(book, machine, axes)
+    timing_sheet(book, machine, rows)
     book.name("axes", axis_name="name")
     shelf.sheets(book)
-    cycle_sheet(book, machine, axes)
-    pieces_sheet(book, axes)
+    cycle_sheet(book, machine, rows)
+    pieces_sheet(book, rows)
     return finish(book, "Machine", ("S1", "S3"))
 
 
@@ -49,4 +50,5 @@ TEMPLATE = Template(
     LAW_SIZES | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)},
     laid_out=laid_out,
     fixed=fixed,
+    axes=axes,
 )
