@@ -41,8 +41,8 @@ class Template(Generic[M]):
     sizes: dict[str, tuple[str, int]]
     check: Callable[[M], None] = lambda machine: None
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
-    fixed: Callable[[M], dict[str, str]] = lambda machine: {}
     axes: Callable[[M], list[CamAxis]] = lambda machine: []
+    fixed: Callable[[M], dict[str, str]] = lambda machine: {}
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
