@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -168,6 +169,6 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     return machine.model_copy(update={"axes": axes or machine.axes})
 
 
-def fixed(machine: entered.AnyMachine) -> dict[str, str]:
+def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that a book's layout tells, and no cell to enter."""
-    return {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
+    return {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
