@@ -42,6 +42,9 @@ class Model(Protocol):
     def each(self, wanted: Iterable[Address], found: Found) -> Cells:
         """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
 
+    def later(self, wanted: Iterable[Address], found: Found) -> Callable[[], Cells]:
+        """Ask for what :meth:`each` returns, and return what waits for it."""
+
 
 @runtime_checkable
 class CellWitness(Witness, Protocol):

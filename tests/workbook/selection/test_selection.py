@@ -26,7 +26,7 @@ from workbook.reading.entries import read_machine
 from workbook.selection.catalogue_files import MOTOR_COLUMNS, REDUCER_COLUMNS, read_motors, read_reducers
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 MOTORS, REDUCERS = FOLDER / "motors.csv", FOLDER / "reducers.csv"
