@@ -114,7 +114,7 @@ class Comparison:
         pairs = {a: pair for a, pair in self.pairs.items() if a in readable}
         for book, turn in zip(books, turns(pairs, suspects, number), strict=True):
             right = Right(self.match, book)
-            self._turns.append((right, self.model.later(turn, right.get)))
+            self._turns.append((right, self.model.later(turn, right)))
 
     def elsewhere(self) -> None:
         """Compare what was asked for at other inputs."""

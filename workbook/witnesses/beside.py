@@ -19,13 +19,13 @@ from functools import cached_property
 from itertools import starmap
 from pathlib import Path
 from queue import SimpleQueue
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:  # what the first process begins with must load in no time
     from workbook.book.address import Address
     from workbook.reading.contents import Cells
     from workbook.reading.files import BookFile
-    from workbook.witnesses.witness import CellWitness, Found, Model, Witness
+    from workbook.witnesses.witness import CellWitness, Found, Known, Model, Witness
 
 NAME = "pycel"
 """the witness that evaluates beside"""
@@ -36,7 +36,7 @@ BEGIN = "import sys; sys.path[:] = {path!r}; from workbook.witnesses.beside impo
 class Line:
     """Messages to another process and from it; a thread listens, so that neither waits while the other speaks."""
 
-    def __init__(self, heard: BinaryIO, said: BinaryIO) -> None:
+    def __init__(self, heard: Any, said: Any) -> None:
         self._heard, self._said = heard, said
         self._messages: SimpleQueue[bytes | None] = SimpleQueue()
         threading.Thread(target=self._listen, daemon=True).start()
@@ -63,7 +63,7 @@ class Line:
         if data is None:
             self._messages.put(None)
             raise EOFError
-        return pickle.loads(data)  # noqa: S301 - from a process that this one has started, or was started by
+        return pickle.loads(data)  # from a process that this one has started, or was started by
 
 
 class Beside:
@@ -76,9 +76,7 @@ class Beside:
             [sys.executable, *flags(), "-c", code],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
         )  # fmt: skip
-        heard, said = self.process.stdout, self.process.stdin
-        assert heard is not None and said is not None  # noqa: S101 - they are pipes
-        self._line = Line(heard, said)
+        self._line = Line(self.process.stdout, self.process.stdin)
 
     def witness(self, witness: Witness) -> Witness:
         """Return the witness that this process evaluates with as one that is asked there; any other as it is."""
@@ -131,12 +129,11 @@ class Asked:
     def __init__(self, line: Line, file: BookFile, witness: CellWitness) -> None:
         self._line, self._file, self._witness = line, file, witness
         self._numbers = {address: n for n, address in enumerate(file.contents.formula_cells)}
-        self._held = held(file)
-        self._empty = empty(file)
+        held = cells_of(file)
+        self._cells, self._known = [*held, *((a, None) for a in empty(file, held))], len(held)
         self._problems: Mapping[Address, str] | None = None
         self._heard: list[Any] = []
         self._asked = 0
-        self._lost = False
 
     @cached_property
     def _here(self) -> Model:
@@ -157,48 +154,42 @@ class Asked:
 
     def each(self, wanted: Iterable[Address], found: Found) -> Cells:
         """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
-        return self.later(wanted, found)()
+        return self._ask(list(wanted), found, list(starmap(found, self._cells)))()
 
-    def later(self, wanted: Iterable[Address], found: Found) -> Callable[[], Cells]:
-        """Ask for what :meth:`each` returns; return what waits for it."""
-        cells = list(wanted)
-        if not cells:
-            return dict
-        with suppress(OSError):
-            if not self._lost:
-                values = [*starmap(found, self._held), *(found(a, None) for a in self._empty)]
-                if not self._asked:
-                    self._line.say(self._empty)
-                self._line.say(([self._numbers[a] for a in cells], values))
-                self._asked += 1
-        number = self._asked
+    def later(self, wanted: Iterable[Address], known: Known) -> Callable[[], Cells]:
+        """Ask for what :meth:`each` returns with what is ``known``; return what waits for it."""
+        return self._ask(list(wanted), known.get, known.all(self._cells))
+
+    def _ask(self, wanted: list[Address], found: Found, values: list[Any]) -> Callable[[], Cells]:
+        number = self._asked = self._asked + 1
+        with suppress(OSError):  # of a process that is gone: then it does not answer either
+            if number == 1:
+                self._line.say([address for address, _ in self._cells[self._known :]])
+            self._line.say(([self._numbers[a] for a in wanted], values))
 
         def answered() -> Cells:
-            values = None if self._lost else self._answer(number)
-            return self._here.each(cells, found) if values is None else dict(zip(cells, values, strict=True))
+            answer = self._answer(number)
+            return self._here.each(wanted, found) if answer is None else dict(zip(wanted, answer, strict=True))
 
         return answered
 
     def _answer(self, number: int) -> Any:
         """Return an answer by its number, counted from 0, that of the first evaluation; None where none comes."""
-        try:
+        with suppress(EOFError):
             while len(self._heard) <= number:
                 self._heard.append(self._line.hear())
-        except EOFError:
-            self._lost = True
-            return None
-        return self._heard[number]
+        return self._heard[number] if number < len(self._heard) else None
 
 
-def held(file: BookFile) -> list[tuple[Address, Any]]:
+def cells_of(file: BookFile) -> list[tuple[Address, Any]]:
     """Return the cells of a file with what they hold if that is no formula, in the same order in both processes."""
     contents = file.contents
     return [*((a, None) for a in contents.formula_cells), *contents.constants.items()]
 
 
-def empty(file: BookFile) -> list[Address]:
+def empty(file: BookFile, held: Iterable[tuple[Address, Any]]) -> list[Address]:
     """Return the cells within the places that names lead to in which the file has nothing."""
-    known = {address for address, _ in held(file)}
+    known = {address for address, _ in held}
     cells = (p.cell(i, j) for p in file.places.values() for i in range(p.rows) for j in range(p.columns))
     return list(dict.fromkeys(address for address in cells if address not in known and address.column))
 
@@ -262,7 +253,7 @@ def answer(path: Path, line: Line) -> None:
     values = model.evaluate()
     formulas = file.contents.formula_cells
     line.say(([values[a] for a in formulas], model.problems))
-    cells = [*(address for address, _ in held(file)), *line.hear()]
+    cells = [*(address for address, _ in cells_of(file)), *line.hear()]
     while True:
         numbers, found = line.hear()
         wanted_cells = [formulas[n] for n in numbers]

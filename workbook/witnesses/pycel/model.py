@@ -15,7 +15,7 @@ from openpyxl import Workbook
 from workbook.book.address import Address
 from workbook.reading.contents import Cells, Contents
 from workbook.witnesses.pycel.calculation import Calculation
-from workbook.witnesses.witness import Found
+from workbook.witnesses.witness import Found, Known
 
 
 class PycelModel:
@@ -48,9 +48,9 @@ class PycelModel:
         """
         return self._calculation.each(wanted, found)
 
-    def later(self, wanted: Iterable[Address], found: Found) -> Callable[[], Cells]:
+    def later(self, wanted: Iterable[Address], known: Known) -> Callable[[], Cells]:
         """Return what gives the result of :meth:`each`, which this process computes at once."""
-        results = self.each(wanted, found)
+        results = self.each(wanted, known.get)
         return lambda: results
 
 
