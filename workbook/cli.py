@@ -14,6 +14,7 @@ import typer
 from typer.exceptions import TyperException
 
 from workbook import __version__
+from workbook.controllers.names import TARGETS
 from workbook.errors import MotionbookError
 from workbook.exits import AGREES, UNREADABLE
 from workbook.reports.terminal import ERR, say
@@ -154,6 +155,47 @@ def regenerate(
     from workbook.commands import make
 
     make.regenerate(book, output, force)
+
+
+@app.command()
+def export(
+    book: Book,
+    to_target: Annotated[str, typer.Option("--to", metavar="TARGET", help=f"One of {', '.join(TARGETS)}.")],
+    axis: Annotated[str | None, typer.Option(metavar="NAME", help="The axis to export.")] = None,
+    everything: Annotated[bool, typer.Option("--all", help="Export every axis; -o then names a folder.")] = False,
+    output: Annotated[Path | None, to("FILE", "Where to write; else here, named like book and axis.")] = None,
+    points: Annotated[
+        str, typer.Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
+    ] = "auto",
+    tolerance: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="a=1%",
+            help="Largest error of y, v, a or j as a share of its peak; beyond it nothing is "
+            "written. May be given several times.",
+        ),
+    ] = None,
+    unverified: Annotated[
+        bool, typer.Option("--unverified", help="Do not ask whether the book agrees; the file says so.")
+    ] = False,
+    separator: Annotated[str, typer.Option(metavar="semicolon|comma|tab", help="Between columns of text.")] = (
+        "semicolon"
+    ),
+    decimal: Annotated[str, typer.Option(metavar="point|comma", help="The decimal sign of columns of text.")] = "point",
+    as_json: Json = False,
+    force: Force = False,
+) -> None:
+    """Write an axis of a book as a controller's cam table, and certify what the controller makes of it.
+
+    The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
+    engine over the whole cycle. docs/controllers.md says which layout comes from which document; no controller was run.
+
+    Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
+    """
+    from workbook.commands import export as exporting
+
+    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified)
+    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json))
 
 
 @app.command()

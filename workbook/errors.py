@@ -33,6 +33,10 @@ class WriteError(MotionbookError):
     """A file that cannot be written, or must not be."""
 
 
+class TargetError(MotionbookError):
+    """What a controller cannot be given, or a table that none could be."""
+
+
 class WitnessError(MotionbookError):
     """A witness that is absent, or that cannot evaluate the file."""
 

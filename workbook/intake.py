@@ -32,16 +32,16 @@ def require_file(path: Path, expected: str) -> None:
         raise ReadError(f"{path}: {kind}; expected {expected}")
 
 
-def read_text(path: Path, expected: str) -> str:
+def read_text(path: Path, expected: str, most: int = MOST) -> str:
     """Return the text of a file in UTF-8; raise ReadError, which says that ``expected`` was, for anything else."""
     require_file(path, expected)
     try:
         with path.open("rb") as file:
-            data = file.read(MOST + 1)
+            data = file.read(most + 1)
     except OSError as error:
         raise unread(path, error, expected) from error
-    if len(data) > MOST:
-        raise ReadError(f"{path}: {path.stat().st_size:,} bytes; expected {expected}, of at most {MOST:,}")
+    if len(data) > most:
+        raise ReadError(f"{path}: {path.stat().st_size:,} bytes; expected {expected}, of at most {most:,}")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

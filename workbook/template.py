@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 import workbook
+from workbook.axes import CamAxis
 from workbook.book.about import contents
 from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import FIRST, Book, Text
@@ -29,7 +30,7 @@ class Template(Generic[M]):
     ``sizes`` tells for each entry of a description's ``sizes`` which block shows it, and by how many rows that
     block is longer. ``check`` raises EntryError for entries that only the engine can refuse; what the entries refuse
     by themselves, the model does. ``laid_out`` gives a machine the layout that a file has by its defined names,
-    where the number of sheets depends on the description.
+    where the number of sheets depends on the description. ``axes`` are the motions that a controller can be given.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Template(Generic[M]):
     sizes: dict[str, tuple[str, int]]
     check: Callable[[M], None] = lambda machine: None
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
+    axes: Callable[[M], list[CamAxis]] = lambda machine: []
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""

@@ -7,6 +7,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.actuator.axes import axes
 from workbook.machines.actuator.check import check
 from workbook.machines.actuator.cycle import cycle_sheet
 from workbook.machines.actuator.entries import ActuatorSizing
@@ -79,4 +80,5 @@ TEMPLATE = Template(
     | {"rotors": ("act_parts", 0), "gears": ("act_gears", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,
+    axes=axes,
 )

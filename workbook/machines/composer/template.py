@@ -6,6 +6,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.composer.axes import axes
 from workbook.machines.composer.entries import MotionComposer
 from workbook.machines.composer.sheet import AT, motion_sheet
 from workbook.machines.composer.variations import variants
@@ -44,4 +45,5 @@ TEMPLATE = Template(
     declare,
     variants,
     LAW_SIZES | {"cycle": ("motion", 1), "phases": ("phases", 0), "motion_pieces": ("move_pieces", 0)},
+    axes=axes,
 )

@@ -9,6 +9,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.cutting.axes import axes
 from workbook.machines.cutting.drive import drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.machines.cutting.timing import cells, timing_sheet
@@ -78,4 +79,5 @@ TEMPLATE = Template(
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0), "rotors": ("rotors", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
+    axes=axes,
 )

@@ -8,6 +8,7 @@ from workbook.book.declare import Book, result
 from workbook.entries.rules import limits
 from workbook.entries.units import PER_MINUTE, RPM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.flying.axes import axes
 from workbook.machines.flying.check import check
 from workbook.machines.flying.cycle import cycle_sheet
 from workbook.machines.flying.entries import FlyingCutter
@@ -80,4 +81,5 @@ TEMPLATE = Template(
     | {"cycle": ("cycle", 1), "lengths": ("lengths", 1), "motion_pieces": ("tool_pieces", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,
+    axes=axes,
 )

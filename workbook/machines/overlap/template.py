@@ -6,6 +6,7 @@ from workbook.book.about import about_sheet
 from workbook.book.declare import Book, Quantity, result
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.overlap.axes import axes
 from workbook.machines.overlap.check import check
 from workbook.machines.overlap.cycle import cycle_sheets
 from workbook.machines.overlap.entries import IndexingOverlap
@@ -54,4 +55,5 @@ TEMPLATE = Template(
     | {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)},
     check,
     laid_out,
+    axes,
 )

@@ -1,0 +1,121 @@
+"""How far a rebuilt motion is from the one that was meant, over the whole cycle: no sample decides."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import factorial
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.cams.bernstein import DEGREE, enclosing, largest
+from engine.cams.course import SAME, Course
+from engine.laws.base import Array
+
+ORDERS = 4
+"""position, velocity, acceleration, jerk"""
+WIDEST = 1.0  # rad of a sine in one interval
+
+
+class Deviation(NamedTuple):
+    """The largest deviation of one derivative over the cycle: how large, where, and the motion's own peak.
+
+    The peak of the position is its reach, from the lowest to the highest.
+    """
+
+    largest: float
+    x: float
+    peak: float
+
+    @property
+    def share(self) -> float:
+        """The deviation as a share of the peak; infinite where the motion has none, and 0 where neither is."""
+        return self.largest / self.peak if self.peak else float(np.inf) if self.largest else 0.0
+
+
+class Jump(NamedTuple):
+    """The largest jump that rebuilding adds to one derivative between two stretches, and where it is."""
+
+    largest: float
+    x: float
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """How far a rebuilt motion is from the one meant: of y, y', y'' and y''' the largest deviation over the cycle.
+
+    ``jumps`` are those of y, y' and y'' that the motion has not, ``closure`` what the end of the cycle fails to meet
+    its begin by in y, y' and y'', beyond what the motion does.
+    """
+
+    deviations: tuple[Deviation, ...]
+    jumps: tuple[Jump, ...]
+    closure: tuple[float, ...]
+
+
+def certify(meant: Course, rebuilt: Course) -> Certificate:
+    """Compare a rebuilt motion with the one meant, over the cycle of the latter.
+
+    Between two neighbouring breaks of either both are polynomials and sines. Their difference is enclosed by the
+    coefficients of Bernstein of its Taylor polynomial, which are halved until they show the largest size.
+    """
+    low, high = intervals(meant, rebuilt)
+    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    one, other = (local(of, middle, half) for of in (meant, rebuilt))
+    deviations, jumps, closure = [], [], []
+    for order in range(ORDERS):
+        off, rows = (enclosing(derived(powers, half, order)) for powers in (other - one, one))
+        worst, peak = largest(off), largest(rows)
+        x = float(middle[worst.row] + worst.t * half[worst.row])
+        size = _reach(rows) if order == 0 else peak.value
+        deviations.append(Deviation(worst.value, x, size))
+        if order < ORDERS - 1:
+            between = np.abs(off[1:, 0] - off[:-1, -1])
+            k = int(between.argmax()) if between.size else 0
+            jumps.append(Jump(float(between[k]), float(high[k])) if between.size else Jump(0.0, float(low[0])))
+            closure.append(float(off[-1, -1] - off[0, 0]))
+    return Certificate(tuple(deviations), tuple(jumps), tuple(closure))
+
+
+def _reach(rows: Array) -> float:
+    """Return the highest less the lowest value of polynomials, by rows of coefficients."""
+    top = float(rows[:, [0, -1]].max())
+    return top - float(rows[:, [0, -1]].min()) if rows.size else 0.0
+
+
+def intervals(meant: Course, rebuilt: Course) -> tuple[Array, Array]:
+    """Return begins and ends of the intervals of the cycle of ``meant`` in which both are one polynomial and sines."""
+    begin, end = float(meant.edges[0]), float(meant.edges[-1])
+    inner = rebuilt.edges[(rebuilt.edges > begin) & (rebuilt.edges < end)]
+    edges = np.unique(np.concatenate([meant.edges, inner]))
+    edges = edges[np.concatenate([[True], np.diff(edges) > SAME * (end - begin)])]
+    edges[-1] = end
+    middle = 0.5 * (edges[:-1] + edges[1:])
+    rate = np.maximum(*(fastest(of)[of.index(middle)] for of in (meant, rebuilt)))
+    parts: NDArray[np.intp] = np.ceil(np.maximum(rate * np.diff(edges) / WIDEST, 1.0)).astype(np.intp)
+    width = np.repeat(np.diff(edges) / parts, parts)
+    nth = np.arange(int(parts.sum())) - np.repeat(np.cumsum(parts) - parts, parts)
+    low = np.repeat(edges[:-1], parts) + nth * width
+    return low, np.append(low[1:], end)
+
+
+def fastest(of: Course) -> Array:
+    """Return the largest ω of the sines of each stretch."""
+    if not of.sines.size:
+        return np.zeros(len(of.origins))
+    return np.asarray(np.abs(np.where(of.sines[:, :, 0] != 0.0, of.sines[:, :, 1], 0.0)).max(axis=1))
+
+
+def local(of: Course, middle: Array, half: Array) -> Array:
+    """Return a course between ends that are ``half`` from ``middle`` as powers of t from −1 to 1, a column each."""
+    powers = of.taylor(middle, of.index(middle), DEGREE + 1)
+    return np.asarray(powers * half ** np.arange(DEGREE + 1)[:, None])
+
+
+def derived(powers: Array, half: Array, order: int) -> Array:
+    """Return the powers of a derivative by x."""
+    found = np.zeros_like(powers)
+    for k in range(order, len(powers)):
+        found[k - order] = powers[k] * (factorial(k) / factorial(k - order))
+    return found / half**order

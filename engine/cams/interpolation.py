@@ -1,0 +1,127 @@
+"""How controllers go between the points of a table: each rule makes a course of it."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.cams.course import Course
+from engine.laws.base import Array
+
+Ends = Literal["natural", "not-a-knot", "periodic"]
+
+
+def _course(x: Array, *c: Array) -> Course:
+    return Course(x, x[:-1], np.column_stack(c), np.zeros((len(x) - 1, 0, 3)))
+
+
+def lines(x: Array, y: Array) -> Course:
+    """Return straight lines from point to point."""
+    return _course(x, y[:-1], np.diff(y) / np.diff(x))
+
+
+def hermite(x: Array, y: Array, v: Array) -> Course:
+    """Return the cubic of each interval that has y and y' at both its ends."""
+    h = np.diff(x)
+    m = np.diff(y) / h
+    return _course(x, y[:-1], v[:-1], (3.0 * m - 2.0 * v[:-1] - v[1:]) / h, (v[:-1] + v[1:] - 2.0 * m) / h**2)
+
+
+def chords(x: Array, y: Array) -> Course:
+    """Return cubics whose slope at a point is that of the line between its neighbours, at the ends of the line to one.
+
+    Source: Schneider Modicon MMC, cam tables; y' is continuous and y'' is not.
+    """
+    inner = (y[2:] - y[:-2]) / (x[2:] - x[:-2])
+    first, last = (y[1] - y[0]) / (x[1] - x[0]), (y[-1] - y[-2]) / (x[-1] - x[-2])
+    return hermite(x, y, np.concatenate([[first], inner, [last]]))
+
+
+def quintics(x: Array, y: Array, v: Array, a: Array) -> Course:
+    """Return the polynomial of degree 5 of each interval that has y, y' and y'' at both its ends."""
+    h = np.diff(x)
+    d = np.diff(y) - (v[:-1] + 0.5 * a[:-1] * h) * h
+    e = (np.diff(v) - a[:-1] * h) * h
+    f = np.diff(a) * h**2
+    return _course(
+        x, y[:-1], v[:-1], 0.5 * a[:-1],
+        (10.0 * d - 4.0 * e + 0.5 * f) / h**3, (-15.0 * d + 7.0 * e - f) / h**4, (6.0 * d - 3.0 * e + 0.5 * f) / h**5,
+    )  # fmt: skip
+
+
+def spline(x: Array, y: Array, ends: Ends | tuple[float, float]) -> Course:
+    """Return the cubic spline through the points: y, y' and y'' are continuous.
+
+    ``ends`` are the slopes of a clamped spline; or natural (y'' = 0), not-a-knot (y''' continuous at the last points
+    but one), periodic (y' and y'' alike at both ends). Two points, or three of not-a-knot, have one polynomial.
+    The slopes m meet m_{k−1}/h_{k−1} + 2 m_k (1/h_{k−1} + 1/h_k) + m_{k+1}/h_k = 3 (d_{k−1}/h_{k−1} + d_k/h_k), d_k the
+    slope of a chord; they are linear in those of the ends, which the ends' conditions then settle.
+    Raises ValueError for an unknown condition.
+    """
+    h = np.diff(x)
+    fixed, first, last = _slopes(h, np.diff(y) / h)
+    if not isinstance(ends, str):
+        return hermite(x, y, fixed + ends[0] * first + ends[1] * last)
+    if len(x) == 2 and ends != "periodic":
+        return lines(x, y)
+    rows = [_conditions(hermite(x, values, m), ends)
+            for values, m in ((y, fixed), (np.zeros_like(y), first), (np.zeros_like(y), last))]  # fmt: skip
+    right, *columns = (np.array(row) for row in rows)
+    one, other = np.linalg.lstsq(np.column_stack(columns), -right, rcond=None)[0]
+    return hermite(x, y, fixed + one * first + other * last)
+
+
+def _conditions(of: Course, ends: Ends) -> tuple[float, float]:
+    """Return what must be 0 at both ends."""
+    (_, v0, a0, j0), c1 = of.c[0], of.c[-1]
+    h = float(of.edges[-1] - of.edges[-2])
+    v1, a1 = c1[1] + (2.0 * c1[2] + 3.0 * c1[3] * h) * h, c1[2] + 3.0 * c1[3] * h
+    scale = of.total
+    if ends == "natural":
+        return float(a0), float(a1)
+    if ends == "not-a-knot":
+        return float(of.c[min(1, len(of.c) - 1), 3] - j0), float(c1[3] - of.c[max(len(of.c) - 2, 0), 3])
+    if ends == "periodic":
+        return float(v1 - v0), float((a1 - a0) * scale)
+    raise ValueError(f"the spline's ends are {ends!r}; expected natural, not-a-knot, periodic, or two slopes")
+
+
+def _slopes(h: Array, d: Array) -> tuple[Array, Array, Array]:
+    """Return the slopes with 0 at both ends, and what a slope of 1 at the first and at the last point adds."""
+    n = len(h) + 1
+    rows = [[0.0] * n, [0.0] * n, [0.0] * n]
+    rows[1][0] = rows[2][-1] = 1.0
+    if n > 2:
+        per = (1.0 / h).tolist()
+        right = (3.0 * (d[:-1] / h[:-1] + d[1:] / h[1:])).tolist()
+        above: list[float] = []
+        for k in range(n - 2):
+            pivot = 2.0 * (per[k] + per[k + 1]) - (per[k] * above[-1] if k else 0.0)
+            above.append(per[k + 1] / pivot)
+            for row, given in zip(rows, (right[k], 0.0, 0.0), strict=True):
+                row[k + 1] = (given - per[k] * row[k]) / pivot
+        for k in range(n - 3, -1, -1):
+            for row in rows:
+                row[k + 1] -= above[k] * row[k + 2]
+    return np.array(rows[0]), np.array(rows[1]), np.array(rows[2])
+
+
+def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArray[np.bool_]) -> Course:
+    """Return lines where ``straight`` says so, one for each interval, and clamped splines between them.
+
+    A spline beside a line takes the line's slope; at the ends of the table those of ``ends``.
+    Source: Rockwell, SegmentType of CAM.
+    """
+    slope = np.diff(y) / np.diff(x)
+    c = np.zeros((len(slope), 4))
+    c[:, 0], c[:, 1] = y[:-1], slope
+    turns = np.flatnonzero(np.diff(straight)) + 1
+    for low, high in pairwise([0, *turns.tolist(), len(slope)]):
+        if not straight[low]:
+            first = ends[0] if low == 0 else float(slope[low - 1])
+            last = ends[1] if high == len(slope) else float(slope[high])
+            c[low:high] = spline(x[low : high + 1], y[low : high + 1], (first, last)).c
+    return _course(x, *c.T)

@@ -1,0 +1,64 @@
+"""Where the points of a table stand: on the motion's breaks first, then where the rule between them needs them."""
+
+from __future__ import annotations
+
+from math import factorial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.cams.bernstein import DEGREE, enclosing
+from engine.cams.certificate import derived, intervals, local
+from engine.cams.course import Course
+from engine.laws.base import Array
+
+STEPS = 60  # of halving
+
+
+def equal(of: Course, n: int) -> Array:
+    """Return n places at equal steps over the cycle."""
+    return np.linspace(float(of.edges[0]), float(of.edges[-1]), n)
+
+
+def spread(of: Course, n: int, order: int, least: int = 1) -> Array:
+    """Return at most n places: the breaks, and between them equal steps by what a rule of an order leaves.
+
+    Between places h apart a rule through polynomials of degree ``order`` − 1 leaves of y'' what goes with
+    h^(order − 2) max|y^(order)|; the steps of each stretch are the longest that keep this below one level. At least
+    ``least`` steps go to each stretch. Raises ValueError where n does not do for the breaks.
+    """
+    needed = len(of.origins) * least + 1
+    if n < needed:
+        raise ValueError(f"{n} points are given; expected at least {needed}, for the breaks of the motion")
+    low, high = 0.0, 1.0
+    sizes = weights(of, order)
+    for _ in range(STEPS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if _taken(sizes, middle, least).sum() + 1 <= n else (low, middle)
+    return places(of, _taken(sizes, low, least))
+
+
+def _taken(sizes: Array, level: float, least: int) -> NDArray[np.intp]:
+    """Return how many steps each stretch has: none more than it would of itself, ``level`` as a share of all."""
+    share = level / max(1.0 - level, 1e-15)
+    return np.maximum(np.ceil(np.minimum(sizes * share, 1e7)), least).astype(np.intp)
+
+
+def weights(of: Course, order: int) -> Array:
+    """Return for each stretch its length by the root of its largest derivative of an order, beside the largest."""
+    low, high = intervals(of, of)
+    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    powers = local(of, middle, half)
+    value = np.abs(enclosing(derived(powers, half, order))).max(axis=1) if order <= DEGREE else np.zeros(len(low))
+    found = np.zeros(len(of.origins))
+    np.maximum.at(found, of.index(middle), value)
+    found[found < found.max(initial=0.0) * 1e-9] = 0.0
+    root = 1.0 / max(order - 2, 1)
+    sizes: Array = np.diff(of.edges) * (found / factorial(order)) ** root
+    return sizes / sizes.max() if sizes.max() > 0.0 else sizes
+
+
+def places(of: Course, steps: NDArray[np.intp]) -> Array:
+    """Return the breaks of a course, and between them as many equal steps as each stretch has."""
+    inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
+    return np.concatenate([*inner, of.edges[-1:]])

@@ -1,0 +1,27 @@
+"""The axes of a machine as a controller sees them: what a template says once, and every target takes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from engine.cams.course import Course
+
+
+@dataclass(frozen=True)
+class CamAxis:
+    """An axis over a cycle of its master: its course and the units of both.
+
+    ``repeats`` says whether the cycle follows upon itself: it comes back, or a feed goes on from where it is.
+    """
+
+    name: str
+    course: Course
+    x_unit: str
+    y_unit: str
+    repeats: bool = True
+
+    @property
+    def units(self) -> tuple[str, str, str, str]:
+        """Units of y, y', y'' and y'''."""
+        x, y = self.x_unit, self.y_unit
+        return y, f"{y}/{x}", f"{y}/{x}²", f"{y}/{x}³"

@@ -1,0 +1,193 @@
+"""From a verified book to a controller's file, with the certificate of what an independent reader finds in it."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook import __version__
+from workbook import build as making
+from workbook.axes import CamAxis
+from workbook.build import write_text
+from workbook.controllers import certificates
+from workbook.controllers.handing import Made, automatic, certified, reread, tabulated
+from workbook.controllers.registry import target as target_named
+from workbook.controllers.target import Handed, Target
+from workbook.entries.machine import Machine
+from workbook.errors import TargetError
+from workbook.exits import AGREES, DISAGREES
+from workbook.judging.many import digest, state
+from workbook.judging.verify import verify
+from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.templates import TEMPLATES
+from workbook.visible import visible
+from workbook.writing.place import refuse_existing, replace
+
+AUTO = "auto"
+SEPARATORS = {"semicolon": ";", "comma": ",", "tab": "\t"}
+DECIMALS = {"point": ".", "comma": ","}
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is asked of an export beside the book: a number of points or None for the fewest, what is tolerated."""
+
+    target: Target
+    points: int | None
+    tolerance: Mapping[str, float]
+    held: bool
+    """whether a tolerance was asked for: then nothing is written beyond it"""
+    separator: str
+    decimal: str
+    unverified: bool
+
+
+@dataclass(frozen=True)
+class Exported:
+    """An axis with its file's text, and what was made of it when that was read back."""
+
+    axis: CamAxis
+    text: str
+    made: Made
+    path: Path
+
+
+def asked_for(
+    to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool
+) -> Asked:  # fmt: skip
+    """Return what is asked for; raise TargetError where it cannot be meant."""
+    target = target_named(to)
+    if points != AUTO and not (points.isdecimal() and len(points) < 8):
+        raise TargetError(f"--points {points}: expected a number of points, or {AUTO}")
+    for name, value, known in (("separator", separator, SEPARATORS), ("decimal", decimal, DECIMALS)):
+        if value not in known:
+            raise TargetError(f"--{name} {value}: expected {' or '.join(known)}")
+    if SEPARATORS[separator] == DECIMALS[decimal]:
+        raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
+    held = dict(map(tolerated, tolerance))
+    return Asked(target, None if points == AUTO else int(points), held or dict([target.tolerance]), bool(held),
+                 SEPARATORS[separator], DECIMALS[decimal], unverified)  # fmt: skip
+
+
+def tolerated(text: str) -> tuple[str, float]:
+    """Return the order and the share that a tolerance such as a=1% names."""
+    found = re.fullmatch(r"([yvaj])=(\d+(?:\.\d*)?|\.\d+)%", text.strip())
+    if not found or not float(found[2]):
+        raise TargetError(f"--tolerance {text}: expected y, v, a or j and a share of its peak, as a=1%")
+    return found[1], float(found[2]) / 100.0
+
+
+def export(
+    book: Path, axis: str | None, asked: Asked, output: Path | None, everything: bool, force: bool, as_json: bool
+) -> int:  # fmt: skip
+    """Write an axis of a book, or every one, as a target's file; return the exit code."""
+    if (axis is None) != everything:
+        raise TargetError("expected either --axis NAME or --all")
+    machine, mark = trusted(book, asked.unverified)
+    if machine is None:
+        return DISAGREES
+    axes = chosen(TEMPLATES[machine.template].axes(machine), axis, machine.template)
+    paths = places(book, axes, asked.target, output, everything)
+    for path in paths:
+        refuse_existing(path, force)
+    with ERR.status("Exporting …"):
+        found = [exported(machine, one, asked, mark, path) for one, path in zip(axes, paths, strict=True)]
+    beyond = [one for one in found if asked.held and one.made.excess(asked.tolerance) > 1.0]
+    if as_json:
+        told = [certificates.told(one.axis, one.made, asked.target, str(one.path)) for one in found]
+        say_data(f"{json.dumps(told, ensure_ascii=False, indent=1)}\n")
+    else:
+        for one in found:
+            certificates.show(OUT, one.axis, one.made, asked.target)
+    for one in found:
+        if asked.points is None and not asked.held and one.made.excess(asked.tolerance) > 1.0:
+            say(ERR, f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}: the best there is", "yellow")
+    for one in beyond:
+        say(ERR, f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}; nothing is written", "red")
+    if beyond:
+        return DISAGREES
+    for one in found:
+        replace(one.path, lambda draft, text=one.text: write_text(draft, text), force)  # type: ignore[misc]
+        say(ERR if as_json else OUT, f"Wrote {one.path.absolute()}")
+    return AGREES
+
+
+def trusted(book: Path, unverified: bool) -> tuple[Machine | None, tuple[str, ...]]:
+    """Return the machine of a book that verify found right, or that is not to be asked, and the header's lines on it.
+
+    None, after it was said why, where a book disagrees or its design is unfinished.
+    """
+    before = state(book)
+    lines: list[str] = []
+    if unverified:
+        lines.append("NOT VERIFIED: nobody compared the book with the engine")
+    else:
+        with ERR.status(shown(f"Verifying {book} …")):
+            report = verify(book)
+        if not report.agrees:
+            said = f"{len(report.findings):,} cells of the book are not what the engine computes"
+            say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
+            return None, ()
+        lines += [f"the design FAILS: {check.line}" for check in report.failing]
+    machine, _ = making.inputs(book)
+    if machine.design.replaced:
+        say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].said}); nothing is exported", "red")
+        return None, ()
+    for line in lines:
+        say(ERR, f"Warning: {line}", "yellow")
+    mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {digest(book)}"
+    if before != state(book):
+        raise TargetError(f"{book}: it changed while it was read; try again")
+    return machine, (mark, *lines)
+
+
+def chosen(axes: Sequence[CamAxis], name: str | None, template: str) -> list[CamAxis]:
+    """Return the axis of a name, or all; raise TargetError where there is none."""
+    if not axes:
+        raise TargetError(f"{template} has no axis that a controller could be given")
+    found = [one for one in axes if name is None or one.name.casefold() == name.casefold()]
+    if not found:
+        raise TargetError(f"no axis is named {name!r}; expected one of {', '.join(one.name for one in axes)}")
+    if name is not None and len(found) > 1:
+        raise TargetError(f"{len(found)} axes are named {name!r}; expected a name of its own for each")
+    return found
+
+
+def places(book: Path, axes: Sequence[CamAxis], target: Target, output: Path | None, everything: bool) -> list[Path]:
+    """Return where each axis is written: the file that is named, or beside one another in the folder that is."""
+    if output is not None and not everything:
+        return [output]
+    names = [f"{book.stem}-{slug(one.name)}{target.suffix}" for one in axes]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice:
+        raise TargetError(f"two axes would be written to {twice}; expected --axis NAME -o FILE for each")
+    return [(output or Path()) / name for name in names]
+
+
+def slug(name: str) -> str:
+    """Return a name of letters, digits and underscores that begins with a letter."""
+    plain = re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
+    return plain if plain[:1].isalpha() else f"Axis_{plain}".rstrip("_")
+
+
+def exported(machine: Machine, axis: CamAxis, asked: Asked, mark: Sequence[str], path: Path) -> Exported:
+    """Return the text of an axis's file, and the certificate of what an independent reader finds in it."""
+    target = asked.target
+    if asked.points is None:
+        made = automatic(target, axis, asked.tolerance)
+    else:
+        made = certified(target, tabulated(target, axis, asked.points), axis.course)
+    header = tuple(visible(line) for line in (
+        f"{machine.title}, axis {axis.name}: {target.title}",
+        f"x in {axis.x_unit}, y in {axis.y_unit}; {made.points} points; between them {' or '.join(made.certificates)}",
+        *mark,
+        *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),
+    ))  # fmt: skip
+    units = axis.x_unit, axis.y_unit
+    handed = Handed(made.table, slug(axis.name), header, units, axis.repeats, asked.separator, asked.decimal)
+    text = target.write(handed)
+    again = certified(target, reread(target, text, made.table), axis.course)
+    return Exported(axis, text, again, path)

@@ -1,0 +1,99 @@
+"""A cam table as a controller holds it, and the motions that rules make of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.cams import interpolation
+from engine.cams.course import Course
+from engine.laws.base import Array
+from workbook.errors import TargetError
+
+MOST_POINTS = 100_000
+
+
+@dataclass(frozen=True)
+class Table:
+    """Points of a cam: x and y, where the controller takes them y', y'' and y''' by the master, all of one length.
+
+    ``slopes`` are those at both ends of a clamped spline, ``straight`` which way from a point is a line. ``course``
+    is the motion itself where the controller is given polynomials. Raises TargetError, by point and reason, for
+    fewer than two points, what is not finite, and x that does not rise.
+    """
+
+    x: Array
+    y: Array
+    v: Array | None = None
+    a: Array | None = None
+    j: Array | None = None
+    slopes: tuple[float, float] | None = None
+    straight: Array | None = None
+    course: Course | None = None
+    notes: tuple[str, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        if not 2 <= len(self.x) <= MOST_POINTS:
+            raise TargetError(f"{len(self.x):,} points; expected 2 to {MOST_POINTS:,}")
+        for name, column in self.columns.items():
+            if len(column) != len(self.x):
+                raise TargetError(f"{len(column)} values of {name} for {len(self.x)} points; expected one each")
+            if not np.all(np.isfinite(column)):
+                k = int(np.argmin(np.isfinite(column)))
+                raise TargetError(f"point {k + 1}: {name} is {column[k]}; expected a finite number")
+        rises = np.diff(self.x) > 0.0
+        if not rises.all():
+            k = int(np.argmin(rises)) + 1
+            said = f"point {k + 1}: x is {self.x[k]:.9g} after {self.x[k - 1]:.9g}"
+            raise TargetError(f"{said}; expected the master to rise from point to point")
+
+    @property
+    def columns(self) -> dict[str, Array]:
+        """The columns that it has, by name."""
+        named = {"x": self.x, "y": self.y, "y'": self.v, "y''": self.a, "y'''": self.j}
+        return {name: column for name, column in named.items() if column is not None}
+
+
+class Rule(NamedTuple):
+    """A way between points: what makes it, the degree of its polynomials and 1, and the steps a stretch needs."""
+
+    made: Callable[[Table], Course]
+    order: int
+    least: int = 1
+
+
+def _clamped(table: Table) -> Course:
+    """Return the clamped spline, which lines part."""
+    slopes = table.slopes or (0.0, 0.0)
+    if table.straight is None or not table.straight[:-1].any():
+        return interpolation.spline(table.x, table.y, slopes)
+    return interpolation.parted_spline(table.x, table.y, slopes, table.straight[:-1] > 0.0)
+
+
+def _quintics(table: Table) -> Course:
+    if table.v is None or table.a is None:
+        raise TargetError("the table has no y' and y''; expected both, for polynomials of degree 5")
+    return interpolation.quintics(table.x, table.y, table.v, table.a)
+
+
+def _itself(table: Table) -> Course:
+    if table.course is None:
+        raise TargetError("the table has no polynomials; expected them")
+    return table.course
+
+
+RULES: dict[str, Rule] = {
+    "straight lines": Rule(lambda t: interpolation.lines(t.x, t.y), 2),
+    "clamped cubic spline": Rule(_clamped, 4, 2),
+    "natural cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "natural"), 4, 2),
+    "not-a-knot cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "not-a-knot"), 4, 2),
+    "periodic cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "periodic"), 4, 2),
+    "cubics by the chords": Rule(lambda t: interpolation.chords(t.x, t.y), 4, 2),
+    "quintics": Rule(_quintics, 6),
+    "polynomials": Rule(_itself, 6),
+}
+"""what is between the points, by name"""
+SPLINES = tuple(name for name in RULES if "spline" in name)

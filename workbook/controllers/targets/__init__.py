@@ -1,0 +1,1 @@
+"""The targets: a small module each, named in the register."""

@@ -1,0 +1,78 @@
+"""Tables as columns of text: written with any separator, read with the one and the decimal sign that are found."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+
+from workbook.controllers.table import MOST_POINTS
+from workbook.errors import TargetError
+
+NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
+STARTS = re.compile(r"[+-]?[.,]?\d|[+-]?(?:nan|inf)", re.IGNORECASE)
+LONGEST = 2000  # characters of a line
+
+
+def joined(rows: Iterable[Sequence[str]], separator: str = ";", decimal: str = ".") -> str:
+    """Return rows of numbers' texts as lines that end as Windows ends them."""
+    return "".join(f"{separator.join(row).replace('.', decimal)}\r\n" for row in rows)
+
+
+def numbers(text: str, widths: Sequence[int], comment: str = "#") -> list[list[float]]:
+    """Return the rows of numbers of a text; what stands above the first is passed over, and a count of rows.
+
+    ``widths`` are how many columns it may have. Raises TargetError, by line, for what is no number, rows of another
+    width, a decimal sign that changes, too many rows, or none.
+    """
+    lines = [(n, line.split(comment, 1)[0].strip()) for n, line in enumerate(text.splitlines(), 1)]
+    kept = [(n, line) for n, line in lines if line]
+    begin = next((k for k, (_, line) in enumerate(kept) if STARTS.match(line)), len(kept))
+    kept = kept[begin:]
+    if len(kept) > MOST_POINTS + 1:
+        raise TargetError(f"{len(kept):,} lines of numbers; expected at most {MOST_POINTS:,}")
+    if not kept:
+        raise TargetError("there is no line of numbers; expected a table of two columns or more")
+    if kept[0][1].isdigit():
+        if int(kept[0][1][:9]) != len(kept) - 1:
+            raise TargetError(f"line {kept[0][0]}: {kept[0][1][:9]} points are told, {len(kept) - 1} follow")
+        kept = kept[1:]
+    decimals: set[str] = set()
+    separator = found_separator(line for _, line in kept)
+    rows = [row(n, line, separator, decimals) for n, line in kept]
+    if rows and len(rows[0]) not in widths:
+        expected = " or ".join(map(str, widths))
+        raise TargetError(f"line {kept[0][0]}: {len(rows[0])} columns; expected {expected}")
+    for (n, _), values in zip(kept, rows, strict=True):
+        if len(values) != len(rows[0]):
+            raise TargetError(f"line {n}: {len(values)} columns; expected {len(rows[0])}, as in the line before")
+    return rows
+
+
+def found_separator(lines: Iterable[str]) -> str | None:
+    """Return what parts the columns: a semicolon, a tab, a comma; None for blanks."""
+    given = list(lines)
+    for sign in ";\t":
+        if any(sign in line for line in given):
+            return sign
+    parts = [re.split(r"\s+", line) for line in given]
+    return None if any(len(part) > 1 and all(map(NUMBER.fullmatch, part)) for part in parts) else ","
+
+
+def row(n: int, line: str, separator: str | None, decimals: set[str]) -> list[float]:
+    """Return the numbers of a line, and keep the decimal signs that it has."""
+    if len(line) > LONGEST:
+        raise TargetError(f"line {n}: {len(line):,} characters; expected a row of numbers")
+    fields = [field.strip() for field in (line.split(separator) if separator else line.split())]
+    found = []
+    for field in fields:
+        if not NUMBER.fullmatch(field):
+            raise TargetError(f"line {n}: {field[:40]!r} is no number; expected one in each column")
+        decimals |= {sign for sign in ".," if sign in field}
+        value = float(field.replace(",", "."))
+        if not math.isfinite(value):
+            raise TargetError(f"line {n}: {field[:40]!r} is too large for a number")
+        found.append(value)
+    if len(decimals) > 1:
+        raise TargetError(f"line {n}: both . and , stand for the decimal sign; expected one of them")
+    return found
