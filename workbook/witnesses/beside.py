@@ -77,15 +77,17 @@ class Beside:
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
         )  # fmt: skip
         self._line = Line(self.process.stdout, self.process.stdin)
+        self._asked = False
 
     def witness(self, witness: Witness) -> Witness:
         """Return the witness that this process evaluates with as one that is asked there; any other as it is."""
         return Evaluating(witness, self) if witness.name == NAME else witness
 
     def line(self, file: BookFile) -> Line | None:
-        """Return the line to the process if it has read the same file; None where it has not."""
+        """Return the line to the process, once, if it has read the same file; None where it has not."""
+        asked, self._asked = self._asked, True
         try:
-            same = file.path == self.path and not file.mended and self._line.hear() == digest(file.path)
+            same = not asked and file.path == self.path and not file.mended and self._line.hear() == digest(file.path)
         except (EOFError, OSError):
             return None
         return self._line if same else None
