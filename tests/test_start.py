@@ -92,8 +92,8 @@ def test_usage_needs_no_set_up(start: ModuleType, arguments: list[str], capsys: 
     [
         ([], []),
         (["-k", "name", "tests/engine"], ["-k", "name", "tests/engine"]),
-        (["--quick"], ["-m", "quick"]),
-        (["--quick", "-x"], ["-m", "quick", "-x"]),
+        (["--quick"], ["-m", "quick and not nightly"]),
+        (["--quick", "-x"], ["-m", "quick and not nightly", "-x"]),
     ],
 )
 def test_the_tiers_are_marks_of_pytest(start: ModuleType, given: list[str], passed: list[str]) -> None:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
-
-from pydantic import BaseModel
 
 from workbook.book.declare import Book
 from workbook.book.quantity import SAYS
 from workbook.collector import collector_paused, swept_between
+from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
@@ -27,7 +26,7 @@ from workbook.reading.entries import (
     write_machine,
 )
 from workbook.reading.files import open_book
-from workbook.selection.catalogue_files import read_motors, read_reducers
+from workbook.selection.catalogue_files import Product, read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -36,7 +35,7 @@ from workbook.writing.place import refuse_existing, replace
 from workbook.writing.same import same_book
 from workbook.writing.write import save
 
-READERS: dict[str, Callable[[Path], Sequence[BaseModel]]] = {"motors": read_motors, "reducers": read_reducers}
+READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
@@ -89,16 +88,16 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
     rows = {entry: READERS[entry](file) for entry, file in named.items() if file is not None}
     if not rows:
         return machine
-    data, entries = machine.model_dump(), choice.model_dump()
+    data = as_entered(machine)
+    data["sizes"], entries = machine.sizes.model_dump(), data["selection"]
     for entry, products in rows.items():
         if len(products) > MOST_PRODUCTS:
             raise InputError([f"{named[entry]}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
-        entries[entry] = [row.model_dump() for row in products]
+        entries[entry] = products
         data["sizes"][entry] = max(data["sizes"][entry], len(products))
         one = entry[:-1]
         if choice.pair == "best" and entries[one] not in [row["name"] for row in entries[entry]]:
             del entries[one]
-    data["selection"] = entries
     return checked(template_named(machine.template, where), data, lambda key: f"{where}: {key}")
 
 

@@ -30,14 +30,19 @@ def hermite(x: Array, y: Array, v: Array) -> Course:
     return _course(x, y[:-1], v[:-1], (3.0 * m - 2.0 * v[:-1] - v[1:]) / h, (v[:-1] + v[1:] - 2.0 * m) / h**2)
 
 
-def chords(x: Array, y: Array) -> Course:
-    """Return cubics whose slope at a point is that of the line between its neighbours, at the ends of the line to one.
+def parabolas(x: Array, y: Array) -> Course:
+    """Return cubics whose slope at a point is that of the parabola through it and its neighbours, at an
+    end through three.
 
-    Source: Schneider Modicon MMC, cam tables; y' is continuous and y'' is not.
+    At equal steps that is the slope of the line between the neighbours. y' is continuous and y'' is not. Of two points
+    it is the line. Source: Bessel's slopes, C. de Boor, A Practical Guide to Splines, IV.
     """
-    inner = (y[2:] - y[:-2]) / (x[2:] - x[:-2])
-    first, last = (y[1] - y[0]) / (x[1] - x[0]), (y[-1] - y[-2]) / (x[-1] - x[-2])
-    return hermite(x, y, np.concatenate([[first], inner, [last]]))
+    if len(x) == 2:
+        return lines(x, y)
+    h = np.diff(x)
+    m = np.diff(y) / h
+    inner = (h[1:] * m[:-1] + h[:-1] * m[1:]) / (h[1:] + h[:-1])
+    return hermite(x, y, np.concatenate([[2.0 * m[0] - inner[0]], inner, [2.0 * m[-1] - inner[-1]]]))
 
 
 def quintics(x: Array, y: Array, v: Array, a: Array) -> Course:

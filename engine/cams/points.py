@@ -13,6 +13,9 @@ from engine.cams.course import Course
 from engine.laws.base import Array
 
 STEPS = 60  # of halving
+JUMP = 1e-9  # of the largest y'' at a break: a smaller jump is none
+BEFORE = 1e-5
+"""of the cycle: so far before a jump of y'' stands a point of its own"""
 
 
 def equal(of: Course, n: int) -> Array:
@@ -20,25 +23,28 @@ def equal(of: Course, n: int) -> Array:
     return np.linspace(float(of.edges[0]), float(of.edges[-1]), n)
 
 
-def spread(of: Course, n: int, order: int, least: int = 1) -> Array:
+def spread(of: Course, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None) -> Array:
     """Return at most n places: the breaks, and between them equal steps by what a rule of an order leaves.
 
     Between places h apart a rule through polynomials of degree ``order`` − 1 leaves of y'' what goes with
-    h^(order − 2) max|y^(order)|; the steps of each stretch are the longest that keep this below one level. At least
-    ``least`` steps go to each stretch. Raises ValueError where n does not do for the breaks.
+    h^(order − 2) max|y^(order)|; the steps of each stretch are the longest that keep this below one level. Each
+    stretch has ``least`` steps, and no more where it is ``exact``. Raises ValueError where n does not do for these.
     """
-    needed = len(of.origins) * least + 1
+    needed = int(least.sum()) + 1
     if n < needed:
         raise ValueError(f"{n} points are given; expected at least {needed}, for the breaks of the motion")
     low, high = 0.0, 1.0
     sizes = weights(of, order)
+    if exact is not None:
+        sizes = np.where(exact, 0.0, sizes)
+        sizes = sizes / max(sizes.max(), 1e-300)
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if _taken(sizes, middle, least).sum() + 1 <= n else (low, middle)
     return places(of, _taken(sizes, low, least))
 
 
-def _taken(sizes: Array, level: float, least: int) -> NDArray[np.intp]:
+def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.intp]:
     """Return how many steps each stretch has: none more than it would of itself, ``level`` as a share of all."""
     share = level / max(1.0 - level, 1e-15)
     return np.maximum(np.ceil(np.minimum(sizes * share, 1e7)), least).astype(np.intp)
@@ -62,3 +68,17 @@ def places(of: Course, steps: NDArray[np.intp]) -> Array:
     """Return the breaks of a course, and between them as many equal steps as each stretch has."""
     inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
     return np.concatenate([*inner, of.edges[-1:]])
+
+
+def doubled(of: Course, x: Array) -> Array:
+    """Return places with one more just before each at which y'' jumps: a point has one y'', which serves both sides."""
+    steps = np.array([one - BEFORE * of.total for one in jumps(of)])
+    return np.unique(np.concatenate([x, steps]))
+
+
+def jumps(of: Course) -> Array:
+    """Return the breaks within a course at which y'' jumps."""
+    inner = of.edges[1:-1]
+    before, after = of.at(inner, left=True).y2, of.at(inner).y2
+    size = max(float(np.abs(np.concatenate([before, after])).max(initial=0.0)), 1e-300)
+    return inner[np.abs(after - before) > JUMP * size]

@@ -93,6 +93,21 @@ def read_back(given):
         return read_machine(path)
 
 
+def test_another_name_is_no_finding_and_leaves_no_label_behind(layout, book, tmp_path):
+    """Of an axis, a tool, a motor, a body: what shows a name follows it."""
+    declared = TEMPLATES[layout.template].declare(layout)
+    entries = [cell for cell in declared.cells() if cell.quantity.role == "input" and isinstance(cell.content, str)]
+    names = {cell.content for cell in entries if cell.quantity.key.rpartition(".")[2] in ("name", "group", "title")}
+    opened = openpyxl.load_workbook(book)
+    for cell in entries:
+        if cell.content in names:
+            opened[cell.block.sheet.title].cell(cell.row, cell.column).value = f"Z {cell.content}"
+    opened.save(tmp_path / "edited.xlsx")
+    report = verify(tmp_path / "edited.xlsx")
+    assert [f"{f.sheet}!{f.cell} {f.kind}" for f in report.findings] == []
+    assert report.notices == []
+
+
 @needs_office
 def test_rows_above_every_table_columns_and_other_titles_change_nothing(layout, book, tmp_path):
     declared = TEMPLATES[layout.template].declare(layout)

@@ -20,22 +20,22 @@ from workbook.writing.same import same_book
 AXIS = ("timing", "axes", 1, "phases")
 TOOL = ("overlap", "tools", 0)
 ROTORS = "Drive, Rotating parts (S1, slide 'Feeding group layout'): entries within their limits"
-PHASES = "Timing, Phases of MC02: entries within their limits"
+PHASES = "Timing, Phases of axis 2: entries within their limits"
 MOTION = "Motion, Fill one row each, in order: entries within their limits"
 UNEQUAL = [0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]
 
 CASES = {
     "cutting-machine": {
-        "a gap": ([(*AXIS, 1, "start", 95.0)], "MC02: the phases follow on",
+        "a gap": ([(*AXIS, 1, "start", 95.0)], "Axis 2: the phases follow on",
                   "MC02 row 2 begins at 95°, 5° after row 1 ends"),
-        "an overlap": ([(*AXIS, 1, "start", 60.0)], "MC02: the phases follow on",
+        "an overlap": ([(*AXIS, 1, "start", 60.0)], "Axis 2: the phases follow on",
                        "MC02 row 2 begins at 60°, 30° before row 1 ends"),
-        "a late begin": ([(*AXIS, 0, "start", 2.5)], "MC02: the phases follow on",
+        "a late begin": ([(*AXIS, 0, "start", 2.5)], "Axis 2: the phases follow on",
                          "MC02 row 1 begins at 2.5°, 2.5° after 0°"),
-        "a phase that runs backwards": ([(*AXIS, 1, "stop", 60.0)], "MC02: every phase runs forward",
+        "a phase that runs backwards": ([(*AXIS, 1, "stop", 60.0)], "Axis 2: every phase runs forward",
                                         "MC02 row 2 ends at 60°, 30° before it begins"),
         "no whole turn": ([(*AXIS, 4, "start", 340.0), (*AXIS, 3, "stop", 340.0), (*AXIS, 4, "stop", 350.0)],
-                          "MC02: the phases fill the cycle", "MC02 ends at 350°, 10° before 360°"),
+                          "Axis 2: the phases fill the cycle", "MC02 ends at 350°, 10° before 360°"),
         "a missing law": ([(*AXIS, 1, "law", None)], PHASES, "lift of a dwell or without a law, row 2: 20"),
         "a missing end": ([(*AXIS, 0, "stop", None)], PHASES,
                           "to, row 1: empty; expected a number of at least 0 and at most 360"),
@@ -58,7 +58,7 @@ CASES = {
         "half a curve": ([("selection", "motors", 0, "end_torque", 1.0)], None,
                          "half of the curve is empty: peak torque up to, row 1: empty"),
         "several": ([("timing", "rate", 0.0), (*AXIS, 1, "start", 95.0), ("drive", "radius", -1.0)],
-                    "MC02: the phases follow on", "MC02 row 2 begins at 95°, 5° after row 1 ends"),
+                    "Axis 2: the phases follow on", "MC02 row 2 begins at 95°, 5° after row 1 ends"),
     },
     "motion-composer": {
         "a negative duration": ([("motion", "phases", 0, "duration", -3.0)], MOTION,

@@ -12,7 +12,7 @@ from workbook import __version__
 from workbook import build as making
 from workbook.axes import CamAxis
 from workbook.build import write_text
-from workbook.controllers import certificates
+from workbook.controllers import certificates, files
 from workbook.controllers.handing import Made, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.target import Handed, Target
@@ -182,7 +182,7 @@ def exported(machine: Machine, axis: CamAxis, asked: Asked, mark: Sequence[str],
         made = certified(target, tabulated(target, axis, asked.points), axis.course)
     header = tuple(visible(line) for line in (
         f"{machine.title}, axis {axis.name}: {target.title}",
-        f"x in {axis.x_unit}, y in {axis.y_unit}; {made.points} points; between them {' or '.join(made.certificates)}",
+        files.header(made.points, " or ".join(made.certificates), (axis.x_unit, axis.y_unit)),
         *mark,
         *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),
     ))  # fmt: skip

@@ -7,12 +7,16 @@ from dataclasses import dataclass, replace
 from math import ceil, log10
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.cams.certificate import Certificate, certify
 from engine.cams.course import Course
-from engine.cams.points import equal, spread
+from engine.cams.points import doubled, equal, jumps, spread
+from engine.cams.segments import straight
 from engine.laws.base import Array
 from workbook.axes import CamAxis
+from workbook.controllers.files import parsed
+from workbook.controllers.number import step_of
 from workbook.controllers.table import RULES, Rule, Table
 from workbook.controllers.target import Target
 from workbook.errors import TargetError
@@ -23,8 +27,10 @@ DIGITS = 13
 """of the cycle: so many digits of x are kept, which the breaks of a motion have"""
 ROUNDED = 1e-14
 """of the largest of a column: what is smaller is none"""
-GROWTH = 1.25
-WORSE = 4.0  # times the best: no more points are tried
+GROWTH = (1.25, 2.0)
+BETTER = 0.95  # times the best so far: more points are worth it
+COARSE = 100
+IDLE = 3  # tries that were not: no more are made
 MOST_TRIED = 4000
 
 
@@ -53,6 +59,8 @@ class Made:
 def rules_of(target: Target, table: Table) -> dict[str, Rule]:
     """Return the rules by which a target may go between the points of a table."""
     named = target.plain if target.plain and table.v is None else target.rules
+    if table.course is not None:
+        named = ("polynomials",)
     return {name: RULES[name] for name in named}
 
 
@@ -66,47 +74,70 @@ def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
     least, most = target.points
     if not least <= n <= most:
         raise TargetError(f"{target.name}: {n:,} points; expected {least:,} to {most:,}")
-    return filled(target, axis.course, placed(target, axis.course, n))
+    return filled(target, axis.course, placed(target, axis.course, n), (axis.x_unit, axis.y_unit))
 
 
 def placed(target: Target, of: Course, n: int) -> Array:
     """Return the places of at most n points: at equal steps, or on the breaks and where the rule needs them."""
     if target.spacing == "equal":
         return equal(of, n)
-    rule = RULES[target.rules[0]]
-    fewest = len(of.origins) * rule.least + 1
-    if n < fewest:
-        raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {fewest}")
-    return spread(of, n, rule.order, rule.least)
+    if n < (needed := fewest(target, of)):
+        raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
+    exact = target.exact(of) if target.exact else None
+    extra = more(target, of)
+    x = spread(of, n - extra, RULES[target.rules[0]].order, steps(target, of), exact)
+    return doubled(of, x) if extra else x
 
 
-def filled(target: Target, of: Course, x: Array) -> Table:
+def more(target: Target, of: Course) -> int:
+    """Return how many points of their own jumps of y'' need: those of a target whose points have one y''."""
+    return len(jumps(of)) if "y''" in target.columns else 0
+
+
+def steps(target: Target, of: Course) -> NDArray[np.intp]:
+    """Return how many steps each stretch needs: one where it is exact, else those of the rule."""
+    least = np.full(len(of.origins), RULES[target.rules[0]].least)
+    return np.where(target.exact(of), 1, least) if target.exact else least
+
+
+def filled(target: Target, of: Course, x: Array, units: tuple[str, str]) -> Table:
     """Return the table of a motion at places, each number as the target holds it."""
-    decimals = DIGITS - ceil(log10(of.total))
-    x = target.number.rounded(np.round(x, decimals))
+    number = target.number
+    x_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest)
+    y_step = step_of(units[1])
+    x = number.rounded(np.round(x, DIGITS - ceil(log10(of.total))), x_step)
+    if target.built:
+        return target.built(of, x, (x_step, y_step))
     inner, last = of.at(x[:-1]), of.at(x[-1:], left=True)
-    y, v, a, j = (target.number.rounded(clean(np.concatenate(both))) for both in zip(inner, last, strict=True))
-    had = [column if name in target.columns else None for name, column in (("y'", v), ("y''", a), ("y'''", j))]
-    return Table(x, y, had[0], had[1], had[2], slopes=(float(v[0]), float(v[-1])))
+    y, v, a, j = (np.concatenate(both) for both in zip(inner, last, strict=True))
+    size = float(np.ptp(y))
+    y, v, a, j = (clean(one, size * (len(x) / of.total) ** order) for order, one in enumerate((y, v, a, j)))
+    had = [number.rounded(column) if name in target.columns else None
+           for name, column in (("y'", v), ("y''", a), ("y'''", j))]  # fmt: skip
+    lines = straight(of)[of.index(0.5 * (x[:-1] + x[1:]))] if "straight" in target.columns else None
+    first, second = (v if number.whole else number.rounded(v))[[0, -1]].tolist()
+    return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
 
 
-def clean(values: Array) -> Array:
-    """Return values without those that are only what rounding leaves of zero."""
-    return np.where(np.abs(values) < ROUNDED * np.abs(values).max(initial=0.0), 0.0, values)
+def clean(values: Array, size: float) -> Array:
+    """Return values without those that are only what rounding leaves of zero, beside others or a size."""
+    return np.where(np.abs(values) < ROUNDED * max(float(np.abs(values).max(initial=0.0)), size), 0.0, values)
 
 
-def tried(target: Target, axis: CamAxis) -> Iterator[Made]:
-    """Yield tables of more and more points."""
+def tried(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Iterator[Made]:
+    """Yield tables of more and more points: the more of them, the farther each is from what is tolerated."""
     n, most = fewest(target, axis.course), min(target.points[1], MOST_TRIED)
     while n <= most:
-        yield certified(target, tabulated(target, axis, n), axis.course)
-        n = min(max(n + 1, int(n * GROWTH)), most) if n < most else most + 1
+        made = certified(target, tabulated(target, axis, n), axis.course)
+        yield made
+        growth = min(max(made.excess(tolerance) ** 0.5, GROWTH[0]), GROWTH[1])
+        n = min(max(n + 1, int(n * growth)), most) if n < most else most + 1
 
 
 def fewest(target: Target, of: Course) -> int:
     """Return the fewest points that do for a motion."""
     least = target.points[0]
-    return least if target.spacing == "equal" else max(least, len(of.origins) * RULES[target.rules[0]].least + 1)
+    return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1 + more(target, of))
 
 
 def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
@@ -115,13 +146,14 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     Raises TargetError where the target has no room for the breaks of the motion.
     """
     best: Made | None = None
-    before = 0
-    for made in tried(target, axis):
+    before, idle = 0, 0
+    for made in tried(target, axis, tolerance):
         if made.excess(tolerance) <= 1.0:
             return fewer(target, axis, tolerance, before, made)
-        if best is None or made.excess(tolerance) < best.excess(tolerance):
-            best = made
-        if made.excess(tolerance) > WORSE * best.excess(tolerance):
+        idle += 1
+        if best is None or made.excess(tolerance) < BETTER * best.excess(tolerance):
+            best, idle = made, 0
+        if idle == IDLE:
             break
         before = made.points
     if best is None:
@@ -131,10 +163,10 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
 
 
 def fewer(target: Target, axis: CamAxis, tolerance: Mapping[str, float], low: int, made: Made) -> Made:
-    """Return the table of the fewest points above ``low`` that still keeps to the tolerance."""
+    """Return the table of the fewest points above ``low`` that still keeps to the tolerance, to a hundredth of them."""
     high = made.points
     low = max(low, fewest(target, axis.course) - 1)
-    while high - low > 1:
+    while high - low > max(1, high // COARSE):
         middle = (low + high) // 2
         one = certified(target, tabulated(target, axis, middle), axis.course)
         if one.excess(tolerance) <= 1.0:
@@ -146,5 +178,5 @@ def fewer(target: Target, axis: CamAxis, tolerance: Mapping[str, float], low: in
 
 def reread(target: Target, text: str, made: Table) -> Table:
     """Return what an independent reader finds in the file; slopes that go beside it are taken from what was made."""
-    table = target.read(text)
+    table = parsed(text, target)
     return table if table.slopes or not made.slopes else replace(table, slopes=made.slopes)

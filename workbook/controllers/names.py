@@ -1,4 +1,7 @@
 """The names of the targets, which the command's help lists without loading them."""
 
-TARGETS = ("csv",)
+TARGETS = (
+    "csv", "codesys", "codesys-table", "twincat", "twincat-table", "siemens", "siemens-points", "siemens-segments",
+    "rockwell", "br", "kollmorgen", "sew", "lenze", "mitsubishi",
+)  # fmt: skip
 """each a file in ``targets``, its - an underscore there"""

@@ -25,7 +25,7 @@ class Number:
             k = int(np.argmax(~(size <= self.largest)))
             raise TargetError(f"point {k + 1}: {values[k]:.6g} is beyond what {self.name} holds; expected smaller ones")
         if self.whole:
-            return np.asarray(np.round(values / step) * step)
+            return np.asarray(np.round(np.round(values / step) * step, 12))
         return values if self is LREAL else np.asarray(values.astype(np.float32).astype(np.float64))
 
     def text(self, value: float) -> str:
@@ -38,6 +38,7 @@ class Number:
 LREAL = Number("LREAL", 1.7976931348623157e308)
 REAL = Number("REAL", 3.4028234663852886e38)
 DINT = Number("DINT", 2147483647.0, whole=True)
+DINT_IN_REAL = Number("DINT that REAL holds", 16777216.0, whole=True)
 
 
 def literal(text: str) -> str:
@@ -45,3 +46,16 @@ def literal(text: str) -> str:
     mantissa, _, power = text.partition("e")
     pointed = mantissa if "." in mantissa else f"{mantissa}.0"
     return f"{pointed}E{int(power)}" if power else pointed
+
+
+STEPS = {"°": 1e-5, "mm": 1e-4, "s": 1e-6}
+"""what a whole number counts, by unit"""
+OTHER_STEP = 1e-4
+
+
+def step_of(unit: str, reach: float = 0.0, largest: float = DINT.largest) -> float:
+    """Return what a whole number counts of a unit; more where so many do not reach that far."""
+    step = STEPS.get(unit, OTHER_STEP)
+    while reach / step > largest:
+        step = float(f"{step * 10.0:.0e}")
+    return step

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.cams import interpolation
 from engine.cams.course import Course
@@ -21,8 +22,8 @@ class Table:
     """Points of a cam: x and y, where the controller takes them y', y'' and y''' by the master, all of one length.
 
     ``slopes`` are those at both ends of a clamped spline, ``straight`` which way from a point is a line. ``course``
-    is the motion itself where the controller is given polynomials. Raises TargetError, by point and reason, for
-    fewer than two points, what is not finite, and x that does not rise.
+    is the motion itself where the controller is given polynomials, ``steps`` what whole numbers of x and y count.
+    Raises TargetError, by point and reason, for fewer than two points, what is not finite, and x that does not rise.
     """
 
     x: Array
@@ -31,9 +32,9 @@ class Table:
     a: Array | None = None
     j: Array | None = None
     slopes: tuple[float, float] | None = None
-    straight: Array | None = None
+    straight: NDArray[np.bool_] | None = None
     course: Course | None = None
-    notes: tuple[str, ...] = field(default=())
+    steps: tuple[float, float] = (1.0, 1.0)
 
     def __post_init__(self) -> None:
         if not 2 <= len(self.x) <= MOST_POINTS:
@@ -68,9 +69,9 @@ class Rule(NamedTuple):
 def _clamped(table: Table) -> Course:
     """Return the clamped spline, which lines part."""
     slopes = table.slopes or (0.0, 0.0)
-    if table.straight is None or not table.straight[:-1].any():
+    if table.straight is None or not table.straight.any():
         return interpolation.spline(table.x, table.y, slopes)
-    return interpolation.parted_spline(table.x, table.y, slopes, table.straight[:-1] > 0.0)
+    return interpolation.parted_spline(table.x, table.y, slopes, table.straight)
 
 
 def _quintics(table: Table) -> Course:
@@ -85,13 +86,15 @@ def _itself(table: Table) -> Course:
     return table.course
 
 
+LOCAL = "cubics by neighbours"
+
 RULES: dict[str, Rule] = {
     "straight lines": Rule(lambda t: interpolation.lines(t.x, t.y), 2),
     "clamped cubic spline": Rule(_clamped, 4, 2),
     "natural cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "natural"), 4, 2),
     "not-a-knot cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "not-a-knot"), 4, 2),
     "periodic cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "periodic"), 4, 2),
-    "cubics by the chords": Rule(lambda t: interpolation.chords(t.x, t.y), 4, 2),
+    LOCAL: Rule(lambda t: interpolation.parabolas(t.x, t.y), 4, 2),
     "quintics": Rule(_quintics, 6),
     "polynomials": Rule(_itself, 6),
 }

@@ -6,6 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.cams.course import Course
+from engine.laws.base import Array
 from workbook.controllers.number import LREAL, Number
 from workbook.controllers.table import Table
 
@@ -44,7 +49,9 @@ class Target:
 
     ``rules`` say what is between points: several where the documents do not settle it, and then each is tried and the
     worst is a bound. ``plain`` are those for a table of x and y only, where a file may have no more. ``columns`` are
-    what a point has; ``points`` the fewest and the most; ``tolerance`` what is asked unless told otherwise.
+    what a point has; ``points`` the fewest and the most; ``tolerance`` what is asked unless told otherwise. ``exact``
+    says which stretches of a motion need no points within; ``built`` makes a table of polynomials of a motion, between
+    places, in steps of x and y.
     """
 
     name: str
@@ -60,6 +67,8 @@ class Target:
     spacing: Spacing = "free"
     plain: tuple[str, ...] = ()
     tolerance: tuple[str, float] = ("a", 0.01)
+    exact: Callable[[Course], NDArray[np.bool_]] | None = None
+    built: Callable[[Course, Array, tuple[float, float]], Table] | None = None
 
     @property
     def untested(self) -> tuple[Claim, ...]:

@@ -91,10 +91,13 @@ class Match:
         """Whether a formula of the file is the declared one, wherever rows, columns or sheets have moved to."""
         if pair.held == pair.cell.content:
             return True
-        block = pair.cell.block
+        return self.same_formula(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet)
+
+    def same_formula(self, content: str, block: Block, text: str, sheet: str) -> bool:
+        """Whether the formula ``text`` on a sheet of the file means what ``content`` means in a declared block."""
         try:
-            declared = read(pair.cell.content, block.sheet.title, self.declared_area)
-            held = read(pair.held, pair.address.sheet, self._held_area)
+            declared = read(content, block.sheet.title, self.declared_area)
+            held = read(text, sheet, self._held_area)
         except FormulaError:
             return False
         if (declared.shape, declared.anchors) != (held.shape, held.anchors):

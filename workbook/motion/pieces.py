@@ -98,6 +98,7 @@ def pieces_table(
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
         *more,
+        blank=f"[r]>{at.count}",
     )  # fmt: skip
 
 

@@ -13,13 +13,16 @@ from pydantic import ValidationError
 
 import workbook
 from workbook.entries import rules
-from workbook.entries.types import EntryError, TogetherError
+from workbook.entries.design import numeric
+from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
 from workbook.intake import read_text
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.visible import found
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
+Product = dict[str, Any]
+"""what a line of a catalogue says of a product, by entry"""
 FOLDER = Path(workbook.__file__).parent.parent.joinpath("templates")
 MOTORS, REDUCERS = "motors.csv", "reducers.csv"
 TEXTS = ("name", "source")
@@ -49,30 +52,33 @@ REDUCER_COLUMNS = {
 }
 
 
-def read_motors(path: Path) -> list[MotorRow]:
-    """Read a catalogue of motors; raise ReadError, or InputError with a line for each fault."""
+def read_motors(path: Path) -> list[Product]:
+    """Read the entries of a catalogue of motors; raise ReadError, or InputError with a line for each fault."""
     return read(path, MotorRow, MOTOR_COLUMNS)
 
 
-def read_reducers(path: Path) -> list[ReducerRow]:
-    """Read a catalogue of reducers; raise ReadError, or InputError with a line for each fault."""
+def read_reducers(path: Path) -> list[Product]:
+    """Read the entries of a catalogue of reducers; raise ReadError, or InputError with a line for each fault."""
     return read(path, ReducerRow, REDUCER_COLUMNS)
 
 
 @cache
 def committed_motors() -> list[MotorRow]:
     """Return the motors that come with the templates."""
-    return read_motors(FOLDER.joinpath(MOTORS))
+    return [MotorRow.model_validate(product) for product in read_motors(FOLDER.joinpath(MOTORS))]
 
 
 @cache
 def committed_reducers() -> list[ReducerRow]:
     """Return the reducers that come with the templates."""
-    return read_reducers(FOLDER.joinpath(REDUCERS))
+    return [ReducerRow.model_validate(product) for product in read_reducers(FOLDER.joinpath(REDUCERS))]
 
 
-def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Row]:
-    """Read the rows of a CSV file: commas, or semicolons with commas in the numbers."""
+def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Product]:
+    """Read the rows of a CSV file: commas, or semicolons with commas in the numbers.
+
+    A number beyond its bounds, or one that is missing, is an unfinished design's: it is given as it is.
+    """
     lines = read_text(path, "a catalogue, a .csv file").splitlines()
     if not lines:
         raise ReadError(f"{path}: the file is empty; expected a head of {', '.join(columns)}")
@@ -82,7 +88,7 @@ def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Row]:
     try:
         head = [cell.strip() for cell in next(table)]
         require_head(path, head, model, columns)
-        rows = [row for row in parse(path, table, head, separator, (model, columns), faults) if row is not None]
+        rows = list(parse(path, table, head, separator, (model, columns), faults))
     except csv.Error as error:
         raise ReadError(f"{path}: line {table.line_num}: {error}; expected a catalogue, a .csv file") from error
     if faults:
@@ -114,8 +120,8 @@ def parse(
     separator: str,
     target: tuple[type[Row], dict[str, str]],
     faults: list[str],
-) -> Iterator[Row | None]:
-    """Yield each line's row; enter what is wrong in ``faults``."""
+) -> Iterator[Product]:
+    """Yield what each line says; enter what is wrong with its structure and types in ``faults``."""
     model, columns = target
     names = {entry: column for column, entry in columns.items()}
     for cells in table:
@@ -127,11 +133,19 @@ def parse(
             continue
         filled = zip(head, cells, strict=False)  # cells at the end may be missing
         given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
-        try:
-            yield model.model_validate({entry: cell for entry, cell in given.items() if cell is not None})
-        except ValidationError as error:
-            told = error.errors(include_url=False)
-            faults += [f"{where}, {line}" for fault in told for line in lines_of(fault, model, names)]
+        given = {entry: cell for entry, cell in given.items() if cell is not None}
+        faults += [f"{where}, {line}" for line in refused(given, model, names)]
+        yield given
+
+
+def refused(given: Product, model: type[Row], names: dict[str, str]) -> list[str]:
+    """Return a line for each entry that is of no use as it stands, whatever other numbers would be."""
+    try:
+        model.model_validate(given)
+    except ValidationError as error:
+        told = error.errors(include_url=False)
+        return [line_of(fault, model, names) for fault in told if not numeric(fault, model)]
+    return []
 
 
 def value(cell: str, entry: str, separator: str) -> Any:
@@ -142,14 +156,12 @@ def value(cell: str, entry: str, separator: str) -> Any:
     return float(text) if NUMBER.fullmatch(text) else cell
 
 
-def lines_of(fault: Any, model: type[Row], names: dict[str, str]) -> list[str]:
-    """Return the column, what was found, what is expected: a file's products are whole, or they are refused."""
+def line_of(fault: Any, model: type[Row], names: dict[str, str]) -> str:
+    """Return the column, what was found, what is expected."""
     cause = fault.get("ctx", {}).get("error")
-    if isinstance(cause, TogetherError):
-        return [f"column {names[each.field]}: {each}" for each in cause.found]
-    if isinstance(cause, EntryError):
-        return [f"column {names[cause.field or str(fault['loc'][0])]}: {cause}"]
     entry = str(fault["loc"][0])
+    if isinstance(cause, EntryError):
+        return f"column {names[cause.field or entry]}: {cause}"
     expected = rules.expectation(*rules.field_at(model, entry))
     what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
-    return [f"column {names[entry]}: {what}; expected {expected}"]
+    return f"column {names[entry]}: {what}; expected {expected}"

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from engine import law
 from engine.cams.certificate import Certificate, certify
 from engine.cams.course import Course, course_of_motion, turned
-from engine.cams.interpolation import chords, hermite, lines, parted_spline, quintics, spline
+from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
 from engine.cams.points import equal, spread
 from engine.laws.registry import CATALOGUE
 from engine.motion import Motion, Phase
@@ -47,7 +47,7 @@ def test_equal_steps_over_the_turn_miss_the_breaks(intervals: int, said: float) 
 
 
 def test_points_on_the_breaks_cost_far_less_than_as_many_at_equal_steps() -> None:
-    x = spread(TURN, 60, 4, 2)
+    x = spread(TURN, 60, 4, np.full(len(TURN.origins), 2))
     assert len(x) <= 60
     assert set(TURN.edges) <= set(x)
     assert percent(through(TURN, x)) < percent(through(TURN, equal(TURN, 60))) / 20.0
@@ -61,7 +61,7 @@ def test_a_dense_search_finds_no_more_and_nearly_as_much(entry) -> None:
     of = course_of_motion(Motion([Phase(entry.example(), 30.0, 90.0), Phase(law("dwell"), 0.0, 270.0)]))
     x = np.unique(np.concatenate([of.edges, equal(of, 50)]))
     at = of.at(x)
-    for rebuilt in (lines(x, at.y), chords(x, at.y), spline(x, at.y, "not-a-knot"), quintics(x, at.y, at.y1, at.y2)):
+    for rebuilt in (lines(x, at.y), parabolas(x, at.y), spline(x, at.y, "not-a-knot"), quintics(x, at.y, at.y1, at.y2)):
         found = certify(of, rebuilt)
         dense = (x[:-1, None] + np.diff(x)[:, None] * np.linspace(1e-6, 1.0 - 1e-6, 400)).ravel()
         for order, (one, other) in enumerate(zip(of.at(dense), rebuilt.at(dense), strict=True)):

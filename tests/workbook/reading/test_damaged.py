@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -21,7 +20,8 @@ KIB, GIB, SECONDS = 1024, 2**30, 20
 MEASURED = """
 import os, resource, subprocess, sys
 code = subprocess.call([sys.executable, "-m", "workbook", *sys.argv[2:]])
-os.write(int(sys.argv[1]), str(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss).encode())
+used = resource.getrusage(resource.RUSAGE_CHILDREN)
+os.write(int(sys.argv[1]), f"{used.ru_maxrss} {used.ru_utime + used.ru_stime}".encode())
 sys.exit(code)
 """  # between the tests and the command: its only child is the command, and a small program has forked it
 linux = pytest.mark.skipif(sys.platform != "linux", reason="the memory of a child is counted in KiB on Linux")
@@ -38,8 +38,7 @@ def sound(tmp_path_factory):
 
 
 def run(*arguments, folder, most=GIB):
-    """Run the command as a program of its own, in little memory; its exit code, what it says and its time."""
-    begin = time.monotonic()
+    """Run the command as a program of its own, in little memory; its exit code, what it says and its CPU time."""
     told, tell = os.pipe()
     child = subprocess.Popen(
         [sys.executable, "-c", MEASURED, str(tell), *map(str, arguments)], cwd=folder, stdout=subprocess.PIPE,
@@ -47,16 +46,16 @@ def run(*arguments, folder, most=GIB):
         pass_fds=[tell], start_new_session=True,
     )  # fmt: skip
     os.close(tell)
-    with os.fdopen(told) as memory:
+    with os.fdopen(told) as measured:
         try:
             out, err = child.communicate(timeout=10 * SECONDS)
         except subprocess.TimeoutExpired:
             os.killpg(child.pid, signal.SIGKILL)
             child.communicate()
             return None, "", "", 10 * SECONDS
-        seconds = time.monotonic() - begin
-        assert int(memory.read()) * KIB < most, arguments
-    return child.returncode, out.decode(errors="replace"), err.decode(errors="replace"), seconds
+        memory, seconds = measured.read().split()
+    assert int(memory) * KIB < most, arguments
+    return child.returncode, out.decode(errors="replace"), err.decode(errors="replace"), float(seconds)
 
 
 def fault(code, out, err, seconds, allowed):

@@ -23,7 +23,15 @@ from workbook.laws.shelf import LawShelf
 from workbook.machines.cutting.template import choosing
 from workbook.machines.cutting.view import Cutting
 from workbook.reading.entries import read_machine
-from workbook.selection.catalogue_files import MOTOR_COLUMNS, REDUCER_COLUMNS, read_motors, read_reducers
+from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.catalogue_files import (
+    MOTOR_COLUMNS,
+    REDUCER_COLUMNS,
+    committed_motors,
+    committed_reducers,
+    read_motors,
+    read_reducers,
+)
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.model import PycelModel
@@ -84,10 +92,10 @@ def test_random_machines_and_catalogues_agree_too(seed):
 
 
 def test_the_committed_catalogues_say_where_each_figure_is_from():
-    for row in (*read_motors(MOTORS), *read_reducers(REDUCERS)):
+    for row in (*committed_motors(), *committed_reducers()):
         assert row.source, row.name
-    assert len(read_motors(MOTORS)) >= 8
-    assert len(read_reducers(REDUCERS)) >= 8
+    assert len(committed_motors()) >= 8
+    assert len(committed_reducers()) >= 8
 
 
 @pytest.mark.parametrize(
@@ -103,7 +111,7 @@ def test_the_committed_catalogues_say_where_each_figure_is_from():
 )
 def test_motors_have_the_power_rate_that_their_makers_print(name, kilowatts_per_second):
     """α is what makers call the power rate: printed beside torque and inertia, it shows that both were read right."""
-    motor = next(m for m in read_motors(MOTORS) if m.name == name)
+    motor = next(m for m in committed_motors() if m.name == name)
     alpha = float(accelerating_factor(motor.rated_torque, motor.inertia))
     assert alpha / 1000 == pytest.approx(kilowatts_per_second, rel=0.02)  # torque is printed with two figures
 
@@ -257,14 +265,12 @@ def csv(tmp_path, *lines, name="motors.csv"):
     ("lines", "expected"),
     [
         ([MOTOR_HEAD, "A,0.01,x,3,3000"], "line 2, column rated_torque_Nm: found 'x'; expected a number"),
-        ([MOTOR_HEAD, "A,0.01,2,3,3000", "B,0.01,2,3,"], "line 3, column max_speed_rpm: empty; expected a number"),
-        ([MOTOR_HEAD, "A,-1,2,3,3000"], "line 2, column inertia_kgm2: found -1.0; expected a number greater than 0"),
+        ([MOTOR_HEAD, "A,0.01,2,3,3000", ",0.01,2,3,1"], "line 3, column name: empty; expected a text of 1 to 60"),
         ([MOTOR_HEAD, "=A,1,2,3,3000"], "line 2, column name: found '=A'; expected a text of 1 to 60 characters"),
         ([MOTOR_HEAD, "A,1,2,3,3000,4"], "line 2: 6 cells; expected 5, as in the head"),
         ([MOTOR_HEAD + ",colour", "A,1,2,3,3000,red"], "line 1: unknown column 'colour'; expected one of name"),
         ([MOTOR_HEAD + ",name", "A,1,2,3,3000,B"], "line 1: column name stands there twice"),
         (["name,inertia_kgm2", "A,1"], "line 1: column rated_torque_Nm is missing"),
-        ([HALF_HEAD, "A,1,2,3,3000,1"], "column full_torque_to_rpm: half of the torque–speed curve is empty"),
         ([MOTOR_HEAD], "there is no product below the head; expected one a line"),
     ],
 )
@@ -277,13 +283,33 @@ def test_faults_of_a_catalogue_name_file_line_and_column(lines, expected, tmp_pa
 
 
 def test_every_fault_of_a_catalogue_is_told_at_once(tmp_path):
-    path = csv(tmp_path, REDUCER_HEAD, "A,x,0.9", "B,5,1.5", "C,5,0.9")
+    path = csv(tmp_path, REDUCER_HEAD, "A,x,0.9", "B,5,much", "C,5,0.9")
     with pytest.raises(InputError) as found:
         read_reducers(path)
     assert [line.split(": ")[1] for line in found.value.lines] == [
         "line 2, column reduction",
         "line 3, column efficiency",
     ]
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,-1,2,3,3000"], "inertia, row 2: -1; expected a number greater than 0"),
+        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,0.01,2,3,"], "largest speed, row 2: empty"),
+        ([HALF_HEAD, "A,0.02,180,600,3000,1"], "half of the curve is empty"),
+    ],
+)
+def test_a_catalogue_with_figures_that_cannot_be_is_built_and_fails(lines, said, tmp_path):
+    """So is one of a description that is unfinished itself: what was entered stays, there and in the book."""
+    gap = tmp_path / "gap.toml"
+    gap.write_text(TEMPLATE.description.read_text().replace("start = 90.0", "start = 95.0", 1))
+    out, rest = tmp_path / "book.xlsx", ["--motors", str(csv(tmp_path, *lines)), "--force", "-o"]
+    whole = CliRunner().invoke(app, ["build", str(TEMPLATE.description), *rest, str(out)])
+    assert (whole.exit_code, said in " ".join(whole.output.split())) == (0, True), whole.output
+    both = CliRunner().invoke(app, ["build", str(gap), *rest, str(out)])
+    assert "begins at 95°, 5° after row 1 ends" in " ".join(both.output.split())
+    assert CliRunner().invoke(app, ["verify", str(out)]).exit_code == 3
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00", b""])
@@ -303,8 +329,8 @@ def test_semicolons_and_decimal_commas_as_spreadsheets_save_them(tmp_path):
 
 
 def test_the_columns_are_the_fields_of_the_rows():
-    assert set(MOTOR_COLUMNS.values()) == set(type(read_motors(MOTORS)[0]).model_fields)
-    assert set(REDUCER_COLUMNS.values()) == set(type(read_reducers(REDUCERS)[0]).model_fields)
+    assert set(MOTOR_COLUMNS.values()) == set(MotorRow.model_fields)
+    assert set(REDUCER_COLUMNS.values()) == set(ReducerRow.model_fields)
 
 
 def test_build_takes_catalogues_and_inputs_gives_them_back(tmp_path):
@@ -318,8 +344,8 @@ def test_build_takes_catalogues_and_inputs_gives_them_back(tmp_path):
     assert ran.exit_code == 0, ran.output
     given, notes = inputs(out)
     assert notes == []
-    assert given.selection.motors == read_motors(motors)
-    assert given.selection.reducers == read_reducers(reducers)
+    assert [row.model_dump(exclude_none=True) for row in given.selection.motors] == read_motors(motors)
+    assert [row.model_dump(exclude_none=True) for row in given.selection.reducers] == read_reducers(reducers)
     assert (given.selection.motor, given.selection.reducer) == ("A", "X")
     again = tmp_path / "again.xlsx"
     build(given, again)

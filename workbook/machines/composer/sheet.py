@@ -237,6 +237,7 @@ def junctions(sheet: Sheet, machine: Composition) -> None:
                JUMP.format("a"), jump("jump_a"), format="0.0000##", scale=a, source="reported, no fault"),
         constant("k", "behind phase", "k", "", list(range(1, n + 1))),
         calc("next", "before phase", "", "", "=IF([k]<move_count,[k]+1,1)", nexts, format="0"),
+        blank='[kind]="spare"',
     )  # fmt: skip
 
 

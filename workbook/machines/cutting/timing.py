@@ -18,7 +18,6 @@ from workbook.entries.phase import AT_REST
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import phases as joined_phases
 from workbook.laws.phases import ACCELERATION, AT_END, HIGH, JERK, LAW_NUMBER, LOW, RMS, VELOCITY, jerks
-from workbook.machines.cutting.entries import Axis
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table, room_check
@@ -65,22 +64,22 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip
     axes_table(sheet, machine)
-    draw_diagram(sheet, timing.axes)
+    draw_diagram(sheet, range(1, len(timing.axes) + 1))
     sheet.row = max(sheet.row, 26)
     joints = [Joints(found, axis.motion, asked(machine, i))
               for i, (axis, found) in enumerate(zip(machine.axes, rows, strict=True), 1)]  # fmt: skip
     for i, (of_axis, of_joints) in enumerate(zip(rows, joints, strict=True), 1):
         phases(sheet, machine, i, of_axis)
         joined(sheet, machine, i, of_joints)
-    draw_curves(sheet, timing.axes)
+    draw_curves(sheet, range(1, len(timing.axes) + 1))
     sheet.heading("Table over the cycle")
     cycle(sheet, machine, rows)
     sheet.heading("Workings: the motions as pieces", ABOUT)
     room = machine.room
-    for axis, of_axis, of_joints in zip(machine.axes, rows, joints, strict=True):
+    for i, (axis, of_axis, of_joints) in enumerate(zip(machine.axes, rows, joints, strict=True), 1):
         sheet.rows(pieces_in_all(of_axis), of_joints.order())
         columns = of_joints.columns(room)
-        pieces_table(sheet, f"Pieces of {axis.name}", of_axis, room, axis.motion.size, *columns)
+        pieces_table(sheet, f"Pieces of axis {i}", of_axis, room, axis.motion.size, *columns)
     sheet.print_columns = 17
 
 
@@ -130,9 +129,13 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
     def of(figure: Callable[[Movement], float]) -> list[float]:
         return [figure(moves[k]) if k in moves else 0.0 for k in range(n)]
 
-    sheet.heading(f"Axis {i}: {axis.name}, {axis.group}")
+    sheet.heading(f"Axis {i}")
+    sheet.rows(
+        calc(f"axis{i}_name", "Axis and its group", "", "",
+             f'=INDEX([axes.name],{i})&", "&INDEX([axes.group],{i})', f"{axis.name}, {axis.group}", align="left"),
+    )  # fmt: skip
     sheet.table(
-        f"axis{i}", f"Phases of {axis.name}: fill one row each, in order; leave spare rows empty", n,
+        f"axis{i}", f"Phases of axis {i}: fill one row each, in order; leave spare rows empty", n,
         calc("kind", "phase", "", "",
              joined_phases.kind("stop"), joined_phases.kinds(laws, [p.lift for p in axis.phases], n)),
         given("start", "from", "", "°", entered("start"), f"{key}.start", format="0.0##"),
@@ -217,7 +220,7 @@ def in_row(i: int, column: str, says: str) -> str:
 def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
     """Declare the checks of one axis."""
     axis, t = machine.axes[i - 1], f"axis{i}"
-    motion, name, key = axis.motion, axis.name, f"timing.axes.{i - 1}"
+    motion, name, key = axis.motion, f"Axis {i}", f"timing.axes.{i - 1}"
 
     lack = max(abs(phase.lack) for phase in motion.phases)
     jump = max(abs(joint.jump_v) for joint in motion.junctions())
@@ -261,7 +264,7 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
     workings = [
         column
         for (i, axis), found in zip(numbered, rows, strict=True)
-        for column in finding(found, "theta", at, f"{axis.name} ", str(i))
+        for column in finding(found, "theta", at, f"axis {i}, ", str(i))
     ]
     sheet.table(
         "cycle", "Position, velocity, acceleration of the three axes over the master angle", len(at),
@@ -274,7 +277,7 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
 
 def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: float) -> list[Quantity]:
     """Return the results of one axis: position, geometric and in time."""
-    geometric, timed, name = axis.motion.at(at), axis.motion.at_speed(at, speed), axis.name
+    geometric, timed, name = axis.motion.at(at), axis.motion.at_speed(at, speed), f"axis {i}"
 
     def of(order: int) -> str:
         return derivative(rows, order, str(i))
@@ -296,22 +299,21 @@ def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: f
 def in_lane(i: int, axis: engine_timing.Axis, at: Array, floor: int) -> Quantity:
     """Return the axis as the timing diagram shows it."""
     values = lane(axis.motion.at(at).y, axis.motion.reach, floor, LANE_SHARE)
-    return calc(f"lane{i}", f"{axis.name} in the diagram", "", "", LANE.format(i, floor), values)
+    return calc(f"lane{i}", f"axis {i} in the diagram", "", "", LANE.format(i, floor), values)
 
 
-def draw_diagram(sheet: Sheet, axes: list[Axis]) -> None:
+def draw_diagram(sheet: Sheet, numbers: range) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
-    names = " · ".join(a.name for a in reversed(axes))
     chart = Chart(
-        "Timing diagram", "master angle θ [°]", f"{names} (bottom to top)",
-        tuple(Series(f"{a.name} {a.group}", "[cycle.theta]", f"[cycle.lane{i}]") for i, a in enumerate(axes, 1)),
-        f"Timing diagram: rises, dwells and returns of {names} over one turn of the master shaft",
+        "Timing diagram", "master angle θ [°]", "axes, the first at the top",
+        tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.lane{i}]") for i in numbers),
+        "Timing diagram: rises, dwells and returns of each axis over one turn of the master shaft",
         (0, 360, 30), (0, 3, 1), hide_y=True,
     )  # fmt: skip
     sheet.chart(chart, column=10, row=5, width=8, height=21)
 
 
-def draw_curves(sheet: Sheet, axes: list[Axis]) -> None:
+def draw_curves(sheet: Sheet, numbers: range) -> None:
     """Place the charts of y, y', y'' of the three axes."""
     sheet.heading("Position, geometric velocity and acceleration over the cycle")
     kinds = (
@@ -321,7 +323,7 @@ def draw_curves(sheet: Sheet, axes: list[Axis]) -> None:
     )
     sheet.chart_row(
         *(Chart(title, "master angle θ [°]", label,
-                tuple(Series(a.name, "[cycle.theta]", f"[cycle.{column}{i}]") for i, a in enumerate(axes, 1)),
+                tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.{column}{i}]") for i in numbers),
                 f"{title} of the three axes over the master angle", (0, 360, 60))
           for column, label, title in kinds),
         width=6, height=18,

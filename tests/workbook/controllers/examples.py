@@ -1,0 +1,46 @@
+"""Machines made up for the targets: the four points of the reference, and random motions."""
+
+import random
+
+import numpy as np
+
+from engine import law
+from engine.cams.course import course_of_motion
+from engine.cams.interpolation import quintics
+from engine.laws.registry import CATALOGUE
+from engine.motion import Motion, Phase
+from workbook.axes import CamAxis
+from workbook.controllers.handing import filled
+from workbook.controllers.target import Handed, Target
+
+X, Y = np.array([0.0, 90.0, 180.0, 360.0]), np.array([0.0, 15.0, 30.0, 0.0])
+SLOPES = np.array([0.0, 0.25, 0.0, 0.0])
+FOUR = CamAxis("Demo", quintics(X, Y, SLOPES, np.zeros(4)), "°", "mm")
+"""rise over 0 to 180 with a slope of 0.25 on the way, back over 180 to 360"""
+FIVE = np.insert(X, 3, 270.0)
+MOVING = [one.example for one in CATALOGUE if one.rises and min(one.claims.order_ends, one.claims.order_inside) >= 2]
+"""laws whose acceleration does not jump"""
+
+
+def handed(target: Target, axis: CamAxis = FOUR, x: np.ndarray | None = None) -> Handed:
+    """What the writer of a target is given of an axis."""
+    places = x if x is not None else FIVE if target.points[0] > 4 else X
+    units = axis.x_unit, axis.y_unit
+    return Handed(filled(target, axis.course, places, units), axis.name, ("an example",), units)
+
+
+def random_axis(seed: int) -> CamAxis:
+    """An axis over a turn: rises, returns and dwells by laws of the catalogue, back to where it began."""
+    dice = random.Random(seed)
+    durations = np.array([dice.uniform(0.5, 1.0) for _ in range(4)])
+    *first, last = (360.0 * durations / durations.sum()).tolist()
+    lift = round(dice.uniform(5.0, 300.0), 2)
+    rise, back = (dice.choice(MOVING)() for _ in range(2))
+    rest = law("dwell")
+    phases = [
+        Phase(rise, lift, first[0]),
+        Phase(rest, 0.0, first[1]),
+        Phase(back, -lift, first[2]),
+        Phase(rest, 0.0, last),
+    ]
+    return CamAxis(f"axis {seed}", course_of_motion(Motion(phases)), "°", "mm")

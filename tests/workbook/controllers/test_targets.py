@@ -1,0 +1,297 @@
+"""Each target: files small enough to read, parsers that share nothing with its reader, limits, and damaged files."""
+
+import json
+import re
+import time
+from pathlib import Path
+from xml.dom import minidom
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from engine import law
+from engine.cams.course import Course, course_of_motion
+from engine.motion import Motion, Phase
+from tests.workbook.controllers.examples import FOUR, X, Y, handed, random_axis
+from workbook.axes import CamAxis
+from workbook.controllers.files import TOLD, header, parsed, read_table
+from workbook.controllers.handing import automatic, certified, filled, reread, tabulated
+from workbook.controllers.names import TARGETS
+from workbook.controllers.number import REAL
+from workbook.controllers.registry import target
+from workbook.controllers.table import Table
+from workbook.controllers.target import Handed
+from workbook.errors import MotionbookError, TargetError
+
+GOLDEN = Path(__file__).parent / "golden"
+NUMBER = r"(-?\d+\.?\d*(?:[eE]-?\d+)?)"
+REAL_ONES = ("rockwell", "br")
+WHOLE = ("mitsubishi", "br")
+
+
+def floats(pattern: str, text: str) -> np.ndarray:
+    return np.array([[float(one) for one in np.atleast_1d(row)] for row in re.findall(pattern, text)])
+
+
+def decorated(text: str) -> np.ndarray:
+    """Master, slave and type of each element of an L5X tag, by another parser."""
+    tag = minidom.parseString(text).getElementsByTagName("Tag")[0]
+    members = tag.getElementsByTagName("DataValueMember")
+    rows = np.array([float(one.getAttribute("Value")) for one in members]).reshape(-1, 3)
+    packed = json.loads(tag.getElementsByTagName("Data")[0].firstChild.data)
+    assert packed == rows.tolist()
+    return rows
+
+
+def fields(names: str) -> str:
+    return "".join(rf".*?{name}\s*:=\s*{NUMBER}" for name in names.split())
+
+
+PARSERS = {
+    "csv": lambda text: np.loadtxt(text.splitlines(), delimiter=";"),
+    "codesys": lambda text: floats(rf"dX := {NUMBER}, dY := {NUMBER}, dV := {NUMBER}, dA := {NUMBER}", text),
+    "codesys-table": lambda text: floats(rf"\[{NUMBER}, {NUMBER}\]", text),
+    "twincat": lambda text: floats(fields("MasterPos SlavePos SlaveVelo SlaveAcc"), text),
+    "twincat-table": lambda text: np.fromstring(text.split(":= [")[1].split("]")[0], sep=",").reshape(-1, 2),
+    "siemens": lambda text: floats(fields("leadingValue followingValue velocityRatio accelerationRatio"), text),
+    "siemens-points": lambda text: floats(fields("x y"), text),
+    "rockwell": decorated,
+    "kollmorgen": lambda text: floats(rf"{NUMBER};{NUMBER};SPLINE", text),
+    "sew": lambda text: np.loadtxt(text.splitlines()[1:], delimiter=";"),
+    "lenze": lambda text: np.loadtxt(text.splitlines(), comments="//"),
+    "mitsubishi": lambda text: np.loadtxt(text.splitlines(), delimiter=";") * [1e-5, 1e-4],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_a_file_is_what_it_was(name: str) -> None:
+    """Golden files: what changes in a format is seen in the difference of a file that can be read."""
+    one = target(name)
+    found = one.write(handed(one)).encode()
+    assert found == (GOLDEN / f"{name}{one.suffix}").read_bytes()
+    assert len(found) < 4000
+    assert found == one.write(handed(one)).encode()
+
+
+@pytest.mark.parametrize("name", PARSERS)
+def test_another_parser_finds_the_points(name: str) -> None:
+    one = target(name)
+    rows = PARSERS[name](one.write(handed(one)))
+    meant = FOUR.course.at(rows[:, 0])
+    assert set(X) <= set(np.round(rows[:, 0], 9))
+    assert rows[:, 1] == pytest.approx(meant.y, abs=1e-4)
+    assert rows[[0, 1], 1] == pytest.approx(Y[:2])
+    if rows.shape[1] >= 4:
+        assert rows[:, 2] == pytest.approx(meant.y1, abs=1e-12)
+        assert rows[:-1, 3] == pytest.approx(meant.y2[:-1], abs=1e-12)
+
+
+def test_the_polynomials_of_br_and_of_segments_are_the_motion() -> None:
+    br = target("br")
+    text = br.write(handed(br))
+    assert "MasterPeriod := 3600000; " in text
+    u = 0.5 * np.diff(np.insert(floats(fields("X"), text.split("PolynomialNumber")[1])[:, 0], 0, 0.0))
+    rows = floats(fields("A B C D E F G"), text.split("PolynomialNumber")[1])
+    found = [np.polynomial.polynomial.polyval(at, row) for at, row in zip(u, rows, strict=True)]
+    middles = np.array([45.0, 135.0, 270.0])
+    assert np.array(found) == pytest.approx(FOUR.course.at(middles).y * 1e4, rel=1e-5)
+    segments = target("siemens-segments")
+    text = segments.write(handed(segments))
+    rows = floats(fields("xmin xmax a0 a1 a2 a3 a4 a5 a6"), text)
+    found = [np.polynomial.polynomial.polyval(0.5 * (row[1] - row[0]), row[2:]) for row in rows]
+    assert np.array(found) == pytest.approx(FOUR.course.at(middles).y)
+
+
+@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("seed", range(4))
+def test_what_is_read_back_is_what_was_certified(name: str, seed: int) -> None:
+    one, axis = target(name), random_axis(seed)
+    made = automatic(one, axis, {one.tolerance[0]: 0.05})
+    text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
+    table = reread(one, text, made.table)
+    assert table.x.tolist() == made.table.x.tolist()
+    assert table.y == pytest.approx(made.table.y, abs=1e-12 * np.abs(made.table.y).max())
+    back = certified(one, table, axis.course)
+    for order in "yvaj":
+        assert back.share(order) == pytest.approx(made.share(order), rel=1e-6, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_an_axis_that_begins_above_0_and_before_0_is_read_back_where_it_is(name: str) -> None:
+    one, low = target(name), random_axis(7)
+    course = low.course
+    raised = Course(course.edges, course.origins, course.c + np.eye(1, course.c.shape[1]) * 12.5, course.sines)
+    axis = CamAxis("raised", raised, "°", "mm")
+    made = automatic(one, axis, {one.tolerance[0]: 0.05})
+    text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
+    assert certified(one, reread(one, text, made.table), raised).share("y") < 1e-3
+
+
+@pytest.mark.parametrize("name", ["codesys", "twincat", "siemens", "br", "siemens-segments"])
+def test_where_the_acceleration_jumps_a_point_stands_on_either_side(name: str) -> None:
+    motion = Motion([Phase(law("ACS"), 50.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("ACS"), -50.0, 180.0)])
+    one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "°", "mm")
+    made = automatic(one, axis, {"v": 0.001})
+    assert made.share("v") <= 0.001
+    assert made.share("y") <= 1e-5
+    assert made.points <= 12
+
+
+@given(seed=st.integers(0, 10**6))
+@settings(max_examples=10)
+def test_exact_laws_go_into_segments_exactly(seed: int) -> None:
+    axis, one = random_axis(seed), target("siemens-segments")
+    made = automatic(one, axis, {"a": 1e-9})
+    exact = one.exact(axis.course).all()
+    assert not exact or all(made.share(order) <= 1e-9 for order in "yva")
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_limits_are_refused_by_reason(name: str) -> None:
+    one = target(name)
+    for n in (one.points[0] - 1, one.points[1] + 1):
+        with pytest.raises(TargetError, match=f"expected {one.points[0]:,} to {one.points[1]:,}"):
+            tabulated(one, FOUR, n)
+
+
+def test_numbers_beyond_a_kind_are_refused_by_point() -> None:
+    with pytest.raises(TargetError, match=r"point 2: 1e\+39 is beyond what REAL holds"):
+        REAL.rounded(np.array([0.0, 1e39]))
+    one = target("rockwell")
+    with pytest.raises(TargetError, match=r"point 2: x is 1 after 1; expected the master to rise"):
+        filled(one, FOUR.course, np.array([1.0, 1.0 + 1e-9]), ("°", "mm"))
+
+
+def test_a_kollmorgen_profile_needs_something_above_0() -> None:
+    one = target("kollmorgen")
+    given = handed(one)
+    below = Handed(type(given.table)(given.table.x, -given.table.y - 1.0), "demo", (), ("°", "mm"))
+    with pytest.raises(TargetError, match="no y is above 0"):
+        one.write(below)
+
+
+# Damaged and hostile files
+
+
+def outcome(text: str, one) -> Table | str:
+    """What comes of a text: the table, or the line that refuses it."""
+    try:
+        return parsed(text, one)
+    except TargetError as error:
+        return str(error)
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_a_file_that_is_cut_off_is_refused_or_was_whole(name: str) -> None:
+    one = target(name)
+    given = handed(one)
+    told = header(len(given.table.x), "something", given.units)
+    text = one.write(Handed(given.table, "demo", (told,), given.units))
+    whole = parsed(text, one)
+    for cut in range(0, len(text), 7):
+        found = outcome(text[:cut], one)
+        if isinstance(found, str):
+            assert "\n" not in found
+        else:
+            assert found.x.tolist() == whole.x.tolist() or not TOLD.search(text[:cut])
+
+
+@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("wrong", ["nan", "NaN", "inf", "1e999", "0x10", "", "--1", "abc", "1" * 400])
+def test_what_is_no_number_is_refused_in_a_line(name: str, wrong: str) -> None:
+    one = target(name)
+    text = one.write(handed(one))
+    places = [found.span() for found in re.finditer(r"(?<![\d.\w])90\.0(?![\d])|9000000(?!\d)|(?<!\d)900000\.0", text)]
+    assert places
+    for begin, end in places[:1]:
+        with pytest.raises(TargetError) as said:
+            parsed(text[:begin] + wrong + text[end:], one)
+        assert "\n" not in str(said.value)
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_masters_that_do_not_rise_are_refused(name: str) -> None:
+    one = target(name)
+    text = one.write(handed(one))
+    for other in ("180.0", "200.0", "0.0"):
+        changed = re.sub(r"(?<![\d.\w])90\.0(?![\d])", other, text)
+        changed = re.sub(r"(?<!\d)9000000(?!\d)", other.replace(".0", "00000"), changed)
+        changed = re.sub(r"(?<!\d)900000\.0", other.replace(".0", "0000.0"), changed)
+        assert changed != text
+        with pytest.raises(TargetError, match=r"rise|does not begin|differ"):
+            parsed(changed, one)
+
+
+def test_mixed_signs_counts_and_widths_are_refused() -> None:
+    csv, sew = target("csv"), target("sew")
+    for text, said in (
+        ("0;0\n1,5;1\n2.5;3\n", "both . and ,"),
+        ("0;0\n1;1;2\n", "3 columns; expected 2"),
+        ("0;0;0;0;0;0\n1;1;1;1;1;1\n", "6 columns; expected 2 or 3 or 4 or 5"),
+        ("", "no line of numbers"),
+        ("x;y\n", "no line of numbers"),
+        ("0;0\nend\n", "'end' is no number"),
+        ("0;0\n", "1 points; expected 2"),
+    ):
+        with pytest.raises(TargetError, match=re.escape(said)):
+            csv.read(text)
+    with pytest.raises(TargetError, match="5 points are told, 2 follow"):
+        sew.read("5\n0;0\n1;1\n")
+    assert csv.read("x;y\n0,5;1,25\n1,5;2\n").y.tolist() == [1.25, 2.0]
+    assert csv.read("0 1\n1 2\n").x.tolist() == [0.0, 1.0]
+    assert csv.read("0,1\n1,2\n").y.tolist() == [1.0, 2.0]
+    assert csv.read("0\t1,5\n1\t2,5\n").y.tolist() == [1.5, 2.5]
+
+
+def test_a_million_points_and_xml_from_elsewhere_are_refused(tmp_path) -> None:
+    many = tmp_path / "many.csv"
+    many.write_text("".join(f"{i};{i}\n" for i in range(1_000_000)), encoding="utf-8")
+    for name in ("csv", "mitsubishi", "lenze", "codesys", "rockwell"):
+        with pytest.raises(MotionbookError) as said:
+            read_table(many, target(name))
+        assert "\n" not in str(said.value)
+    rockwell = target("rockwell")
+    text = rockwell.write(handed(rockwell))
+    for doctype in ('<!DOCTYPE x [<!ENTITY a "1">]>', '<!DOCTYPE x SYSTEM "file:///etc/hostname">'):
+        with pytest.raises(TargetError, match="document type or entities"):
+            rockwell.read(text.replace("<Tags>", f"{doctype}<Tags>", 1))
+    with pytest.raises(TargetError, match="nested"):
+        rockwell.read("<a>" * 200 + "</a>" * 200)
+    with pytest.raises(TargetError, match="not well-formed"):
+        rockwell.read("no XML")
+    with pytest.raises(TargetError, match="differ"):
+        rockwell.read(text.replace("[90.0,15.0", "[91.0,15.0"))
+    with pytest.raises(TargetError, match="0 tags of type CAM"):
+        rockwell.read("<Tags/>")
+    (tmp_path / "binary").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(MotionbookError, match="not a text"):
+        read_table(tmp_path / "binary", target("csv"))
+
+
+def test_a_calculated_profile_is_read_as_its_polynomials() -> None:
+    """The rows of the reference, worked out there: a clamped spline through (0,0) and (120,30), 2 elements."""
+    rows = (
+        "[[2,0,0,0,0,1,0,0,0,0,1064374545,286331153,-1091423146,2023406815],"
+        "[2,1079902208,0,1077805056,0,1,0,0,1070596096,0,-1084157679,286331153,0,0],"
+        "[2,1080950784,0,1077805056,0,1,0,0,0,0,0,0,0,0],[0,1080950784,0,1077805056,0,1,0,0,0,0,0,0,0,0]]"
+    )
+    text = f'<Tags><Tag Name="P" DataType="CAM_PROFILE"><Data Format="L5K"><![CDATA[{rows}]]></Data></Tag></Tags>'
+    table = target("rockwell").read(text)
+    assert table.x.tolist() == [0.0, 120.0, 240.0]
+    assert table.course is not None
+    assert table.course.at(np.array([60.0])).y == pytest.approx([11.25])
+    assert table.course.at(np.array([120.0]), left=True).y == pytest.approx([30.0])
+    assert table.course.at(np.array([180.0]), left=True).y[0] > 30.0
+
+
+def test_whole_turn_speed() -> None:
+    """Exporting 24 axes of 1,000 points takes under 3 s."""
+    begin = time.process_time()
+    one = target("codesys")
+    for seed in range(24):
+        axis = random_axis(seed)
+        made = certified(one, tabulated(one, axis, 1000), axis.course)
+        reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
+    assert time.process_time() - begin < 3.0

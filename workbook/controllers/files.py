@@ -1,0 +1,37 @@
+"""Files of controllers, from anywhere: read under a limit, and refused in one line where they are no table."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from workbook.controllers.table import Table
+from workbook.controllers.target import Target
+from workbook.errors import ReadError, TargetError
+from workbook.intake import read_text
+
+MOST = 16_000_000  # bytes: a tag of 50,000 points
+TOLD = re.compile(r"; (\d{1,9}) points; between them")
+
+
+def read_table(path: Path, target: Target) -> Table:
+    """Return the table of a target's file; raise ReadError, in one line, where it is none."""
+    text = read_text(path, f"a file for {target.name}", MOST)
+    try:
+        return parsed(text, target)
+    except TargetError as error:
+        raise ReadError(f"{path}: {error}") from None
+
+
+def parsed(text: str, target: Target) -> Table:
+    """Return the table of a text; raise TargetError where it is none, or has not the points that its header tells."""
+    table = target.read(text)
+    told = TOLD.search(text)
+    if told and int(told[1]) != len(table.x):
+        raise TargetError(f"{len(table.x)} points; its header tells {told[1]} (is the file cut off?)")
+    return table
+
+
+def header(points: int, between: str, units: tuple[str, str]) -> str:
+    """Return the line of a header that tells units, points and what is between them."""
+    return f"x in {units[0]}, y in {units[1]}; {points} points; between them {between}"

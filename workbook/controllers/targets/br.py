@@ -1,0 +1,111 @@
+"""B&R: the polynomials of McCamDataType in REAL, as assignments in Structured Text."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from engine.cams.course import Course, Stretch, course
+from engine.cams.segments import quintics_between
+from engine.laws.base import Array
+from workbook.controllers.number import DINT, DINT_IN_REAL, LREAL, REAL, literal
+from workbook.controllers.structured import NUMBER, comments, indexed, scalar
+from workbook.controllers.table import Table
+from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.units import counts, read_counts
+from workbook.errors import TargetError
+
+POWERS = ("A", "B", "C", "D", "E", "F", "G")
+FIELDS = (*POWERS, "X")
+STANDS = re.compile(rf"the axis stands at ({NUMBER}) ")
+LIBRARY = "B&R library McAxis, McAxis.typ"
+ERRORS = "B&R ACOPOS error pages 5304, 37111"
+
+
+def built(of: Course, x: Array, steps: tuple[float, float]) -> Table:
+    """Return a motion between places as polynomials of degree 5 whose coefficients, in steps, are rounded to REAL."""
+    dx, dy = steps
+    at, last = of.at(x), of.at(x, left=True)
+    offset = float(at.y[0])
+    begin, end = ([(one.y - offset) / dy, one.y1 * dx / dy, one.y2 * dx**2 / dy] for one in (at, last))
+    made = quintics_between(x / dx, [one[:-1] for one in begin], [one[1:] for one in end])
+    return table(*scaled(made, x / dx), steps, offset)
+
+
+def scaled(c: Array, x: Array) -> tuple[Array, Array]:
+    """Return coefficients as REAL holds them, the first constant 0, and places as whole steps."""
+    rounded = REAL.rounded(c)
+    rounded[0, 0] = 0.0
+    return rounded, DINT.rounded(x)
+
+
+def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -> Table:
+    """Return the polynomials, in steps from each place, as a table in the units of x and y."""
+    dx, dy = steps
+    stretches = [Stretch(float(one) * dx, float(one) * dx, tuple(float(k) * dy / dx**i for i, k in enumerate(row)))
+                 for one, row in zip(x[:-1], c, strict=True)]  # fmt: skip
+    places = np.round(x * dx, 12)
+    Table(places, places)  # says which x does not rise
+    made = course(stretches, float(places[-1]))
+    made = Course(places, places[:-1], made.c, made.sines)
+    made.c[:, 0] += offset
+    y = np.append(made.at(places[:-1]).y, made.at(places[-1:], left=True).y)
+    return Table(places, y, course=made, steps=steps)
+
+
+def write(handed: Handed) -> str:
+    """Return the assignments of the periods and of each polynomial; x counts from the begin of each."""
+    made, name, steps = handed.table.course, f"Cam_{handed.name}", handed.table.steps
+    if made is None:
+        raise TargetError("the table has no polynomials")
+    (dx, dy), offset = steps, float(made.c[0, 0])
+    lines = [
+        f"{name}.MasterPeriod := {DINT.text(made.total / dx)}; {name}.SlavePeriod := {DINT.text(made.travel / dy)};",
+        f"{name}.PolynomialNumber := {len(made.c)};",
+    ]
+    for k, (row, end) in enumerate(zip(made.c, made.edges[1:], strict=True)):
+        scales = [dx**i / dy for i in range(len(row))]
+        constant = (row[0] - offset) / dy
+        values = [constant, *(float(c) * one for c, one in zip(row[1:], scales[1:], strict=True))]
+        values += [0.0 for _ in range(len(POWERS) - len(values))]
+        texts = [literal(REAL.text(value)) for value in (*values, round((end - made.edges[0]) / dx))]
+        fields = " ".join(f"{name}.PolynomialData[{k}].{field} := {text};"
+                          for field, text in zip(FIELDS, texts, strict=True))  # fmt: skip
+        lines.append(f"{fields} {name}.PolynomialData[{k}].Reserve := 0;")
+    told = f"the cam begins at y = 0; the axis stands at {LREAL.text(offset)} {handed.units[1]} there"
+    return comments([*handed.header, told, counts(steps, handed.units), f"{name} : McCamDataType"]) + "".join(
+        f"{one}\n" for one in lines
+    )
+
+
+def read(text: str) -> Table:
+    """Return the polynomials that are assigned, in the units that the comment names."""
+    *powers, ends = indexed(text, FIELDS)
+    period = scalar(text, "MasterPeriod")
+    if period is not None and period != ends[-1]:
+        raise TargetError(f"the last X is {ends[-1]:g}, MasterPeriod {period:g}; expected the same")
+    stands = STANDS.search(text)
+    x = np.concatenate([[0.0], ends])
+    return table(REAL.rounded(np.array(powers).T), x, read_counts(text), float(stands[1]) if stands else 0.0)
+
+
+TARGET = Target(
+    "br",
+    "B&R, polynomials of McCamDataType in Structured Text",
+    ".st",
+    ("polynomials",),
+    ("quintics",),
+    write,
+    read,
+    (
+        Claim("fields, REAL coefficients, DINT periods, at most 128 polynomials", "documented", LIBRARY),
+        Claim("y begins at 0, the last X is MasterPeriod, the end meets SlavePeriod to 0.1", "documented", ERRORS),
+        Claim("X is cumulative; A is the constant", "probable", ERRORS),
+        Claim("x counts from the begin of each polynomial", "untested", "no document says it"),
+        Claim("SlavePeriod 0 of a cam that comes back", "untested", "no document says it"),
+    ),
+    number=DINT_IN_REAL,
+    points=(2, 129),
+    built=built,
+)

@@ -1,0 +1,57 @@
+"""Kollmorgen KAS: a cam profile as CSV."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from workbook.controllers.number import LREAL
+from workbook.controllers.table import SPLINES, Table
+from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.text import numbers
+from workbook.errors import TargetError
+
+HELP = "Kollmorgen KAS help, Import Cam Profile"
+LAYOUT = re.compile(r"CYCLIC;(YES|NO);?\s+TABLE_BEGIN;*\s+(.*?)\s*TABLE_END;*\s*", re.DOTALL)
+
+
+def write(handed: Handed) -> str:
+    """Return the profile; the format has no comment, and units vanish, as an import divides by the largest x and y."""
+    table = handed.table
+    if table.y.max() <= 0.0:
+        raise TargetError("no y is above 0; expected one, as an import divides by the largest")
+    rows = zip(table.x, table.y, strict=True)
+    lines = "".join(f"{LREAL.text(float(x))};{LREAL.text(float(y))};SPLINE\r\n" for x, y in rows)
+    return f"CYCLIC;{'YES' if handed.repeats else 'NO'};\r\nTABLE_BEGIN;;\r\n{lines}TABLE_END;;\r\n"
+
+
+def read(text: str) -> Table:
+    """Return the points between TABLE_BEGIN and TABLE_END."""
+    found = LAYOUT.fullmatch(text)
+    if not found:
+        raise TargetError("expected CYCLIC;YES; then points between TABLE_BEGIN;; and TABLE_END;; (is it cut off?)")
+    lines = [line.strip() for line in found[2].splitlines()]
+    for n, line in enumerate(lines, 1):
+        if not line.endswith(";SPLINE"):
+            raise TargetError(f"point {n}: {line[:40]!r}; expected x;y;SPLINE")
+    x, y = np.array(numbers("\n".join(line.removesuffix(";SPLINE") for line in lines), (2,))).T
+    return Table(x, y)
+
+
+TARGET = Target(
+    "kollmorgen",
+    "Kollmorgen KAS, cam profile as CSV",
+    ".csv",
+    ("x", "y"),
+    SPLINES,
+    write,
+    read,
+    (
+        Claim("CYCLIC, TABLE_BEGIN, x;y;SPLINE, TABLE_END; four segments or more", "documented", HELP),
+        Claim("an import divides x and y by their largest: scale and offset are the profile's", "documented", HELP),
+        Claim("line ends, CYCLIC;NO;", "probable", HELP),
+        Claim("the ends of the spline", "untested", "no document says it"),
+    ),
+    points=(5, 10_000),
+)

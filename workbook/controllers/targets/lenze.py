@@ -1,0 +1,45 @@
+"""Lenze Global Drive Cam Loader: x and y as text."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from workbook.controllers.number import LREAL
+from workbook.controllers.table import LOCAL, SPLINES, Table
+from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.text import numbers
+
+MANUAL = "Lenze Global Drive Cam Loader, manual 1.1 EN, p. 14"
+COMMENT = re.compile(r"\s//[^\n]*")
+
+
+def write(handed: Handed) -> str:
+    """Return x and y of each point, the header behind the first as comments on blank lines."""
+    rows = zip(handed.table.x, handed.table.y, strict=True)
+    lines = [f"{LREAL.text(float(x))} {LREAL.text(float(y))}" for x, y in rows]
+    told = (f" // {line}" for line in handed.header)
+    return "".join(f"{line}\r\n".replace(".", handed.decimal) for line in lines) + "".join(f"{one}\r\n" for one in told)
+
+
+def read(text: str) -> Table:
+    """Return the points; a third column is a profile for the torque, and is passed over."""
+    x, y, *_ = np.array(numbers(COMMENT.sub("", text), (2, 3))).T
+    return Table(x, y)
+
+
+TARGET = Target(
+    "lenze",
+    "Lenze Global Drive Cam Loader, text",
+    ".txt",
+    ("x", "y"),
+    (*SPLINES, LOCAL),
+    write,
+    read,
+    (
+        Claim("x, y parted by blanks or tabs, point or comma, // comments, x rises", "documented", MANUAL),
+        Claim("what is between the points, limits, the end of a cycle", "untested", "no document says it"),
+    ),
+    points=(4, 10_000),
+)

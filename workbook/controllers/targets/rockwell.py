@@ -1,0 +1,174 @@
+"""Rockwell Logix: a CAM array as a Tag of L5X; reads CAM_PROFILE too."""
+
+from __future__ import annotations
+
+import re
+import struct
+from itertools import pairwise
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from engine.cams.course import Stretch, course
+from engine.cams.segments import straight
+from workbook.controllers.number import REAL, literal
+from workbook.controllers.table import MOST_POINTS, Table
+from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.xml import parsed
+from workbook.errors import TargetError
+
+ROW = re.compile(r"\[([^\[\]]{1,400})\]")
+MANUAL = "Rockwell MOTION-RM002H-EN-P"
+SLOPES = ("StartSlope", "EndSlope")
+PROFILE_ROW = 14  # integers
+CALCULATED = 2
+
+
+def write(handed: Handed) -> str:
+    """Return the tag of the array, and a tag for each slope, which are arguments of MCCP."""
+    table, name = handed.table, f"Cam_{handed.name}"
+    lines = np.append(table.straight, False) if table.straight is not None else np.zeros(len(table.x), dtype=bool)
+    rows = [(real(x), real(y), str(int(not line))) for x, y, line in zip(table.x, table.y, lines, strict=True)]
+    told = "\n".join(line.replace("--", "- -") for line in handed.header)
+    packed = ",".join(f"[{','.join(row)}]" for row in rows)
+    elements = "".join(element(k, row) for k, row in enumerate(rows))
+    slopes = "".join(slope(f"{name}_{which}", value)
+                     for which, value in zip(SLOPES, table.slopes or (0.0, 0.0), strict=True))  # fmt: skip
+    return (
+        f'<?xml version="1.0" encoding="UTF-8"?>\n<!--\n{told}\nThe slopes are arguments of MCCP.\n-->\n<Tags>\n'
+        f'<Tag Name="{name}" TagType="Base" DataType="CAM" Dimensions="{len(rows)}" Constant="false" '
+        f'ExternalAccess="Read/Write">\n<Data Format="L5K"><![CDATA[[{packed}]]]></Data>\n'
+        f'<Data Format="Decorated">\n<Array DataType="CAM" Dimensions="{len(rows)}">\n{elements}</Array>\n</Data>\n'
+        f"</Tag>\n{slopes}</Tags>\n"
+    )
+
+
+def real(value: float) -> str:
+    """Return a REAL's text with a point."""
+    return literal(REAL.text(value)).replace("E", "e")
+
+
+def element(k: int, row: tuple[str, str, str]) -> str:
+    """Return one element of the array in its decorated form."""
+    master, slave, kind = row
+    return (
+        f'<Element Index="[{k}]"><Structure DataType="CAM">'
+        f'<DataValueMember Name="Master" DataType="REAL" Radix="Float" Value="{master}"/>'
+        f'<DataValueMember Name="Slave" DataType="REAL" Radix="Float" Value="{slave}"/>'
+        f'<DataValueMember Name="SegmentType" DataType="DINT" Radix="Decimal" Value="{kind}"/>'
+        f"</Structure></Element>\n"
+    )
+
+
+def slope(name: str, value: float) -> str:
+    """Return the tag of a slope."""
+    return (
+        f'<Tag Name="{name}" TagType="Base" DataType="REAL" Radix="Float" Constant="false" '
+        f'ExternalAccess="Read/Write">\n<Data Format="Decorated"><DataValue DataType="REAL" Radix="Float" '
+        f'Value="{real(value)}"/></Data>\n</Tag>\n'
+    )
+
+
+def read(text: str) -> Table:
+    """Return the points of the one tag of type CAM or CAM_PROFILE."""
+    tags = list(parsed(text).iter("Tag"))
+    cams = [tag for tag in tags if tag.get("DataType") in ("CAM", "CAM_PROFILE")]
+    if len(cams) != 1:
+        said = ", ".join(str(tag.get("Name"))[:40] for tag in cams[:5]) or "none"
+        raise TargetError(f"{len(cams)} tags of type CAM or CAM_PROFILE ({said}); expected one in a file")
+    (cam,) = cams
+    packed = next((data.text or "" for data in cam.iter("Data") if data.get("Format") == "L5K"), "")
+    rows = [[field.strip() for field in row.split(",")] for row in ROW.findall(packed)[: MOST_POINTS + 1]]
+    if cam.get("DataType") == "CAM_PROFILE":
+        return profile(rows)
+    return array(cam, rows, slopes_of(tags, str(cam.get("Name"))))
+
+
+def array(cam: Element, packed: list[list[str]], slopes: tuple[float, float] | None) -> Table:
+    """Return the points of a CAM array; raise TargetError where its two forms differ."""
+    rows = [[member.get("Value", "") for member in one.iter("DataValueMember")] for one in cam.iter("Element")]
+    given = [numbers(k, row) for k, row in enumerate(rows or packed)]
+    if rows and packed and given != [numbers(k, row) for k, row in enumerate(packed)]:
+        raise TargetError("the two forms of the tag's data, L5K and Decorated, differ; expected the same points")
+    told = cam.get("Dimensions", "")
+    if told.isdecimal() and int(told[:9]) != len(given):
+        raise TargetError(f"Dimensions is {told[:9]}, {len(given)} elements follow; expected as many")
+    x, y, kinds = np.array(given).reshape(-1, 3).T
+    return Table(REAL.rounded(x), REAL.rounded(y), slopes=slopes, straight=kinds[:-1] == 0.0)
+
+
+def numbers(k: int, row: list[str]) -> list[float]:
+    """Return master, slave and segment type of an element."""
+    try:
+        master, slave, kind = map(float, row)
+    except ValueError:
+        raise TargetError(f"element {k}: {', '.join(row)[:60]!r}; expected master, slave and segment type") from None
+    if kind not in (0.0, 1.0):
+        raise TargetError(f"element {k}: segment type {kind:g}; expected 0 (linear) or 1 (cubic)")
+    return [master, slave, kind]
+
+
+def slopes_of(tags: list[Element], name: str) -> tuple[float, float] | None:
+    """Return the slopes that stand in tags of their own; None where they are not in the file."""
+    found = []
+    for which in SLOPES:
+        tag = next((tag for tag in tags if tag.get("Name") == f"{name}_{which}"), None)
+        value = None if tag is None else next((v.get("Value", "") for v in tag.iter("DataValue")), "")
+        if value is None:
+            return None
+        try:
+            found.append(float(REAL.rounded(np.array([float(value)]))[0]))
+        except ValueError:
+            raise TargetError(f"{name}_{which} is {value[:40]!r}; expected a number") from None
+    return found[0], found[1]
+
+
+def profile(rows: list[list[str]]) -> Table:
+    """Return the polynomials of a CAM_PROFILE: y = Slave + C0 + C1 d + C2 d² + C3 d³, d from an element's master."""
+    points = []
+    for k, row in enumerate(rows):
+        if len(row) != PROFILE_ROW or not all(re.fullmatch(r"-?\d{1,10}", field) for field in row):
+            raise TargetError(f"element {k}: expected {PROFILE_ROW} integers of a CAM_PROFILE")
+        if int(row[0]) < CALCULATED:
+            break
+        points.append([float64(*map(int, row[i : i + 2])) for i in (1, 3, 6, 8, 10, 12)])
+    if len(points) < 2:
+        raise TargetError(f"{len(points)} calculated elements of a CAM_PROFILE; expected two or more")
+    stretches = [Stretch(x, x, (y + c0, c1, c2, c3)) for x, y, c0, c1, c2, c3 in points[:-1]]
+    if any(other[0] <= one[0] for one, other in pairwise(points)):
+        raise TargetError("the masters of the CAM_PROFILE do not rise from element to element")
+    x, y = (np.array([point[i] for point in points]) for i in (0, 1))
+    return Table(x, y, course=course(stretches, points[-1][0]))
+
+
+def float64(high: int, low: int) -> float:
+    """Return the number of 64 bits that two integers hold, high then low."""
+    try:
+        (value,) = struct.unpack(">d", struct.pack(">ii", high, low))
+    except struct.error:
+        raise TargetError(f"{high}, {low}: expected integers of 32 bits") from None
+    return float(value)
+
+
+TARGET = Target(
+    "rockwell",
+    "Rockwell Logix, CAM array as a Tag of L5X",
+    ".xml",
+    ("x", "y", "straight"),
+    ("clamped cubic spline",),
+    write,
+    read,
+    (
+        Claim("Master and Slave REAL, SegmentType DINT: 0 linear, 1 cubic, of the way to the next point", "documented",
+              f"{MANUAL}, p. 159, 174, 627"),
+        Claim("the slopes are arguments of MCCP, by the master", "documented", f"{MANUAL}, p. 160"),
+        Claim("a run of cubic segments is a clamped cubic spline", "probable", "coefficients of one real project"),
+        Claim("Tag with L5K and Decorated data of the same values", "probable", "public code that reads such exports"),
+        Claim("CAM_PROFILE: 14 integers an element, as decoded from one project", "probable", "two public sources"),
+        Claim("a spline beside a linear segment takes its slope", "untested", "no document says it"),
+        Claim("limits of points, the wrapper that an import wants", "untested", "not found"),
+    ),
+    number=REAL,
+    points=(2, 10_000),
+    exact=straight,
+)  # fmt: skip

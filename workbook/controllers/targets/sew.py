@@ -1,0 +1,45 @@
+"""SEW MOVI-C: cam points as text, a count and then pairs."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from workbook.controllers.number import LREAL
+from workbook.controllers.table import LOCAL, Table
+from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.text import joined, numbers
+
+MANUAL = "SEW help 27800520, page 31491133835"
+
+
+def write(handed: Handed) -> str:
+    """Return the count, and x and y of each point; the format has no comment."""
+    columns = handed.table.x, handed.table.y
+    rows = [[LREAL.text(float(value)) for value in row] for row in zip(*columns, strict=True)]
+    return f"{len(rows)}\r\n" + joined(rows, handed.separator, handed.decimal)
+
+
+def read(text: str) -> Table:
+    """Return the points."""
+    x, y = np.array(numbers(text, (2,))).T
+    return Table(x, y)
+
+
+TARGET = Target(
+    "sew",
+    "SEW MOVI-C, cam points as text, cubic",
+    ".txt",
+    ("x", "y"),
+    (LOCAL,),
+    write,
+    read,
+    (
+        Claim("a count, then x and y a line, semicolon (newer manual: tab), point or comma", "documented", MANUAL),
+        Claim("up to 1024 points for linear and cubic, 64 for a spline", "documented", MANUAL),
+        Claim(
+            "cubic: the velocity is continuous, the acceleration jumps at points", "documented", "SEW help 57491440523"
+        ),
+        Claim("the slope that a cubic has at a point: taken from its neighbours", "untested", "no document says it"),
+    ),
+    points=(2, 1024),
+)

@@ -1,0 +1,45 @@
+"""Siemens S7-1500T: basic points of the library LCamHdl, as assignments in SCL."""
+
+from __future__ import annotations
+
+from workbook.controllers.number import LREAL
+from workbook.controllers.structured import comments, indexed, literals
+from workbook.controllers.table import Table
+from workbook.controllers.target import Claim, Handed, Target
+
+FIELDS = ("leadingValue", "followingValue", "velocityRatio", "accelerationRatio")
+TYPES = "simatic-ax/lcamhdl, docs/types"
+
+
+def write(handed: Handed) -> str:
+    """Return the assignments, a line a point."""
+    columns = [literals(LREAL, values) for values in handed.table.columns.values()]
+    name, lines = f"Cam_{handed.name}", []
+    for k, row in enumerate(zip(*columns, strict=True), 1):
+        lines.append(" ".join(f"{name}[{k}].{field} := {value};" for field, value in zip(FIELDS, row, strict=True)))
+    declared = f"{name} : ARRAY[1..{len(lines)}] OF LCamHdl_typeBasicPoint, for CreateCamBasic"
+    return comments([*handed.header, declared]) + "".join(f"{line}\n" for line in lines)
+
+
+def read(text: str) -> Table:
+    """Return the points that are assigned."""
+    x, y, v, a = indexed(text, FIELDS)
+    return Table(x, y, v, a)
+
+
+TARGET = Target(
+    "siemens",
+    "Siemens S7-1500T, LCamHdl basic points in SCL",
+    ".scl",
+    ("x", "y", "y'", "y''"),
+    ("quintics",),
+    write,
+    read,
+    (
+        Claim("fields of LCamHdl_typeBasicPoint, LREAL, derivatives by the leading value", "documented", TYPES),
+        Claim("2 to 51 points, leading values rise, polynomials of degree 5 between them", "documented", TYPES),
+        Claim("start and end of the cam are the first and the last point", "documented", TYPES),
+        Claim("the prefix that the tag has in a project, # or a data block", "untested", "not part of the library"),
+    ),
+    points=(2, 51),
+)  # fmt: skip

@@ -1,0 +1,30 @@
+"""What whole numbers of a file count, told in its comment and read from there."""
+
+from __future__ import annotations
+
+import re
+
+from workbook.controllers.number import LREAL
+from workbook.errors import TargetError
+
+TOLD = re.compile(r"one step is (\S{1,30}) (?:\S{1,30}) of x and (\S{1,30}) (?:\S{1,30}) of y")
+
+
+def counts(steps: tuple[float, float], units: tuple[str, str]) -> str:
+    """Return the comment that says what a whole number of x and of y counts."""
+    (x, y), (one, other) = steps, (unit.replace(" ", "_") for unit in units)
+    return f"one step is {LREAL.text(x)} {one} of x and {LREAL.text(y)} {other} of y"
+
+
+def read_counts(text: str) -> tuple[float, float]:
+    """Return what whole numbers of a file count; 1 where its comment does not say."""
+    found = TOLD.search(text)
+    if found is None:
+        return 1.0, 1.0
+    try:
+        x, y = float(found[1]), float(found[2])
+    except ValueError:
+        x = y = 0.0
+    if not (0.0 < x <= 1.0 and 0.0 < y <= 1.0):
+        raise TargetError(f"one step is {found[1]} of x and {found[2]} of y; expected numbers above 0, up to 1")
+    return x, y
