@@ -26,7 +26,7 @@ UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's gr
 DUMMY = re.compile(r"A[0-9]+(:B[0-9]+)?")
 ADDRESS_ASKED = re.compile(r'_REF_\("(.*?)"\)')
 
-SOMEWHERE = {"lineno": 1, "col_offset": 0}  # in a text of one line
+SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0}  # in a text of one line
 
 # pycel's own parser, for tokens that have been looked through: it would part each formula into them a second time
 parse = FunctionType(
