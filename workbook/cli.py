@@ -182,6 +182,9 @@ def export(
         "semicolon"
     ),
     decimal: Annotated[str, typer.Option(metavar="point|comma", help="The decimal sign of columns of text.")] = "point",
+    report: Annotated[
+        Path | None, report_to("--report", "FILE.html", "Write the certificates as a page with pictures.")
+    ] = None,
     as_json: Json = False,
     force: Force = False,
 ) -> None:
@@ -195,7 +198,7 @@ def export(
     from workbook.commands import export as exporting
 
     asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified)
-    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json))
+    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report))
 
 
 Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
