@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from xml.etree.ElementTree import indent, tostring
 
@@ -101,7 +102,7 @@ def costs() -> Table:
     steps: dict[str, Callable[[], object]] = {f"{AXES} axes of {POINTS:,} points, written, read, certified twice":
                                               lambda: [export(axis) for _ in range(AXES)]}  # fmt: skip
     for one in targets():
-        steps[f"--points auto, {one.name}"] = lambda one=one: automatic(one, axis, dict([one.tolerance]))  # type: ignore[misc]
+        steps[f"--points auto, {one.name}"] = partial(automatic, one, axis, dict([one.tolerance]))
     for name, task in steps.items():
         seconds = spent(task)
         grid.add_row(name, f"{seconds * 1e3:.0f}", f"{seconds / unit:.0f}")

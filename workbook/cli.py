@@ -125,9 +125,12 @@ def verify(
     Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
     be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
-    from workbook.commands.verify import verify as run
+    from workbook.witnesses.beside import beside
 
-    raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything))
+    with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
+        from workbook.commands.verify import verify as run
+
+        raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper))
 
 
 @app.command()
@@ -188,7 +191,8 @@ def export(
     """Write an axis of a book as a controller's cam table, and certify what the controller makes of it.
 
     The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
-    engine over the whole cycle. docs/controllers.md says which layout comes from which document; no controller was run.
+    engine over the whole cycle. docs/controllers.md says which layout comes from which document, and what is untested;
+    no controller was run.
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """
