@@ -9,6 +9,7 @@ from typing import Any
 from workbook.described.keys import Key, Section, sections
 from workbook.described.words import remark, toml
 from workbook.entries.design import as_entered
+from workbook.laws.entries import key_of
 from workbook.reading.entries import read_machine
 from workbook.selection.entries import referred
 from workbook.templates import AnyTemplate
@@ -35,6 +36,9 @@ HEAD = "Every key is here, with the values of an example: change what differs, a
 
 def written(section: Section, below: Sequence[Section], data: Mapping[str, Any]) -> Iterator[str]:
     """Yield the tables of a section: one, or each of a list, with those of its row below it."""
+    if section.path.startswith("laws."):
+        yield from of_family(section, data)
+        return
     title = section.path.removesuffix(".*")
     values = found(data, title.split(".") if title else [])
     if isinstance(values, list):
@@ -49,14 +53,32 @@ def written(section: Section, below: Sequence[Section], data: Mapping[str, Any])
         yield one_table(section, values, True)
 
 
+def of_family(section: Section, data: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the laws of a family: the basic one of its code, then those of other names, or one in comments."""
+    code = section.path.rpartition(".")[2]
+    laws = data["laws"]
+    names = [name for name, entry in laws.items() if name == code or entry.get("family") == code]
+    for i, name in enumerate(names):
+        own = [] if name == code else [f"family = {toml(code)}"]
+        about = [] if i else remarks(section.about)
+        yield "\n".join([*about, f"[laws.{key_of(name)}]", *own, *entries(section, laws[name], not i)])
+    if not names:
+        lines = [f"[{section.path}]", f"family = {toml(code)}", *entries(section, stand_ins(section), True)]
+        yield "\n".join([*remarks(section.about), *(f"# {line}" for line in lines)])
+
+
+def stand_ins(section: Section) -> dict[str, Any]:
+    """Return a table that shows how its keys are written."""
+    return {key.name: shown(key) for key in section.keys}
+
+
 def one_table(section: Section, values: Mapping[str, Any] | None, explained: bool) -> str:
     """Return a table, in comments where the example has none."""
     about = remarks(section.about) if section.path and explained else []
     head = [f"[{section.path}]"] if section.path else []
     if values is not None:
         return "\n".join([*about, *head, *entries(section, values, explained)])
-    family = [f"family = {toml(section.path.rpartition('.')[2])}"] if section.path.startswith("laws.") else []
-    lines = [*head, *family, *entries(section, {key.name: shown(key) for key in section.keys}, True)]
+    lines = [*head, *entries(section, stand_ins(section), True)]
     return "\n".join([*about, *(f"# {line}" for line in lines)])
 
 
