@@ -151,9 +151,12 @@ def verify(
     Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
     be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
-    from workbook.commands.verify import verify as run
+    from workbook.witnesses.beside import beside
 
-    raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything))
+    with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
+        from workbook.commands.verify import verify as run
+
+        raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper))
 
 
 @app.command()

@@ -8,6 +8,7 @@ from workbook.entries.machine import Machine
 from workbook.template import Template
 
 MODULES = {
+    "machine": "machine",
     "cutting-machine": "cutting",
     "motion-composer": "composer",
     "indexing-overlap": "overlap",
