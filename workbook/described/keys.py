@@ -40,6 +40,7 @@ WORDS = {
     "sizes.gears": "Rows for gears",
     "sizes.margins": "Intervals of the table of margins",
     "sizes.lengths": "Intervals of the table of product lengths",
+    "axes.*.unit": "The unit of its lifts: of an axis that travels, or one that turns",
     "selection.motors": 'The motors to choose among; "committed": those that come with motionbook',
     "selection.reducers": 'The reducers to choose among; "committed": those that come with motionbook',
 }
