@@ -217,7 +217,8 @@ def export(
     """Write an axis of a book as a controller's cam table, and certify what the controller makes of it.
 
     The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
-    engine over the whole cycle. docs/controllers.md says which layout comes from which document; no controller was run.
+    engine over the whole cycle. docs/controllers.md says which layout comes from which document, and what is untested;
+    no controller was run.
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """
