@@ -87,6 +87,32 @@ With = Annotated[
 
 
 @app.command()
+def new(
+    template: Annotated[str, typer.Argument(metavar="TEMPLATE", help="The kind of machine, such as motion-composer.")],
+    output: Annotated[Path | None, to("FILE.toml", "Where to write; else here, named like the template.")] = None,
+    force: Force = False,
+) -> None:
+    """Write a description with every key explained, to be changed and built; its schema beside it."""
+    from workbook.commands import describe
+
+    describe.new(template, output, force)
+
+
+@app.command()
+def schema(
+    template: Annotated[
+        str | None, typer.Argument(metavar="[TEMPLATE]", help="The kind of machine; any when none is named.")
+    ] = None,
+    output: Annotated[Path | None, to("FILE.json", "Where to write; else to the terminal.")] = None,
+    force: Force = False,
+) -> None:
+    """Write the JSON Schema of descriptions, from which an editor completes their keys."""
+    from workbook.commands import describe
+
+    describe.schema(template, output, force)
+
+
+@app.command()
 def build(
     machine: Machine = None,
     output: Annotated[Path | None, to("BOOK.xlsx", "Where to write; else here, named like the description.")] = None,
