@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 import workbook
 from workbook.axes import CamAxis
@@ -42,7 +42,7 @@ class Template(Generic[M]):
     check: Callable[[M], None] = lambda machine: None
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
     axes: Callable[[M], list[CamAxis]] = lambda machine: []
-    fixed: Callable[[M], dict[str, str]] = lambda machine: {}
+    fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
