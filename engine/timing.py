@@ -63,9 +63,9 @@ class Axis:
         return 1.0 - moving / self.motion.total
 
     def movements(self, speed: float) -> tuple[Movement, ...]:
-        """Return every phase that lifts, where the abscissa advances at ``speed``."""
+        """Return every phase that moves, where the abscissa advances at ``speed``."""
         found = enumerate(self.motion.phases)
-        return tuple(Movement(self.name, k, phase, speed) for k, phase in found if phase.lift != 0.0)
+        return tuple(Movement(self.name, k, phase, speed) for k, phase in found if phase.moves)
 
 
 @dataclass(frozen=True)

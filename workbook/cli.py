@@ -125,9 +125,12 @@ def verify(
     Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
     be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
-    from workbook.commands.verify import verify as run
+    from workbook.witnesses.beside import beside
 
-    raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything))
+    with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
+        from workbook.commands.verify import verify as run
+
+        raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper))
 
 
 @app.command()
@@ -179,6 +182,9 @@ def export(
         "semicolon"
     ),
     decimal: Annotated[str, typer.Option(metavar="point|comma", help="The decimal sign of columns of text.")] = "point",
+    report: Annotated[
+        Path | None, report_to("--report", "FILE.html", "Write the certificates as a page with pictures.")
+    ] = None,
     as_json: Json = False,
     force: Force = False,
 ) -> None:
@@ -192,7 +198,49 @@ def export(
     from workbook.commands import export as exporting
 
     asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified)
-    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json))
+    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report))
+
+
+Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
+CamFile = Annotated[Path, typer.Argument(metavar="FILE", help="A controller's cam table.")]
+
+
+@app.command()
+def read(
+    file: CamFile,
+    source: Source,
+    output: Annotated[Path | None, to("MACHINE.toml", "Where to write; else to the terminal.")] = None,
+    force: Force = False,
+) -> None:
+    """Read a controller's cam table as the description of a composed motion.
+
+    Dwells and turns part it; each movement is the first law of the registry that keeps to its points within their
+    precision, else a law of its own pieces. Build, verify and export what is written: the way back is closed.
+    """
+    from workbook.commands import cams
+
+    cams.read(file, source, output, force)
+
+
+@app.command()
+def compare(
+    book: Book,
+    file: CamFile,
+    axis: Annotated[str, typer.Option(metavar="NAME", help="The axis of the book.")],
+    source: Source,
+    tolerance: Annotated[
+        list[str] | None, typer.Option(metavar="a=1%", help="Largest error of y, v, a or j as a share of its peak.")
+    ] = None,
+    unverified: Annotated[bool, typer.Option("--unverified", help="Do not ask whether the book agrees.")] = False,
+    as_json: Json = False,
+) -> None:
+    """Compare what a controller makes of a cam table with an axis of a book.
+
+    Exit code 0: within the tolerance over the whole cycle. 1: beyond it, or the book disagrees. 2: it cannot be read.
+    """
+    from workbook.commands import cams
+
+    raise typer.Exit(cams.compare(book, file, axis, source, tolerance or (), unverified, as_json))
 
 
 @app.command()

@@ -14,6 +14,7 @@ MODULES = {
     "indexing-overlap": "overlap",
     "flying-cutter": "flying",
     "actuator-sizing": "actuator",
+    "motion-laws": "laws",
 }
 """where each template is declared, under workbook/machines/"""
 

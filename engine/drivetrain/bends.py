@@ -76,9 +76,9 @@ class Bends:
 
     @property
     def turns(self) -> tuple[float, float]:
-        """y_1 and y_2, the lesser first."""
-        first, second = sorted((self.load_turn, self.shaft_turn))
-        return first, second
+        """y_1 and y_2, the lesser first; a load without inertia never turns power round, and adds no bend."""
+        moved = self.drive.mechanism.on_shaft(2) > 0.0
+        return self.shaft_turn, self.load_turn if moved else self.shaft_turn
 
     @property
     def level(self) -> float:
@@ -92,10 +92,10 @@ class Bends:
         first, last = ((1.0 / one.efficiency) ** side for one in m.stages)
         own = (self.drive.motor_inertia + m.on_shaft(0)) * m.ratio
         ways = [(first, last), (1.0 / first, last), (1.0 / first, 1.0 / last)]
-        return tuple(  # type: ignore[return-value]
-            own + one / m.ratio_to(1) * (other * m.on_shaft(2) / m.ratio_from(1) + m.on_shaft(1) * m.ratio_from(1))
-            for one, other in ways
-        )
+        turn = m.ratio_from(1)
+        a, b, c = (own + one / m.ratio_to(1) * (other * m.on_shaft(2) / turn + m.on_shaft(1) * turn)
+                   for one, other in ways)  # fmt: skip
+        return a, b, c
 
     @property
     def slope(self) -> float:
@@ -208,5 +208,5 @@ def sizes_of(both: Iterable[Bends], moves: Iterable[BentMove]) -> Sizes:
     grown = [[abs(way.shaft(k, b)) for way in ways for b in (0.0, fastest, -fastest)] for k in (2, 1)]
     torque = max(abs(way.torque(b)) for way in ways for b in (0.0, fastest, -fastest))
     slope = max(max(way.slopes) for way in ways)
-    least = [max(max(one), LEAST) for one in grown]
-    return Sizes(fastest, *least, max(torque, LEAST), max(slope, LEAST / fastest))
+    force, behind = (max(max(one), LEAST) for one in grown)
+    return Sizes(fastest, force, behind, max(torque, LEAST), max(slope, LEAST / fastest))

@@ -29,13 +29,13 @@ class Move:
 
     @property
     def direction(self) -> float:
-        """1 forward, −1 backward, 0 for a dwell."""
-        return float(np.sign(self.phase.lift))
+        """1 forward, −1 backward, 0 for a dwell; 1 where it comes back to where it began."""
+        return float(np.sign(self.phase.lift)) or float(self.phase.moves)
 
     @property
     def per(self) -> float:
         """h/t², the acceleration where the law's a is 1."""
-        return self.phase.lift / self.phase.duration**2
+        return self.phase.scale / self.phase.duration**2
 
     @property
     def mean_square(self) -> float:
@@ -50,7 +50,7 @@ class Move:
     @property
     def gained(self) -> float:
         """∫a dt, the speed that it ends with less that it begins with."""
-        return (self.phase.law.end.v - self.phase.law.start.v) * self.phase.lift / self.phase.duration
+        return (self.phase.law.end.v - self.phase.law.start.v) * self.phase.scale / self.phase.duration
 
     @property
     def extremes(self) -> tuple[float, float, float]:

@@ -1,4 +1,4 @@
-"""A load over phases that begin and end at rest, without losses: mean squares in closed form, from C_a,rms."""
+"""A load over the phases of a cycle, without losses: mean squares in closed form, from C_a,rms."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ def at_shaft(phases: Sequence[Phase], ratio: float, speed: float = 1.0) -> list[
 
     ``ratio`` is the speed of the shaft over that of the load (rad/m or 1), ``speed`` that of the abscissa (1/s).
     """
-    return [Phase(p.law, p.lift * ratio, p.duration / speed) for p in phases]
+    return [p.told(ratio, speed) for p in phases]
 
 
 @dataclass(frozen=True)
 class LosslessCycle:
     """A load on a shaft, and phases of the shaft's motion (rad, in s).
 
-    The speed gained over a phase counts as none: where a phase does not begin and end at rest, the speed jumps, and
-    no torque could follow. Raises ValueError for no phases.
+    What resists and what accelerates do not correlate: ∫ sign(ω) ω̇ dt is what |ω| gains, and ω̇ gains nothing over a
+    cycle either, so long as no speed jumps, which no torque could follow. Raises ValueError for no phases.
     """
 
     load: Load
@@ -48,7 +48,7 @@ class LosslessCycle:
     @property
     def moving_shares(self) -> list[float]:
         """Share of the cycle that each phase moves in: none for a dwell."""
-        return [share if p.lift else 0.0 for share, p in zip(self.shares, self.phases, strict=True)]
+        return [share if p.moves else 0.0 for share, p in zip(self.shares, self.phases, strict=True)]
 
     @property
     def moving(self) -> float:

@@ -91,6 +91,12 @@ class PulseLaw(EndedLaw):
         return self.course.rise.outer != 0.0, self.course.fall.outer != 0.0
 
     @property
+    def early(self) -> int:
+        """How many of its pieces are of the first pulse."""
+        pieces = len(self.course.rise.pieces)
+        return pieces if self.STAGES is None else sum(k < pieces for k in self.STAGES)
+
+    @property
     def breaks(self) -> tuple[float, ...]:
         """The ends of all stages but the last."""
         c = self.course

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from engine.laws import Dwell
+from engine.laws import Dwell, Law
 from engine.laws.ends import EndedLaw, EndError, Ends, between, kind
 from engine.laws.straight_line import StraightLine
 from engine.motion.motion import Motion
@@ -23,12 +23,27 @@ class Rates(NamedTuple):
 
 @dataclass(frozen=True)
 class EndedPhase(Phase):
-    """A phase whose law has the lift in itself, as its ends are prescribed."""
+    """A phase whose law has the lift in itself, as its ends are prescribed; ``origin`` is the law that is named.
+
+    ``scale`` is what the law's s is multiplied by.
+    """
+
+    origin: Law
+    scale: float = 1.0
 
     @property
-    def scale(self) -> float:
-        """What the law's s is multiplied by: 1."""
-        return 1.0
+    def named(self) -> Law:
+        """The law as it is named: between two rests."""
+        return self.origin
+
+    @property
+    def moves(self) -> bool:
+        """Whether it moves: also where it comes back to where it began."""
+        return True
+
+    def told(self, ratio: float, speed: float) -> EndedPhase:
+        """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
+        return EndedPhase(self.law, self.lift * ratio, self.duration / speed, self.origin, self.scale * ratio)
 
 
 class Fault(NamedTuple):
@@ -38,25 +53,27 @@ class Fault(NamedTuple):
     reason: str
 
 
+class Side(NamedTuple):
+    """One end of a phase: what it has to meet, whether that is settled, and whether nothing lies beyond."""
+
+    asked: Rates
+    settled: bool
+    open: bool
+
+
 @dataclass(frozen=True)
 class Joined:
     """A motion of phases with the ends that their neighbours and the entries ask for.
 
     The laws that ``faults`` names are carried out between rests. ``kinds`` are the begin and the end of each phase
-    as VDI 2143 names them: R rest, G constant velocity, U reversal, B general motion.
+    as VDI 2143 names them: R rest, G constant velocity, U reversal, B general motion. ``asked`` is what each phase is
+    asked for at both ends.
     """
 
     motion: Motion
     faults: tuple[Fault, ...]
     kinds: tuple[tuple[str, str], ...]
-
-
-class _Side(NamedTuple):
-    """One end of a curved phase: what it has to meet, whether that is settled, and whether nothing lies beyond."""
-
-    asked: Rates
-    settled: bool
-    open: bool
+    asked: tuple[tuple[Side, Side], ...]
 
 
 def slope(phase: Phase) -> float | None:
@@ -81,7 +98,7 @@ def joined(
     themselves. Two straight lines keep their slopes: where these differ, the motion jumps.
     """
     entered = dict(through or {})
-    made, faults, kinds = [], [], []
+    made, faults, kinds, asked = [], [], [], []
     for k, phase in enumerate(phases):
         following = (k + 1) % len(phases) if periodic else k + 1
         before = phases[k - 1] if k or periodic else None
@@ -92,6 +109,7 @@ def joined(
             made.append(phase)
             faults += [Fault(k, reason) for reason in _contradictions(constant, (here, there))]
             kinds.append(_straight_kinds(constant))
+            asked.append((Side(Rates(constant), True, False),) * 2)
             continue
         sides = _side(before, here), _side(after, there)
         try:
@@ -100,19 +118,20 @@ def joined(
             made.append(phase)
             faults.append(Fault(k, str(error)))
         kinds.append(_kinds(made[-1], sides))
-    return Joined(Motion(made, start, position), tuple(faults), tuple(kinds))
+        asked.append(sides)
+    return Joined(Motion(made, start, position), tuple(faults), tuple(kinds), tuple(asked))
 
 
-def _side(neighbour: Phase | None, entered: Rates | None) -> _Side:
+def _side(neighbour: Phase | None, entered: Rates | None) -> Side:
     if neighbour is None:
-        return _Side(entered or Rates(), True, entered is None)
+        return Side(entered or Rates(), True, entered is None)
     constant = slope(neighbour)
     if constant is not None:
-        return _Side(Rates(constant), True, False)
-    return _Side(entered or Rates(), entered is not None, False)
+        return Side(Rates(constant), True, False)
+    return Side(entered or Rates(), entered is not None, False)
 
 
-def _between(phase: Phase, begin: _Side, end: _Side) -> Phase:
+def _between(phase: Phase, begin: Side, end: Side) -> Phase:
     """Return a curved phase between its ends; raise EndError if its law cannot have them."""
     d, law = phase.duration, phase.law
     if isinstance(law, EndedLaw):
@@ -120,7 +139,7 @@ def _between(phase: Phase, begin: _Side, end: _Side) -> Phase:
     one, other = begin.asked, end.asked
     ends = Ends(phase.lift, one.v * d, other.v * d, one.a * d**2, other.a * d**2, one.j * d**3, other.j * d**3)
     made, _ = between(law, ends)
-    return Phase(made, phase.lift, d) if ends.at_rest else EndedPhase(made, phase.lift, d)
+    return Phase(made, phase.lift, d) if ends.at_rest else EndedPhase(made, phase.lift, d, phase.law)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:
@@ -132,19 +151,17 @@ def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[st
 
 
 def _straight_kinds(constant: float) -> tuple[str, str]:
-    found = kind(constant, 0.0)
+    found = kind(abs(constant) and 1.0, 0.0)
     return found, found
 
 
-def _kinds(phase: Phase, sides: tuple[_Side, _Side]) -> tuple[str, str]:
+def _kinds(phase: Phase, sides: tuple[Side, Side]) -> tuple[str, str]:
     """Return the kinds of what is asked for at both ends; where nothing settles it, of what the law has there."""
-    law, d = phase.law, phase.duration
-    size = law.coefficients
+    v, a, d = phase.y1_max or 1.0, phase.y2_max or 1.0, phase.duration
     begin, end = (
-        kind(v / (size.cv or 1.0), a / (size.ca or 1.0))
-        for v, a in (
-            (side.asked.v * d, side.asked.a * d**2) if side.settled else at[1:3]
-            for side, at in zip(sides, (law.start, law.end), strict=True)
-        )
+        kind(side.asked.v / v, side.asked.a / a)
+        if side.settled
+        else kind(phase.scale * at.v / d / v, phase.scale * at.a / d**2 / a)
+        for side, at in zip(sides, (phase.law.start, phase.law.end), strict=True)
     )
     return begin, end

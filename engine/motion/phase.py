@@ -50,6 +50,20 @@ class Phase:
         return self.lift
 
     @property
+    def named(self) -> Law:
+        """The law as it is named: between two rests."""
+        return self.law
+
+    @property
+    def moves(self) -> bool:
+        """Whether it moves."""
+        return self.lift != 0.0
+
+    def told(self, ratio: float, speed: float) -> Phase:
+        """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
+        return Phase(self.law, self.lift * ratio, self.duration / speed)
+
+    @property
     def rate(self) -> float:
         """1/δ."""
         return 1.0 / self.duration

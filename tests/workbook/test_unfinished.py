@@ -156,7 +156,7 @@ def small(name):
     """The committed description, with tables as small as they may be."""
     data = tomllib.loads(TEMPLATES[name].description.read_text(encoding="utf-8"))
     data["sizes"] = data.get("sizes", {}) | SMALL
-    if name not in ("machine", "motion-composer", "indexing-overlap"):
+    if name not in ("machine", "motion-composer", "indexing-overlap", "motion-laws"):
         few = read_machine(TEMPLATES[name].description).selection.model_dump(exclude_none=True)
         data["selection"] = {entry: few[entry][:2] for entry in ("motors", "reducers")}
         data["sizes"] |= {"motors": 2, "reducers": 2}
@@ -212,6 +212,7 @@ EDITED = {
     "flying-cutter": [("fly_length", None, 0, 1.0), ("fly_inertia", None, 0, -1.0)],
     "indexing-overlap": [("tool1_dwell", None, 0, 300.0), ("overlap_rate", None, 0, None)],
     "actuator-sizing": [("act_eta_out", None, 0, 1.3), ("phases", "duration", 0, 0.0)],
+    "motion-laws": [("TVP_av", None, 0, 1.5), ("CIC_share", None, 0, 1.0)],
 }
 
 

@@ -21,10 +21,8 @@ def about_sheet(book: Book, purpose: str, key_results: list[Quantity]) -> None:
     sheet.print_columns = 13
     sheet.heading("How to use this book")
     for line in (
-        "1  Enter: change the cells in the style Input (orange on the sheets below). "
-        "Everything else follows, tables and charts too.",
-        "2  Look: results stand in the style Output; a check says OK or FAIL in words, "
-        "and each sheet repeats the overall verdict.",
+        "1  Enter: change the cells with a fill and blue figures. Everything else follows, tables and charts too.",
+        "2  Look: results stand in bold; a check says OK or FAIL in words, and each sheet repeats the overall verdict.",
         "3  Verify: save the book and run  motionbook verify BOOK.xlsx  - "
         "every formula cell is compared with an independent engine.",
         "The sheets are protected without a password: Review > Unprotect Sheet (LibreOffice: Tools > Protect Sheet).",

@@ -27,7 +27,7 @@ from typing import Any, NamedTuple
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.chart import Chart, in_scope
-from workbook.book.limits import Guard, Limit, RowRule, of_cells, of_rows
+from workbook.book.limits import COLUMN, Guard, Limit, RowRule, all_empty, of_cells, of_rows
 from workbook.book.quantity import Quantity, calc, check, constant, given, result, sentence
 from workbook.book.rows import as_rows
 
@@ -63,6 +63,8 @@ class Block:
     size: int
     title: str = ""
     is_table: bool = True
+    blank: str = ""
+    """of a table: the condition under which a row is not used, and shows nothing but its inputs"""
 
     @cached_property
     def columns(self) -> dict[str, int]:
@@ -83,14 +85,27 @@ class Block:
         column = self.columns[quantity]
         return span(top, column, bottom, column)
 
+    @property
+    def blanked(self) -> tuple[Quantity, ...]:
+        """The columns that show nothing in a row that is not used: neither inputs, nor what is wrong with these."""
+        return tuple(q for q in self.quantities if self.blank and q.role != "input" and q.name != COLUMN)
+
+    def unused(self, row: int) -> str:
+        """Return the condition of :attr:`blank` in a row of the sheet, as a formula."""
+        return self.sheet.book.resolve(f"={self.blank}", self).format(row, row - 1)
+
     def cells(self) -> Iterator[Cell]:
         """Yield the declared cells, column by column, with contents and the engine's values."""
+        for cells in self.by_column():
+            yield from cells
+
+    def by_column(self) -> Iterator[list[Cell]]:
+        """Yield the declared cells of each column."""
         for q, column in zip(self.quantities, self.columns.values(), strict=True):
             values = as_rows(q.value, self.size, f"{self.name}.{q.name}")
-            formulas = self._formulas(q)
-            for i in range(self.size):
-                content = values[i] if formulas is None else formulas[i]
-                yield Cell(self, q, i, self.row + i, column, content, values[i])
+            contents = zip(values, self._formulas(q) or values, strict=True)
+            rows = enumerate(contents)
+            yield [Cell(self, q, i, self.row + i, column, content, value) for i, (value, content) in rows]
 
     def _formulas(self, q: Quantity) -> list[str] | None:
         if q.formula is None:
@@ -197,28 +212,29 @@ class Sheet:
             self.book.checks.append((self, q))
 
     def table(
-        self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = ()
+        self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (), blank: str = ""
     ) -> Block:  # fmt: skip
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
 
         A table of inputs gets a column, and a check below, that tell which entries are beyond their limits or
-        break one of ``rules``.
+        break one of ``rules``. A row without any entry shows nothing, of other tables one for which ``blank`` holds.
         """
+        inputs = [q for q in quantities if q.role == "input"]
+        blank = blank or all_empty(inputs)
         watched = self._limited(quantities)
         if not watched:
-            return self._table(name, title, size, *quantities)
-        inputs = [q for q in quantities if q.role == "input"]
+            return self._table(name, title, size, blank, *quantities)
         label = f"{self.title}, {title.split(':')[0].split(';')[0]}: entries within their limits"
         rows = self.book.limit(inputs[0].key.partition(".*")[0])
         filled = rows is not None and rows.required
         guard, column, verdict = of_rows(in_scope(name, self.scope), size, label, inputs, watched, rules, filled)
-        block = self._table(name, title, size, *quantities, column)
+        block = self._table(name, title, size, blank, *quantities, column)
         self.book.guards.append(guard)
         self.checks(verdict)
         self.row += 1
         return block
 
-    def _table(self, name: str, title: str, size: int, *quantities: Quantity) -> Block:
+    def _table(self, name: str, title: str, size: int, blank: str, *quantities: Quantity) -> Block:
         self.texts.append(Text(self.row, FIRST, title, "subheading"))
         explained = any(q.source for q in quantities)
         for i, q in enumerate(quantities):
@@ -230,7 +246,8 @@ class Sheet:
                 self.texts.append(Text(self.row + 1 + k, FIRST + i, text, style))
         top = self.row + (4 if explained else 3)
         name = in_scope(name, self.scope)
-        block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title))
+        unused = in_scope(blank, self.scope)
+        block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
         self.row = top + size + 1
         return block
 

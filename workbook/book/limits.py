@@ -74,6 +74,12 @@ def of_cells(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -
     return guard, check(name, label, f"AND({condition})", True, says=says)
 
 
+def all_empty(inputs: Sequence[Quantity]) -> str:
+    """Return the condition that a row of a table has no entry at all; nothing of a table without inputs."""
+    empty = ",".join(f'[{q.name}]=""' for q in inputs)
+    return f"AND({empty})" if empty else ""
+
+
 def of_rows(
     table: str, rows: int, label: str, inputs: Sequence[Quantity], entries: Sequence[tuple[Quantity, Limit]],
     rules: Sequence[RowRule], filled: bool,
@@ -83,12 +89,11 @@ def of_rows(
     ``filled`` says that one row at least must be.
     """
     guard = Guard(f"{table}_{COLUMN}", tuple(entries), tuple(rules), table, rows)
-    empty = ",".join(f'[{q.name}]=""' for q in inputs)
     conditions = [*(limit.holds(f"[{q.name}]") for q, limit in entries), *(rule.condition for rule in rules)]
     first = "0"
     for number, condition in reversed(list(enumerate(conditions, 1))):
         first = f"IF({condition},{first},{number})"
-    column = calc(COLUMN, "beyond its limits", "", "", f"=IF(AND({empty}),0,{first})", 0, format="0;;",
+    column = calc(COLUMN, "beyond its limits", "", "", f"=IF({all_empty(inputs)},0,{first})", 0, format="0;;",
                   source="number of the entry")  # fmt: skip
     told = [(q.label, q.name, f"; expected {limit.expected}") for q, limit in entries]
     told += [(rule.words, rule.column, "") for rule in rules]

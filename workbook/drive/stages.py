@@ -99,6 +99,7 @@ def stages_table(sheet: Sheet, machine: Mechanism, element: str, wheel: str, eff
              "=[own]/[to]^2", [machine.at_motor(j, k) for k, j in enumerate(own, 1)],
              source="J_k/i_k², without losses"),
         constant("end", "the load's (1)", "", "", filled([0 for _ in range(1, n)], n, 1)),
+        blank='IF([end]=1,1,INDEX([@gears.ratio],[k]))=""',
     )  # fmt: skip
 
 

@@ -14,7 +14,9 @@ from openpyxl.worksheet.worksheet import Worksheet
 from workbook.book.declare import Book, Sheet
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
+from workbook.judging.shown.blank import Blanks
 from workbook.judging.shown.charts import drawn, paired
+from workbook.judging.shown.conditional import Rules
 from workbook.judging.structure import structure
 from workbook.reading.files import BookFile
 
@@ -70,11 +72,14 @@ def on_sheet(match: Match, sheet: Worksheet) -> dict[str, list[str]]:
     cells = sheet._cells.values()
     notes = [cell.coordinate for cell in cells if isinstance(cell, Cell) and cell.comment is not None]
     held = list(drawn(match, sheet.title))
-    known = {id(found) for _, found in paired(match, declared, held)}
-    charts = [chart.at.a1 for chart in held if id(chart) not in known]
+    paired_charts = {id(found) for _, found in paired(match, declared, held)}
+    charts = [chart.at.a1 for chart in held if id(chart) not in paired_charts]
+    own = Rules(sheet, lambda at: None)
+    known = Blanks(match, {sheet.title: own}).known
     rules = [
-        str(area.sqref) for area in sheet.conditional_formatting if any(not of_checks(rule) for rule in area.rules)
-    ]
+        str(area.sqref) for area in sheet.conditional_formatting
+        if any(id(rule) not in known and not of_checks(rule) for rule in area.rules)
+    ]  # fmt: skip
     return {"texts and numbers": kept, "notes": notes, "charts": charts, "conditional formats": rules}
 
 

@@ -224,7 +224,7 @@ def edged(stages: Stages, **stated: Any) -> Page:
     """Return the page of a family by its stages; ``stated`` is what else a page states."""
     return Page(
         pieces=stages.rows(), workings=stages.workings, coefficients=stages.coefficients(), fastest=stages.fastest,
-        shapes=stages.shapes(), **stated,
+        shapes=stages.shapes(), early=len(stages.forms(RISE)), **{"way": "=1", **stated},
     )  # fmt: skip
 
 

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -13,6 +14,7 @@ from typing import Any, NamedTuple
 from engine.laws import Entry, Law, Piece
 from engine.laws.base import Kinematics
 from engine.laws.entry import IncompleteError
+from engine.motion.handover import PULSES, early_of, way
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import Said, amount
 from workbook.entries.types import Model, Number, Positive
@@ -146,6 +148,10 @@ class Page:
     """the formula of its lowest velocity"""
     wrong: str = "=0"
     """the formula of the greatest step of v the wrong way: down before it is largest, up after it"""
+    way: str = "=0"
+    """the formula of how it meets neighbours that hand velocity over, as :func:`engine.motion.handover.way` says it"""
+    early: int = 0
+    """pieces of its first pulse, of a law of two pulses"""
     has_sheet: bool = True
     """whether its formulas stand in cells of its own, which other sheets refer to"""
     samples: str = "@samples"
@@ -250,12 +256,19 @@ class Page:
             wrong.append(f"pieces as many as the engine's {len(examples[0].as_pieces())}")
         if any((law.shapes() is None) != (self.shapes is None) for law in examples):
             wrong.append("shapes that the engine knows too")
+        if any((way(law), early_of(law)) not in self._meets() for law in examples):
+            wrong.append("how it meets its neighbours, as the engine has it")
         wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]
         wrong += [f"variations of {key}" for key in self._fields() if any(key not in v for v in self.variations)]
         if self.parameters and len(self.variations) < 2:
             wrong.append("two variations or more")
         if wrong:
             raise IncompleteError(f"the page of {entry.code} lacks {', '.join(wrong)}")
+
+    def _meets(self) -> list[tuple[int, int]]:
+        """Return the ways in which its formula may come out, with the number of early pieces."""
+        ways = [int(found) for found in re.findall(r"(?<=[=,])-?[0-9](?=$|[,)])", self.way)]
+        return [(one, self.early if one == PULSES else 0) for one in ways]
 
     def _fields(self) -> list[str]:
         """Return the entries of the family that are parameters of the law."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from math import isfinite
 
+from engine.motion import Phase
 from workbook.book.rows import filled
 from workbook.laws.entries import Laws
 
@@ -19,16 +20,21 @@ RMS = "IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)"
 AT_END = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},0)"
 
 
-def kind(given: str) -> str:
-    """Return the formula that names a phase: spare where its entry ``given`` is empty, else by law and lift."""
-    return f'=IF([{given}]="","spare",IF(OR([law]="DWL",[lift]=0),"dwell",IF([lift]>0,"rise","return")))'
+def kind(given: str, ends: str = "") -> str:
+    """Return the formula that names a phase: spare where its entry ``given`` is empty, else by law and lift.
+
+    ``ends`` is the table of what phases take from their neighbours, in books that have it: they may turn round.
+    """
+    still, other = "[lift]=0", '"return"'
+    if ends:
+        still, other = f"AND([lift]=0,INDEX([{ends}.mode],[k])=0)", 'IF([lift]<0,"return","turn")'
+    return f'=IF([{given}]="","spare",IF(OR([law]="DWL",{still}),"dwell",IF([lift]>0,"rise",{other})))'
 
 
-def kinds(laws: Sequence[str], lifts: Sequence[float], rows: int) -> list[str]:
+def kinds(phases: Sequence[Phase], rows: int) -> list[str]:
     """Return what each phase is, with the spare rows filled up."""
     used = [
-        "dwell" if law == "DWL" or lift == 0 else "rise" if lift > 0 else "return"
-        for law, lift in zip(laws, lifts, strict=True)
+        ("rise" if one.lift > 0 else "return" if one.lift < 0 else "turn") if one.moves else "dwell" for one in phases
     ]
     return filled(used, rows, "spare")
 

@@ -18,3 +18,5 @@ class Shared(LawSheet):
 SHARE = Parameter("@share", "Share of the time that accelerates", "λ", "share", "share λ", source="½: symmetric")
 SHARES = ({"share": 0.4}, {"share": 0.65}, {"share": 0.3})
 """other values of it"""
+POLYNOMIAL = "=IF(ABS(@share-1/2)<1E-12,{},0)"
+"""how a polynomial meets its neighbours: by its degree, unless a share shifts it"""

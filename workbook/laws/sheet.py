@@ -7,6 +7,7 @@ from typing import Any
 
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece_extremes import extremes_of, reach_of
+from engine.motion.handover import way
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.machine import Sizes
 from workbook.laws.library import NamedLaw
@@ -15,11 +16,13 @@ from workbook.laws.sampling import Pieces
 from workbook.laws.stack import Row
 
 
-def laws_sheet(book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces) -> None:
-    """Declare the sheet from which every axis evaluates its law."""
+def laws_sheet(
+    book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces, hands_over: bool = False
+) -> None:
+    """Declare the sheet from which every axis evaluates its law; ``hands_over`` where phases hand over at speed."""
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading("What comes out: the laws and their coefficients")
-    summary(sheet, laws, sizes)
+    summary(sheet, laws, sizes, hands_over)
     sheet.heading(
         "Workings: the stacked pieces",
         "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.",
@@ -32,8 +35,9 @@ def laws_sheet(book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Ro
     stack(sheet, rows, stacked.second_sine)
 
 
-def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes) -> None:
+def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
     """Declare the table of laws: name, coefficients, values at both ends."""
+    ends = meeting(laws) if hands_over else []
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
         formulas = [one.own(one.page.coefficient(name)) for one in laws]
@@ -77,13 +81,25 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes) -> None:
                [one.own(one.page.reached(end)) for one in laws],
                [reach_of(one.law.as_pieces(), one.law.start.v)[i] for one in laws])
           for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
+        *ends,
     )  # fmt: skip
     sheet.book.name(
         "laws", law_name="name", law_no="no", law_code="code",
         law_cv="cv", law_ca_max="ca_max", law_ca_min="ca_min", law_ca_rms="ca_rms", law_cj="cj",
         law_va_max="va_max", law_va_min="va_min", law_start="start", law_v_low="v_low", law_wrong="wrong",
         law_low="low", law_high="high", law_s0="s0", law_s1="s1", law_v0="v0", law_v1="v1", law_a0="a0", law_a1="a1",
+        **({"law_way": "way", "law_early": "early"} if ends else {}),
     )  # fmt: skip
+
+
+def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
+    """Return the columns of how laws meet neighbours that hand velocity over to them."""
+    return [
+        calc("way", "meets its neighbours' velocity", "", "",
+             [one.own(one.page.way) for one in laws], [way(one.law) for one in laws], format="0",
+             source="−1 has one, 0 cannot, 1 by two pulses, 3, 5, 7 by a polynomial"),
+        constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws]),
+    ]  # fmt: skip
 
 
 SECOND = {"piece_P2": "P2", "piece_omega2": "omega2", "piece_phi2": "phi2", "piece_ps2": "ps2", "piece_pv2": "pv2"}

@@ -18,8 +18,8 @@ LAW_SIZES = {"law": (f"{PAGED[0]}_samples", 1), "own_law": ("OWN_points", 1), "p
 class LawShelf:
     """The motion laws of a book: the engine's laws by name, and the stack of pieces in which sheets look them up."""
 
-    def __init__(self, given: Laws, sizes: Sizes) -> None:
-        self.given, self.sizes = given, sizes
+    def __init__(self, given: Laws, sizes: Sizes, hands_over: bool = False) -> None:
+        self.given, self.sizes, self.hands_over = given, sizes, hands_over
         self.named = named(given)
         self.laws = {one.name: one.law for one in self.named}
         self.rows = stacked(self.named, sizes)
@@ -30,4 +30,4 @@ class LawShelf:
         for one in self.named:
             if one.page.has_sheet:
                 law_sheet(book, one, self.sizes, self.stack)
-        laws_sheet(book, self.named, self.sizes, self.rows, self.stack)
+        laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)

@@ -30,7 +30,8 @@ class Cells:
     samples are in degrees, and the motion per radian; ``near`` is then what says how near to a begin counts as on it.
     In units of its own a motion may be of any length: a sample finds its piece by the share of the whole. With
     ``drifts``, phases have a column ``drift``, a velocity that is added; with ``opens``, one of where they begin, if in
-    the middle of a piece.
+    the middle of a piece. ``ends`` is the table of what phases take from their neighbours, in books that have it,
+    ``peaks`` the columns of the greatest |y'| and |y''| of a phase.
     """
 
     phases: str
@@ -43,10 +44,31 @@ class Cells:
     near: str = ""
     drifts: bool = False
     opens: bool = False
+    ends: str = ""
+    peaks: tuple[str, str] = ("y1", "y2")
 
     def of_phase(self, column: str) -> str:
         """Return the formula of a figure of a piece's phase."""
         return f"INDEX([{self.phases}.{column}],[p])"
+
+    def of_end(self, column: str) -> str:
+        """Return the formula of a figure of what a piece's phase takes from its neighbours."""
+        return f"INDEX([{self.ends}.{column}],[p])"
+
+    @property
+    def lift(self) -> str:
+        """The formula of what the law of a piece is multiplied by."""
+        return "[hp]" if self.ends else self.of_phase("h")
+
+    @property
+    def base(self) -> str:
+        """The formula of the position that the law of a piece is counted from."""
+        return "[base]" if self.ends else self.of_phase("y0")
+
+    @property
+    def drift(self) -> str:
+        """The formula of the velocity that is added on a piece; empty where none is."""
+        return "[drift]" if self.ends else self.of_phase("drift") if self.drifts else ""
 
     def of_piece(self, column: str, q: str) -> str:
         """Return the formula of a figure of the piece that a sample has found."""
@@ -168,7 +190,7 @@ def rows_of(
     pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]
     numbers, rates = filled([], room, 1), filled([], room)
     for row, phase in zip(taken, motion.phases, strict=True):
-        numbers[row], rates[row] = number_of(stack, phase.law), phase.rate
+        numbers[row], rates[row] = number_of(stack, phase.named), phase.rate
     firsts = [stack.first[number] for number in numbers]
     rows = [firsts[piece.phase] + piece.number for piece in pieces]
     return PieceRows(at, stack, pieces, rows, numbers, firsts, rates, *motion.edges[[0, -1]].tolist())

@@ -28,7 +28,10 @@ Sizes = Callable[[int], float]
 
 def phase_columns(rows: PieceRows) -> list[Quantity]:
     """Return the columns by which a table of phases tells where its pieces are."""
-    return phase_table_columns(rows, FIRST, f"=IF([span]>0,{last_before('[no]', '1')}-[first]+1,0)")
+    count = f"{last_before('[no]', '1')}-[first]+1"
+    if rows.at.ends:
+        count = f"IF(INDEX([{rows.at.ends}.mode],[k])>1,1,{count})"
+    return phase_table_columns(rows, FIRST, f"=IF([span]>0,{count},0)")
 
 
 def phase_table_columns(rows: PieceRows, first: str | Sequence[str], pieces: str | Sequence[str]) -> list[Quantity]:
@@ -59,13 +62,15 @@ def room_check(name: str, at: Cells, number: int = 1, of: str = "") -> Quantity:
 
 
 def pieces_table(
-    sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity
+    sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity,
+    taken: Sequence[Quantity] = (),
 ) -> None:  # fmt: skip
-    """Declare the table of a motion's pieces, and ``more`` columns."""
+    """Declare the table of a motion's pieces, and ``more`` columns; ``taken`` are those of what a piece takes over."""
     at = rows.at
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
     length = f"DEGREES({span})" if at.degrees else span
     unit = DEGREE if at.degrees else 1.0
+    lasting = f"IF({at.of_end('mode')}>1,1,{of_law('d')})" if at.ends else of_law("d")
 
     def of(figure: Callable[[MotionPiece], float]) -> list[float]:
         return rows.column(figure, room)
@@ -93,36 +98,39 @@ def pieces_table(
         begins("begin", "begins at", begin, lambda piece: piece.begin),
         *opened,
         *([] if at.degrees else [share]),
-        calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{of_law('d')})",
+        calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{lasting})",
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
+        *taken,
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
         *more,
+        blank=f"[r]>{at.count}",
     )  # fmt: skip
 
 
 def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
     """Return a coefficient of the polynomial."""
     at = rows.at
-    h, per = at.of_phase("h"), at.of_phase("rate")
+    h, per, velocity = at.lift, at.of_phase("rate"), at.drift
     if i == 0:
-        drift = f"+{at.of_phase('drift')}*{at.of_phase('span')}*{of_law('xi')}" if at.drifts else ""
+        drift = f"+{velocity}*{at.of_phase('span')}*{of_law('xi')}" if velocity else ""
         sines = "".join(f"-[A{one.mark}]*SIN([ph{one.mark}])" for one in rows.sines)
-        formula, source = f"={at.of_phase('y0')}+{h}*{of_law('s')}{drift}{sines}", "y_0 + h s_k − A sin φ"
+        formula, source = f"={at.base}+{h}*{of_law('s')}{drift}{sines}", "y_0 + h s_k − A sin φ"
     elif i == 1:
-        drift = f"+{at.of_phase('drift')}" if at.drifts else ""
+        drift = f"+{velocity}" if velocity else ""
         sines = "".join(f"-[A{one.mark}]*[om{one.mark}]*COS([ph{one.mark}])" for one in rows.sines)
         formula, source = f"={h}*{of_law('v')}*{per}{drift}{sines}", "h v_k/δ − A ω cos φ"
     else:
         share = perm(i, 2)
-        formula, source = f"={h}*{of_law(f'c{i - 2}')}/{share}*{per}^{i}", f"h c{i - 2}/({share} δ^{i})"
+        own, source = f"{h}*{of_law(f'c{i - 2}')}/{share}", f"h c{i - 2}/({share} δ^{i})"
+        formula = f"=({own}+{at.of_end(f'e{i}')})*{per}^{i}" if at.ends else f"={own}*{per}^{i}"
     return calc(f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, of(lambda piece: piece.c[i]), scale=sizes(i),
                 source=source)  # fmt: skip
 
 
 def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, Quantity, Quantity]:
     """Return amplitude, frequency and phase of a sine."""
-    h, per, words = at.of_phase("h"), at.of_phase("rate"), " of the second sine" if one.mark else ""
+    h, per, words = at.lift, at.of_phase("rate"), " of the second sine" if one.mark else ""
     return (
         calc(f"A{one.mark}", f"amplitude{words}", f"A{one.mark}", at.y,
              f"=0-{h}*{of_law(one.ps)}", of(lambda piece: piece.sines[k][0]), scale=sizes(0), source="−h P/ω²"),

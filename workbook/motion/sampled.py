@@ -43,6 +43,19 @@ def derivative(rows: PieceRows, order: int, suffix: str = "") -> str:
     return text + "".join(_sine(at, order, mark, q, u, suffix) for *_, mark in rows.sines)
 
 
+def in_piece(rows: PieceRows, order: int, u: str) -> str:
+    """Return the formula, without its =, of a derivative of a piece in its own row; ``u`` is empty at its begin."""
+    text, highest = "", rows.powers - 1 if u else order
+    for i in range(highest, order - 1, -1):
+        share = perm(i, order)
+        scaled = f"[c{i}]" if share == 1 else f"{share}*[c{i}]"
+        text = f"{scaled}+{u}*({text})" if text else scaled
+    for *_, mark in rows.sines:
+        x = f"[om{mark}]*{u}+[ph{mark}]" if u else f"[ph{mark}]"
+        text += TURNED[order].format(A=f"[A{mark}]", om=f"[om{mark}]", x=x)
+    return f"({text})"
+
+
 def _sine(at: Cells, order: int, mark: str, q: str, u: str, suffix: str) -> str:
     a, om, ph = (at.of_piece(f"{name}{mark}", q) for name in ("A", "om", "ph"))
     x = f"{om}*{u}+{ph}" if mark else f"[x{suffix}]"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from math import perm
 from typing import Any
 
 from engine.motion import Motion
@@ -16,7 +15,7 @@ from workbook.book.sentence import Said, figure, figure_of
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.asked import ABOUT, Smoothness
 from workbook.motion.cells import PieceRows
-from workbook.motion.sampled import TURNED
+from workbook.motion.sampled import in_piece
 
 RATES = ("v", "a", "j")
 WORDS = ",".join(f'"{word}"' for word in ORDERS)
@@ -84,7 +83,7 @@ class Joints:
         first = f"[{table}.{{0}}1.last]" if not wraps else f"IF({wraps},[{table}.{{0}}1.last],{{1}})"
         ends = [
             calc(f"{name}1", f"{word} reached", "", "",
-                 f"=IF([d]>0,{self._value(n, '[d]')},IF([r]=1,0,[{name}1-1]))",
+                 f"=IF([d]>0,{in_piece(self.rows, n, '[d]')},IF([r]=1,0,[{name}1-1]))",
                  of(partial(ended, n), last.end[n - 1]), scale=scales[n - 1],
                  source="at its end")
             for n, (name, word) in enumerate(zip(RATES, ORDERS, strict=True), 1)
@@ -94,7 +93,7 @@ class Joints:
                  f"=IF([d]>0,{begin}-IF([n]=1,{first.format(name, begin)},INDEX([{table}.{name}1],[r]-1)),0)",
                  of(partial(jumped, n), 0.0), scale=scales[n - 1], source="at its begin")
             for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, ("'", "''", "'" "''"), strict=True), 1)
-            for begin in [self._value(n, "")]
+            for begin in [in_piece(self.rows, n, "")]
         ]  # fmt: skip
         return [
             calc("n", "pieces that last, so far", "", "",
@@ -113,18 +112,6 @@ class Joints:
             calc("size", "by how much", "", "",
                  "=CHOOSE([order]+1,0,[dv],[da],[dj])", of(lambda joint: joint.size, 0.0), scale=max(scales)),
         ]  # fmt: skip
-
-    def _value(self, order: int, u: str) -> str:
-        """Return the formula of a derivative at the begin of a piece, or at its end, ``[d]``."""
-        text, highest = "", self.rows.powers - 1 if u else order
-        for i in range(highest, order - 1, -1):
-            share = perm(i, order)
-            scaled = f"[c{i}]" if share == 1 else f"{share}*[c{i}]"
-            text = f"{scaled}+{u}*({text})" if text else scaled
-        for *_, mark in self.rows.sines:
-            x = f"[om{mark}]*{u}+[ph{mark}]" if u else f"[ph{mark}]"
-            text += TURNED[order].format(A=f"[A{mark}]", om=f"[om{mark}]", x=x)
-        return f"({text})"
 
     def _order(self) -> str:
         v, a = self.asked.largest

@@ -50,6 +50,7 @@ def ranking(sheet: Sheet, view: Choosing) -> None:
         result("reducer", "reducer", "", "",
                '=IF([at]>0,INDEX([reducers.name],INDEX([pairs.r],[at])),"–")',
                filled(reducer_names, BEST, "–"), align="left"),
+        blank="[at]=0",
     )  # fmt: skip
 
 

@@ -1,58 +1,77 @@
-"""How cells look: Excel's own cell styles for inputs, workings, results and checks, so that a theme restyles them."""
+"""How cells look: cell styles of our own, by name, so that a reader can restyle each kind in one place.
+
+Colour says one thing: a fill and blue figures are an entry's alone, a verdict is a word on a pale field, else is ink.
+"""
 
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
+from typing import Any, Literal, NamedTuple
 
 from openpyxl import Workbook
 from openpyxl.formatting.rule import Rule
-from openpyxl.styles import Alignment, Font, PatternFill, Protection
+from openpyxl.styles import Alignment, Border, Font, NamedStyle, PatternFill, Protection, Side
 from openpyxl.styles.differential import DifferentialStyle
+from openpyxl.styles.numbers import NumberFormat
 from openpyxl.worksheet.worksheet import Worksheet
 
-from workbook.book.declare import Quantity
+from workbook.book.declare import Block, Quantity
 
-GRID = "D9D9D9"
+INK, GREY, RULE, GRID = "1F2937", "6B7280", "D1D5DB", "E5E7EB"
+ENTRY, FIGURE, DOTS = "FFF8E1", "0B57A4", "D9B65C"
+NOTHING, NOTHING_ID = ";;;", 900  # a number format that shows nothing; its number is beyond those that programs give
+VERDICTS = (("OK", "166534", "DCFCE7"), ("FAIL", "991B1B", "FEE2E2"))
 
 
-def font(**more: Any) -> Font:
+def font(size: float = 11, color: str = INK, **more: Any) -> Font:
     """Return the book's own font; openpyxl's bare Font names none, and each program then takes another."""
-    return Font(name="Calibri", size=11, **more)
+    return Font(name="Calibri", size=size, color=color, **more)
 
 
-CELL_STYLES = {
-    "input": "Input",
-    "calculation": "Calculation",
-    "result": "Output",
-    "check": "Check Cell",
-    "constant": "Explanatory Text",
-    "sentence": "Explanatory Text",
+def line(colour: str, style: Literal["thin", "dotted"] = "thin") -> Border:
+    """Return a border of a line below."""
+    return Border(bottom=Side(style=style, color=colour))
+
+
+class Kind(NamedTuple):
+    """A kind of cell: the name of its style, and how it looks."""
+
+    name: str
+    font: Font
+    alignment: Alignment | None = None
+    fill: PatternFill | None = None
+    border: Border | None = None
+
+    def style(self) -> NamedStyle:
+        """Return it as a cell style of a file."""
+        look = NamedStyle(self.name, font=self.font)
+        look.alignment, look.fill = self.alignment or look.alignment, self.fill or look.fill
+        look.border = self.border or look.border
+        return look
+
+
+ROLES = {
+    "input": Kind("Entry", font(color=FIGURE), None, PatternFill("solid", fgColor=ENTRY), line(DOTS, "dotted")),
+    "calculation": Kind("Working", font()),
+    "result": Kind("Result", font(bold=True)),
+    "check": Kind("Verdict", font(bold=True)),
+    "constant": Kind("Constant", font(color=GREY)),
+    "sentence": Kind("Finding", font(10, GREY)),
 }
-TEXT_STYLES: dict[str, dict[str, Any]] = {
-    "title": {"style": "Title"},
-    "heading": {"style": "Headline 2"},
-    "subheading": {"style": "Headline 4"},
-    "label": {},
-    "symbol": {"font": font(italic=True), "alignment": Alignment(horizontal="center")},
-    "unit": {"alignment": Alignment(horizontal="left", indent=1)},
-    "note": {"style": "Explanatory Text"},
-    "link": {"style": "Hyperlink"},
-    "header": {
-        "font": font(bold=True),
-        "fill": PatternFill("solid", fgColor="DDEBF7"),
-        "alignment": Alignment(wrap_text=True, horizontal="center", vertical="center"),
-    },
-    "units": {
-        "font": font(italic=True),
-        "fill": PatternFill("solid", fgColor="DDEBF7"),
-        "alignment": Alignment(horizontal="center"),
-    },
-    "equation": {
-        "style": "Explanatory Text",
-        "alignment": Alignment(wrap_text=True, horizontal="center", vertical="top"),
-    },
-}
+TEXTS = {
+    "title": Kind("Book title", font(18, bold=True)),
+    "heading": Kind("Section", font(13, bold=True), None, None, line(INK)),
+    "subheading": Kind("Table title", font(bold=True)),
+    "label": Kind("Label", font()),
+    "symbol": Kind("Symbol", font(color=GREY, italic=True), Alignment(horizontal="center")),
+    "unit": Kind("Unit", font(color=GREY), Alignment(horizontal="left", indent=1)),
+    "note": Kind("Note", font(10, GREY)),
+    "link": Kind("Link", font(underline="single")),
+    "header": Kind("Table head", font(10, GREY, bold=True),
+                   Alignment(wrap_text=True, horizontal="center", vertical="bottom")),
+    "units": Kind("Table units", font(10, GREY, italic=True), Alignment(horizontal="center"), None, line(RULE)),
+    "equation": Kind("Table equation", font(9, GREY), Alignment(wrap_text=True, horizontal="center", vertical="top")),
+}  # fmt: skip
 
 
 class Styles:
@@ -61,6 +80,8 @@ class Styles:
     def __init__(self, workbook: Workbook) -> None:
         self._scratch = workbook.create_sheet("scratch")
         self._workbook = workbook
+        for kind in (*ROLES.values(), *TEXTS.values()):
+            workbook.add_named_style(kind.style())
         self.quantity = cache(self._quantity)
         self.text = cache(self._text)
 
@@ -68,9 +89,10 @@ class Styles:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
-    def _quantity(self, role: str, number_format: str, align: str) -> int:
+    def _quantity(self, role: str, number_format: str, align: str, table: bool) -> int:
         cell = self._scratch.cell(1, 1)
-        cell.style = CELL_STYLES[role]  # first: it resets number format and protection
+        kind = "calculation" if table and role == "result" else role  # a whole page in bold stands out of nothing
+        cell.style = ROLES[kind].name  # first: it resets number format and protection
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
         cell.alignment = Alignment(horizontal=align)
@@ -78,11 +100,7 @@ class Styles:
 
     def _text(self, kind: str) -> int:
         cell = self._scratch.cell(1, 1)
-        settings = TEXT_STYLES[kind]
-        cell.style = settings.get("style", "Normal")
-        for attribute in ("font", "fill", "alignment"):
-            if attribute in settings:
-                setattr(cell, attribute, settings[attribute])
+        cell.style = TEXTS[kind].name
         return int(cell.style_id)
 
 
@@ -97,7 +115,16 @@ def alignment(q: Quantity, value: Any, table: bool) -> str:
 
 def mark_checks(sheet: Worksheet, cells: str) -> None:
     """Colour OK and FAIL in ``cells``; the words stay, so the colour is not the only sign."""
-    for word, ink, ground in (("OK", "006100", "C6EFCE"), ("FAIL", "9C0006", "FFC7CE")):
+    for word, ink, ground in VERDICTS:
         look = DifferentialStyle(font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid"))
         rule = Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look)
         sheet.conditional_formatting.add(cells, rule)
+
+
+def blank_unused(sheet: Worksheet, block: Block) -> None:
+    """Let the cells of a table show nothing in a row that is not used: the formulas stay."""
+    cells = " ".join(block.reference(q.name).replace("$", "") for q in block.blanked)
+    if cells:
+        look = DifferentialStyle(numFmt=NumberFormat(NOTHING_ID, NOTHING))
+        formula = block.unused(block.row).removeprefix("=")
+        sheet.conditional_formatting.add(cells, Rule(type="expression", formula=[formula], dxf=look))

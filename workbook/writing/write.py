@@ -109,7 +109,9 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
     looks: dict[str, int] = {}
     for q in block.quantities:
         seen = sample(q)
-        looks[q.name] = styles.quantity(q.role, number_format(q, seen), style.alignment(q, seen, block.is_table))
+        looks[q.name] = styles.quantity(
+            q.role, number_format(q, seen), style.alignment(q, seen, block.is_table), block.is_table
+        )
     for _, q, _, row, column, content, value in block.cells():
         if q.formula is None:
             cells.put(row, column, looks[q.name], content)
@@ -118,6 +120,7 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
     for q in block.quantities:
         if q.role == "check":
             style.mark_checks(page, block.reference(q.name).replace("$", ""))
+    style.blank_unused(page, block)
 
 
 def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:

@@ -439,7 +439,7 @@ def test_odd_formulas_are_findings(formula, book):
 
 
 def test_a_style_out_of_range_leaves_the_output_clean(book, capsys):
-    change = sub(rb'<cellStyle name="Input"[^>]*>', b'<cellStyle name="Input" xfId="99"/>')
+    change = sub(rb'<cellStyle name="Entry"[^>]*>', b'<cellStyle name="Entry" xfId="99"/>')
     assert "IndexError" in refused(book({"xl/styles.xml": change}))
     assert capsys.readouterr().out == ""
 

@@ -15,7 +15,7 @@ from workbook.judging.verify import verify
 from workbook.reading.contents import Contents
 from workbook.reading.entries import checked, counted, read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 
 formualizer = pytest.importorskip("formualizer")
 CUTTING, OVERLAP = TEMPLATES["cutting-machine"], TEMPLATES["indexing-overlap"]
@@ -144,7 +144,7 @@ def test_a_sheet_takes_a_law_and_an_axis_in_any_case(small, tmp_path):
     workbook = openpyxl.load_workbook(path)
     cells = [cell for title in ("Timing", "Drive") for row in workbook[title].iter_rows() for cell in row]
     typed = {"Timing": ("MTP", "DWL"), "Drive": ("MC01",)}
-    changed = [cell for cell in cells if cell.style == "Input" and cell.value in typed[cell.parent.title]]
+    changed = [cell for cell in cells if cell.style == "Entry" and cell.value in typed[cell.parent.title]]
     assert len(changed) > 5
     for cell in changed:
         cell.value = cell.value.lower()

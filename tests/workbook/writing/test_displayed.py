@@ -11,6 +11,7 @@ import pytest
 
 from tests.mutation.bench import smaller
 from tests.workbook.writing.displayed import Displayed
+from workbook.book.rows import as_rows
 from workbook.judging.compare import TOLERANCE
 from workbook.reading.entries import read_machine
 from workbook.template import FOLDER
@@ -109,6 +110,23 @@ def test_checks_have_the_colour_of_their_word(shown):
         found.setdefault(cell.expected, set()).add(tuple(displayed.coloured(sheet.title, cell.row, cell.column)))
     assert set(found) <= {"OK", "FAIL"}
     assert all(len(formats) == 1 and formats != {()} for formats in found.values())
+
+
+def test_unused_rows_show_their_inputs_alone(shown):
+    """Where nothing is entered in a row its cells are hidden by one rule; where something is, they are not."""
+    book, _, displayed = shown
+    tables = 0
+    for block in book.blocks.values():
+        inputs = [q for q in block.quantities if q.role == "input"]
+        if not (block.blanked and inputs):
+            continue
+        tables += 1
+        rows = list(zip(*(as_rows(q.value, block.size, q.name) for q in inputs), strict=True))
+        for cell in (cell for cell in block.cells() if cell.quantity.role != "check"):
+            hidden = displayed.coloured(block.sheet.title, cell.row, cell.column) != []
+            unused = cell.quantity in block.blanked and all(value in (None, "") for value in rows[cell.i])
+            assert hidden == unused, (block.name, cell.quantity.name, cell.i)
+    assert tables > 0
 
 
 def test_each_chart_shows_the_columns_that_are_declared_for_it(shown):

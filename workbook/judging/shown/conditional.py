@@ -42,6 +42,11 @@ class Placed(NamedTuple):
     rule: Rule
     ranges: tuple[tuple[int, int, int, int], ...]
 
+    @property
+    def top(self) -> int:
+        """The row for which the formulas of the rule are written."""
+        return min(top for top, *_ in self.ranges)
+
     def covers(self, row: int, column: int) -> bool:
         """Whether the rule covers a cell."""
         return any(top <= row <= bottom and left <= column <= right for top, left, bottom, right in self.ranges)
@@ -116,7 +121,7 @@ class Rules:
             area = reference(text.strip(), self._sheet, lambda name, sheet: Area(name[:-1], 1, 1, 1, 1, single=True))
         except FormulaError:
             return None
-        top, left = min(r[0] for r in one.ranges), min(r[1] for r in one.ranges)
+        top, left = one.top, min(r[1] for r in one.ranges)
         cell = text.rpartition("!")[2]
         row = area.top if re.search(r"\$[0-9]", cell) else area.top + at.row - top
         column = area.left if cell.startswith("$") else area.left + at.column - left

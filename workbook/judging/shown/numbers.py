@@ -7,6 +7,7 @@ from typing import Any
 from workbook.book.formats import number_format, sample
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Report
+from workbook.judging.shown.blank import Blanks
 from workbook.judging.shown.conditional import Rules
 from workbook.judging.shown.formats import plain, problem
 from workbook.reading.contents import Cells
@@ -15,6 +16,8 @@ from workbook.reading.contents import Cells
 def numbers(match: Match, values: Cells, rules: dict[str, Rules], report: Report) -> None:
     """Enter the cells whose number format tells something else than their values."""
     sheets = {sheet.title: sheet for sheet in match.file.workbook.worksheets}
+    blanks = Blanks(match, rules)
+    blanks.gone(report)
     zeros = {title for title, sheet in sheets.items() if sheet.sheet_view.showZeros is False}
     codes: dict[int, str] = {}
     for pair in match.pairs:
@@ -33,7 +36,8 @@ def numbers(match: Match, values: Cells, rules: dict[str, Rules], report: Report
         said = "hidden with all zeros" if value == 0 and value is not False and title in zeros else ""
         said = said or wrong(pair, value, code)
         for held in rules[title].formats_of(pair.address, value):
-            said = said or wrong(pair, value, held)
+            if not blanks.allow(pair.cell.block, pair.cell.quantity.name, pair.address, held):
+                said = said or wrong(pair, value, held)
         if said:
             report.say(pair.address, "shown", f"{shown(value)}, {said}", shown(value), pair.what)
 

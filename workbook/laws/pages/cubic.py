@@ -2,7 +2,7 @@
 
 from engine.laws.cubic import Cubic
 from workbook.laws.edged import LINE_IN, Stage, Stages, edged, law_of
-from workbook.laws.shared import SHARE, SHARES, Shared
+from workbook.laws.shared import POLYNOMIAL, SHARE, SHARES, Shared
 
 STAGES = Stages({3: Stage(LINE_IN, "=@share"), 5: Stage(LINE_IN, "=1-@share")})  # fmt: skip
 
@@ -14,4 +14,5 @@ PAGE = edged(
     made=law_of(Cubic, "share"),
     parameters=(SHARE,),
     variations=SHARES,
+    way=POLYNOMIAL.format(3),
 )

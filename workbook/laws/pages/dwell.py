@@ -14,4 +14,5 @@ PAGE = Page(
     coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS},
     fastest="=0",
     shapes=ShapeFormulas(),
+    way="=-1",
 )

@@ -342,4 +342,5 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
              f"+{d}*ABS(INDEX([@pieces.c3],[k]))))+ABS(INDEX([@pieces.P],[k])))", found.sizes),
         calc("slow", "loses velocity", "", "",
              "=IF([gain_v]<0-@least,1,0)", [float(slow) for slow in found.slows], format="0"),
+        blank='INDEX([@pieces.d],[k])=""',
     )  # fmt: skip

@@ -3,7 +3,7 @@
 from engine.laws.polynomial_345 import Polynomial345
 from workbook.laws.edged import law_of
 from workbook.laws.family import Page, PieceRow
-from workbook.laws.shared import SHARE, SHARES, Shared
+from workbook.laws.shared import POLYNOMIAL, SHARE, SHARES, Shared
 
 PAGE = Page(
     title="Polynomial 3-4-5",
@@ -28,5 +28,6 @@ PAGE = Page(
         "va_min": ("=0-6075/(686*SQRT(7)*(1-@share))", "by symmetry, over 2μ"),
     },
     fastest="=@share",
+    way=POLYNOMIAL.format(5),
     shapes=None,
 )  # fmt: skip

@@ -3,7 +3,7 @@
 from engine.laws.polynomial_4567 import Polynomial4567
 from workbook.laws.edged import law_of
 from workbook.laws.family import Page, PieceRow
-from workbook.laws.shared import SHARE, SHARES, Shared
+from workbook.laws.shared import POLYNOMIAL, SHARE, SHARES, Shared
 
 PAGE = Page(
     title="Polynomial 4-5-6-7",
@@ -28,5 +28,6 @@ PAGE = Page(
         "va_min": ("=0-58800/2048*(10/11)^5/(SQRT(11)*(1-@share))", "by symmetry, over 2μ"),
     },
     fastest="=@share",
+    way=POLYNOMIAL.format(7),
     shapes=None,
 )  # fmt: skip

@@ -14,5 +14,6 @@ PAGE = Page(
     start="=1",
     lowest="=1",
     rests=False,
+    way="=-1",
     single=False,
 )

@@ -62,5 +62,7 @@ PAGE = Page(
         "va_min": ("=@cv*@ca_min", "at α_w"),
     },
     fastest="=@av",
+    way="=1",
+    early=1,
     shapes=ShapeFormulas(flat_up="=@av", flat_down="=1-@aw"),
 )  # fmt: skip

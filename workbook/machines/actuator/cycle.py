@@ -78,6 +78,7 @@ def extremes(sheet: Sheet, machine: Sized) -> None:
              "=INDEX([phases.base],[p])", spread(resists(machine)), scale=sides.force),
         *through([of_shaft(k) for k in range(machine.mechanism.last + 1)], sides),
         constant("part", "part", "", "", [part + 1 for _, part in rows]),
+        blank='INDEX(phase_times,[p])=""',
     )  # fmt: skip
 
 

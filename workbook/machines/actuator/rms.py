@@ -120,6 +120,7 @@ def turns(sheet: Sheet, machine: Sized, sampled: Sequence[NamedLaw]) -> None:
              "=[per]*IF([sign]>0,0-INDEX(law_ca_min,[no]),INDEX(law_ca_max,[no]))", of(lambda p: p.peak), scale=a),
         *shares(machine),
         *(column for stage in range(machine.mechanism.last) for column in stage_columns(machine, stage, sampled)),
+        blank='INDEX(phase_times,[k])=""',
     )  # fmt: skip
 
 

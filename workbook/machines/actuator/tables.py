@@ -43,9 +43,10 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
     laws, lifts = [p.law for p in entered], [p.lift for p in entered]
     moved, total = machine.sizing.motion, machine.sizing.motion.total
     torques = list(zip(*machine.part_torques, strict=True))
+    sheet.book.name("phases", phase_times="duration")
     sheet.table(
         "phases", FILL, n,
-        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(laws, lifts, n)),
+        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(moved.phases, n)),
         given("law", "law", "", "", filled(laws, n, None), "actuator.phases.*.law", choices="=law_code"),
         given("lift", "lift", "h", "mm or °", filled(lifts, n, None), "actuator.phases.*.lift", format="0.0##"),
         given("duration", "duration", "t", "s",

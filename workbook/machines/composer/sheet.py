@@ -2,25 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from engine.motion import Junction
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount
-from workbook.entries.phase import AT_REST
 from workbook.laws import phases as joined
+from workbook.machines.composer.phases import PER, PER2, PER3, phases
 from workbook.machines.composer.view import Composition
 from workbook.motion.asked import ABOUT as CONTINUOUS
 from workbook.motion.cells import Cells, PieceRows
-from workbook.motion.pieces import ABOUT, TITLE, phase_columns, pieces_in_all, pieces_table, room_check
+from workbook.motion.ends import Ends, ends_tables
+from workbook.motion.pieces import ABOUT, TITLE, pieces_in_all, pieces_table, room_check
 from workbook.motion.sampled import POSITION, derivative, finding
 from workbook.motion.smooth import Asked, Joints
 
-AT = Cells("phases", "move_pieces", "move_pieces_all", "move_total", "lift", "x")
 UNITS = ('move_y&"/"&move_x', 'move_y&"/"&move_x&"²"', 'move_y&"/"&move_x&"³"')
-PER, PER2, PER3 = "lift/x", "lift/x²", "lift/x³"  # units, which the engineer names: in the headers they stand as words
+
+
+def cells(hands_over: bool) -> Cells:
+    """Return where the motion stands; ``hands_over`` where phases may hand velocity over."""
+    return Cells(
+        "phases", "move_pieces", "move_pieces_all", "move_total", "lift", "x",
+        ends="phase_ends" if hands_over else "", peaks=("v", "a"),
+    )  # fmt: skip
+
+
+def handing(machine: Composition, rows: PieceRows) -> Ends | None:
+    """Return what phases take from their neighbours; None in a book without straight lines."""
+    laws = [p.law for p in machine.given.phases]
+    return (
+        Ends(rows, machine.joined, laws, "move_count", wraps='move_cycle="closes"', periodic=machine.repeats)
+        if rows.at.ends else None
+    )  # fmt: skip
 
 
 def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
@@ -31,13 +45,13 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.heading("What comes out")
     results(sheet, machine)
     sheet.row += 1
-    joints = Joints(rows, machine.motion, asked(machine))
-    checks(sheet, machine, joints)
+    joints, ends = Joints(rows, machine.motion, asked(machine)), handing(machine, rows)
+    checks(sheet, machine, joints, ends)
     draw_position(sheet)
     sheet.heading(
         "Phases", "As in S3: a law, a lift and a duration each; the position is carried on from phase to phase."
     )
-    phases(sheet, machine, rows)
+    phases(sheet, machine, rows, ends)
     draw_derivatives(sheet)
     sheet.heading("Junctions", "What jumps where one phase hands over to the next: after less before.")
     junctions(sheet, machine)
@@ -49,7 +63,11 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
         joints.order(),
     )  # fmt: skip
     sheet.row += 1
-    pieces_table(sheet, TITLE, rows, machine.room, machine.motion.size, *joints.columns(machine.room))
+    room = machine.room
+    columns, taken = joints.columns(room), ends.taken(room) if ends else []
+    columns += ends.turns.of_pieces(room) if ends else []
+    pieces_table(sheet, TITLE, rows, room, machine.motion.size, *columns, taken=taken)
+    ends_tables(sheet, [("", ends)] if ends else [])
     sheet.print_columns = 17
 
 
@@ -121,7 +139,7 @@ def results(sheet: Sheet, machine: Composition) -> None:
     )  # fmt: skip
 
 
-def checks(sheet: Sheet, machine: Composition, joints: Joints) -> None:
+def checks(sheet: Sheet, machine: Composition, joints: Joints, ends: Ends | None) -> None:
     """Declare the checks of the motion."""
     motion = machine.motion
     lack = max(abs(phase.lack) for phase in motion.phases)
@@ -130,11 +148,12 @@ def checks(sheet: Sheet, machine: Composition, joints: Joints) -> None:
         check("move_ok_position", "No jump of position between phases",
               f"{greatest('phases.lack')}<=check_zero*{greatest('phases.h')}", motion.complete,
               "each law reaches its lift", says=amount(greatest("phases.lack"), lack, "a lift lacks ", "")),
-        room_check("move_ok_pieces", AT),
+        room_check("move_ok_pieces", joints.rows.at),
         check("move_ok_velocity", "No jump of velocity",
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
               "of a cycle that closes, also from its end to its begin",
               says=amount(greatest("junctions.jump_v"), jump, "y' jumps by ", ": see the junctions")),
+        *([ends.check("move_ok_meets", "Each law meets its neighbours")] if ends else []),
         joints.check("move_ok_smooth", "As smooth as asked"),
         check("move_ok_closes", "The cycle closes in position",
               f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', machine.axis.closes,
@@ -145,72 +164,6 @@ def checks(sheet: Sheet, machine: Composition, joints: Joints) -> None:
 def greatest(column: str) -> str:
     """Return the formula of the largest size in a column."""
     return f"MAX(MAX([{column}]),-MIN([{column}]))"
-
-
-def phases(sheet: Sheet, machine: Composition, rows: PieceRows) -> None:
-    """Declare the phases: what is entered, what each comes to, and to the right the workings."""
-    motion, n = machine.motion, machine.sizes.phases
-    entered, edges = machine.given.phases, machine.motion.edges
-    laws, lifts = [p.law for p in entered], [p.lift for p in entered]
-    moved, (h, v, a, _) = motion.phases, motion.sizes
-    spans = [p.duration for p in moved]
-    begins, ends = zip(*motion.ends, strict=True)
-    reached = motion.position + motion.lifts_sum
-    lows, highs = zip(*motion.reaches, strict=True)
-
-    def of(values: Iterable[float]) -> list[float]:
-        return filled(values, n)
-
-    sheet.table(
-        "phases", "Fill one row each, in order; leave spare rows empty", n,
-        calc("kind", "phase", "", "", joined.kind("duration"), joined.kinds(laws, lifts, n)),
-        given("law", "law", "", "", filled(laws, n, None), "motion.phases.*.law", choices="=law_code"),
-        given("lift", "lift", "h", "", filled(lifts, n, None), "motion.phases.*.lift", format="0.0####"),
-        given("duration", "duration", "δ", "x",
-              filled(spans, n, None), "motion.phases.*.duration", format="0.0####"),
-        result("end", "ends at", "", "x",
-               "=[begin]+[span]", filled(edges[1:], n, motion.total), format="0.0####", scale=motion.total,
-               source="begin + δ"),
-        result("y1", "position at its end", "y", "lift",
-               "=[y0]+[h]*INDEX(law_s1,[no])", filled([end.y for end in ends], n, reached), format="0.0####", scale=h,
-               source="y_0 + h s(1)"),
-        result("v", "greatest velocity", "y'max", PER,
-               joined.VELOCITY, of(p.y1_max for p in moved), scale=v, source="C_v h/δ"),
-        result("a", "greatest acceleration", "y''max", PER2,
-               joined.ACCELERATION, of(p.y2_max for p in moved), scale=a, source="C_a h/δ²"),
-        result("j", "greatest jerk", "y'''max", PER3,
-               joined.JERK, joined.jerks(of(p.y3_max for p in moved)), scale=motion.size(3), source="C_j h/δ³"),
-        result("rms", "RMS acceleration", "y''rms", PER2,
-               f"={joined.RMS}", of(p.y2_rms for p in moved), scale=a, source="C_a,rms h/δ²"),
-        constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", joined.LAW_NUMBER, joined.law_numbers(laws, machine.laws, n), format="0"),
-        calc("h", "lift used", "h", "lift",
-             '=IF([kind]="spare",0,[lift]+0)', of(lifts), scale=h, source="0 if empty"),
-        calc("span", "duration used", "δ", "x",
-             '=IF([kind]="spare",0,[duration])', of(spans), scale=motion.total, source="0 if spare"),
-        calc("begin", "begins at", "", "x",
-             "=IF([k]=1,0,[end-1])", filled(edges[:-1], n, motion.total), scale=motion.total, source="end before"),
-        calc("y0", "position at its begin", "y_0", "lift",
-             "=IF([k]=1,move_start,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, reached), scale=h,
-             source="lifts before"),
-        *(calc(name, f"{word} position", "", "lift", formula.format("move_start"), filled(values, n, motion.position),
-               scale=h)
-          for name, word, formula, values in (("low", "lowest", joined.LOW, lows),
-                                              ("high", "highest", joined.HIGH, highs))),
-        calc("lack", "lack of lift", "Δy", "lift",
-             "=[h]*(1-INDEX(law_s1,[no]))", of(p.lack for p in moved), scale=h,
-             source="h (1 − s(1))"),
-        calc("v0", "y' at begin", "", PER,
-             joined.AT_END.format("v0", ""), of(begin.y1 for begin in begins), scale=v),
-        calc("v1", "y' at end", "", PER,
-             joined.AT_END.format("v1", ""), of(end.y1 for end in ends), scale=v),
-        calc("a0", "y'' at begin", "", PER2,
-             joined.AT_END.format("a0", "^2"), of(begin.y2 for begin in begins), scale=a),
-        calc("a1", "y'' at end", "", PER2,
-             joined.AT_END.format("a1", "^2"), of(end.y2 for end in ends), scale=a),
-        *phase_columns(rows),
-        rules=[AT_REST],
-    )  # fmt: skip
 
 
 def junctions(sheet: Sheet, machine: Composition) -> None:
@@ -237,6 +190,7 @@ def junctions(sheet: Sheet, machine: Composition) -> None:
                JUMP.format("a"), jump("jump_a"), format="0.0000##", scale=a, source="reported, no fault"),
         constant("k", "behind phase", "k", "", list(range(1, n + 1))),
         calc("next", "before phase", "", "", "=IF([k]<move_count,[k]+1,1)", nexts, format="0"),
+        blank='[kind]="spare"',
     )  # fmt: skip
 
 

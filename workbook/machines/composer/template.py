@@ -8,7 +8,7 @@ from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.composer.axes import axes
 from workbook.machines.composer.entries import MotionComposer
-from workbook.machines.composer.sheet import AT, motion_sheet
+from workbook.machines.composer.sheet import cells, motion_sheet
 from workbook.machines.composer.variations import variants
 from workbook.machines.composer.view import Composition
 from workbook.motion.cells import rows_of
@@ -19,7 +19,8 @@ UNIT = "in the units of Motion"
 
 def declare(given: MotionComposer) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes)
+    hands_over = bool(given.laws.of("LIN"))
+    shelf = LawShelf(given.laws, given.sizes, hands_over)
     composed = Composition(given, shelf.laws)
     motion, (h, v, a, _) = composed.motion, composed.motion.sizes
     book = Book(given.template, given.title, limit=limits(type(given)))
@@ -34,7 +35,7 @@ def declare(given: MotionComposer) -> Book:
                    "=move_a", motion.peaks.y2, scale=a, source=UNIT),
         ],
     )  # fmt: skip
-    motion_sheet(book, composed, rows_of(AT, motion, shelf.stack, given.sizes.phases))
+    motion_sheet(book, composed, rows_of(cells(hands_over), motion, shelf.stack, given.sizes.phases))
     shelf.sheets(book)
     return finish(book, "Composed motion", ("S1", "S3"))
 

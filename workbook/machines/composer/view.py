@@ -8,7 +8,8 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import Array
-from engine.motion import Motion, MotionValues, Phase
+from engine.motion import MotionValues, Phase
+from engine.motion.joining import joined
 from engine.timing import Axis
 from workbook.machines.composer.entries import MotionComposer
 
@@ -20,8 +21,9 @@ class Composition:
         self.laws = machine.laws
         self.given, self.sizes = machine.motion, machine.sizes
         phases = [Phase(library[p.law], p.lift, p.duration) for p in self.given.phases]
-        self.motion = Motion(phases, position=self.given.position)
         self.repeats = self.given.cycle == "closes"
+        self.joined = joined(phases, periodic=self.repeats, position=self.given.position)
+        self.motion = self.joined.motion
         self.axis = Axis("motion", self.motion, feed=not self.repeats)
         self.junctions = self.motion.junctions(periodic=self.repeats)
 

@@ -157,6 +157,7 @@ def phases(sheet: Sheet, machine: Cutting) -> None:
     def chosen(column: str) -> str:
         return "CHOOSE(@no," + ",".join(f"INDEX([axis{i}.{column}],[k])" for i in (1, 2, 3)) + ")"
 
+    still = f'{chosen("kind")}="dwell"' if machine.hands_over else f"{chosen('h')}=0"
     sheet.row += 1
     sheet.table(
         "drive_phases", "Phases of the driven axis", n,
@@ -164,7 +165,7 @@ def phases(sheet: Sheet, machine: Cutting) -> None:
         calc("square", "square of RMS y''", "", "m²/rad⁴",
              f"=({chosen('rms')}/timing_omega^2)^2", filled(squares, n), source="(C_a,rms h/δ²)²"),
         calc("share", "share of the cycle", "δ/2π", "", f"={chosen('span')}/(2*PI())", filled(asked.shares, n)),
-        calc("moving", "share in motion", "", "", f"=IF({chosen('h')}=0,0,[share])", filled(asked.moving_shares, n)),
+        calc("moving", "share in motion", "", "", f"=IF({still},0,[share])", filled(asked.moving_shares, n)),
     )  # fmt: skip
 
 

@@ -36,7 +36,7 @@ LOAD = LoadCells(
 
 def declare(given: CuttingMachine) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes)
+    shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
     reference = Cutting(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     movements = reference.diagram.movements(reference.rate)
@@ -52,7 +52,9 @@ def declare(given: CuttingMachine) -> Book:
     )  # fmt: skip
     rooms = given.sizes.phases
     axes = enumerate(reference.axes, 1)
-    timing_sheet(book, reference, [rows_of(cells(i), axis.motion, shelf.stack, rooms) for i, axis in axes])
+    timing_sheet(
+        book, reference, [rows_of(cells(i, reference.hands_over), axis.motion, shelf.stack, rooms) for i, axis in axes]
+    )
     book.name(
         "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_smooth="smooth", axis_travel="travel",
         axis_low="low", axis_high="high", axis_v="v", axis_a="a",

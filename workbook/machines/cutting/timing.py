@@ -2,37 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from engine import timing as engine_timing
 from engine.laws.base import Array
-from engine.timing import Movement, lane, turn_time
+from engine.timing import lane, turn_time
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.book.rows import filled
-from workbook.book.sentence import amount
-from workbook.entries.phase import AT_REST
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.units import DEGREE, MM, shown, si
-from workbook.laws import phases as joined_phases
-from workbook.laws.phases import ACCELERATION, AT_END, HIGH, JERK, LAW_NUMBER, LOW, RMS, VELOCITY, jerks
+from workbook.machines.cutting.phases import joined, phases
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import Cells, PieceRows
-from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table, room_check
+from workbook.motion.ends import Ends, ends_tables
+from workbook.motion.pieces import ABOUT, pieces_in_all, pieces_table
 from workbook.motion.sampled import POSITION, derivative, finding
 from workbook.motion.smooth import Asked, Joints
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
-CARRIED = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},IF([k]=1,0,[{0}-1]))"
 LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
 
 
-def cells(i: int) -> Cells:
-    """Return where the motion of an axis stands."""
-    return Cells(f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "m", "rad", degrees=True, near="timing_eps")
+def cells(i: int, hands_over: bool = False) -> Cells:
+    """Return where the motion of an axis stands; ``hands_over`` where phases may hand velocity over."""
+    return Cells(
+        f"axis{i}", f"axis{i}_pieces", f"axis{i}_count", "360", "m", "rad", degrees=True, near="timing_eps",
+        ends=f"axis{i}_ends" if hands_over else "",
+    )  # fmt: skip
+
+
+def handing(machine: Cutting, rows: Sequence[PieceRows]) -> list[Ends | None]:
+    """Return what the phases of each axis take from their neighbours; None in a book without straight lines."""
+    axes = zip(machine.machine.timing.axes, machine.joined, rows, strict=True)
+    return [
+        Ends(of_axis, found, [p.law for p in axis.phases], f"COUNT([axis{i}.stop])",
+             (f"INDEX([axes.name],{i})", axis.name))
+        if of_axis.at.ends else None
+        for i, (axis, found, of_axis) in enumerate(axes, 1)
+    ]  # fmt: skip
 
 
 def asked(machine: Cutting, i: int) -> Asked:
@@ -68,18 +77,21 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     sheet.row = max(sheet.row, 26)
     joints = [Joints(found, axis.motion, asked(machine, i))
               for i, (axis, found) in enumerate(zip(machine.axes, rows, strict=True), 1)]  # fmt: skip
-    for i, (of_axis, of_joints) in enumerate(zip(rows, joints, strict=True), 1):
-        phases(sheet, machine, i, of_axis)
-        joined(sheet, machine, i, of_joints)
+    ends = handing(machine, rows)
+    for i, (of_axis, of_joints, of_ends) in enumerate(zip(rows, joints, ends, strict=True), 1):
+        phases(sheet, machine, i, of_axis, of_ends)
+        joined(sheet, machine, i, of_joints, of_ends)
     draw_curves(sheet, range(1, len(timing.axes) + 1))
     sheet.heading("Table over the cycle")
     cycle(sheet, machine, rows)
     sheet.heading("Workings: the motions as pieces", ABOUT)
     room = machine.room
-    for i, (axis, of_axis, of_joints) in enumerate(zip(machine.axes, rows, joints, strict=True), 1):
+    for i, (axis, of_axis, of_joints, of_ends) in enumerate(zip(machine.axes, rows, joints, ends, strict=True), 1):
         sheet.rows(pieces_in_all(of_axis), of_joints.order())
-        columns = of_joints.columns(room)
-        pieces_table(sheet, f"Pieces of axis {i}", of_axis, room, axis.motion.size, *columns)
+        columns, taken = of_joints.columns(room), of_ends.taken(room) if of_ends else []
+        columns += of_ends.turns.of_pieces(room) if of_ends else []
+        pieces_table(sheet, f"Pieces of axis {i}", of_axis, room, axis.motion.size, *columns, taken=taken)
+    ends_tables(sheet, [(f"axis {i}", found) for i, found in enumerate(ends, 1) if found])
     sheet.print_columns = 17
 
 
@@ -109,145 +121,6 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
                each("=MAX([axis{0}.v])"), [max((m.v_max for m in found), default=0.0) for found in moves]),
         result("a", "greatest acceleration", "ÿ_max", "m/s²",
                each("=MAX([axis{0}.a])"), [max((m.a_max for m in found), default=0.0) for found in moves]),
-    )  # fmt: skip
-
-
-def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows) -> None:
-    """Declare the phases of one axis: what is entered, what each movement comes to, how the phases join."""
-    axis, engine_axis, n = machine.machine.timing.axes[i - 1], machine.axes[i - 1], machine.machine.sizes.phases
-    motion, moves = engine_axis.motion, {m.phase: m for m in engine_axis.movements(machine.speed)}
-    begins, ends = zip(*motion.ends, strict=True)
-    lows, highs = zip(*motion.reaches, strict=True)
-    *inner, wrap = motion.junctions()
-    junctions = [wrap, *inner]  # each where its phase begins
-    laws = [p.law for p in axis.phases]
-    key = f"timing.axes.{i - 1}.phases.*"
-
-    def entered(name: str) -> list[Any]:
-        return filled([getattr(p, name) for p in axis.phases], n, None)
-
-    def of(figure: Callable[[Movement], float]) -> list[float]:
-        return [figure(moves[k]) if k in moves else 0.0 for k in range(n)]
-
-    sheet.heading(f"Axis {i}")
-    sheet.rows(
-        calc(f"axis{i}_name", "Axis and its group", "", "",
-             f'=INDEX([axes.name],{i})&", "&INDEX([axes.group],{i})', f"{axis.name}, {axis.group}", align="left"),
-    )  # fmt: skip
-    sheet.table(
-        f"axis{i}", f"Phases of axis {i}: fill one row each, in order; leave spare rows empty", n,
-        calc("kind", "phase", "", "",
-             joined_phases.kind("stop"), joined_phases.kinds(laws, [p.lift for p in axis.phases], n)),
-        given("start", "from", "", "°", entered("start"), f"{key}.start", format="0.0##"),
-        given("stop", "to", "", "°", entered("stop"), f"{key}.stop", format="0.0##"),
-        given("lift", "lift", "h", "mm", entered("lift"), f"{key}.lift", format="0.0##"),
-        given("law", "law", "", "", entered("law"), f"{key}.law", choices="=law_code"),
-        result("y1", "geometric velocity", "y'max", "m/rad", VELOCITY, of(lambda m: m.y1_max), source="C_v h/δ"),
-        result("y2", "geometric acceleration", "y''max", "m/rad²",
-               ACCELERATION, of(lambda m: m.y2_max), source="C_a h/δ²"),
-        result("y3", "geometric jerk", "y'''max", "m/rad³", JERK, jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
-        result("v", "velocity", "ẏmax", "m/s", "=[y1]*timing_omega", of(lambda m: m.v_max), source="y' ω"),
-        result("a", "acceleration", "ÿmax", "m/s²", "=[y2]*timing_omega^2", of(lambda m: m.a_max), source="y'' ω²"),
-        result("j", "jerk", "j_max", "m/s³",
-               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(of(lambda m: m.j_max)), source="y''' ω³"),
-        result("rms", "RMS acceleration", "ÿrms", "m/s²",
-               f"={RMS}*timing_omega^2", of(lambda m: m.a_rms), source="C_a,rms h/δ² ω²"),
-        constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "",
-             LAW_NUMBER, joined_phases.law_numbers(laws, machine.machine.laws, n), format="0"),
-        calc("h", "lift", "h", "m",
-             "=[lift]/1000", filled([p.lift for p in motion.phases], n), source="conversion"),
-        calc("span", "duration", "δ", "rad",
-             '=IF([stop]="",0,RADIANS([stop]-[start]))', filled([p.duration for p in motion.phases], n),
-             source="conversion"),
-        calc("begin", "begins at", "", "°",
-             '=IF([stop]="",360,[start])', filled([p.start for p in axis.phases], n, 360.0), format="0.0##"),
-        calc("y0", "position at begin", "y_0", "m",
-             "=IF([k]=1,0,[y0-1]+[h-1])", filled([begin.y for begin in begins], n, motion.lifts_sum),
-             source="lifts before"),
-        *(calc(name, f"{word} position", "", "m", formula.format(0), filled(values, n))
-          for name, word, formula, values in (("low", "lowest", LOW, lows), ("high", "highest", HIGH, highs))),
-        calc("gap", "gap before", "", "°",
-             '=IF([stop]="",0,[start]-IF([k]=1,0,[stop-1]))', filled([], n), scale=360.0),
-        calc("backwards", "runs backwards", "", "",
-             '=IF([stop]="",0,IF([stop]>[start],0,1))', 0, format="0;;", source="1 where it does"),
-        calc("parted", "does not follow on", "", "",
-             "=IF(ABS([gap])<check_zero,0,1)", 0, format="0;;", source="1 where it does not"),
-        calc("v0", "y' at begin", "", "m/rad",
-             AT_END.format("v0", ""), filled([begin.y1 for begin in begins], n)),
-        calc("v1", "y' at end", "", "m/rad",
-             CARRIED.format("v1", ""), filled([end.y1 for end in ends], n, ends[-1].y1),
-             source="carried over spare rows"),
-        calc("a0", "y'' at begin", "", "m/rad²",
-             AT_END.format("a0", "^2"), filled([begin.y2 for begin in begins], n)),
-        calc("a1", "y'' at end", "", "m/rad²",
-             CARRIED.format("a1", "^2"), filled([end.y2 for end in ends], n, ends[-1].y2),
-             source="carried over spare rows"),
-        calc("jump_y", "jump of y", "Δy", "m",
-             "=[h]*(1-INDEX(law_s1,[no]))", filled([p.lack for p in motion.phases], n),
-             source="at its end: the law's lack"),
-        calc("jump_v", "jump of y'", "Δy'", "m/rad",
-             f"=IF([span]>0,[v0]-IF([k]=1,[axis{i}.v1.last],[v1-1]),0)",
-             filled([j.jump_v for j in junctions], n), source="at its begin"),
-        calc("jump_a", "jump of y''", "Δy''", "m/rad²",
-             f"=IF([span]>0,[a0]-IF([k]=1,[axis{i}.a1.last],[a1-1]),0)",
-             filled([j.jump_a for j in junctions], n), source="reported, no fault"),
-        *phase_columns(rows),
-        rules=[AT_REST],
-    )  # fmt: skip
-
-
-ENDS = "ROUND(INDEX([{0}.stop],{1}),9)"
-BACKWARDS = (
-    f'" ends at "&{ENDS}&"°, "&ROUND(INDEX([{{0}}.start],{{1}})-INDEX([{{0}}.stop],{{1}}),9)&"° before it begins"'
-)
-PARTED = (
-    '" begins at "&ROUND(INDEX([{0}.start],{1}),9)&"°, "&ROUND(ABS(INDEX([{0}.gap],{1})),9)'
-    '&IF(INDEX([{0}.gap],{1})>0,"° after ","° before ")&IF({1}=1,"0°","row "&({1}-1)&" ends")'
-)
-UNFILLED = (
-    '" ends at "&ROUND(MAX([{0}.stop]),9)&"°, "&ROUND(ABS(360-MAX([{0}.stop])),9)'
-    '&IF(MAX([{0}.stop])<360,"° before 360°","° after 360°")'
-)
-
-
-def in_row(i: int, column: str, says: str) -> str:
-    """Return the formula of a sentence on the first phase of an axis in which ``column`` is 1."""
-    row = f"MATCH(1,[axis{i}.{column}],0)"
-    return f'INDEX([axes.name],{i})&" row "&{row}&{says.format(f"axis{i}", row)}'
-
-
-def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints) -> None:
-    """Declare the checks of one axis."""
-    axis, t = machine.axes[i - 1], f"axis{i}"
-    motion, name, key = axis.motion, f"Axis {i}", f"timing.axes.{i - 1}"
-
-    lack = max(abs(phase.lack) for phase in motion.phases)
-    jump = max(abs(joint.jump_v) for joint in motion.junctions())
-
-    def greatest(column: str) -> str:
-        return f"MAX(MAX([{t}.{column}]),-MIN([{t}.{column}]))"
-
-    gap = f"SUM([{t}.h])-INDEX([{t}.jump_y],COUNT([{t}.stop]))"
-    sheet.checks(
-        check(f"{t}_forward", f"{name}: every phase runs forward", f"SUM([{t}.backwards])=0", True,
-              rule=f"{key}:forward", says=in_row(i, "backwards", BACKWARDS)),
-        check(f"{t}_follows", f"{name}: the phases follow on", f"SUM([{t}.parted])=0", True,
-              rule=f"{key}:follows", says=in_row(i, "parted", PARTED)),
-        check(f"{t}_fills", f"{name}: the phases fill the cycle", f"ABS(MAX([{t}.stop])-360)<check_zero", True,
-              rule=f"{key}:fills", says=f"INDEX([axes.name],{i})&{UNFILLED.format(t)}"),
-        check(f"{t}_position", f"{name}: no jump of position",
-              f"{greatest('jump_y')}<=check_zero*{greatest('h')}", motion.complete,
-              says=amount(f"{greatest('jump_y')}*1000", shown(lack, MM), "a lift lacks ", " mm")),
-        room_check(f"{t}_room", cells(i), i, name),
-        check(f"{t}_velocity", f"{name}: no jump of velocity",
-              f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth(),
-              says=amount(greatest("jump_v"), jump, "y' jumps by ", " m/rad: see jump of y'")),
-        joints.check(f"{t}_smooth", f"{name}: as smooth as asked"),
-        check(f"{t}_closes", f"{name}: the cycle closes",
-              f'OR(INDEX([axes.closes],{i})="feed",ABS({gap})<=check_zero*{greatest("h")})', axis.closes,
-              "in position, or, as a feed, in velocity",
-              says=amount(f"({gap})*1000", shown(motion.gap, MM), "it ends ", " mm from where it begins")),
     )  # fmt: skip
 
 

@@ -15,6 +15,7 @@ from engine.drivetrain.motor import Reserve, reserve
 from engine.laws import Law
 from engine.laws.base import Array
 from engine.motion import Motion, MotionValues
+from engine.motion.joining import Joined, joined
 from engine.timing import Axis, Diagram, shaft_speed
 from workbook.entries.texts import place_of
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, si
@@ -37,12 +38,12 @@ class DriveSamples(NamedTuple):
     motor: OperatingPoints
 
 
-def axis(given: entered.Axis, library: dict[str, Law]) -> Axis:
-    """Return one axis over a turn of the master shaft: m over rad."""
+def motion_of(given: entered.Axis, library: dict[str, Law]) -> Joined:
+    """Return the motion of one axis over a turn of the master shaft, m over rad: phases that hand velocity over."""
     edges = np.deg2rad([given.phases[0].start, *(p.stop for p in given.phases)])
     lifts = [si(p.lift, MM) for p in given.phases]
     motion = Motion.from_edges(edges, lifts, [library[p.law] for p in given.phases])
-    return Axis(given.name, motion, feed=given.closes == "feed")
+    return joined(motion.phases, start=float(edges[0]))
 
 
 class Cutting:
@@ -50,9 +51,18 @@ class Cutting:
 
     def __init__(self, machine: entered.CuttingMachine, library: dict[str, Law]) -> None:
         self.machine = machine
-        self.axes = [axis(a, library) for a in machine.timing.axes]
+        self.joined = [motion_of(a, library) for a in machine.timing.axes]
+        self.axes = [
+            Axis(a.name, found.motion, feed=a.closes == "feed")
+            for a, found in zip(machine.timing.axes, self.joined, strict=True)
+        ]
         self.diagram = Diagram(self.axes)
         self.rate = si(machine.timing.rate, PER_MINUTE)
+
+    @property
+    def hands_over(self) -> bool:
+        """Whether phases may hand velocity over: where the book has a straight line."""
+        return bool(self.machine.laws.of("LIN"))
 
     @property
     def room(self) -> int:

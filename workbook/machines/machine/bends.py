@@ -1,4 +1,4 @@
-"""The torque of a motor over the acceleration in cells: where its line bends, and each phase's extremes and mean square.
+"""The torque of a motor over the acceleration in cells: where its line bends; each phase's extremes and mean square.
 
 In the direction of motion T = B + A b + Σ ΔA_k (y − y_k)+, b the acceleration, y that against what the load resists.
 """
@@ -39,7 +39,7 @@ def both_ways(sheet: Sheet, driven: Driven) -> None:
         w, sign = f"@{name}", WAYS[name]
         y1, y2 = way.turns
         slopes, steps = way.slopes, way.steps
-        torque, slope = driven.sizes.torque, max(slopes)
+        torque, slope, acc = driven.sizes.torque, max(slopes), driven.sizes.acceleration
         factors = [f"IF({w}_sign{sign_of},{{0}},1/{{0}})" for sign_of in ("<0", ">0")]
         keep, turned = (factor.format("@eta1") for factor in factors)
         keep2, turned2 = (factor.format("@eta2") for factor in factors)
@@ -52,9 +52,9 @@ def both_ways(sheet: Sheet, driven: Driven) -> None:
                  scale=driven.sizes.force),
             calc(f"{w}_sign", "it resists (1) or drives (−1)", "", "", f"=IF({w}_r<0,0-1,1)", way.sign, format="0"),
             calc(f"{w}_y1", "power turns round in the reducer at", "y_1", "",
-                 f"=IF(@m+@j1>0,{keep2}*ABS({w}_r)/@i2/({keep2}*@m/@i2+@j1*@i2),0)", y1, scale=driven.sizes.acceleration),
+                 f"=IF(@m+@j1>0,{keep2}*ABS({w}_r)/@i2/({keep2}*@m/@i2+@j1*@i2),0)", y1, scale=acc),
             calc(f"{w}_y2", "and in the mechanism at", "y_2", "",
-                 f"=IF(@m>0,ABS({w}_r)/@m,{w}_y1)", y2, scale=driven.sizes.acceleration),
+                 f"=IF(@m>0,ABS({w}_r)/@m,{w}_y1)", y2, scale=acc),
             calc(f"{w}_b", "Torque at b = 0", "B", "Nm", f"={keep}*{keep2}*{w}_r/@i", way.level, scale=torque),
             calc(f"{w}_a", "Slope", "A", "Nm/b", line(keep, keep2), slopes[0], scale=slope),
             calc(f"{w}_a1", "between both bends", "A_1", "Nm/b", line(turned, keep2), slopes[1], scale=slope),
@@ -75,12 +75,15 @@ def moves_table(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
     def picked(name: str) -> str:
         return f"=IF([dir]<0,@backward_{name},@forward_{name})"
 
-    def way(name: str) -> list[float]:
+    def way(name: str) -> list[Any]:
         spare = driven.bends["forward"]
         return of(lambda m: getattr(m.bends, name), getattr(spare, name))
 
+    def bent(name: str, k: int) -> list[float]:
+        return [pair[k - 1] for pair in way(name)]
+
     lows, highs = of(lambda m: driven.torques(m)[0]), of(lambda m: driven.torques(m)[1])
-    shapes = [moves[k].phase.law.shapes() or Shapes() if k in moves else Shapes() for k in range(n)]
+    shapes = filled([p.law.shapes() or Shapes() for p in one.axis.phases], n, Shapes())
     signs = way("sign")
     rows = [shape.down if sign > 0.0 else shape.up for shape, sign in zip(shapes, signs, strict=True)]
     laws = one.machine.machine.laws
@@ -114,11 +117,10 @@ def moves_table(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
           for name, words, symbol, attribute, scale in (
               ("sign", "resists, or drives", "", "sign", 1.0), ("a", "slope", "A", "slope", driven.sizes.slope),
               ("b", "torque at b = 0", "B", "level", size))),
-        *(calc(f"{name}{k}", words, f"{symbol}_{k}", "", picked(f"{name}{k}"),
-               of(lambda m, k=k, a=attribute: getattr(m.bends, a)[k - 1],
-                  getattr(driven.bends["forward"], attribute)[k - 1]), scale=scale)
-          for k in (1, 2) for name, words, symbol, attribute, scale in (
-              ("y", "bend at", "y", "turns", acc), ("s", "change of slope", "ΔA", "steps", driven.sizes.slope))),
+        *(column for k in (1, 2) for column in (
+            calc(f"y{k}", f"bend {k} at", f"y_{k}", "", picked(f"y{k}"), bent("turns", k), scale=acc),
+            calc(f"s{k}", f"change of slope {k}", f"ΔA_{k}", "", picked(f"s{k}"), bent("steps", k),
+                 scale=driven.sizes.slope))),
         calc("peak", "largest y", "", "", "=IF([sign]>0,0-[lo],[hi])", of(lambda m: m.against), scale=acc),
         *(calc(name, f"{words} stages", "", "",
                f"=IF([sign]>0,INDEX([shapes.{name}_down],[no]),INDEX([shapes.{name}_up],[no]))",
@@ -137,8 +139,8 @@ def at(driven: Driven, name: str, words: str, of: Any) -> list[Quantity]:
     attribute = {"hi": "highest", "lo": "lowest"}[name]
     spare = driven.bends["forward"]
 
-    def shaft(k: int) -> list[float]:
-        return of(lambda m: m.bends.shaft(k, getattr(m, attribute)), spare.shaft(k, 0.0))
+    def shaft(k: int) -> list[Any]:
+        return list(of(lambda m: m.bends.shaft(k, getattr(m, attribute)), spare.shaft(k, 0.0)))
 
     torque = of(lambda m: m.bends.torque(getattr(m, attribute)), spare.torque(0.0))
     return [

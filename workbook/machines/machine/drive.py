@@ -38,8 +38,8 @@ def drive_sheet(book: Book, one: AxisRows) -> None:
         both_ways(sheet, driven)
         moves_table(sheet, one, driven)
         cycle(sheet, one, driven)
-        backward = "MIN([@cycle.rpm])<0"
-        limits_table(sheet, driven.motor.corners(float(sampled(one, driven).speed.min())), backward)
+        backward = "MIN([@moves.dir])<0"
+        limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
 
 

@@ -118,6 +118,11 @@ class Driven:
         return [self.moves[k].part_of(total) if k in self.moves else 0.0 for k in range(rows)]
 
     @property
+    def lowest_direction(self) -> float:
+        """−1 where the axis moves backward in any phase, else 0."""
+        return min((move.bends.direction for move in self.moves.values()), default=0.0)
+
+    @property
     def at_motor(self) -> float:
         """Inertia on the motor's shaft, with it (kg m²)."""
         return self.motor_given.inertia + self.mechanism.on_shaft(0)

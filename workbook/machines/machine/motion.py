@@ -11,8 +11,8 @@ from engine.laws.base import Array
 from engine.motion import Phase
 from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.book.rows import filled
-from workbook.laws.phases import HIGH, LOW
 from workbook.laws.library import NamedLaw
+from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
 from workbook.laws.shapes import shapes_table
 from workbook.machines.machine.view import MovingAxis, Whole

@@ -32,7 +32,7 @@ def phases_table(sheet: Sheet, one: AxisRows) -> None:
     sheet.table(
         one.name, f"Phases of axis {axis.number}: fill one row each, in order; between them it rests; "
         "leave spare rows empty", n,
-        calc("kind", "phase", "", "", joined.kind("stop"), joined.kinds(laws, [p.lift for p in entered], n)),
+        calc("kind", "phase", "", "", joined.kind("stop"), joined.kinds(phases, n)),
         given("start", "from", "", "°", entry("start"), f"{key}.start", format="0.0##"),
         given("stop", "to", "", "°", entry("stop"), f"{key}.stop", format="0.0##"),
         given("lift", "lift", "h", unit, entry("lift"), f"{key}.lift", format="0.0##"),

@@ -187,9 +187,9 @@ def kind_name(number: int, kind: str) -> str:
 
 
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
-    """Return the entries that a book's layout tells, and no cell to enter."""
-    found: dict[str, Any] = {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
+    """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
+    found: dict[str, Any] = {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
     for i, axis in enumerate(machine.axes):
         if axis.mechanism:
-            found[f"axes.{i}.mechanism.kind"] = axis.mechanism.kind
+            found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
     return found

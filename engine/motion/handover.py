@@ -1,0 +1,139 @@
+"""What a phase becomes of its law where its neighbours hand velocity over to it: halves of the law, or a polynomial."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import perm
+
+from engine.laws import Law
+from engine.laws.ended_polynomial import EndedPolynomial
+from engine.laws.ends import Ends
+from engine.laws.piece import POWERS
+from engine.laws.polynomial_law import HalvedPolynomial
+from engine.laws.pulse_law import PulseLaw
+from engine.motion.joining import EndedPhase, Joined, Side, slope
+from engine.motion.phase import Phase
+
+STRAIGHT, NEVER, PULSES, SEPTIC = -1, 0, 1, 7
+"""ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses"""
+
+
+def way(law: Law) -> int:
+    """Return how a law meets its neighbours: as :data:`STRAIGHT` and so on, or by a polynomial of degree 3, 5 or 7."""
+    if slope(Phase(law, 0.0, 1.0)) is not None:
+        return STRAIGHT
+    if isinstance(law, HalvedPolynomial):
+        return 1 + 2 * len(law.takes) if law.takes else NEVER
+    return PULSES if isinstance(law, PulseLaw) else NEVER
+
+
+def early_of(law: Law) -> int:
+    """Return how many pieces of a law are of its first pulse, if it meets its neighbours by pulses; else 0."""
+    return law.early if way(law) == PULSES and isinstance(law, PulseLaw) else 0
+
+
+@dataclass(frozen=True)
+class Handover:
+    """A phase as it is carried out, what is asked for at ``begin`` and ``end``, and why it cannot have that, if so.
+
+    A law of two pulses is, while it speeds up, v0 and ``halves[0]`` times the law, and from then on v1 and
+    ``halves[1]`` times it: the heights of both pulses against those of the law between rests, as a lift.
+    """
+
+    phase: Phase
+    begin: Side
+    end: Side
+    kinds: tuple[str, str]
+    fault: str
+
+    @property
+    def sides(self) -> tuple[Side, Side]:
+        """Both ends."""
+        return self.begin, self.end
+
+    @property
+    def way(self) -> int:
+        """How the law that is named meets its neighbours."""
+        return way(self.phase.named)
+
+    @property
+    def slope(self) -> float:
+        """y' of a straight line; 0 of all else."""
+        return slope(self.phase) or 0.0
+
+    @property
+    def ended(self) -> bool:
+        """Whether its ends are prescribed."""
+        return isinstance(self.phase, EndedPhase)
+
+    @property
+    def mode(self) -> int:
+        """How it is carried out: 0 as the law between rests, else its :attr:`way`."""
+        return self.way if self.ended else 0
+
+    @cached_property
+    def halves(self) -> tuple[float, float]:
+        """What the law that is named is multiplied by in its first half and in its second; 0 of a polynomial."""
+        made, law = self.phase.law, self.phase.named
+        if not self.ended:
+            return self.phase.lift, self.phase.lift
+        if self.mode == PULSES and isinstance(made, PulseLaw) and isinstance(law, PulseLaw):
+            return made.acceleration / law.acceleration, made.deceleration / law.deceleration
+        return 0.0, 0.0
+
+    @property
+    def drifts(self) -> tuple[float, float]:
+        """The velocities that are added in either half; 0 of a law between rests."""
+        return (self.begin.asked.v, self.end.asked.v) if self.ended else (0.0, 0.0)
+
+    @property
+    def early(self) -> int:
+        """Pieces before its second pulse, of a law of two pulses; 0 of all else."""
+        return early_of(self.phase.named) if self.mode == PULSES else 0
+
+    @property
+    def gain(self) -> float:
+        """The velocity that two pulses gain, as a lift: (v1 − v0) δ/C_v."""
+        first, second = self.halves
+        return first - second
+
+    def base(self, late: bool, y: float) -> float:
+        """Return the position from which its law is counted in a half, ``y`` being the one that it begins at."""
+        lift, drift = self.halves[1], self.drifts[1]
+        return y + self.phase.lift - lift - drift * self.phase.duration if late else y
+
+    @cached_property
+    def powers(self) -> tuple[float, ...]:
+        """e0, e1, e2 … of y = Σ e_n ξⁿ from the begin of a polynomial with prescribed ends; 0 of all else."""
+        law = self.phase.law
+        if not isinstance(law, EndedPolynomial):
+            return (0.0,) * (POWERS + 2)
+        c = (*law.polynomial, *(0.0,) * POWERS)[:POWERS]
+        higher = [value / perm(n, 2) for n, value in enumerate(c, 2)]
+        return (0.0, law.ends.v0, *higher)
+
+    @property
+    def hermite(self) -> Ends:
+        """The ends of a polynomial, per unit of ξ; at rest and without a stroke of all else."""
+        law = self.phase.law
+        return law.ends if isinstance(law, EndedPolynomial) else Ends(stroke=0.0)
+
+    @property
+    def left(self) -> tuple[float, float, float]:
+        """Of a polynomial of degree 7, what its begin leaves to be done: lift, velocity, acceleration."""
+        e = self.hermite if self.mode == SEPTIC else Ends(stroke=0.0)
+        return e.stroke - e.v0 - e.a0 / 2.0, e.v1 - e.v0 - e.a0, e.a1 - e.a0
+
+    @property
+    def reversing(self) -> float:
+        """y' between the two pulses; 0 of all else."""
+        law = self.phase.law
+        return law.top / self.phase.duration if self.mode == PULSES and isinstance(law, PulseLaw) else 0.0
+
+
+def handovers(found: Joined) -> tuple[Handover, ...]:
+    """Return what each phase of a motion becomes of its law."""
+    reasons = {fault.phase: fault.reason for fault in found.faults}
+    both = zip(found.motion.phases, found.asked, found.kinds, strict=True)
+    return tuple(Handover(phase, *asked, kinds, reasons.get(k, "")) for k, (phase, asked, kinds) in enumerate(both))

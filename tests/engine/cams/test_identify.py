@@ -1,0 +1,89 @@
+"""Tables are taken apart again: each law of the registry is found from its points, and nothing else for one."""
+
+import numpy as np
+import pytest
+
+from engine import law
+from engine.cams.course import course_of_motion
+from engine.cams.identify import Points, identified, precision
+from engine.cams.interpolation import quintics, spline
+from engine.laws import PieceLaw
+from engine.laws.registry import CATALOGUE
+from engine.motion import Motion, Phase
+
+MOVING = [entry for entry in CATALOGUE if entry.rises and entry.law is not PieceLaw]
+
+
+def motion(entry) -> Motion:
+    rest, rise, back = law("dwell"), entry.example(), law("MTP")
+    return Motion([Phase(rest, 0.0, 33.3), Phase(rise, 50.0, 91.7), Phase(rest, 0.0, 55.0), Phase(back, -50.0, 120.0),
+                   Phase(rest, 0.0, 60.0)])  # fmt: skip
+
+
+def found_in(x: np.ndarray, y: np.ndarray):
+    return identified(Points(x, y, None, None, precision(y)), spline(x, y, "natural"))
+
+
+@pytest.mark.parametrize("digits", [None, 6, "REAL"])
+@pytest.mark.parametrize("entry", MOVING, ids=lambda entry: entry.code)
+def test_a_law_is_found_between_points_at_equal_steps(entry, digits) -> None:
+    of = course_of_motion(motion(entry))
+    x = np.linspace(0.0, 360.0, 722)
+    y = of.at(x).y
+    y = y if digits is None else y.astype(np.float32).astype(float) if digits == "REAL" else np.round(y, digits)
+    one, other = found_in(x, y)
+    same = one.law.s(np.linspace(0.0, 1.0, 101)) - entry.example().s(np.linspace(0.0, 1.0, 101))
+    assert np.abs(same).max() < 1e-7, one.law.name
+    assert (one.begin, one.end, one.lift) == pytest.approx((33.3, 125.0, 50.0), abs=2e-3 if digits else 1e-4)
+    assert other.law.code == "MTP"
+    assert max(one.residual, other.residual) <= {None: 5e-8, 6: 1e-6, "REAL": 1e-5}[digits]
+
+
+def test_laws_that_are_one_curve_count_as_one_and_the_first_is_named() -> None:
+    smooth = [entry.example() for entry in MOVING]
+    at = np.linspace(0.0, 1.0, 51)
+    curves = [one.s(at) for one in smooth]
+    first = {k: next(i for i, other in enumerate(curves) if np.abs(other - one).max() < 1e-12)
+             for k, one in enumerate(curves)}  # fmt: skip
+    for k, one in enumerate(smooth):
+        of = course_of_motion(
+            Motion([Phase(law("dwell"), 0.0, 90.0), Phase(one, 10.0, 90.0), Phase(law("dwell"), 0.0, 180.0)])
+        )
+        x = np.linspace(0.0, 360.0, 721)
+        (found,) = found_in(x, of.at(x).y)
+        assert found.law.name == smooth[first[k]].name
+
+
+def test_breaks_are_exact_where_points_stand_on_them_with_their_rates() -> None:
+    of = course_of_motion(motion(MOVING[4]))
+    at = of.at(of.edges)
+    points = Points(of.edges, at.y, at.y1, at.y2, precision(at.y))
+    one, other = identified(points, quintics(of.edges, at.y, at.y1, at.y2))
+    assert (one.law.code, one.begin, one.end) == (MOVING[4].code, 33.3, 125.0)
+    assert (other.begin, other.end, other.lift) == (180.0, 300.0, -50.0)
+
+
+def test_what_keeps_to_no_law_is_a_law_of_its_own_within_the_precision() -> None:
+    x = np.linspace(0.0, 360.0, 361)
+    xi = np.clip((x - 60.0) / 120.0, 0.0, 1.0)
+    bumpy = 20.0 * (law("polynomial 3-4-5").s(xi) + 0.05 * np.sin(2.0 * np.pi * xi) ** 4 * xi)
+    (found,) = found_in(x, np.round(bumpy, 5))
+    assert isinstance(found.law, PieceLaw)
+    assert found.residual < 2e-3
+    assert found.lift == pytest.approx(20.0)
+
+
+def test_a_turn_parts_a_movement_also_between_two_points() -> None:
+    of = course_of_motion(Motion([Phase(law("dwell"), 0.0, 60.0), Phase(law("CIC"), 20.0, 100.25),
+                                  Phase(law("CIC"), -20.0, 99.75), Phase(law("dwell"), 0.0, 100.0)]))  # fmt: skip
+    x = np.linspace(0.0, 360.0, 721)
+    one, other = found_in(x, of.at(x).y)
+    assert one.law.code == other.law.code == "CIC"
+    assert (one.end, other.begin) == pytest.approx((160.25, 160.25), abs=1e-3)
+
+
+def test_precision_is_that_of_the_numbers() -> None:
+    y = np.random.default_rng(5).uniform(0.0, 100.0, 50)
+    assert precision(np.round(y, 3)) == 0.0005
+    assert precision(y.astype(np.float32).astype(float)) == pytest.approx(100.0 * 2**-24, rel=0.1)
+    assert precision(y) < 1e-12

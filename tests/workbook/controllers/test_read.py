@@ -1,0 +1,131 @@
+"""The way back: a controller's file read as a description, built, and compared with the book that it came from."""
+
+import sys
+
+import numpy as np
+import pytest
+
+from tests.workbook.controllers.examples import handed
+from workbook.cli import main
+from workbook.controllers import described
+from workbook.controllers.handing import automatic, reread
+from workbook.controllers.names import TARGETS
+from workbook.controllers.registry import target
+from workbook.controllers.target import Handed
+from workbook.reading.entries import read_machine
+from workbook.templates import TEMPLATES
+
+EXACT = ("csv", "codesys", "twincat", "siemens", "siemens-segments", "codesys-table", "twincat-table", "siemens-points",
+         "kollmorgen", "lenze")  # fmt: skip
+
+
+@pytest.fixture
+def run(monkeypatch, capsys, tmp_path):
+    """Run a command within an empty folder; return its exit code and what it says."""
+    monkeypatch.chdir(tmp_path)
+
+    def called(*arguments):
+        monkeypatch.setattr(sys, "argv", ["motionbook", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as left:
+            main()
+        said = capsys.readouterr()
+        assert "Traceback" not in said.out + said.err
+        return left.value.code, said.out, said.err
+
+    return called
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: str) -> None:
+    """Codes and breaks are equal; from numbers of 32 bits, and whole ones, within what they leave."""
+    one = target(name)
+    for axis, given in zip(axes, machine.timing.axes, strict=True):
+        made = automatic(one, axis, dict([one.tolerance]))
+        table = reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
+        found = described.phases_of(one, table)
+        moving = [phase for phase in given.phases if phase.law != "DWL"]
+        assert [phase.law.code for phase in found] == [phase.law for phase in moving]
+        near = 1e-9 if name in EXACT else 2e-3
+        for phase, meant in zip(found, moving, strict=True):
+            assert (phase.begin, phase.end, phase.lift) == pytest.approx(
+                (meant.start, meant.stop, meant.lift), abs=near
+            )
+            assert phase.residual <= (1e-9 if name in EXACT else 1e-4)
+
+
+def test_a_file_becomes_a_description_that_is_built_and_exported_and_the_same(run, axes, tmp_path) -> None:
+    one = target("codesys")
+    made = automatic(one, axes[1], {"a": 0.01})
+    (tmp_path / "cam.st").write_text(one.write(Handed(made.table, "MC02", ("x in °, y in mm;",), ("°", "mm"))), "utf-8")
+    code, _, err = run("read", "cam.st", "--from", "codesys", "-o", "back.toml")
+    assert code == 0
+    assert "90–135 °: Modified trapezoidal, lift 20 mm, residual" in err
+    motion = read_machine(tmp_path / "back.toml").motion
+    assert [(p.law, p.lift, p.duration) for p in motion.phases] == [
+        ("DWL", 0.0, 90.0), ("MTP", 20.0, 45.0), ("DWL", 0.0, 170.0), ("MTP", -20.0, 45.0), ("DWL", 0.0, 10.0)
+    ]  # fmt: skip
+    assert run("build", "back.toml")[0] == 0
+    code, out, _ = run("compare", "back.xlsx", "cam.st", "--axis", "motion", "--from", "codesys")
+    assert code == 0
+    assert "acceleration" in out
+    asked = ("--axis", "motion", "--from", "codesys", "--tolerance", "a=0.1%", "--unverified")
+    code, _, err = run("compare", "back.xlsx", "cam.st", *asked)
+    assert code == 1
+    assert "acceleration is off by 0.219 %" in err
+    assert run("export", "back.xlsx", "--all", "--to", "codesys", "--unverified")[0] == 0
+    again = one.read((tmp_path / "back-motion.st").read_text("utf-8"))
+    assert again.y == pytest.approx(made.table.y, abs=1e-9)
+    assert np.array_equal(again.x, made.table.x)
+
+
+def test_a_law_that_needs_an_entry_gets_one(run, tmp_path) -> None:
+    from engine import law
+    from engine.cams.course import course_of_motion
+    from engine.motion import Motion, Phase
+
+    motion = Motion([Phase(law("MSN"), 50.0, 180.0), Phase(law("dwell"), 0.0, 30.0), Phase(law("MSN"), -50.0, 150.0)])
+    x = np.linspace(0.0, 360.0, 721)
+    rows = "".join(f"{a:.17g}\t{b:.17g}\n" for a, b in zip(x, course_of_motion(motion).at(x).y, strict=True))
+    (tmp_path / "a.txt").write_text(rows, "utf-8")
+    code, out, _ = run("read", "a.txt", "--from", "lenze")
+    assert code == 0
+    (tmp_path / "a.toml").write_text(out, "utf-8")
+    assert [phase.law for phase in read_machine(tmp_path / "a.toml").motion.phases] == [
+        "Modified sine", "DWL", "Modified sine"
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [("0;0\n1;nan\n", "no number"), ("0;0\n0;1\n", "expected the master to rise"), ("", "no line of numbers"),
+     ("0;0\n1;1,5\n2;1.5\n", "both . and ,")],
+)  # fmt: skip
+def test_what_is_no_table_is_refused_in_a_line(run, tmp_path, text: str, said: str) -> None:
+    (tmp_path / "bad.csv").write_text(text, "utf-8")
+    code, _, err = run("read", "bad.csv", "--from", "csv", "-o", "bad.toml")
+    assert code == 2
+    assert said in err
+    assert len(err.strip().splitlines()) == 1
+    assert not (tmp_path / "bad.toml").exists()
+
+
+def test_compare_refuses_another_cycle_and_no_file(run, book, tmp_path) -> None:
+    (tmp_path / "short.csv").write_text("0;0\n100;1\n200;0\n", "utf-8")
+    code, _, err = run("compare", book, "short.csv", "--axis", "MC02", "--from", "csv", "--unverified")
+    assert code == 2
+    assert "expected the same cycle" in " ".join(err.split())
+    code, _, err = run("compare", book, "none.csv", "--axis", "MC02", "--from", "csv", "--unverified")
+    assert code == 2
+    assert "no such file" in err
+
+
+def test_a_motion_that_begins_at_speed_is_told_and_not_described(run, tmp_path) -> None:
+    one = target("csv")
+    (tmp_path / "demo.csv").write_text(one.write(handed(one)), "utf-8")
+    x = np.linspace(0.0, 10.0, 101)
+    (tmp_path / "fast.csv").write_text("".join(f"{a:.6f};{5.0 * a + np.sin(a):.9f}\n" for a in x), "utf-8")
+    code, _, err = run("read", "fast.csv", "--from", "csv")
+    assert code == 2
+    assert "from rest to rest" in " ".join(err.split())
+    assert TEMPLATES["motion-composer"].name == "motion-composer"

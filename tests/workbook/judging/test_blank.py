@@ -1,0 +1,110 @@
+"""Rows that are not used show nothing, by a declared rule; another rule that hides figures is found."""
+
+import openpyxl
+import pytest
+from openpyxl.formatting.formatting import ConditionalFormattingList
+from openpyxl.formatting.rule import Rule
+from openpyxl.styles.differential import DifferentialStyle
+from openpyxl.styles.numbers import NumberFormat
+
+from tests.mutation.bench import sized
+from tests.workbook.judging.hands import Known
+from workbook.build import build, inputs
+from workbook.judging.matching import Match
+from workbook.judging.report import Report
+from workbook.judging.shown.book import displayed
+from workbook.reading.files import BookFile, find_places
+from workbook.templates import TEMPLATES
+
+TABLE = "phases"
+
+
+@pytest.fixture(scope="module")
+def book(tmp_path_factory):
+    path = tmp_path_factory.mktemp("book") / "book.xlsx"
+    build(sized(TEMPLATES["motion-composer"], cycle=12, law=4, own_law=4), path)
+    return Known(path)
+
+
+@pytest.fixture
+def opened(book):
+    return book.opened()
+
+
+def said(book, opened):
+    """What is said of how a changed book looks: findings, and notices."""
+    file, report = BookFile(book.path, opened, find_places(opened)), Report(book.path, book.template.name)
+    displayed(Match(file, book.declared), {}, report)
+    return report
+
+
+def hiding(formula):
+    return Rule(type="expression", formula=[formula], dxf=DifferentialStyle(numFmt=NumberFormat(901, ";;;")))
+
+
+def without(sheet, row):
+    """Take the rules of the table that begins in a row from its sheet; return their ranges and formulas."""
+    kept, taken = ConditionalFormattingList(), []
+    for area in sheet.conditional_formatting:
+        for rule in area.rules:
+            if rule.type == "expression" and min(r.min_row for r in area.sqref.ranges) == row:
+                taken.append((str(area.sqref), rule.formula[0]))
+            else:
+                kept.add(str(area.sqref), rule)
+    sheet.conditional_formatting = kept
+    return taken
+
+
+def changed(book, opened, formula):
+    """Give the phases a rule of another formula, by the declared one; return the sheet and its first row."""
+    row = book.declared.blocks[TABLE].row
+    sheet = opened["Motion"]
+    (cells, old), = without(sheet, row)  # fmt: skip
+    sheet.conditional_formatting.add(cells, hiding(formula(old, row)))
+    return said(book, opened)
+
+
+def test_the_declared_rule_is_known(book, opened):
+    report = said(book, opened)
+    assert (report.findings, report.notices) == ([], [])
+    assert inputs(book.path)[1] == []
+
+
+def test_a_rule_that_is_gone_is_a_notice(book, opened):
+    without(opened["Motion"], book.declared.blocks[TABLE].row)
+    report = said(book, opened)
+    assert report.findings == []
+    assert [n.expected for n in report.notices] == ["a rule that leaves unused rows blank"]
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        lambda old, row: "TRUE",
+        lambda old, row: old.replace('=""', '<>""'),
+        lambda old, row: old.replace("AND", "OR"),
+        lambda old, row: old.replace(str(row), str(row + 1)),
+        lambda old, row: f"$K{row}>1",
+    ],
+)
+def test_a_changed_rule_is_found_with_the_cells_that_it_may_hide(formula, book, opened):
+    report = changed(book, opened, formula)
+    places = {p.address.a1 for p in book.pairs(lambda p: p.cell.block.name == TABLE)}
+    assert {f.kind for f in report.findings} == {"shown"}
+    assert {f.cell for f in report.findings} <= places
+    assert len(report.notices) == 1
+
+
+def test_the_declared_condition_hides_no_input_and_no_other_table(book, opened):
+    row, sheet = book.declared.blocks[TABLE].row, opened["Motion"]
+    (cells, old), = without(sheet, row)  # fmt: skip
+    sheet.conditional_formatting.add(f"{cells} C{row}:C{row + 3}", hiding(old))
+    found = said(book, opened).findings
+    assert found
+    assert {f.cell for f in found} <= {f"C{row + n}" for n in range(4)}
+
+
+def test_openpyxl_keeps_it(book, tmp_path):
+    workbook = openpyxl.load_workbook(book.path)
+    workbook.save(tmp_path / "kept.xlsx")
+    assert inputs(tmp_path / "kept.xlsx")[1] == []

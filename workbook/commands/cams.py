@@ -1,0 +1,74 @@
+"""What runs in a machine: a controller's file read, identified, and compared with a book's axis."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+from engine.cams.course import SAME
+from workbook import build as making
+from workbook.commands.export import chosen, tolerated, trusted
+from workbook.controllers import certificates, described
+from workbook.controllers.files import read_table
+from workbook.controllers.handing import certified
+from workbook.controllers.registry import target as target_named
+from workbook.errors import TargetError
+from workbook.exits import AGREES, DISAGREES
+from workbook.intake import read_text
+from workbook.reading.entries import checked, template_named, write_machine
+from workbook.reports.terminal import ERR, OUT, say, say_data
+from workbook.templates import TEMPLATES
+from workbook.writing.place import refuse_existing
+
+NEAR = 1e-6
+"""of the cycle: so far the file's may be from the book's"""
+
+
+def read(file: Path, source: str, output: Path | None, force: bool) -> None:
+    """Tell what a controller's file was made of, and write it as a description."""
+    target = target_named(source)
+    if output is not None:
+        refuse_existing(output, force)
+    table = read_table(file, target)
+    units = described.units_of(read_text(file, "a table", most=len(file.read_bytes())))
+    found = described.phases_of(target, table)
+    say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found)} movements")
+    for line in described.lines(found, units):
+        say(ERR, line)
+    data = described.composed(found, table, units, f"Read from {file.name}")
+    machine = checked(template_named("motion-composer", str(file)), data, lambda key: f"{file}: {key}")
+    if output is None:
+        say_data(write_machine(machine))
+        return
+    making.write_inputs(machine, output, overwrite=force)
+    say(OUT, f"Wrote {output.absolute()}")
+
+
+def compare(
+    book: Path, file: Path, axis: str, source: str, tolerance: Sequence[str], unverified: bool, as_json: bool
+) -> int:  # fmt: skip
+    """Compare what a controller makes of a file with an axis of a book; return the exit code."""
+    target = target_named(source)
+    held = dict(map(tolerated, tolerance)) or dict([target.tolerance])
+    table = read_table(file, target)
+    machine, _ = trusted(book, unverified)
+    if machine is None:
+        return DISAGREES
+    (meant,) = chosen(TEMPLATES[machine.template].axes(machine), axis, machine.template)
+    course = meant.course
+    for given, own in zip(table.x[[0, -1]], course.edges[[0, -1]], strict=True):
+        if abs(float(given) - float(own)) > max(NEAR, SAME) * course.total:
+            raise TargetError(
+                f"{file}: x runs from {table.x[0]:.9g} to {table.x[-1]:.9g}; {meant.name} from "
+                f"{course.edges[0]:.9g} to {course.edges[-1]:.9g} {meant.x_unit}: expected the same cycle"
+            )
+    made = certified(target, table, course)
+    if as_json:
+        say_data(f"{json.dumps(certificates.told(meant, made, target, str(file)), ensure_ascii=False, indent=1)}\n")
+    else:
+        certificates.show(OUT, meant, made, target)
+    if made.excess(held) <= 1.0:
+        return AGREES
+    say(ERR, f"{meant.name}: {certificates.excess(made, held)}", "red")
+    return DISAGREES
