@@ -16,4 +16,8 @@ def test_the_names_answer_as_documented_in_both_programs() -> None:
     kept = columns(PAGE.read_text(encoding="utf-8"))
     names = [head for head in kept if head.startswith("names, ")]
     assert len(names) == 2
-    assert {cell for head in names for cell in kept[head]} == {""}
+    told = {head: {asked for asked, cell in zip(kept["asked"], kept[head], strict=True) if cell} for head in names}
+    without = {'MOTION.S("CUB",0.25)', 'MOTION.CV("TVP")', 'MOTION.CV("OWN")', 'MOTION.XI("ACS",0.125)'}
+    (formulon,) = (told.pop(head) for head in names if "formulon" in head)
+    assert formulon == {f"`={asked}`" for asked in without}  # no optional parameters
+    assert [*told.values()] == [set()]

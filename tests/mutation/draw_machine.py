@@ -1,12 +1,16 @@
 """Random machines of any axes."""
 
 import random
+from collections.abc import Sequence
 from typing import Any, get_args
 
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
+from workbook.laws.registry import FAMILY
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
+
+SHAPED = {name for name in MOVING if FAMILY[name].page.shapes is not None}
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
@@ -15,16 +19,46 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     vary_laws(data["laws"], drawn, sizes["pieces"])
     data["master"]["rate"] = drawn.uniform(5, 600)
     for axis in data["axes"]:
-        made = phases(drawn, sizes["phases"])
+        laws = MOVING if axis["motor"] is None else [name for name in MOVING if name in SHAPED]
+        made = phases(drawn, sizes["phases"], laws)
         axis.update(
             closes=drawn.choice(("feed", "position")), smoothness=drawn.choice(get_args(Smoothness)),
             shift=drawn.choice((0.0, float(drawn.randint(-720, 720)), drawn.uniform(-400, 400))),
             phases=within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1),
         )  # fmt: skip
+        if axis["motor"] is not None:
+            drive(axis, drawn, sizes["rotors"])
     return data
 
 
-def phases(drawn: random.Random, room: int) -> list[dict[str, Any]]:
+def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:
+    """Draw a drive of the same kind: loads that resist or drive, limits far off."""
+    travels = axis["unit"] == "mm"
+    often = drawn.uniform(0, 1)
+    force = drawn.choice((0.0, drawn.uniform(-900, 900)))
+    axis["mechanism"] |= {"size": drawn.uniform(2, 300) if travels else 1.0, "efficiency": drawn.uniform(0.3, 1)}
+    axis["load"] = {
+        "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),
+        "slope": drawn.choice((0.0, drawn.uniform(-90, 90))), "force": force,
+    } if travels else {
+        "inertia": drawn.choice((0.0, often)), "torque": drawn.choice((0.0, force)), "friction_torque": often,
+    }  # fmt: skip
+    axis["parts"] = [
+        {
+            "name": f"part {i}", "count": float(drawn.randint(0, 5)), "inertia": drawn.uniform(0, 0.1),
+            "shaft": drawn.choice(("motor", "mechanism")),
+        }
+        for i in range(drawn.randint(0, room))
+    ]  # fmt: skip
+    axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1)))}
+    axis["motor"] = {
+        "inertia": drawn.choice((0.0, drawn.uniform(0, 0.05))), "rated_torque": 10 ** drawn.uniform(-3, 6),
+        "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
+        "holding": drawn.choice(("motor", "brake")),
+    }  # fmt: skip
+
+
+def phases(drawn: random.Random, room: int, laws: Sequence[str]) -> list[dict[str, Any]]:
     """Return phases in order, with and without rests between them."""
     made: list[dict[str, Any]] = []
     count = drawn.randint(1, room)
@@ -33,7 +67,7 @@ def phases(drawn: random.Random, room: int) -> list[dict[str, Any]]:
     for rest, width in zip(widths[::2], widths[1::2], strict=False):
         start = reached + (rest * 360 if drawn.random() < 0.5 else 0.0)
         reached = start + width * 360
-        law = drawn.choice((*MOVING, "DWL"))
+        law = drawn.choice((*laws, "DWL"))
         lift = 0.0 if law == "DWL" else drawn.choice((0.0, drawn.uniform(-200, 200), drawn.uniform(-200, 200)))
         made.append({"start": start, "stop": reached, "lift": lift, "law": law})
     if drawn.random() < 0.3:

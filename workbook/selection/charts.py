@@ -12,12 +12,12 @@ def charts(sheet: Sheet, view: Choosing) -> None:
     down = view.rooms[0]
     ranges = (
         Series("motors: from max(τ_min, τ_lim)", "[figure11.x]", "[figure11.low]", points=True, marker="dash",
-               up="[figure11.up]", color="1F4E79"),
-        Series("to τ_max", "[figure11.x]", "[figure11.high]", points=True, marker="dash", color="1F4E79"),
-        Series("τ_opt", "[figure11.x]", "[figure11.best]", points=True, marker="circle", color="1F4E79"),
+               up="[figure11.up]", color="0072B2"),
+        Series("to τ_max", "[figure11.x]", "[figure11.high]", points=True, marker="dash", color="0072B2"),
+        Series("τ_opt", "[figure11.x]", "[figure11.best]", points=True, marker="circle", color="0072B2"),
         Series("across: reducers that hold the load", "[figure11r.x]", "[figure11r.tau]", points=True,
                right="[figure11r.right]", color="A6A6A6"),
-        Series("the pair", "[figure11p.x]", "[figure11p.tau]", points=True, marker="diamond", color="C55A11"),
+        Series("the pair", "[figure11p.x]", "[figure11p.tau]", points=True, marker="diamond", color="D55E00"),
     )  # fmt: skip
     sheet.chart(
         Chart("Ratios that each motor accepts, and reducers (S5, figure 11)", "number of the motor in its table",
@@ -40,7 +40,7 @@ def charts(sheet: Sheet, view: Choosing) -> None:
         Series("τ_max", "[figure12.beta]", "[figure12.tau_max]", color="C00000"),
         Series("τ_opt", "[figure12.beta]", "[figure12.tau_opt]", dashed=True, color="404040"),
         Series("τ_min", "[figure12.beta]", "[figure12.tau_min]", color="000000"),
-        Series("the pair", "[figure12p.beta]", "[figure12p.tau]", points=True, marker="diamond", color="C55A11"),
+        Series("the pair", "[figure12p.beta]", "[figure12p.tau]", points=True, marker="diamond", color="D55E00"),
     )
     sheet.chart(
         Chart("Ratios against the load factor, the pair's motor (S5, figure 12)", "load factor β [Nm rad/s²]",

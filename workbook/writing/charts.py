@@ -37,6 +37,7 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
         drawn.series.append(line(series, book, COLOURS[i % len(COLOURS)]))
+    drawn.graphical_properties = GraphicalProperties(ln=LineProperties(noFill=True))  # no frame
     drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 else None
     axes(drawn, chart, book)
     return drawn

@@ -8,7 +8,7 @@ import pytest
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.entries import checked, read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -107,3 +107,65 @@ def test_other_names_are_no_finding(tmp_path):
 def test_axes_are_told_apart_whatever_the_case_of_their_names():
     with pytest.raises(ValueError, match="a second axis"):
         described([axis(1, (0, 90, 1.0, "CIC")), axis(1, (0, 90, 1.0, "CIC"), name="a1")])
+
+
+# Drives
+
+
+def driven(*phases, lead=10.0, **entries):
+    """An axis on a screw without losses."""
+    return axis(1, *phases) | {
+        "mechanism": {"kind": "lead screw", "size": lead, "efficiency": 1.0},
+        "load": {"mass": 20.0},
+        "motor": {"inertia": 1e-3, "rated_torque": 60.0, "peak_torque": 450.0, "max_speed": 13000.0},
+    } | entries  # fmt: skip
+
+
+def test_a_movement_between_two_degrees_keeps_its_peak():
+    """2.4° from 90.3°, of CIC (C_v 2): samples one degree apart showed 7,553 rpm."""
+    lift = 12000 / 60 * 10.0 * (0.3 * 2.4 / 360) / 2
+    for cycle in (12, 360):
+        value = computed(TEMPLATE, described([driven((90.3, 92.7, lift, "CIC"))], cycle=cycle))
+        assert value("drive1_speed") == pytest.approx(12000, rel=1e-12)
+
+
+def test_cic_through_a_screw_at_200_a_minute():
+    """2 mm in 5.5°, lead 10 mm: 5,236.36 rpm, 598.2 m/s²; T = (J_m i + m/i) a."""
+    value = computed(TEMPLATE, described([driven((90.3, 95.8, 2.0, "CIC"), (180, 200, -2.0, "CIC"))]))
+    ratio, hardest = 2 * math.pi / 0.01, 2 * math.pi * 0.002 / (0.3 * 5.5 / 360) ** 2
+    assert value("drive1_speed") == pytest.approx(5236.3636363636, rel=1e-12)
+    torque = (1e-3 * ratio + 20 / ratio) * hardest
+    assert (value("drive1_tmax"), value("drive1_tmin")) == pytest.approx((torque, -torque), rel=1e-12)
+    square = torque**2 / 2 * (5.5 + 20 * (5.5 / 20) ** 4) / 360  # of a full sine, ⟨sin²⟩ = 1/2
+    assert value("drive1_rms") == pytest.approx(math.sqrt(square), rel=1e-12)
+
+
+def test_no_result_hangs_on_the_samples():
+    machine = read_machine(TEMPLATE.description).model_dump()["axes"]
+    few, many_samples = (computed(TEMPLATE, described(machine, cycle=cycle)) for cycle in (12, 720))
+    for i in (1, 2):
+        for name in ("tmax", "tmin", "rms", "speed", "jtot", "res_rms"):
+            assert few(f"drive{i}_{name}") == many_samples(f"drive{i}_{name}"), name
+
+
+def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(tmp_path):
+    data = described([driven((0, 90, 2.0, "OWN"), (180, 200, -2.0, "CIC"))]).model_dump()
+    machine = checked(TEMPLATE, data, str)
+    assert [fault.key for fault in machine.design.faults] == ["axes.0.phases.0.law"]
+    build(machine, tmp_path / "book.xlsx")
+    report = verify(tmp_path / "book.xlsx")
+    assert report.findings == []
+    assert report.unfinished
+
+
+@pytest.mark.parametrize(
+    ("entries", "said"),
+    [
+        ({"motor": None}, "a drive has a mechanism and a motor"),
+        ({"unit": "°"}, "a lead screw does not move an axis in °"),
+        ({"load": {"inertia": 1.0}}, "no entry of an axis in mm"),
+    ],
+)
+def test_a_drive_that_is_none_is_refused(entries, said):
+    with pytest.raises(ValueError, match=said):
+        described([driven((0, 90, 2.0, "CIC")) | entries])

@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
+from workbook.drive.entries import Efficiency, MotorLimits, RotatingParts
 from workbook.entries.machine import Machine
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, require_distinct
 from workbook.entries.turn import TurnPhase, forward
-from workbook.entries.types import ANGLE_TOLERANCE, DesignError, EntryError, Model, Number, Positive, TogetherError
+from workbook.entries.types import (
+    ANGLE_TOLERANCE,
+    DesignError,
+    EntryError,
+    Model,
+    NotNegative,
+    Number,
+    Positive,
+    TogetherError,
+)
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
 
 MOST_AXES = 24
+Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "feed rollers", "rotary table", "gear train"]
+TURNING = ("rotary table", "gear train")
+Slope = Annotated[float, Field(ge=-90, le=90)]
 Unit = Literal["mm", "°"]
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
@@ -24,6 +37,56 @@ class Master(Model):
     """The master shaft: one cycle a turn."""
 
     rate: Positive  # cycles/min
+
+
+class MechanismEntry(Model):
+    """What makes the motor's turning the axis' motion: its size is a screw's lead, a diameter or a radius in mm."""
+
+    kind: Kind
+    size: Positive  # 1 where the axis turns with it
+    efficiency: Efficiency
+
+    @model_validator(mode="before")
+    @classmethod
+    def _turns(cls, data: Any) -> Any:
+        turning = isinstance(data, dict) and data.get("kind") in TURNING
+        return {"size": 1.0} | data if turning else data
+
+
+class AxisLoad(Model):
+    """What hangs on an axis: of one that travels a mass, of one that turns an inertia, and what resists."""
+
+    mass: NotNegative = 0.0  # kg
+    friction: NotNegative = 0.0  # coefficient
+    slope: Slope = 0.0  # degrees
+    force: Number = 0.0  # N
+    inertia: NotNegative = 0.0  # kg m²
+    torque: Number = 0.0  # Nm
+    friction_torque: NotNegative = 0.0  # Nm
+
+
+class AxisMotor(MotorLimits):
+    """A motor with its own inertia; at rest it holds the load, or a brake does."""
+
+    inertia: NotNegative  # kg m²
+    holding: Literal["motor", "brake"] = "motor"
+
+
+class Reducer(Model):
+    """What stands between motor and mechanism."""
+
+    ratio: Positive  # motor over mechanism
+    efficiency: Efficiency
+
+
+class AxisPart(RotatingParts):
+    """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer."""
+
+    inertia: NotNegative  # kg m²
+    shaft: Literal["motor", "mechanism"]
+
+
+TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")
 
 
 class Axis(Model):
@@ -36,6 +99,25 @@ class Axis(Model):
     smoothness: Smoothness = "acceleration"
     shift: Number = 0.0  # degrees by which it is later than its phases say
     phases: Annotated[list[TurnPhase], Field(min_length=1)]
+    mechanism: MechanismEntry | None = None
+    load: AxisLoad = AxisLoad()
+    parts: list[AxisPart] = []  # noqa: RUF012 - frozen
+    motor: AxisMotor | None = None
+    reducer: Reducer = Reducer(ratio=1.0, efficiency=1.0)
+
+    @model_validator(mode="after")
+    def _driven(self) -> Self:
+        if (self.mechanism is None) != (self.motor is None):
+            missing = "mechanism" if self.mechanism is None else "motor"
+            raise EntryError(missing, "empty; a drive has a mechanism and a motor")
+        if self.mechanism and (self.mechanism.kind in TURNING) != (self.unit == "°"):
+            raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
+        if self.mechanism and self.mechanism.kind in TURNING and self.mechanism.size != 1.0:
+            raise EntryError("mechanism.size", f"a {self.mechanism.kind} has no size; expected none")
+        for name in TRAVELLING_LOAD if self.unit == "°" else TURNING_LOAD:
+            if getattr(self.load, name):
+                raise EntryError(f"load.{name}", f"no entry of an axis in {self.unit}; expected none")
+        return self
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, or that begin before the one above ends."""
@@ -61,6 +143,9 @@ class AnyMachine(Machine):
     def _fits(self) -> Self:
         require_distinct((axis.name for axis in self.axes), "axis", "axes.{}.name")
         for i, axis in enumerate(self.axes):
+            if len(axis.parts) > self.sizes.rotors:
+                said = f"{len(axis.parts)} rows do not fit into {self.sizes.rotors}; raise sizes.rotors"
+                raise EntryError(f"axes.{i}.parts", said)
             if len(axis.phases) > self.sizes.phases:
                 said = f"{len(axis.phases)} rows do not fit into {self.sizes.phases}; raise sizes.phases"
                 raise EntryError(f"axes.{i}.phases", said)

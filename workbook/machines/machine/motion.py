@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
+import numpy as np
+
+from engine.laws.base import Array
 from engine.motion import Phase
 from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.book.rows import filled
+from workbook.laws.library import NamedLaw
 from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
+from workbook.laws.shapes import shapes_table
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
@@ -49,8 +54,14 @@ class AxisRows:
             (f"[axes.name.{i}]", self.axis.given.name), rows=False,
         )  # fmt: skip
 
+    def going(self, x: Array) -> Array:
+        """Return the direction, 1, −1 or 0, of the phase in which each sample lies."""
+        rows = self.pieces.found(self.axis.told(x).x).row.astype(int)
+        lifts = {place: phase.lift for place, phase in zip(self.axis.places, self.axis.motion.phases, strict=True)}
+        return np.sign([lifts[self.pieces.pieces[row - 1].phase] for row in rows.tolist()])
 
-def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
+
+def pieces_sheet(book: Book, axes: list[AxisRows], laws: Sequence[NamedLaw]) -> None:
     """Declare the sheet of the motions as pieces."""
     sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
     for one in axes:
@@ -60,6 +71,9 @@ def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
         room = one.machine.room
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
                      *one.joints.columns(room))  # fmt: skip
+    if laws:
+        sheet.heading("Stages of the laws", "Shares of a law's time on stages of each shape: what drives integrate.")
+        shapes_table(sheet, laws)
     sheet.print_columns = 20
 
 

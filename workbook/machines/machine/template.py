@@ -7,7 +7,9 @@ from workbook.book.declare import Book, result
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.axes import axes
+from workbook.machines.machine.check import check
 from workbook.machines.machine.cycle import cycle_sheet
+from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.timing import timing_sheet
@@ -36,9 +38,12 @@ def declare(given: AnyMachine) -> Book:
     )  # fmt: skip
     timing_sheet(book, machine, rows)
     book.name("axes", axis_name="name")
+    driven = [one for one in rows if one.axis.given.mechanism and one.axis.given.motor]
+    for one in driven:
+        drive_sheet(book, one)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
-    pieces_sheet(book, rows)
+    pieces_sheet(book, rows, shelf.named if driven else [])
     return finish(book, "Machine", ("S1", "S3"))
 
 
@@ -47,7 +52,10 @@ TEMPLATE = Template(
     AnyMachine,
     declare,
     variants,
-    LAW_SIZES | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)},
+    LAW_SIZES
+    | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
+    | {"rotors": ("drive1_parts", 0)},
+    check,
     laid_out=laid_out,
     fixed=fixed,
     axes=axes,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, page_of, variations, vary_laws
 from workbook.machines.machine.entries import AnyMachine
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
@@ -15,7 +15,14 @@ SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
 
 def variants(machine: AnyMachine) -> list[AnyMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
-    return [AnyMachine.model_validate(data) for data in variations(machine, varied)]
+    free = any(axis.motor is None for axis in machine.axes)
+    suited = list if free else shaped
+    return [AnyMachine.model_validate(data) for data in variations(machine, varied, suited)]
+
+
+def shaped(laws: dict[str, Any]) -> list[str]:
+    """Return the laws of constants, quarter sines and straight lines, which drives integrate."""
+    return [name for name, entry in laws.items() if page_of(name, entry).shapes is not None]
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
@@ -30,9 +37,37 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             "smoothness": smoothness_for(turn + i),
             "shift": SHIFTS[(i + k) % SIX],
         }
-        made = phases(i, turn, sizes["phases"], data["laws"])
+        driven = axis["motor"] is not None
+        made = phases(i, turn, sizes["phases"], shaped(data["laws"]) if driven else data["laws"])
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
+        if driven:
+            drive(axis, i, k, sizes["rotors"])
     return data
+
+
+def drive(axis: dict[str, Any], i: int, k: int, room: int) -> None:
+    """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
+    travels = axis["unit"] == "mm"
+    axis["mechanism"] |= {"size": 7.0 + 11 * k if travels else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
+    axis["load"] = {
+        "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
+        "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k],
+    } if travels else {
+        "inertia": 0.01 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
+    }  # fmt: skip
+    axis["parts"] = [
+        {
+            "name": f"part {j + 1}",
+            "count": 1.0 + j,
+            "inertia": 0.002 * (j + k),
+            "shaft": ("motor", "mechanism")[(j + k) % 2],
+        }
+        for j in range(room if k == 0 else k % 3)
+    ]
+    axis["reducer"] = {"ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX)}
+    limits = ("rated_torque", "peak_torque", "max_speed")
+    axis["motor"] |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
+    axis["motor"] |= {"inertia": 0.0 if k == 4 else 0.001 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor"}
 
 
 def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[str, Any]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 from functools import cached_property
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 
@@ -164,11 +164,32 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     axes = []
     for i in range(1, entered.MOST_AXES + 1):
         units = [unit for unit in UNITS if unit_name(i, unit) in names]
+        kinds = [kind for kind in get_args(entered.Kind) if kind_name(i, kind) in names]
         if units:
-            axes.append(machine.axes[0].model_copy(update={"unit": units[0]}))
+            drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
+            axes.append(machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": []} | drive))
     return machine.model_copy(update={"axes": axes or machine.axes})
 
 
+LEAST = entered.AxisLoad()
+
+
+def driven_by(kind: str) -> dict[str, Any]:
+    """Return the entries of some drive with a mechanism."""
+    mechanism = entered.MechanismEntry.model_validate({"kind": kind, "size": 1.0, "efficiency": 1.0})
+    motor = entered.AxisMotor(inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
+    return {"mechanism": mechanism, "motor": motor}
+
+
+def kind_name(number: int, kind: str) -> str:
+    """Return the name of the cell that says which mechanism an axis has: by it a file tells that."""
+    return f"drive{number}_{kind.replace(' ', '_')}"
+
+
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
-    """Return the entries that a book's layout tells, and no cell to enter."""
-    return {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
+    """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
+    found: dict[str, Any] = {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
+    for i, axis in enumerate(machine.axes):
+        if axis.mechanism:
+            found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
+    return found

@@ -1,0 +1,210 @@
+"""The sheet Drive of one axis: mechanism, load, motor; torque and speed over the cycle, exact by the laws."""
+
+from __future__ import annotations
+
+from engine.drivetrain.loads import GRAVITY
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.rows import filled
+from workbook.drive.motor import limit_checks, limits_table, plane
+from workbook.entries.units import RPM, shown
+from workbook.machines.machine.bends import both_ways, moves_table
+from workbook.machines.machine.driven import SCREW, Driven, Samples
+from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.view import kind_name
+
+CHART_COLUMN = 10
+SIZES = {
+    "lead screw": ("Lead of the screw", "P"),
+    "conveyor": ("Diameter of the roller", "D"),
+    "rack and pinion": ("Pitch diameter of the pinion", "D"),
+    "belt": ("Pitch diameter of the pulley", "D"),
+    "feed rollers": ("Radius of the rollers", "R"),
+}
+RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)"}
+UNSHAPED = "a phase has a law of other stages than constants, quarter sines and straight lines"
+
+
+def drive_sheet(book: Book, one: AxisRows) -> None:
+    """Declare the sheet."""
+    driven = Driven(one.axis)
+    i = driven.number
+    sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
+    with sheet.scoped(f"drive{i}_"):
+        entries(sheet, driven)
+        parts(sheet, driven, one.machine.machine.sizes.rotors)
+        outcome(sheet, driven)
+        sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
+        workings(sheet, driven)
+        both_ways(sheet, driven)
+        moves_table(sheet, one, driven)
+        cycle(sheet, one, driven)
+        backward = "MIN([@moves.dir])<0"
+        limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
+    sheet.print_columns = 18
+
+
+def entries(sheet: Sheet, driven: Driven) -> None:
+    """Declare what is entered of this mechanism, its load, reducer and motor."""
+    e, m, motor, key = driven.entered, driven.given, driven.motor_given, f"axes.{driven.number - 1}"
+    sheet.heading("What to enter")
+    label, symbol = SIZES.get(m.kind, ("", ""))
+    size = [given("@size", label, symbol, "mm", m.size, f"{key}.mechanism.size", format="0.0##")] if label else []
+    sheet.rows(
+        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", e.name, align="left"),
+        constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
+        *size,
+        given("@eta2", "Efficiency of the mechanism", "η_2", "",
+              m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
+        *loads(driven, key),
+        given("@i1", "Reducer: ratio", "i_1", "", e.reducer.ratio, f"{key}.reducer.ratio", format="0.0##",
+              source="motor over mechanism; 1 without a reducer"),
+        given("@eta1", "Reducer: efficiency", "η_1", "", e.reducer.efficiency, f"{key}.reducer.efficiency",
+              format="0.0##"),
+        given("@jm", "Motor: inertia", "J_m", "kg m²", motor.inertia, f"{key}.motor.inertia",
+              source="with its brake and the reducer's input"),
+        given("@motor_rated", "Motor: rated torque", "T_N", "Nm", motor.rated_torque, f"{key}.motor.rated_torque"),
+        given("@motor_peak", "Motor: peak torque", "T_max", "Nm", motor.peak_torque, f"{key}.motor.peak_torque"),
+        given("@motor_nmax", "Motor: largest speed", "n_max", "rpm", motor.max_speed, f"{key}.motor.max_speed",
+              format="0.0##"),
+        given("@holding", "At rest the load is held by", "", "", motor.holding, f"{key}.motor.holding",
+              source="the motor, or a brake"),
+    )  # fmt: skip
+
+
+def loads(driven: Driven, key: str) -> list[Quantity]:
+    """Return the entries of the load of this kind."""
+    e = driven.entered.load
+    rows: tuple[tuple[str, str, str, str, str], ...] = (
+        ("mass", "Mass that travels", "m", "kg", ""),
+        ("friction", "Coefficient of friction", "μ", "", "opposes the motion"),
+        ("slope", "Slope", "θ", "°", "rising with positive travel"),
+        ("force", "Force against positive travel", "F", "N", "always, also at rest"),
+    ) if driven.kind.travels else (
+        ("inertia", "Inertia that turns", "J", "kg m²", ""),
+        ("torque", "Torque against positive motion", "T", "Nm", "always, also at rest"),
+        ("friction_torque", "Friction torque", "T_f", "Nm", "opposes the motion"),
+    )  # fmt: skip
+    return [
+        given(f"@{name}", label, symbol, unit, getattr(e, name), f"{key}.load.{name}",
+              format="General" if unit == "kg m²" else "0.0##", source=source)
+        for name, label, symbol, unit, source in rows
+    ]  # fmt: skip
+
+
+def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
+    """Declare the rotating parts."""
+    e, key = driven.entered.parts, f"axes.{driven.number - 1}.parts.*"
+    sheet.row += 1
+    sheet.table(
+        "@parts", "Rotating parts: leave spare rows empty", rows,
+        given("name", "part", "", "", filled([p.name for p in e], rows, None), f"{key}.name"),
+        given("count", "count", "", "", filled([p.count for p in e], rows, None), f"{key}.count", format="0"),
+        given("inertia", "inertia of one", "J", "kg m²", filled([p.inertia for p in e], rows, None),
+              f"{key}.inertia", format="General"),
+        given("shaft", "on the shaft of", "", "", filled([p.shaft for p in e], rows, None), f"{key}.shaft",
+              source="motor, or mechanism"),
+        calc("all", "of all", "n J", "kg m²", "=[count]*[inertia]", filled([p.all for p in driven.parts], rows)),
+    )  # fmt: skip
+
+
+def outcome(sheet: Sheet, driven: Driven) -> None:
+    """Declare what the cycle asks of the motor, and the checks against its limits."""
+    found, m, motor = driven.demand, driven.mechanism, driven.reserve
+    torque = max(found.torque.peak, 1e-3)
+    fastest = shown(found.speed.peak, RPM)
+    sheet.heading("What comes out")
+    sheet.rows(
+        result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", "=@j0-@jm+@j1/@i1^2+@m/@i^2",
+               m.inertia(), source="Σ J/i², load and parts"),
+        result("@inertias", "Inertia ratio", "", "",
+               "=IF(@jm>0,@jtot/@jm,0)", driven.drive.inertia_ratio, source="load at the motor's shaft / motor"),
+        result("@tmax", "Highest torque of the motor", "T_max", "Nm",
+               "=IF(SUM([@moves.share])=0,@rest,IF(@resting>check_zero,MAX(MAX([@moves.top]),@rest),"
+               "MAX([@moves.top])))",
+               found.torque.highest.value, scale=torque, source="exact: at the laws' extremes of acceleration"),
+        result("@tmin", "Lowest torque of the motor", "T_min", "Nm",
+               "=IF(SUM([@moves.share])=0,@rest,IF(@resting>check_zero,MIN(MIN([@moves.bottom]),@rest),"
+               "MIN([@moves.bottom])))",
+               found.torque.lowest.value, scale=torque),
+        result("@rms", "RMS torque of the motor", "T_rms", "Nm",
+               "=SQRT(MAX(0,SUMPRODUCT([@moves.share],[@moves.square])+@resting*@rest^2))",
+               found.rms_torque, scale=torque, source="exact, from the laws' stages: not from samples"),
+        result("@speed", "Largest speed of the motor", "n", "rpm",
+               f"=ABS(@i)*MAX([axis{driven.number}.v])*60/(2*PI())", fastest, source="C_v h/t, through the ratio"),
+        result("@res_rms", "Reserve of RMS torque", "", "",
+               "=IF(@rms>0,@motor_rated/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
+        result("@res_peak", "Reserve of peak torque", "", "",
+               "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
+        result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
+    )  # fmt: skip
+    sheet.checks(
+        *limit_checks(motor, f"Drive {driven.number}"),
+        check("@ok_laws", f"Drive {driven.number}: the laws are of stages that this sheet integrates",
+              "MIN([@moves.known])=1", True, "for the RMS torque", f":shaped{driven.number}", f'"{UNSHAPED}"'),
+    )  # fmt: skip
+
+
+def workings(sheet: Sheet, driven: Driven) -> None:
+    """Declare ratios, inertias and what resists."""
+    m, load = driven.mechanism, driven.load
+    travels = driven.kind.travels
+    ratio = RATIOS.get(driven.given.kind, "=2/(@size/1000)") if travels else "=1"
+    steady = "=@force+@m*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
+    rubbing = "=@friction*@m*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
+    gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
+    base = "kg" if travels else "kg m²"
+    force = "N" if travels else "Nm"
+
+    def on(shaft: str) -> str:
+        return f'SUMPRODUCT(([@parts.shaft]="{shaft}")*[@parts.all])'
+
+    sheet.heading("Workings: the chain")
+    sheet.rows(
+        *gravity,
+        calc("@m", "What is moved", "m", base, "=@mass+0" if travels else "=@inertia+0", load.inertia),
+        calc("@i2", "Ratio of the mechanism", "i_2", "rad/m" if travels else "",
+             ratio, m.ratio_from(1), source="2π/P of a screw" if driven.given.kind == SCREW else ""),
+        calc("@i", "Motor over load", "i", "rad/m" if travels else "", "=@i1*@i2", m.ratio, source="i_1 i_2"),
+        calc("@j0", "Inertia on the motor's shaft, with it", "J_0", "kg m²",
+             f"=@jm+{on('motor')}", driven.at_motor, source="motor and parts"),
+        calc("@j1", "Inertia on the mechanism's shaft", "J_1", "kg m²", f"={on('mechanism')}", m.on_shaft(1)),
+        calc("@steady", "What resists always", "", force, steady, load.torque, scale=driven.sizes.force,
+             source="F + m g sin θ" if travels else ""),
+        calc("@rub", "What opposes the motion", "", force, rubbing, load.friction, scale=driven.sizes.force,
+             source="μ m g cos θ" if travels else ""),
+        calc("@rest", "Torque of the motor at rest", "", "Nm",
+             '=IF(@holding="brake",0,@steady/@eta2/@i2/@eta1/@i1)', driven.rest_torque, scale=driven.sizes.torque,
+             source="as if it drove; 0 behind a brake"),
+        calc("@resting", "Share of the cycle at rest", "", "", "=1-SUM([@moves.share])", driven.resting),
+    )  # fmt: skip
+
+
+def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
+    """Declare speed and torque over the cycle, for the chart."""
+    i, t = driven.number, one.name
+    speed, torque, behind, force = sampled(one, driven)
+    going = one.going(one.machine.samples)
+    sheet.heading("Table over the cycle")
+    sheet.table(
+        "@cycle", "Speed and torque of the motor over the cycle", len(going),
+        result("rpm", "motor speed", "n", "rpm", f"=@i*INDEX([cycle.t{i}],[k]+1)*60/(2*PI())", shown(speed, RPM)),
+        result("torque", "motor torque", "T", "Nm",
+               '=IF(AND([dir]=0,@holding="brake"),0,IF([behind]*[dir]<0,@eta1,1/@eta1)*[behind]/@i1'
+               f"+@j0*@i*INDEX([cycle.tt{i}],[k]+1))",
+               torque, scale=driven.sizes.torque, source="f T_1/i_1 + J_0 i ÿ"),
+        calc("dir", "direction", "", "",
+             f"=SIGN(INDEX([{t}_steps.h],INDEX([{t}_pieces.p],INDEX([cycle.q{i}],[k]+1))))", going, format="0",
+             source="of the phase"),
+        calc("force", "at the load", "F", "",
+             f"=@steady+[dir]*@rub+@m*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
+        calc("behind", "torque of the mechanism's shaft", "T_1", "Nm",
+             f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*INDEX([cycle.tt{i}],[k]+1)", behind,
+             scale=driven.sizes.behind, source="f F/i_2 + J_1 i_2 ÿ"),
+        constant("k", "sample", "k", "", list(range(len(going)))),
+    )  # fmt: skip
+
+
+def sampled(one: AxisRows, driven: Driven) -> Samples:
+    """Return what the drive does at the samples of the cycle."""
+    at = one.machine.samples
+    return driven.samples(driven.axis.told(at).x, one.going(at))
