@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
-from workbook.entries.phase import resting
+from workbook.entries.phase import Passing, require_straight, resting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawName
@@ -21,7 +21,7 @@ from workbook.selection.entries import Selection, SelectionSizes, require_room
 TURN = 360.0  # degrees
 
 
-class Phase(Model):
+class Phase(Passing):
     """One phase of an axis: angles of the master shaft in degrees, lift in mm."""
 
     start: Angle
@@ -125,5 +125,6 @@ class CuttingMachine(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
+        require_straight(self.laws, {f"timing.axes.{i}.phases": axis.phases for i, axis in enumerate(self.timing.axes)})
         settle_phases(self, {f"timing.axes.{i}.phases": axis.phases for i, axis in enumerate(self.timing.axes)})
         return self
