@@ -23,7 +23,7 @@ from rich.table import Table
 from workbook.book.address import Address
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 from workbook.writing import archive
 from workbook.writing.write import parts
 

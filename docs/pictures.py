@@ -27,6 +27,7 @@ PICTURES = (  # file, workbook, page of the printed book, left, top, width, heig
     ("overlap.png", "indexing-overlap", 2, 75, 85, 1010, 640),
     ("actuator.png", "actuator-sizing", 2, 75, 85, 1010, 665),
     ("cutter.png", "flying-cutter", 2, 75, 85, 1010, 665),
+    ("laws.png", "motion-laws", 2, 75, 85, 1010, 665),
     ("functions.png", FUNCTIONS, 1, 75, 85, 910, 665),
 )
 

@@ -23,7 +23,9 @@ def blended(code: str, dice: Any) -> dict[str, Any]:
 
 
 def between(one: Any, other: Any, share: float) -> Any:
-    """Return a number between two, or a list of such."""
+    """Return a number between two, or a list of such; of two words one."""
+    if isinstance(one, str):
+        return one if share < 0.5 else other
     if isinstance(one, list):
         return [between(a, b, share) for a, b in zip(one, other, strict=True)]
     return (1.0 - share) * one + share * other

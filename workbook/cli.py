@@ -125,9 +125,12 @@ def verify(
     Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
     be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
-    from workbook.commands.verify import verify as run
+    from workbook.witnesses.beside import beside
 
-    raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything))
+    with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
+        from workbook.commands.verify import verify as run
+
+        raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper))
 
 
 @app.command()
@@ -179,6 +182,9 @@ def export(
         "semicolon"
     ),
     decimal: Annotated[str, typer.Option(metavar="point|comma", help="The decimal sign of columns of text.")] = "point",
+    report: Annotated[
+        Path | None, report_to("--report", "FILE.html", "Write the certificates as a page with pictures.")
+    ] = None,
     as_json: Json = False,
     force: Force = False,
 ) -> None:
@@ -192,7 +198,7 @@ def export(
     from workbook.commands import export as exporting
 
     asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified)
-    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json))
+    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report))
 
 
 Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Container
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 import workbook
 from workbook.axes import CamAxis
@@ -30,7 +30,8 @@ class Template(Generic[M]):
     ``sizes`` tells for each entry of a description's ``sizes`` which block shows it, and by how many rows that
     block is longer. ``check`` raises EntryError for entries that only the engine can refuse; what the entries refuse
     by themselves, the model does. ``laid_out`` gives a machine the layout that a file has by its defined names,
-    where the number of sheets depends on the description. ``axes`` are the motions that a controller can be given.
+    where the number of sheets depends on the description; ``fixed`` returns by key the entries that such a layout tells
+    and no cell holds. ``axes`` are the motions that a controller can be given.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Template(Generic[M]):
     check: Callable[[M], None] = lambda machine: None
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
     axes: Callable[[M], list[CamAxis]] = lambda machine: []
+    fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""

@@ -8,11 +8,13 @@ from workbook.entries.machine import Machine
 from workbook.template import Template
 
 MODULES = {
+    "machine": "machine",
     "cutting-machine": "cutting",
     "motion-composer": "composer",
     "indexing-overlap": "overlap",
     "flying-cutter": "flying",
     "actuator-sizing": "actuator",
+    "motion-laws": "laws",
 }
 """where each template is declared, under workbook/machines/"""
 

@@ -70,6 +70,11 @@ class Coefficients:
         """Max |v·a|."""
         return max(abs(self.va_max), abs(self.va_min))
 
+    @property
+    def loss(self) -> float:
+        """C_a,rms²/12: copper loss of a pure inertia, against the cubic's, the least between two rests."""
+        return self.ca_rms**2 / 12.0
+
 
 class Shapes(NamedTuple):
     """Shares of a law's time on stages of each shape, accelerating (up) and braking (down).

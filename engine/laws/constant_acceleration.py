@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.polynomial_pulse import CONSTANT
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
@@ -37,6 +37,7 @@ ENTRY = Entry(
     law=ConstantAcceleration,
     aliases=("constant acceleration symmetric", "symmetric constant acceleration", "parabolic"),
     source="S3, figure 1 and 'ACS'; S1, 'Timing diagram for a cutting machine' (C_a = 4)",
+    vendors=Vendors(siemens="D_D_PARABOLA (7)"),
     claims=Claims(
         order_ends=1,
         order_inside=1,

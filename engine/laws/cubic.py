@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedCubic
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import LINE_DOWN
 
@@ -29,6 +29,7 @@ ENTRY = Entry(
     law=Cubic,
     aliases=("cubic curve",),
     source="S1, 'Cubic curve'; S3, 'CUB'",
+    vendors=Vendors(siemens="POLY_3 (4)", twincat="POLYNOM3 (3)", sew="POLYNOM_3"),
     claims=Claims(
         order_ends=1,
         order_inside=math.inf,

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import CYCLOIDAL
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
@@ -38,6 +38,9 @@ ENTRY = Entry(
     law=Cycloidal,
     aliases=("cycloid",),
     source="S1, 'Cycloidal curve'; S3, 'CIC'",
+    vendors=Vendors(
+        siemens="D_D_INCLINED_SINE (10)", twincat="BESTEHORN (12)", codesys="InclinedSine", sew="INCLINED_SINE"
+    ),
     claims=Claims(
         order_ends=2,
         order_inside=math.inf,

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from engine.laws.base import Array, Coefficients, Law
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.piece import Piece
 from engine.laws.piece_rules import reversed_pieces
 
@@ -86,6 +86,7 @@ ENTRY = Entry(
     law=DoubleHarmonic,
     aliases=(),
     source="LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions",
+    vendors=Vendors(siemens="D_R_DOUBLE_HARMONIC (60)"),
     claims=Claims(
         order_ends=1,
         order_inside=math.inf,

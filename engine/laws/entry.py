@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field, fields
+from typing import NamedTuple
 
 from engine.laws.base import Coefficients, Law
 
@@ -29,6 +30,22 @@ class Claims:
     end: tuple[float, float] = (1.0, 0.0)
 
 
+class Vendors(NamedTuple):
+    """What a law is called where cams are made, with its number there; empty where there is none, or none is sure.
+
+    Sources: simatic-ax/lcamhdl, LCamHdl_ProfileConstants; Beckhoff Infosys, MC_MotionFunctionType; CODESYS, segment
+    types of SM3_CamBuilder; SEW 27800520, aCamSegment.
+    """
+
+    siemens: str = ""
+    twincat: str = ""
+    codesys: str = ""
+    sew: str = ""
+
+
+NAMED_NOWHERE = Vendors()
+
+
 @dataclass(frozen=True)
 class Entry:
     """A law in the catalogue: its class, the names that documents give it, its source and its claims.
@@ -46,6 +63,7 @@ class Entry:
     others: tuple[Law, ...] = ()
     """the law with other parameters, stages of no duration among them: breaks, pieces, shapes and coefficients are
     measured at these too"""
+    vendors: Vendors = NAMED_NOWHERE
     beyond: tuple[Law, ...] = ()
     """the law between prescribed ends, and with parameters that its page does not enter: measured by the engine's
     tests alone"""

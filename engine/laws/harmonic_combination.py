@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from engine.laws.ends import REST, EndError, Ends, require_ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
@@ -82,6 +82,7 @@ ENTRY = Entry(
     law=HarmonicCombination,
     aliases=("harmonische Kombination",),
     source="LCamHdl, ProfileTypes, D_R_, R_D_, C_R_ and R_C_HARMONIC_COMBI",
+    vendors=Vendors(siemens="D_R_HARMONIC_COMBINATION (20)"),
     claims=Claims(
         order_ends=1,
         order_inside=2,

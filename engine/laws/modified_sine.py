@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from engine.laws.ends import REST, EndError, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_part, require_share
@@ -66,6 +66,9 @@ ENTRY = Entry(
     law=ModifiedSine,
     aliases=("modified sinusoid", "modifizierte Sinuslinie"),
     source="LCamHdl, ProfileTypes, D_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'",
+    vendors=Vendors(
+        siemens="D_D_MOD_SINE (12)", twincat="MODSINUSLINIE (11)", codesys="ModifiedSine", sew="MODIFIED_SINE"
+    ),
     claims=Claims(
         order_ends=2,
         order_inside=3,  # with λ = ½; else 2

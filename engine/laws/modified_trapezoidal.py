@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.seven_stages import course_of
@@ -42,6 +42,7 @@ ENTRY = Entry(
     law=ModifiedTrapezoidal,
     aliases=("ModTVP", "modified trapezoidal acceleration", "modified trapezoid"),
     source="S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'",
+    vendors=Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)"),
     claims=Claims(
         order_ends=2,
         order_inside=3,  # with equal sines at the middle; else 2

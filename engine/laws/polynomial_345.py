@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedQuintic
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import HALF_345
 
@@ -29,6 +29,7 @@ ENTRY = Entry(
     law=Polynomial345,
     aliases=("3-4-5", "quintic", "polynomial of degree 5", "Polynom 5. Grades"),
     source="LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'",
+    vendors=Vendors(siemens="POLY_5 (5)", twincat="POLYNOM5 (5)", codesys="Poly5", sew="POLYNOM_5"),
     claims=Claims(
         order_ends=2,
         order_inside=math.inf,

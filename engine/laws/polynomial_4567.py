@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedSeptic
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import HALF_4567
 
@@ -29,6 +29,7 @@ ENTRY = Entry(
     law=Polynomial4567,
     aliases=("4-5-6-7", "septic", "polynomial of degree 7", "Polynom 7. Grades"),
     source="LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'",
+    vendors=Vendors(siemens="POLY_7 (6), of two sextics", twincat="POLYNOM7 (7)", codesys="Poly7", sew="POLYNOM_7"),
     claims=Claims(
         order_ends=3,
         order_inside=math.inf,

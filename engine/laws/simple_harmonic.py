@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
@@ -40,6 +40,7 @@ ENTRY = Entry(
     law=SimpleHarmonic,
     aliases=("harmonic", "basic sine", "einfache Sinuslinie"),
     source="LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE",
+    vendors=Vendors(siemens="D_D_BASIC_SINE (9)", twincat="SINUSLINIE (10)", sew="SINE"),
     claims=Claims(
         order_ends=1,
         order_inside=math.inf,

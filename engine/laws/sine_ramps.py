@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import CYCLOIDAL
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.trapezoidal_velocity import require_breaks
@@ -37,6 +37,7 @@ ENTRY = Entry(
     law=SineRamps,
     aliases=("modified trapezoidal velocity", "cycloidal with constant velocity", "sin² ramp"),
     source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'",
+    vendors=Vendors(codesys="SML_RT_Sin2, of ramps"),
     claims=Claims(
         order_ends=2,
         order_inside=2,

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_share
 from engine.laws.simple_harmonic import FALLING
@@ -44,6 +44,7 @@ ENTRY = Entry(
     law=SineStraightSine,
     aliases=("modified velocity trapezoid", "Sinus-Gerade-Kombination"),
     source="LCamHdl, ProfileTypes, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286",
+    vendors=Vendors(siemens="R_R_MOD_VELO_TRAPEZOID (14)", twincat="SINUS_GERADE_KOMBI (16)"),
     claims=Claims(
         order_ends=1,
         order_inside=2,

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from engine.laws.base import Array, Coefficients, Law, Shapes
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.piece import Piece
 
 
@@ -44,6 +44,7 @@ ENTRY = Entry(
     law=StraightLine,
     aliases=("constant velocity", "Gerade"),
     source="LCamHdl, ProfileTypes, CONST_VELO",
+    vendors=Vendors(siemens="CONST_VELO (3)", twincat="POLYNOM1 (1)", codesys="Line", sew="LINEAR"),
     claims=Claims(
         order_ends=0,
         order_inside=math.inf,

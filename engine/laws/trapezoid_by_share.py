@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import Course, PulseLaw
 from engine.laws.shares import require_part, require_share
@@ -49,6 +49,7 @@ ENTRY = Entry(
     law=TrapezoidByShare,
     aliases=("modifiziertes Beschleunigungstrapez",),
     source="LCamHdl, ProfileTypes, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D",
+    vendors=Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)"),
     claims=Claims(
         order_ends=2,
         order_inside=3,  # with λ = ½; else 2

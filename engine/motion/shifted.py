@@ -21,6 +21,13 @@ SAME = 1e-12
 """of the cycle: breaks so near to each other are one"""
 
 
+class Told(NamedTuple):
+    """How many cycles have passed, and the place in the motion as it is told."""
+
+    cycles: Array
+    x: Array
+
+
 @dataclass(frozen=True)
 class Shifted:
     """y(x) = y0(x − shift), over the cycle of the motion y0, which goes on cycle by cycle.
@@ -36,9 +43,21 @@ class Shifted:
 
     def at(self, x: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at any x."""
-        cycles, inner = self._told(np.asarray(x, dtype=np.float64))
-        found = self.motion.at(inner)
-        return found._replace(y=found.y + cycles * self.motion.lifts_sum)
+        return self._at(self._told(np.asarray(x, dtype=np.float64)))
+
+    def told(self, x: Array) -> Told:
+        """Return where the motion is as it is told, at x of one cycle, the end of which has the left limit."""
+        begin, end = self.motion.edges[[0, -1]]
+        cycles, _ = self._told(np.minimum(x, end - self.motion.tolerance))
+        return Told(cycles, np.clip(x - self.shift - cycles * self.motion.total, begin, end))
+
+    def over_cycle(self, x: Array) -> MotionValues[Array]:
+        """Return y, y', y'', y''' at x of one cycle, the end of which has the left limit."""
+        return self._at(self.told(x))
+
+    def _at(self, told: Told) -> MotionValues[Array]:
+        found = self.motion.at(told.x)
+        return found._replace(y=found.y + told.cycles * self.motion.lifts_sum)
 
     def breaks(self) -> Array:
         """Return where its pieces begin, from the begin of the cycle to less than its end."""
@@ -57,12 +76,12 @@ class Shifted:
     def _pieces(self) -> list[MotionPiece]:
         return [piece for piece in motion_pieces(self.motion) if piece.duration > 0.0]
 
-    def _told(self, x: Array) -> tuple[Array, Array]:
+    def _told(self, x: Array) -> Told:
         """Return how many cycles have passed at x, and the place in the motion as it is told."""
         begin, total = float(self.motion.edges[0]), self.motion.total
         cycles = np.floor((x - self.shift - begin) / total + SAME)
         inner = np.clip(x - self.shift - cycles * total, begin, begin + total)
-        return cycles, inner
+        return Told(cycles, inner)
 
 
 def moved_by(piece: MotionPiece, u: float) -> Curve:

@@ -23,7 +23,7 @@ from workbook.reading.entries import read_machine
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template
 from workbook.witnesses.pycel.calculation import Calculation
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 
 SMALL = {"cycle": 24, "law": 8, "own_law": 8}
 

@@ -12,7 +12,7 @@ from workbook.judging.matching import Match, Right, is_formula
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
 from workbook.witnesses.agreed import agreed
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 from workbook.writing import archive
 from workbook.writing.write import parts
 

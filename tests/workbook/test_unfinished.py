@@ -18,6 +18,7 @@ from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 
 AXIS = ("timing", "axes", 1, "phases")
+MOVED = ("axes", 1, "phases")
 TOOL = ("overlap", "tools", 0)
 ROTORS = "Drive, Rotating parts (S1, slide 'Feeding group layout'): entries within their limits"
 PHASES = "Timing, Phases of axis 2: entries within their limits"
@@ -25,6 +26,20 @@ MOTION = "Motion, Fill one row each, in order: entries within their limits"
 UNEQUAL = [0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]
 
 CASES = {
+    "machine": {
+        "an overlap": ([(*MOVED, 1, "start", 120.0)], "Axis 2: no phase begins before the one above ends",
+                       "MC02 row 2 begins at 120°, 15° before row 1 ends"),
+        "a phase that runs backwards": ([(*MOVED, 1, "stop", 300.0)], "Axis 2: every phase runs forward",
+                                        "MC02 row 2 ends at 300°, 5° before it begins"),
+        "a missing end": ([(*MOVED, 0, "stop", None)], "Timing, Phases of axis 2: entries within their limits",
+                          "to, row 1: empty; expected a number of at least 0 and at most 360"),
+        "no phases": ([("axes", 1, "phases", [])], "Timing, Phases of axis 2: entries within their limits",
+                      "no row is filled"),
+        "no rate": ([("master", "rate", None)], "Timing: entries within their limits",
+                    "Production rate: empty; expected a number greater than 0"),
+        "a shift beyond all": ([("axes", 3, "shift", 1e300)], "Timing, Axes: entries within their limits",
+                               "shift, row 4: beyond 1E9; expected a number"),
+    },
     "cutting-machine": {
         "a gap": ([(*AXIS, 1, "start", 95.0)], "Axis 2: the phases follow on",
                   "MC02 row 2 begins at 95°, 5° after row 1 ends"),
@@ -141,7 +156,7 @@ def small(name):
     """The committed description, with tables as small as they may be."""
     data = tomllib.loads(TEMPLATES[name].description.read_text(encoding="utf-8"))
     data["sizes"] = data.get("sizes", {}) | SMALL
-    if name not in ("motion-composer", "indexing-overlap"):
+    if name not in ("machine", "motion-composer", "indexing-overlap", "motion-laws"):
         few = read_machine(TEMPLATES[name].description).selection.model_dump(exclude_none=True)
         data["selection"] = {entry: few[entry][:2] for entry in ("motors", "reducers")}
         data["sizes"] |= {"motors": 2, "reducers": 2}
@@ -191,11 +206,13 @@ def test_out_in_and_through(name, case, tmp_path):
 
 
 EDITED = {
+    "machine": [("axis2", "start", 1, 95.0), ("timing_rate", None, 0, -200.0)],
     "cutting-machine": [("axis2", "start", 1, 95.0), ("timing_rate", None, 0, -200.0)],
     "motion-composer": [("phases", "duration", 1, None), ("TVP_av", None, 0, 1.5)],
     "flying-cutter": [("fly_length", None, 0, 1.0), ("fly_inertia", None, 0, -1.0)],
     "indexing-overlap": [("tool1_dwell", None, 0, 300.0), ("overlap_rate", None, 0, None)],
     "actuator-sizing": [("act_eta_out", None, 0, 1.3), ("phases", "duration", 0, 0.0)],
+    "motion-laws": [("TVP_av", None, 0, 1.5), ("CIC_share", None, 0, 1.0)],
 }
 
 

@@ -96,12 +96,16 @@ class Block:
 
     def cells(self) -> Iterator[Cell]:
         """Yield the declared cells, column by column, with contents and the engine's values."""
+        for cells in self.by_column():
+            yield from cells
+
+    def by_column(self) -> Iterator[list[Cell]]:
+        """Yield the declared cells of each column."""
         for q, column in zip(self.quantities, self.columns.values(), strict=True):
             values = as_rows(q.value, self.size, f"{self.name}.{q.name}")
-            formulas = self._formulas(q)
-            for i in range(self.size):
-                content = values[i] if formulas is None else formulas[i]
-                yield Cell(self, q, i, self.row + i, column, content, values[i])
+            contents = zip(values, self._formulas(q) or values, strict=True)
+            rows = enumerate(contents)
+            yield [Cell(self, q, i, self.row + i, column, content, value) for i, (value, content) in rows]
 
     def _formulas(self, q: Quantity) -> list[str] | None:
         if q.formula is None:

@@ -99,8 +99,9 @@ def of_rows(
     told += [(rule.words, rule.column, "") for rule in rules]
     says = quoted("")
     for number, (words, name, expected) in reversed(list(enumerate(told, 1))):
-        row = f"MATCH({number},[{table}.{COLUMN}],0)"
-        said = f"{quoted(f'{words}, row ')}&{row}&{quoted(': ')}&{figure_of(f'INDEX([{table}.{name}],{row})')}"
+        row = f"MATCH({number},[{table}.{COLUMN}],0)" if rows > 1 else "1"  # no program looks up in a single cell alike
+        cell = f"INDEX([{table}.{name}],{row})" if rows > 1 else f"[{table}.{name}.1]"
+        said = f"{quoted(f'{words}, row ')}&{row}&{quoted(': ')}&{figure_of(cell)}"
         said += f"&{quoted(expected)}" if expected else ""
         says = f"IF(COUNTIF([{table}.{COLUMN}],{number})>0,{said},{says})"
     condition = f"SUM([{table}.{COLUMN}])=0"

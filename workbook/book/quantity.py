@@ -61,6 +61,9 @@ class Quantity:
     def within(self, scope: str) -> Quantity:
         """Return the quantity with ``scope`` for each ``@`` in its name and formulas."""
         formula = self.formula
+        texts = (self.name, self.says, *((formula,) if isinstance(formula, str) else formula or ()))
+        if not any("@" in text for text in texts):
+            return self
         if formula is not None:
             formula = in_scope(formula, scope) if isinstance(formula, str) else [in_scope(f, scope) for f in formula]
         return replace(self, name=in_scope(self.name, scope), formula=formula, says=in_scope(self.says, scope))

@@ -21,6 +21,7 @@ from workbook.errors import TargetError
 from workbook.exits import AGREES, DISAGREES
 from workbook.judging.many import digest, state
 from workbook.judging.verify import verify
+from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
@@ -81,11 +82,13 @@ def tolerated(text: str) -> tuple[str, float]:
 
 
 def export(
-    book: Path, axis: str | None, asked: Asked, output: Path | None, everything: bool, force: bool, as_json: bool
+    book: Path, axis: str | None, asked: Asked, output: Path | None, everything: bool, force: bool, as_json: bool,
+    report: Path | None = None,
 ) -> int:  # fmt: skip
     """Write an axis of a book, or every one, as a target's file; return the exit code."""
     if (axis is None) != everything:
         raise TargetError("expected either --axis NAME or --all")
+    page.ready(report, (".html", ".htm"), force)
     machine, mark = trusted(book, asked.unverified)
     if machine is None:
         return DISAGREES
@@ -109,6 +112,7 @@ def export(
         say(ERR, f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}; nothing is written", "red")
     if beyond:
         return DISAGREES
+    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target), force)
     for one in found:
         replace(one.path, lambda draft, text=one.text: write_text(draft, text), force)  # type: ignore[misc]
         say(ERR if as_json else OUT, f"Wrote {one.path.absolute()}")

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from workbook.functions import oxt
-from workbook.reports import console
+from workbook.reports import laws as reports
 from workbook.reports.terminal import OUT, say, say_data
 
 
@@ -19,6 +19,6 @@ def addin(output: Path, force: bool) -> None:
 def laws(as_json: bool) -> None:
     """Print the motion laws with their coefficients."""
     if as_json:
-        say_data(f"{json.dumps(console.catalogue(), ensure_ascii=False, indent=1)}\n")
+        say_data(f"{json.dumps(reports.catalogue(), ensure_ascii=False, indent=1)}\n")
     else:
-        console.show_catalogue(OUT)
+        reports.show_catalogue(OUT)

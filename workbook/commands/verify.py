@@ -11,11 +11,12 @@ from workbook.judging.verify import present
 from workbook.reports import page, summary
 from workbook.reports.junit import junit as junit_xml
 from workbook.reports.terminal import ERR, OUT
+from workbook.witnesses.beside import Beside
 
 
 def verify(
     books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, force: bool,
-    witnesses: Sequence[str] | None, jobs: int | None, everything: bool,
+    witnesses: Sequence[str] | None, jobs: int | None, everything: bool, beside: Beside | None = None,
 ) -> int:  # fmt: skip
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
     page.ready(report, (".html", ".htm"), force)
@@ -23,7 +24,7 @@ def verify(
     asked = chosen(witnesses)
     targets, failed = many.find(books)
     with summary.progress(ERR, len(targets)) as done:
-        outcomes = many.verify_many(targets, asked, jobs, done) + failed
+        outcomes = many.verify_many(targets, asked, jobs, done, beside) + failed
     alone = len(books) == 1 and not many.is_folder(books[0])
     summary.show(outcomes, OUT, ERR, as_json, alone, everything)
     when = datetime.now().astimezone()

@@ -30,6 +30,7 @@ ROUNDED = 1e-14
 GROWTH = (1.25, 2.0)
 BETTER = 0.95  # times the best so far: more points are worth it
 COARSE = 100
+DRAWN = 12
 IDLE = 3  # tries that were not: no more are made
 MOST_TRIED = 4000
 
@@ -132,6 +133,15 @@ def tried(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Iter
         yield made
         growth = min(max(made.excess(tolerance) ** 0.5, GROWTH[0]), GROWTH[1])
         n = min(max(n + 1, int(n * growth)), most) if n < most else most + 1
+
+
+def curve(target: Target, axis: CamAxis) -> list[Made]:
+    """Return tables from the fewest points to the most that are tried, for a picture."""
+    low, high = fewest(target, axis.course), min(target.points[1], MOST_TRIED)
+    if low > high:
+        return []
+    counts = dict.fromkeys(round(n) for n in np.geomspace(low, high, DRAWN))
+    return [certified(target, tabulated(target, axis, n), axis.course) for n in counts]
 
 
 def fewest(target: Target, of: Course) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import types
 from collections.abc import Callable
 from dataclasses import astuple
+from functools import cache
 from typing import Any, Literal, Union, get_args, get_origin
 
 from annotated_types import Ge, Gt, Le, Lt, MaxLen, MinLen
@@ -66,9 +67,11 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     return rule
 
 
+@cache
 def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
     """Return what gives the limits of an entry in cells, by its key: of a number, or of a word that must be there."""
 
+    @cache
     def limit(key: str) -> Limit | None:
         kind, constraints = field_at(model, key)
         if get_origin(kind) is list:

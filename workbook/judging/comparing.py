@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from workbook.book.address import Address
@@ -34,6 +34,7 @@ class Comparison:
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
+        self._turns: list[tuple[Right, Callable[[], Cells]]] = []  # asked for, at other inputs
         for pair in match.pairs:
             if pair.declared_formula:
                 report.cells[pair.address.sheet] = report.cells.get(pair.address.sheet, 0) + 1
@@ -102,25 +103,30 @@ class Comparison:
         """Return the cells that are wrong even when all that they refer to is right."""
         return {a for a, value in self.model.each(wrong, self.right.get).items() if differs(self.right, a, value)}
 
-    def elsewhere(self, books: Iterable[Book], number: int, suspects: set[Address]) -> None:
-        """Compare at a number of other inputs, each cell with the right values around it.
+    def ask_elsewhere(self, books: Iterable[Book], number: int, suspects: set[Address]) -> None:
+        """Ask at a number of other inputs, for each cell with the right values around it.
 
         Formulas that are not the declared ones are evaluated at every variation, the others in turn.
         """
         if any(place is None for _, place in self.match.misfits):
             return
-        known = {(f.sheet, f.cell) for f in self.report.findings}
         readable = self.match.file.contents.formulas
         pairs = {a: pair for a, pair in self.pairs.items() if a in readable}
-        for k, (book, turn) in enumerate(zip(books, turns(pairs, suspects, number), strict=True), 1):
+        for book, turn in zip(books, turns(pairs, suspects, number), strict=True):
             right = Right(self.match, book)
+            self._turns.append((right, self.model.later(turn, right)))
+
+    def elsewhere(self) -> None:
+        """Compare what was asked for at other inputs."""
+        known = {(f.sheet, f.cell) for f in self.report.findings}
+        for k, (right, answered) in enumerate(self._turns, 1):
             by = f"{self.single.name}, at variation {k} of the inputs"
-            for a, value in self.model.each(turn, right.get).items():
+            for a, value in answered().items():
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
                     expected = right.get(a)
                     deviation = difference(value, expected, right.peak(a))
-                    self.report.add(pairs[a], "value", value, expected, deviation, by)
+                    self.report.add(self.pairs[a], "value", value, expected, deviation, by)
 
 
 def differs(right: Right, address: Address, value: Any) -> bool:

@@ -26,6 +26,7 @@ from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.reading.files import SUFFIXES
 from workbook.visible import visible
+from workbook.witnesses.beside import Beside
 
 MOST_JOBS = 61  # Windows waits for no more processes at once
 MOST_READ = 2**24  # bytes of a workbook's list of names
@@ -139,7 +140,7 @@ def holds_our_name(archive: zipfile.ZipFile, part: str) -> bool:
         return b"book_template" in data.read(MOST_READ)
 
 
-def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
+def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None = None) -> Outcome:
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
     try:
@@ -149,7 +150,7 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
             return Outcome(path, "no machine", reason=visible(f"{path}: holds no machine of motionbook"))
         before = state(path)
         with collector_paused():
-            report = verify(path, witnesses)
+            report = verify(path, witnesses, beside)
         sha256 = digest(path)
         if before and state(path) != before:
             raise OSError("it changed while it was read; try again")
@@ -186,10 +187,12 @@ def verify_many(
     witnesses: Sequence[str] = ("pycel",),
     jobs: int | None = None,
     done: Callable[[Outcome], object] = lambda outcome: None,
+    beside: Beside | None = None,
 ) -> list[Outcome]:
     """Verify workbooks over ``jobs`` processes (all cores where None); call ``done`` as each is finished.
 
-    The outcomes come in the order of ``targets``. A single workbook, or a single job, needs no process of its own.
+    The outcomes come in the order of ``targets``. A single workbook, or a single job, needs no process of its own;
+    ``beside`` may be one that evaluates the single workbook meanwhile.
     """
     jobs = min(jobs or cores(), len(targets), MOST_JOBS)
     outcomes: dict[Target, Outcome] = {}
@@ -200,7 +203,7 @@ def verify_many(
 
     if jobs <= 1:
         for target in swept_between(targets):
-            keep(target, verify_one(target, witnesses))
+            keep(target, verify_one(target, witnesses, beside))
     else:
         in_processes(targets, witnesses, jobs, keep)
         for target in targets:  # left over by a process that died: each alone, to find which one killed it

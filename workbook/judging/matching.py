@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -69,11 +69,13 @@ class Match:
         return fit.size if fit is not None else self.file.places[block.name].rows
 
     def _pairs(self, block: Block, place: Place) -> Iterator[Pair]:
-        for cell in block.cells():
-            j = cell.column - block.column
-            address = place.cell(cell.i, j)
-            if cell.i < place.rows and j < place.columns and address.column:
-                yield Pair(cell, address, self.file.value(address), is_formula(cell.content))
+        value, last = self.file.value, min(block.size, place.rows)
+        for j, cells in enumerate(block.by_column()):
+            if j >= place.columns or not place.cell(0, j).column:
+                continue
+            for cell in cells[:last]:
+                address = place.cell(cell.i, j)
+                yield Pair(cell, address, value(address), is_formula(cell.content))
 
     @cached_property
     def addresses(self) -> set[Address]:
@@ -279,6 +281,18 @@ class Right:
             return default
         values = self._columns.get(id(cell.quantity))
         return (values or self._column(cell))[cell.i]
+
+    def all(self, cells: Iterable[tuple[Address, Any]]) -> list[Any]:
+        """Return :meth:`get` of each of ``cells``, which come with what is returned for one that is not declared."""
+        declared, columns, values = self._cells, self._columns, []
+        for address, default in cells:
+            cell = declared.get(address)
+            if cell is None:
+                values.append(default)
+            else:
+                column = columns.get(id(cell.quantity)) or self._column(cell)
+                values.append(column[cell.i])
+        return values
 
     def peak(self, address: Address) -> float:
         """Return what deviations of a declared cell are measured against.

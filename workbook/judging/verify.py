@@ -28,13 +28,16 @@ from workbook.reading.files import BookFile, open_book
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreed import agreed
 from workbook.witnesses.bare import without
+from workbook.witnesses.beside import Beside
 from workbook.witnesses.names import ALL
 from workbook.witnesses.registry import WITNESSES, by_cell
 from workbook.witnesses.witness import CellWitness, Witness
 
 
-def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
+def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | None = None) -> Report:
     """Verify one workbook with the witnesses of these names, or with ``all`` that are on this machine.
+
+    ``beside`` is a second process that evaluates this book meanwhile.
 
     Raises ReadError or InputError where the book cannot be read, ReadError for a witness of unknown name, and
     WitnessError for one that is asked by name and is not on this machine.
@@ -46,7 +49,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     machine = entries.machine()
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
-    judge(file, entries.template, machine, report, names, given=entries.computed)
+    judge(file, entries.template, machine, report, names, given=entries.computed, beside=beside)
     report.witnesses += [Ran(name, None) for name in absent]
     return report
 
@@ -66,7 +69,7 @@ def present(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
 
 def judge(
     file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
-    shapes: bool = True, given: Mapping[Address, Any] = MappingProxyType({}),
+    shapes: bool = True, given: Mapping[Address, Any] = MappingProxyType({}), beside: Beside | None = None,
 ) -> None:  # fmt: skip
     """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
 
@@ -85,13 +88,18 @@ def judge(
     report.findings += settings(file.workbook)
     own = own_cells(match, report, given)
     with without(file, own, given) as bare:
-        comparison = compared(match, bare, report, witnesses)
+        asked = witnesses_named(witnesses, beside)
+        single = next((w for w in asked if isinstance(w, CellWitness)), None) or by_cell()
+        comparison = Comparison(match, bare, single, report)
         try:
             variants = template.variants(machine)
         except ValidationError:  # numbers so large that no neighbour of theirs is one
             report.notes.append("the values entered leave no room for other ones: compared at these alone")
         else:
-            comparison.elsewhere(map(template.declare, variants), len(variants), suspects)
+            comparison.ask_elsewhere(map(template.declare, variants), len(variants), suspects)
+        for witness in asked:
+            comparison.ask(witness, required=witness.name in witnesses)
+        comparison.elsewhere()
     report.checks = checks(match, comparison.values)
     displayed(match, comparison.values, report)
     follow(match, report, suspects)
@@ -115,12 +123,10 @@ def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[A
     return aside
 
 
-def compared(match: Match, bare: BookFile, report: Report, names: Sequence[str]) -> Comparison:
-    """Ask each witness of these names, and then those that keep values, whether they were named or not."""
+def witnesses_named(names: Sequence[str], beside: Beside | None) -> list[Witness]:
+    """Return the witnesses of these names, and then those that keep values, whether they were named or not."""
     asked: list[Witness] = [WITNESSES[name]() for name in names]
-    single = next((w for w in asked if isinstance(w, CellWitness)), None) or by_cell()
     asked += [w for w in (make() for name, make in WITNESSES.items() if name not in names) if w.kept]
-    comparison = Comparison(match, bare, single, report)
-    for witness in sorted(asked, key=lambda w: w.kept):
-        comparison.ask(witness, required=witness.name in names)
-    return comparison
+    if beside is not None:
+        asked = list(map(beside.witness, asked))
+    return sorted(asked, key=lambda w: w.kept)

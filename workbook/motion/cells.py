@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate
 from typing import Any, NamedTuple, Protocol
@@ -179,11 +179,18 @@ def rows_of_parts(
     return PieceRows(at, stack, pieces, rows, numbers, firsts, [part.rate for part in parts], 0.0, end)
 
 
-def rows_of(at: Cells, motion: Motion, stack: Pieces, room: int) -> PieceRows:
-    """Return the pieces of a motion; ``room`` is the number of rows of its phases, spare ones of a dwell."""
-    pieces = motion_pieces(motion)
-    numbers = filled((number_of(stack, phase.named) for phase in motion.phases), room, 1)
+def rows_of(
+    at: Cells, motion: Motion, stack: Pieces, room: int, places: Sequence[int] | None = None
+) -> PieceRows:  # fmt: skip
+    """Return the pieces of a motion; ``room`` is the number of rows of its phases, spare ones of a dwell.
+
+    ``places`` says in which row of them, from 0, each phase of the motion stands: by default one after the other.
+    """
+    taken = range(len(motion.phases)) if places is None else places
+    pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]
+    numbers, rates = filled([], room, 1), filled([], room)
+    for row, phase in zip(taken, motion.phases, strict=True):
+        numbers[row], rates[row] = number_of(stack, phase.named), phase.rate
     firsts = [stack.first[number] for number in numbers]
     rows = [firsts[piece.phase] + piece.number for piece in pieces]
-    rates = filled((phase.rate for phase in motion.phases), room)
     return PieceRows(at, stack, pieces, rows, numbers, firsts, rates, *motion.edges[[0, -1]].tolist())

@@ -28,7 +28,8 @@ class Asked:
     ``entry`` is the formula of what is entered, ``order`` the name of the cell that counts the derivatives, ``largest``
     are the formulas of the largest |y'| and |y''|. In sentences stand the motion's name ``of``, the unit of the
     abscissa behind a ``place`` and those of the derivatives: each a formula, and the text that it gives. ``wraps`` is
-    the condition under which the motion repeats, which it does if it is ``periodic``.
+    the condition under which the motion repeats, which it does if it is ``periodic``. Where its phases do not stand in
+    the rows in which they are entered, sentences give no ``rows``.
     """
 
     smooth: Smoothness
@@ -40,6 +41,7 @@ class Asked:
     of: tuple[str, str] = ("", "")
     wraps: str = ""
     periodic: bool = True
+    rows: bool = True
 
 
 def ended(n: int, joint: Joint) -> float:
@@ -131,13 +133,14 @@ class Joints:
             return f"INDEX([{table}.{column}],{row})"
 
         within = f"AND({at('from')}={at('p')},{at('n')}>1)"
-        rows = f'"row "&{at("from")}&IF({within},""," to "&{at("p")})'
+        rows = f'"row "&{at("from")}&IF({within},""," to "&{at("p")})&' if asked.rows else ""
         size = figure_of(f"ABS({at('size')})")
         what = f"CHOOSE({at('order')},{WORDS})"
         begin = f'" at "&ROUND({at("begin")},9)&{asked.place[0]}'
         unit = f'" "&CHOOSE({at("order")},{",".join(formula for formula, _ in asked.units)})'
-        head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
-        return f'{head}{rows}&{begin}&": "&{what}&" jumps by "&{size}&{unit}'
+        joined = '&" "&' if asked.rows else "&"
+        head = f"{asked.of[0]}{joined}" if asked.of[0] else ""
+        return f'{head}{rows}{begin}&": "&{what}&" jumps by "&{size}&{unit}'
 
     def _said(self) -> str:
         first = next(((piece, j) for piece, j in zip(self.rows.pieces, self.found, strict=True) if j.order), None)
@@ -145,9 +148,9 @@ class Joints:
             return ""
         (piece, joint), asked = first, self.asked
         within = joint.before == piece.phase and joint.lasting > 1
-        rows = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'}"
+        rows = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if asked.rows else ""
         x = figure(shown(piece.begin, DEGREE) if self.rows.at.degrees else piece.begin)
         unit = asked.units[joint.order - 1][1]
         head = f"{asked.of[1]} " if asked.of[1] else ""
         what = ORDERS[joint.order - 1]
-        return f"{head}{rows} at {x}{asked.place[1]}: {what} jumps by {figure(abs(joint.size))} {unit}"
+        return f"{head}{rows}at {x}{asked.place[1]}: {what} jumps by {figure(abs(joint.size))} {unit}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Collection, Container, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from datetime import date, datetime, time, timedelta
 from typing import Any
 
@@ -52,7 +52,7 @@ class Contents:
         for sheet, row, column in sorted(cells):
             wanted.setdefault((sheet, column), []).append(row)
         formulas = self.formulas.values() if by is None else [self.formulas[a] for a in by if a in self.formulas]
-        return {cell for area in areas_of(formulas, wanted) for cell in within(area, wanted)}
+        return set(cells_of(formulas, wanted))
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
         """Return those of ``cells``, all of them formulas, on which the formulas in the cells ``by`` depend.
@@ -112,24 +112,45 @@ class Contents:
         self.arrays |= dict.fromkeys(area.cells(), text)
 
 
-def areas_of(formulas: Iterable[Formula | Moved], wanted: Container[tuple[str, int]]) -> set[Area]:
-    """Return the areas that formulas refer to, those left out that lie in none of the columns ``wanted``."""
-    rows: dict[int, list[int]] = {}
-    patterns: dict[int, Pattern] = {}
+def cells_of(formulas: Iterable[Formula | Moved], wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+    """Yield the cells that formulas refer to among ``wanted``, the sorted rows of each column of a sheet."""
     areas: set[Area] = set()
-    for formula in formulas:
-        if isinstance(formula, Moved):
-            patterns[id(formula.pattern)] = formula.pattern
-            rows.setdefault(id(formula.pattern), []).append(formula.row)
-        else:
-            areas |= {a for a in formula.arguments if isinstance(a, Area)}
-    for key, pattern in patterns.items():
-        for a in pattern.arguments:
+    patterns, others = by_pattern(formulas)
+    for formula in others:
+        areas |= {a for a in formula.arguments if isinstance(a, Area)}
+    for pattern, rows in patterns:
+        for a in set(pattern.arguments):
             if isinstance(a, Area):
                 areas.add(a)
+            elif isinstance(a, Moving) and a.area.single and a.top is not None:
+                yield from met(a.area.sheet, a.area.left, {row + a.top for row in rows}, wanted)
             elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
-                areas |= {a.at(row) for row in rows[key]}
-    return areas
+                areas |= {a.at(row) for row in rows}
+    for area in areas:
+        yield from within(area, wanted)
+
+
+def by_pattern(formulas: Iterable[Formula | Moved]) -> tuple[list[tuple[Pattern, list[int]]], list[Formula]]:
+    """Return each pattern of formulas with the rows in which it stands, and the formulas that have none."""
+    patterns: dict[int, tuple[Pattern, list[int]]] = {}
+    others = []
+    for formula in formulas:
+        if isinstance(formula, Moved):
+            pattern, row = formula
+            known = patterns.get(id(pattern)) or patterns.setdefault(id(pattern), (pattern, []))
+            known[1].append(row)
+        else:
+            others.append(formula)
+    return list(patterns.values()), others
+
+
+def met(
+    sheet: str, column: int, rows: Collection[int], wanted: Mapping[tuple[str, int], list[int]]
+) -> Iterator[Address]:
+    """Yield the cells of a column in ``rows`` that are among ``wanted``."""
+    for row in wanted.get((sheet, column), ()):
+        if row in rows:
+            yield Address(sheet, row, column)
 
 
 def within(area: Area, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:

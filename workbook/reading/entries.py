@@ -155,6 +155,8 @@ class Entries:
         self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = numbered(file.places)
         default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
+        for key, value in self.template.fixed(default).items():
+            put(self.data, key.split("."), value)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))

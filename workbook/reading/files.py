@@ -62,14 +62,18 @@ class BookFile:
 
         A text that looks like a formula is a :class:`Words`; an array formula stands in braces, in all its cells.
         """
-        cell = self.cell(address)
+        cell = self._sheets[address.sheet].get((address.row, address.column))
         if cell is None:
             return None
-        if isinstance(cell.value, str) and cell.data_type != "f" and cell.value.startswith("="):
-            return Words(cell.value)
-        if address in self.contents.arrays:
-            return self.contents.arrays[address]
-        return cell.value if type(cell.value) is float else entered(cell.value, self.workbook.epoch)
+        value = cell.value
+        if type(value) is float:
+            return value
+        if isinstance(value, str) and cell.data_type != "f" and value.startswith("="):
+            return Words(value)
+        arrays = self.contents.arrays
+        if address in arrays:
+            return arrays[address]
+        return value if type(value) is str else entered(value, self.workbook.epoch)
 
     @property
     def as_built(self) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from workbook.book.columns import Moved, Moving, Pattern
 from workbook.book.formula import Area, Formula
 from workbook.errors import ReadError
+from workbook.reading.contents import by_pattern
 from workbook.reading.files import BookFile
 
 MOST = 500_000_000
@@ -24,15 +25,11 @@ def require_little_work(file: BookFile) -> None:
 
 def cells_read(formulas: Iterable[Formula | Moved]) -> int:
     """Return how many cells formulas read together, a cell counted as often as it is read."""
-    patterns: dict[int, tuple[int, list[Moving]]] = {}
-    read = 0
-    for formula in formulas:
-        if isinstance(formula, Moved):
-            pattern, row = formula
-            known = patterns.get(id(pattern)) or patterns.setdefault(id(pattern), parted(pattern))
-            read += known[0] + sum(a.at(row).size for a in known[1])
-        else:
-            read += sum(a.size for a in formula.arguments if isinstance(a, Area))
+    patterns, others = by_pattern(formulas)
+    read = sum(a.size for formula in others for a in formula.arguments if isinstance(a, Area))
+    for pattern, rows in patterns:
+        fixed, growing = parted(pattern)
+        read += fixed * len(rows) + sum(a.at(row).size for a in growing for row in rows)
     return read
 
 

@@ -9,7 +9,6 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from engine.laws import CATALOGUE
 from workbook.judging.report import FOLLOWS, Finding, Ran, Report
 from workbook.reports.page import own_verdict, where
 from workbook.reports.terminal import say, shown
@@ -146,27 +145,3 @@ def show_findings(report: Report, console: Console, everything: bool) -> None:
 def figure(value: Any) -> str:
     """Return a value for a table."""
     return f"{value:.10g}" if isinstance(value, float) else "empty" if value is None else str(value)
-
-
-FIGURES = {"C_v": "cv", "C_a+": "ca_max", "C_a−": "ca_min", "C_a,rms": "ca_rms", "C_j": "cj", "max(v·a)": "va_max"}
-
-
-def catalogue() -> list[dict[str, Any]]:
-    """Return every law of the catalogue with its coefficients, for its parameters as delivered."""
-    return [
-        {"code": e.code, "name": e.name, "aliases": list(e.aliases), "source": e.source}
-        | {figure: plain(getattr(e.example().coefficients, field)) for figure, field in FIGURES.items()}
-        for e in CATALOGUE
-    ]
-
-
-def show_catalogue(console: Console) -> None:
-    """Print the catalogue of laws."""
-    table = Table()
-    for heading in ("Code", "Law", *FIGURES):
-        table.add_column(heading, no_wrap=heading != "Law", justify="left" if heading in ("Code", "Law") else "right")
-    for row in catalogue():
-        figures = ("∞" if row[f] == "inf" else f"{row[f]:.5g}" for f in FIGURES)
-        table.add_row(row["code"], row["name"], *figures)
-    console.print(table)
-    console.print("Unit rise and time, parameters as delivered. --json adds aliases and sources.")

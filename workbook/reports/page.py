@@ -92,6 +92,11 @@ def page(outcomes: Sequence[Outcome], when: datetime) -> str:
         body.append(summary(outcomes))
     for number, outcome in enumerate(outcomes, 1):
         body += section(outcome, f"book{number}")
+    return document(title, body)
+
+
+def document(title: str, body: Sequence[Element]) -> str:
+    """Return a page of HTML."""
     head = e("head", e("meta", charset="utf-8"), e("title", title), e("style", STYLE),
              e("meta", name="viewport", content="width=device-width, initial-scale=1"))  # fmt: skip
     html = e("html", head, e("body", *body), lang="en")

@@ -29,6 +29,16 @@ class Witness(Protocol):
         """Return the value of every formula cell; raise WitnessError where that cannot be had."""
 
 
+class Known(Protocol):
+    """What stands in cells."""
+
+    def get(self, address: Address, default: Any = None) -> Any:
+        """Return what is found in a cell; ``default`` where that is not known."""
+
+    def all(self, cells: Iterable[tuple[Address, Any]]) -> list[Any]:
+        """Return what is found in each of ``cells``, which come with their defaults."""
+
+
 class Model(Protocol):
     """A file's formulas as a witness holds them, to be evaluated again and again."""
 
@@ -41,6 +51,9 @@ class Model(Protocol):
 
     def each(self, wanted: Iterable[Address], found: Found) -> Cells:
         """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
+
+    def later(self, wanted: Iterable[Address], known: Known) -> Callable[[], Cells]:
+        """Ask for what :meth:`each` returns with what is ``known`` of cells, and return what waits for it."""
 
 
 @runtime_checkable

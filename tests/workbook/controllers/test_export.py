@@ -128,3 +128,15 @@ def test_what_cannot_be_meant_is_refused_in_a_line(run, book, tmp_path, argument
 def test_a_template_without_motions_says_so() -> None:
     with pytest.raises(TargetError, match="press has no axis"):
         chosen([], None, "press")
+
+
+def test_a_report_has_the_figures_and_two_pictures_an_axis(run, book, tmp_path) -> None:
+    code, _, _ = run("export", book, "--all", "--to", "rockwell", "--unverified", "--report", "cams.html")
+    assert code == 0
+    text = (tmp_path / "cams.html").read_text("utf-8")
+    assert text.count("<svg") == 6
+    assert all(word in text for word in ("MC01", "MC02", "MC03", "acceleration", "untested", "clamped cubic spline"))
+    assert "script" not in text
+    code, _, err = run("export", book, "--all", "--to", "rockwell", "--unverified", "--report", "cams.html", "-o", "b")
+    assert code == 2
+    assert "exists" in err

@@ -143,7 +143,7 @@ def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monk
 
 
 def test_a_fault_of_ours_in_one_file_leaves_the_others_their_verdicts(folder, monkeypatch):
-    monkeypatch.setattr(many, "verify", lambda path, _: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
+    monkeypatch.setattr(many, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
     outcomes = {o.path.name: o for o in verify_many(find([folder])[0], jobs=1)}
     assert outcomes["b.xlsx"].verdict == "unreadable"
     assert "ZeroDivisionError" in outcomes["b.xlsx"].reason
@@ -232,7 +232,7 @@ signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell lets what ru
 from workbook import cli
 from workbook.judging import many
 verify_many = many.verify_many
-many.verify_many = lambda t, w, j, done: verify_many(t, w, j, lambda outcome: print("one is done", flush=True))
+many.verify_many = lambda t, w, j, *_: verify_many(t, w, j, lambda outcome: print("one is done", flush=True))
 cli.main()
 """
 

@@ -15,7 +15,7 @@ from workbook.judging.verify import verify
 from workbook.reading.contents import Contents
 from workbook.reading.entries import checked, counted, read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 
 formualizer = pytest.importorskip("formualizer")
 CUTTING, OVERLAP = TEMPLATES["cutting-machine"], TEMPLATES["indexing-overlap"]

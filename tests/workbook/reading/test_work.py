@@ -14,7 +14,7 @@ from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
 from workbook.witnesses.pycel import limits
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 
 SECONDS = 20
 WIDE = f"J1:{get_column_letter(5_009)}1"

@@ -34,7 +34,7 @@ from workbook.selection.catalogue_files import (
 )
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 
 TEMPLATE = TEMPLATES["cutting-machine"]
 MOTORS, REDUCERS = FOLDER / "motors.csv", FOLDER / "reducers.csv"

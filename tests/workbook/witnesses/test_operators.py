@@ -12,7 +12,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from workbook.reading.contents import Contents
-from workbook.witnesses.pycel.witness import PycelModel
+from workbook.witnesses.pycel.model import PycelModel
 
 formualizer = pytest.importorskip("formualizer")
 

@@ -130,7 +130,8 @@ def headings(match: Match, sheet: Sheet, report: Report) -> None:
     title = next((match.file.places[b.name].sheet for b in sheet.blocks if b.name in match.file.places), None)
     if title is None:
         return
-    known = {place.sheet: rows_of(match, place.sheet) for place in map(match.file.places.get, names_of(sheet)) if place}
+    sheets = {place.sheet for place in map(match.file.places.get, names_of(sheet)) if place}
+    known = {name: rows_of(match, name) for name in sheets}
     blocks = sorted(sheet.blocks, key=lambda block: block.row)
     for text in sheet.texts:
         if text.style not in HEADINGS or not text.text:

@@ -2,36 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import Annotated, Any, Literal, Self
+from collections.abc import Iterator
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
 from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
-from workbook.entries.phase import Passing, require_straight, resting
+from workbook.entries.phase import Passing, require_straight
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
-from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number, Positive
-from workbook.laws.entries import LawName
+from workbook.entries.turn import TURN, TurnPhase, forward
+from workbook.entries.types import ANGLE_TOLERANCE, DesignError, EntryError, Model, Positive
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle_phases
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
-TURN = 360.0  # degrees
 
-
-class Phase(Passing):
-    """One phase of an axis: angles of the master shaft in degrees, lift in mm."""
-
-    start: Angle
-    stop: Angle
-    lift: Number = 0.0
-    law: LawName = "DWL"
-
-    def design_faults(self) -> Iterator[DesignError]:
-        """Yield a dwell that is to lift."""
-        yield from resting(self.law, self.lift)
+class AxisPhase(TurnPhase, Passing):
+    """A phase, its lift in mm, and what it passes its begin with."""
 
 
 class Axis(Model):
@@ -41,15 +30,11 @@ class Axis(Model):
     group: Text
     closes: Literal["position", "feed"] = "position"
     smoothness: Smoothness = "acceleration"
-    phases: Annotated[list[Phase], Field(min_length=1)]
+    phases: Annotated[list[AxisPhase], Field(min_length=1)]
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, do not follow on, or do not fill the cycle."""
-        spread = filling(self.phases)
-        for i, phase in enumerate(self.phases, 1):
-            if phase.stop <= phase.start:
-                yield DesignError("phases", backwards(self.name, i, phase), "forward", spread)
-                break
+        yield from forward(self.name, self.phases)
         reached = 0.0
         for i, phase in enumerate(self.phases, 1):
             if abs(phase.start - reached) > ANGLE_TOLERANCE:
@@ -60,22 +45,6 @@ class Axis(Model):
         last = max(phase.stop for phase in self.phases)
         if abs(last - TURN) > ANGLE_TOLERANCE:
             yield DesignError(f"phases.{len(self.phases) - 1}.stop", unfilled(self.name, last), "fills", TURN)
-
-
-def filling(phases: Sequence[Phase]) -> list[dict[str, Any]]:
-    """Return the phases, evenly spread over the cycle."""
-    step = TURN / len(phases)
-    edges = [*(i * step for i in range(len(phases))), TURN]
-    return [
-        phase.model_dump() | {"start": start, "stop": stop}
-        for phase, start, stop in zip(phases, edges, edges[1:], strict=False)
-    ]
-
-
-def backwards(name: str, row: int, phase: Phase) -> str:
-    """Return the sentence on a phase that runs backwards, or does not last."""
-    short = phase.start - phase.stop
-    return f"{name} row {row} ends at {figure(phase.stop)}°, {figure(short)}° before it begins"
 
 
 def parted(name: str, row: int, start: float, reached: float) -> str:

@@ -9,8 +9,10 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from functools import lru_cache
+from types import FunctionType
 from typing import Any, NamedTuple
 
+from pycel import excelformula
 from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
 from pycel.excelutil import EMPTY
 from pycel.lib.function_helpers import load_functions
@@ -23,6 +25,13 @@ MODULES = (limits, *(importlib.import_module(name) for name in ExcelFormula.defa
 UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's graph, or a number in the text
 DUMMY = re.compile(r"A[0-9]+(:B[0-9]+)?")
 ADDRESS_ASKED = re.compile(r'_REF_\("(.*?)"\)')
+
+SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0}  # in a text of one line
+
+# pycel's own parser, for tokens that have been looked through: it would part each formula into them a second time
+parse = FunctionType(
+    ExcelFormula._parse_to_rpn.__code__, vars(excelformula) | {"Tokenizer": lambda tokens: tokens}
+)  # fmt: skip
 
 arguments: dict[str, Any] = {}  # what the dummies of the shape under evaluation stand for
 _space: dict[str, Any] = {
@@ -47,9 +56,10 @@ class Compiled(NamedTuple):
 def compiled(shape: str) -> Compiled | FormulaError:
     """Return a shape as pycel compiles it, or why it cannot; either is found out once."""
     try:
-        tokens = Tokenizer(shape).items
-        check(tokens)
-        return _compiled(signed(shape, tokens))
+        tokens = Tokenizer(shape)
+        check(tokens.items)
+        text = signed(shape, tokens.items)
+        return _compiled(text, tokens if text == shape else Tokenizer(text))
     except FormulaError as error:
         return error
     except RecursionError:
@@ -136,19 +146,20 @@ class Operators(ast.NodeTransformer):
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.Call:
         """Take a sign as Excel does."""
-        return self._operated(ast.Constant(EMPTY), node.op, node.operand)
+        return self._operated(ast.Constant(EMPTY, **SOMEWHERE), node.op, node.operand)
 
     def _operated(self, left: ast.expr, operator: ast.AST, right: ast.expr) -> ast.Call:
-        called = ast.Name("excel_operator_operand_fixup", ast.Load())
-        words = [self.visit(left), ast.Constant(type(operator).__name__), self.visit(right)]
-        return ast.Call(called, words, [])
+        called = ast.Name("excel_operator_operand_fixup", ast.Load(), **SOMEWHERE)
+        words = [self.visit(left), ast.Constant(type(operator).__name__, **SOMEWHERE), self.visit(right)]
+        return ast.Call(called, words, [], **SOMEWHERE)
 
 
-def _compiled(shape: str) -> Compiled:
+def _compiled(shape: str, tokens: Tokenizer) -> Compiled:
     formula = ExcelFormula(shape)
+    formula._rpn = parse(formula, tokens)
     operators = Operators()
     tree = operators.visit(ast.parse(f"lambdas.append(lambda: {formula.python_code})"))
-    code, names = compile(ast.fix_missing_locations(tree), "<shape>", "exec"), operators.names
+    code, names = compile(tree, "<shape>", "exec"), operators.names
     made: list[Callable[[], Any]] = []
     _space["lambdas"] = made
     new = set(names) - _space.keys()

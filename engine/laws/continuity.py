@@ -1,0 +1,80 @@
+"""How smooth a law is by itself: what jumps where its pieces meet, and against rest at its ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Law
+from engine.laws.piece import Piece, gains
+
+JUMP = 1e-9
+"""of the law's C_v, of a and j of its C_a: a smaller jump is rounding"""
+SMOOTH = 3
+"""derivatives of s that are looked at: v, a and j"""
+WORDS = ("position", "velocity", "acceleration", "jerk")
+"""the highest derivative of s that is continuous, in words"""
+
+Rates = tuple[float, ...]
+"""v, a, j"""
+
+
+class Meeting(NamedTuple):
+    """The begin of a piece of a law, or of the rest behind it: rates there and at its end, and what jumps.
+
+    ``before`` counts, from 1, the last piece before that lasts; 0 is rest. ``order`` is the highest derivative of s
+    that is continuous there, up to 3; of a piece that does not last, 3. ``outer`` tells the law's ends from what is
+    between them.
+    """
+
+    duration: float
+    begin: Rates
+    end: Rates
+    before: int
+    jump: Rates
+    order: int
+    outer: bool
+
+
+def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
+    """Return where each of a law's pieces begins, and the rest behind the last one, which lasts 1."""
+    found: list[Meeting] = []
+    scales = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca
+    v, before = law.start.v, 0
+    ended: Rates = (0.0, 0.0, 0.0)
+    for k, piece in enumerate((*pieces, Piece(1.0)), 1):
+        behind = k > len(pieces)
+        begin, end = _rates(piece, 0.0 if behind else v)
+        lasts = piece.duration > 0.0
+        jump = tuple(y - x for x, y in zip(ended, begin, strict=True)) if lasts else (0.0, 0.0, 0.0)
+        outer = lasts and (behind or before == 0)
+        found.append(Meeting(piece.duration, begin, end, before, jump, _order(jump, scales), outer))
+        v = end[0]
+        if lasts:
+            before, ended = k, end
+    return tuple(found)
+
+
+def continuity(law: Law) -> tuple[int, int]:
+    """Return the highest derivative of s that is continuous, up to 3: at the ends against rest, and between them."""
+    found = meetings(law, law.as_pieces())
+    ends, inside = (min([SMOOTH, *(one.order for one in found if one.outer == outer)]) for outer in (True, False))
+    return ends, inside
+
+
+def code(number: int, one: Meeting) -> int:
+    """Return what tells law, end and order of a meeting in one number: 8 · number + 4 at an end + order."""
+    return 8 * number + 4 * one.outer + one.order
+
+
+def _rates(piece: Piece, v: float) -> tuple[Rates, Rates]:
+    """Return v, a, j of a piece, entered with the velocity ``v``, at its begin and at its end."""
+    _, dv, a, j = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])
+    return (v, float(a[0]), float(j[0])), (v + float(dv[1]), float(a[1]), float(j[1]))
+
+
+def _order(jump: tuple[float, ...], scales: tuple[float, ...]) -> int:
+    jumps = (abs(size) > JUMP * scale for size, scale in zip(jump, scales, strict=True))
+    return next((n for n, jumped in enumerate(jumps) if jumped), SMOOTH)

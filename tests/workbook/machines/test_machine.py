@@ -1,0 +1,109 @@
+"""A machine of any axes: 1 to 24, their rests and shifts, other names, and what must not depend on samples."""
+
+import math
+
+import openpyxl
+import pytest
+
+from tests.workbook.cells import computed, disagreeing, entered
+from workbook.build import build, inputs
+from workbook.judging.verify import verify
+from workbook.reading.entries import read_machine
+from workbook.templates import TEMPLATES
+
+TEMPLATE = TEMPLATES["machine"]
+SMALL = {"cycle": 12, "law": 4, "own_law": 60}
+
+
+def described(axes=None, **sizes):
+    """The committed machine, with other axes."""
+    data = read_machine(TEMPLATE.description).model_dump()
+    data["sizes"] |= SMALL | {"motion_pieces": None} | sizes
+    return TEMPLATE.model.model_validate(data | ({} if axes is None else {"axes": axes}))
+
+
+def axis(number=1, *phases, **entries):
+    told = [{"start": start, "stop": stop, "lift": lift, "law": law} for start, stop, lift, law in phases]
+    return {"name": f"A{number}", "group": f"Group {number}", "phases": told} | entries
+
+
+def many(count):
+    """Axes alike in nothing: unit, rests, shift, laws."""
+    laws = ("MTP", "CIC")
+    return [
+        axis(
+            k,
+            (3.0 * k, 3.0 * k + 40, 10.0 + k, "CIC"),
+            (120.0 + k, 170.0 + 2 * k, -10.0 - k, laws[k % 2]),
+            unit="°" if k % 3 == 0 else "mm",
+            shift=17.0 * (k % 5),
+        )
+        for k in range(1, count + 1)
+    ]
+
+
+@pytest.mark.parametrize("count", [1, 5, 12, 24])
+def test_machines_of_many_axes_agree_and_come_back(count):
+    machine = described(many(count), phases=3)
+    wrong, cells = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert cells > 4_000
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+def test_more_axes_than_24_are_refused():
+    with pytest.raises(ValueError, match="24"):
+        described(many(25))
+
+
+def test_an_axis_rests_between_its_phases():
+    told = described([axis(1, (0, 90, 0.0, "DWL"), (90, 135, 20.0, "MTP"), (135, 360, 0.0, "DWL"))], cycle=72)
+    left = described([axis(1, (90, 135, 20.0, "MTP"))], cycle=72)
+    for column in ("y1", "gg1", "tt1"):
+        assert computed(TEMPLATE, told)("cycle", column) == computed(TEMPLATE, left)("cycle", column)
+
+
+def test_a_shift_tells_the_motion_later_and_nothing_else():
+    phases = ((30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))
+    still, late = (described([axis(1, *phases, shift=shift)], cycle=24) for shift in (0.0, 45.0 - 720.0))
+    one, other = computed(TEMPLATE, still), computed(TEMPLATE, late)
+    y, moved = one("cycle", "y1"), other("cycle", "y1")
+    assert moved == pytest.approx([*y[21:24], *y[:22]], abs=1e-12)  # 45° are three samples
+    for column in ("v", "a", "travel", "low", "high"):
+        assert one("axes", column) == other("axes", column)
+
+
+def test_a_feed_goes_on_from_where_its_cycle_ends():
+    value = computed(TEMPLATE, described([axis(1, (0, 120, 300.0, "CIC"), closes="feed", shift=-60.0)], cycle=12))
+    y = value("cycle", "y1")
+    assert (y[0], y[6], y[-1]) == pytest.approx((150.0, 300.0, 450.0))
+    assert min(value("cycle", "lane1")) >= 0.0
+    assert max(value("cycle", "lane1")) <= 0.8 + 1e-12
+
+
+def test_cic_at_200_a_minute_reaches_its_acceleration():
+    """2 mm in 5.5°: ÿ = 2π h/t², t = 5.5/360 of 0.3 s."""
+    value = computed(TEMPLATE, described([axis(1, (90.3, 95.8, 2.0, "CIC"), (180, 200, -2.0, "CIC"))]))
+    expected = 2 * math.pi * 0.002 / (0.3 * 5.5 / 360) ** 2
+    assert value("axes", "a") == pytest.approx([expected], rel=1e-12)
+    assert expected == pytest.approx(598.2, abs=0.05)
+
+
+def test_other_names_are_no_finding(tmp_path):
+    build(described(), tmp_path / "book.xlsx")
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    sheet, place = book.defined_names["axis_name"].attr_text.replace("$", "").replace("'", "").split("!")
+    cells = [row[0] for row in book[sheet][place]]
+    names = [cell.value for cell in cells]
+    for cell, name in zip(cells, [*names[1:], "Cam & punch"], strict=True):
+        cell.value = name
+    book.save(tmp_path / "other.xlsx")
+    report = verify(tmp_path / "other.xlsx")
+    assert report.findings == []
+    assert report.notices == []
+    assert [a.name for a in inputs(tmp_path / "other.xlsx")[0].axes] == [*names[1:], "Cam & punch"]
+
+
+def test_axes_are_told_apart_whatever_the_case_of_their_names():
+    with pytest.raises(ValueError, match="a second axis"):
+        described([axis(1, (0, 90, 1.0, "CIC")), axis(1, (0, 90, 1.0, "CIC"), name="a1")])

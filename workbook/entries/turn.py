@@ -1,0 +1,46 @@
+"""Phases of an axis over one turn of the master shaft, as entered."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from workbook.book.sentence import figure
+from workbook.entries.phase import resting
+from workbook.entries.types import Angle, DesignError, Model, Number
+from workbook.laws.entries import LawName
+
+TURN = 360.0  # degrees
+
+
+class TurnPhase(Model):
+    """One phase of an axis: angles of the master shaft in degrees, a lift in the axis' unit."""
+
+    start: Angle
+    stop: Angle
+    lift: Number = 0.0
+    law: LawName = "DWL"
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a dwell that is to lift."""
+        yield from resting(self.law, self.lift)
+
+
+def forward(name: str, phases: Sequence[TurnPhase]) -> Iterator[DesignError]:
+    """Yield the first phase of an axis that runs backwards, or does not last."""
+    for row, phase in enumerate(phases, 1):
+        if phase.stop <= phase.start:
+            short = phase.start - phase.stop
+            said = f"{name} row {row} ends at {figure(phase.stop)}°, {figure(short)}° before it begins"
+            yield DesignError("phases", said, "forward", filling(phases))
+            return
+
+
+def filling(phases: Sequence[TurnPhase]) -> list[dict[str, Any]]:
+    """Return the phases, evenly spread over the cycle."""
+    step = TURN / len(phases)
+    edges = [*(i * step for i in range(len(phases))), TURN]
+    return [
+        phase.model_dump() | {"start": start, "stop": stop}
+        for phase, start, stop in zip(phases, edges, edges[1:], strict=False)
+    ]

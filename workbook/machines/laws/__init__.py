@@ -1,0 +1,1 @@
+"""Motion laws compared: coefficients side by side, curves over one another, what each costs."""

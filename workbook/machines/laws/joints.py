@@ -1,0 +1,82 @@
+"""What jumps where the pieces of a law meet: from the stack of pieces, so from no samples."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from workbook.book.declare import Quantity, Sheet, calc, constant
+from workbook.machines.laws.view import Compared, Joined
+
+RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
+ORDER = (
+    "=IF(COUNTIF([joints.code],8*[no]+{0})>0,0,IF(COUNTIF([joints.code],8*[no]+{0}+1)>0,1,"
+    "IF(COUNTIF([joints.code],8*[no]+{0}+2)>0,2,3)))"
+)
+"""the least order of a law's joints: between its pieces, or, of codes that are 4 more, at its ends"""
+PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],piece_number,0)+[k]-1)"
+"""behind the last piece the dwell's, law 1"""
+POLYNOMIALS = {
+    "a": "INDEX(piece_c0,[q])+{u}*(INDEX(piece_c1,[q])+{u}*(INDEX(piece_c2,[q])+{u}*(INDEX(piece_c3,[q])"
+    "+{u}*(INDEX(piece_c4,[q])+{u}*INDEX(piece_c5,[q])))))",
+    "j": "INDEX(piece_c1,[q])+{u}*(2*INDEX(piece_c2,[q])+{u}*(3*INDEX(piece_c3,[q])"
+    "+{u}*(4*INDEX(piece_c4,[q])+{u}*5*INDEX(piece_c5,[q]))))",
+}
+SINES = {
+    "a": "+INDEX(piece_P{n},[q])*SIN({x})",
+    "j": "+INDEX(piece_P{n},[q])*INDEX(piece_omega{n},[q])*COS({x})",
+}
+CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
+SIZE = "IF(ABS([dv])>check_zero*INDEX(law_cv,[no]),0,IF(ABS([da])>check_zero*{ca},1,IF(ABS([dj])>check_zero*{ca},2,3)))"
+
+
+def joints_table(sheet: Sheet, view: Compared) -> None:
+    """Declare the table of joints: rates at both ends of each piece, what jumps before it, and what stays smooth."""
+    rows = view.joints
+
+    def of(figure: Callable[[Joined], Any]) -> list[Any]:
+        return [figure(row) for row in rows]
+
+    def rate(name: str, i: int, at_end: bool) -> Quantity:
+        words = f"{RATES[name]} at its {'end' if at_end else 'begin'}"
+        values = of(lambda row: (row.at.end if at_end else row.at.begin)[i])
+        formula = at_place(name, at_end, view.stack.second_sine)
+        return calc(f"{name}{int(at_end)}", words, f"{name}_{int(at_end)}", "", formula, values,
+                    scale=max(map(abs, values)))  # fmt: skip
+
+    sheet.table(
+        "joints", "Pieces of each law, and the rest behind it", len(rows),
+        calc("law", "law", "", "", "=INDEX(law_code,[no])", of(lambda row: row.one.name)),
+        constant("no", "number", "", "", of(lambda row: row.one.number), format="0"),
+        constant("k", "piece", "k", "", of(lambda row: row.k), format="0"),
+        calc("q", "piece row", "q", "", PIECE, of(view.row_of), format="0", source="on the sheet Laws"),
+        calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", of(lambda row: row.at.duration)),
+        *(rate(name, i, at_end) for at_end in (False, True) for i, name in enumerate(RATES)),
+        calc("p", "last before it that lasts", "", "",
+             "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", of(lambda row: row.at.before), format="0", source="0: rest"),
+        *(calc(f"d{name}", f"jump of {words}", f"Δ{name}", "",
+               f"=IF([d]>0,[{name}0]-IF([p]=0,0,INDEX([joints.{name}1],[first]+[p]-1)),0)",
+               [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
+          for i, (name, words) in enumerate(RATES.items())),
+        calc("order", "highest continuous derivative", "", "",
+             f"={SIZE.format(ca=CA)}", of(lambda row: row.at.order), format="0", source="0 s, 1 v, 2 a, 3 j"),
+        calc("outer", "is an end of the law", "", "",
+             "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)", of(lambda row: int(row.at.outer)),
+             format="0"),
+        calc("code", "law, end and order", "", "",
+             "=8*[no]+4*[outer]+[order]", of(lambda row: row.code), format="0",
+             source="8 · number + 4 at an end + order"),
+        calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", of(view.first_of),
+             format="0"),
+    )  # fmt: skip
+
+
+def at_place(name: str, at_end: bool, second: bool) -> str:
+    """Return the formula of v, a or j at the begin of a piece, or at its end."""
+    if name == "v":
+        return "=INDEX(piece_v,[q])" + ("+INDEX(piece_dv,[q])" if at_end else "")
+    text = POLYNOMIALS[name].format(u="[d]") if at_end else f"INDEX(piece_c{'01'[name == 'j']},[q])"
+    for n in ("", "2") if second else ("",):
+        turned = f"INDEX(piece_omega{n},[q])*[d]+INDEX(piece_phi{n},[q])" if at_end else f"INDEX(piece_phi{n},[q])"
+        text += SINES[name].format(n=n, x=turned)
+    return f"={text}"

@@ -1,0 +1,166 @@
+"""The Comparison sheet: curves of up to four laws, and every law with what it costs."""
+
+from __future__ import annotations
+
+from engine.laws.continuity import WORDS
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
+from workbook.book.rows import filled
+from workbook.laws.page import finite
+from workbook.machines.laws.entries import MOST_CURVES
+from workbook.machines.laws.joints import ORDER, joints_table
+from workbook.machines.laws.view import Compared
+
+CURVES = range(1, MOST_CURVES + 1)
+NAMES = {"s": "Position", "v": "Velocity", "a": "Acceleration", "j": "Jerk"}
+VENDORS = {"siemens": "Siemens LCamHdl", "twincat": "TwinCAT", "codesys": "CODESYS", "sew": "SEW MOVI-C"}
+LEFT, RIGHT, TOP, BELOW = 9, 14, 5, 28
+"""columns and rows at which the charts begin"""
+NONE = "–"
+"""in place of a name"""
+SPELLED = ",".join(f'"{word}"' for word in WORDS)
+
+
+def comparison_sheet(book: Book, view: Compared) -> None:
+    """Declare the sheet: the laws to draw and their curves, the table of all laws, then samples and joints."""
+    sheet = book.sheet("Comparison", "Every law of the book side by side: curves, coefficients, and what each costs.")
+    sheet.heading("What to enter: up to four laws, whose curves are drawn over one another")
+    chosen(sheet, view)
+    sheet.heading("What comes out: the least, of laws whose acceleration does not jump")
+    summary(sheet, view)
+    draw(sheet)
+    sheet.heading("The laws, for unit rise and unit time", COSTS)
+    costs(sheet, view)
+    sheet.heading("Table of the curves")
+    named(sheet, view)
+    samples(sheet, view)
+    sheet.heading("Workings: what jumps where the pieces of a law meet, and against rest at its ends")
+    joints_table(sheet, view)
+    sheet.widths[FIRST + 1] = 24.0
+    sheet.print_columns = 18
+
+
+COSTS = (
+    "C_a,rms²/12: heat in the motor's copper for a pure inertia, against the cubic's, the least possible between two "
+    "rests; max |v·a|: the largest power; C_j: what shakes the machine."
+)
+
+
+def chosen(sheet: Sheet, view: Compared) -> None:
+    """Declare the laws that are drawn."""
+    sheet.table(
+        "curves", "One law each row; leave spare rows empty", MOST_CURVES,
+        given("law", "law", "", "",
+              filled(view.entered, MOST_CURVES, None), "comparison.curves.*.law", choices="=law_code"),
+        calc("no", "number", "", "",
+             '=MATCH(IF([law]="",[curves.law.first],[law]),law_code,0)', [one.number for one in view.curves],
+             format="0", source="of a spare row that of the first"),
+    )  # fmt: skip
+
+
+def named(sheet: Sheet, view: Compared) -> None:
+    """Declare what the curves are called in the charts, and the numbers by which they are found."""
+    sheet.rows(
+        *(calc(f"curve{i}_name", f"Name of curve {i}", "", "",
+               f'=IF([curves.law.{i}]="","",INDEX(law_code,curve{i}_no))', name, align="center")
+          for i, name in zip(CURVES, filled(view.entered, MOST_CURVES, ""), strict=True)),
+        *(calc(f"curve{i}_no", f"Number of its law, of curve {i}", "", "", f"=[curves.no.{i}]", one.number, format="0")
+          for i, one in zip(CURVES, view.curves, strict=True)),
+    )  # fmt: skip
+    sheet.row += 1
+
+
+def draw(sheet: Sheet) -> None:
+    """Place the four charts beside what is entered, and go on below them."""
+    for d, column, row in (("s", LEFT, TOP), ("v", RIGHT, TOP), ("a", LEFT, BELOW), ("j", RIGHT, BELOW)):
+        sheet.chart(curves(d), column=column, row=row, width=RIGHT - LEFT, height=BELOW - TOP)
+    sheet.row = BELOW + BELOW - TOP + 1
+
+
+def curves(d: str) -> Chart:
+    """Return the chart of one derivative of the laws drawn."""
+    lines = tuple(Series(f"=curve{i}_name", "[samples.xi]", f"[samples.{d}{i}]") for i in CURVES)
+    title = f"{NAMES[d]} {d}(ξ)"
+    return Chart(title, "ξ = t / t_a", d, lines, f"{title} of the laws drawn, for unit rise and unit time", (0, 1, 0.1))
+
+
+def summary(sheet: Sheet, view: Compared) -> None:
+    """Declare the least of two costs, among the laws whose acceleration does not jump."""
+    sheet.rows(
+        *(result(f"least_{name}", f"Least {words}", "", "",
+                 f"=MIN([costs.{name}_of])", view.least(name), format="0.0000", source=source)
+          for name, words, source in (("loss", "copper loss", "C_a,rms² / 12"), ("va", "largest power", "max |v·a|"))),
+    )  # fmt: skip
+
+
+def costs(sheet: Sheet, view: Compared) -> None:
+    """Declare the table of all laws with their coefficients, costs and continuity."""
+    laws, found = view.moving, [one.law.coefficients for one in view.moving]
+
+    def of(name: str, label: str, symbol: str, source: str = "") -> Quantity:
+        values = [finite(getattr(each, name)) for each in found]
+        return result(name, label, symbol, "", f"=INDEX(law_{name},[no])", values, format="0.0000", source=source)
+
+    sheet.table(
+        "costs", "Laws, in the order of the sheet Laws", len(laws),
+        calc("law", "law", "", "", "=INDEX(law_code,[no])", [one.name for one in laws]),
+        calc("family", "family", "", "",
+             "=INDEX(law_name,[no])",
+             [one.page.name_entered(one.family.entry, one.entered) for one in laws], align="left"),
+        of("cv", "velocity", "C_v"),
+        of("ca_max", "acceleration", "C_a+"),
+        of("ca_min", "deceleration", "C_a−"),
+        of("ca_rms", "RMS acceleration", "C_a,rms"),
+        of("cj", "jerk", "C_j"),
+        of("va_max", "largest v·a", "max(v·a)"),
+        of("va_min", "lowest v·a", "min(v·a)"),
+        result("loss", "copper loss", "", "",
+               "=[ca_rms]^2/12", [each.loss for each in found], format="0.0000", source="C_a,rms² / 12"),
+        result("va", "largest power", "max |v·a|", "",
+               "=MAX([va_max],-[va_min])", [each.va for each in found], format="0.0000"),
+        result("at_ends", "continuous at its ends", "", "",
+               f"=CHOOSE([ends]+1,{SPELLED})", [WORDS[ends] for ends, _ in view.smooth], source="against rest"),
+        result("within", "and between them", "", "",
+               f"=CHOOSE([inside]+1,{SPELLED})", [WORDS[inside] for _, inside in view.smooth]),
+        constant("no", "number", "", "", [one.number for one in laws], format="0"),
+        calc("ends", "order at its ends", "", "", ORDER.format(4), [ends for ends, _ in view.smooth], format="0",
+             source="highest continuous derivative"),
+        calc("inside", "order between them", "", "", ORDER.format(0), [inside for _, inside in view.smooth],
+             format="0"),
+        *(calc(f"{name}_of", f"{words}, if it does not jump", "", "", f'=IF(MIN([ends],[inside])>1,[{name}],"∞")',
+               [getattr(each, name) if keeps else "∞" for each, keeps in zip(found, view.unjerked, strict=True)],
+               format="0.0000")
+          for name, words in (("loss", "copper loss"), ("va", "largest power"))),
+    )  # fmt: skip
+
+
+def names_sheet(book: Book, view: Compared) -> None:
+    """Declare the sheet that says what the laws are called by those who make controllers."""
+    sheet = book.sheet("Names", "What the laws are called in the libraries of controllers, as far as it is sure.")
+    sheet.widths |= dict.fromkeys(range(FIRST + 1, FIRST + 1 + len(VENDORS)), 34.0)
+    sheet.heading(
+        "Names, with the number there", f"{NONE} where there is none, or none is sure; with parameters as delivered."
+    )
+    entries = [one.family.entry for one in view.moving]
+    sheet.table(
+        "elsewhere", "Laws", len(entries),
+        calc("law", "law", "", "",
+             [f"=[costs.law.{i}]" for i, _ in enumerate(entries, 1)], [one.name for one in view.moving]),
+        *(constant(name, label, "", "", [getattr(entry.vendors, name) or NONE for entry in entries], align="left")
+          for name, label in VENDORS.items()),
+    )  # fmt: skip
+
+
+def samples(sheet: Sheet, view: Compared) -> None:
+    """Declare the sampled curves, then how each finds its piece."""
+    n, stack = view.sizes.cycle, view.stack
+    values = [dict(zip("svaj", each, strict=True)) for each in view.samples]
+    sheet.table(
+        "samples", "The laws drawn, over ξ = t / t_a", n + 1,
+        constant("k", "sample", "k", "", list(range(n + 1))),
+        calc("xi", "abscissa", "ξ", "", "=[k]/[samples.k.last]", view.xi, source="k / N", format="0.0000"),
+        *(column for d in "svaj" for i, found in zip(CURVES, values, strict=True)
+          for column in stack.columns(found, d, str(i), result)),
+        *(column for i, one in zip(CURVES, view.curves, strict=True)
+          for column in stack.finding(f"curve{i}_no", "xi", stack.locate(one.number, view.xi), str(i))),
+    )  # fmt: skip

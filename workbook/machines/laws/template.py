@@ -1,0 +1,38 @@
+"""Motion laws compared: every law of the book side by side, and what each costs."""
+
+from __future__ import annotations
+
+from workbook.book.about import about_sheet
+from workbook.book.declare import Book, calc, result
+from workbook.entries.rules import limits
+from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.laws.entries import MotionLaws
+from workbook.machines.laws.sheet import comparison_sheet, names_sheet
+from workbook.machines.laws.variations import variants
+from workbook.machines.laws.view import Compared
+from workbook.template import Template, finish
+
+
+def declare(given: MotionLaws) -> Book:
+    """Declare the book."""
+    shelf = LawShelf(given.laws, given.sizes)
+    view = Compared(given, shelf.named, shelf.stack)
+    book = Book(given.template, given.title, limit=limits(type(given)))
+    about_sheet(
+        book,
+        "Motion laws side by side: coefficients, curves over one another, and what each costs.",
+        [
+            calc("about_laws", "Laws compared", "", "", "=COUNT([costs.no])", len(view.moving), format="0"),
+            result("about_loss", "Least copper loss without a jump of acceleration", "", "", "=least_loss",
+                   view.least("loss"), format="0.0000", source="C_a,rms² / 12; the cubic has 1"),
+            result("about_va", "Least power without a jump of acceleration", "", "", "=least_va",
+                   view.least("va"), format="0.0000", source="max |v·a|"),
+        ],
+    )  # fmt: skip
+    comparison_sheet(book, view)
+    names_sheet(book, view)
+    shelf.sheets(book)
+    return finish(book, "Motion laws", ("S1", "S3"))
+
+
+TEMPLATE = Template("motion-laws", MotionLaws, declare, variants, LAW_SIZES | {"cycle": ("samples", 1)})

@@ -1,0 +1,1 @@
+"""Any machine: its axes over one master shaft, at one rate."""

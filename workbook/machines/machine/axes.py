@@ -1,0 +1,21 @@
+"""The axes of a machine over a turn of the master shaft, each as late as it is entered: mm or ° over degrees."""
+
+from __future__ import annotations
+
+from engine.cams.course import course_of_motion, turned
+from workbook.axes import CamAxis
+from workbook.entries.units import DEGREE, shown
+from workbook.laws.library import laws
+from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.view import MovingAxis, Whole
+
+
+def axes(machine: AnyMachine) -> list[CamAxis]:
+    """Return the axes of a machine."""
+    return [cam(one) for one in Whole(machine, laws(machine.laws)).axes]
+
+
+def cam(one: MovingAxis) -> CamAxis:
+    """Return an axis as a controller can be given it."""
+    told = course_of_motion(one.motion, shown(1.0, DEGREE), shown(1.0, one.unit))
+    return CamAxis(one.given.name, turned(told, one.given.shift), "°", one.given.unit, one.axis.closes)

@@ -1,0 +1,77 @@
+"""The sheet Cycle: every axis over one turn of the master shaft, sample by sample."""
+
+from __future__ import annotations
+
+from workbook.book.declare import Book, Quantity, calc, constant, result
+from workbook.entries.units import DEGREE, shown
+from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.timing import LANE_SHARE
+from workbook.machines.machine.view import Whole
+from workbook.motion.sampled import POSITION, derivative, finding
+
+TOLD = "MIN([theta],360-timing_eps)"
+"""the end of the turn has the left limit"""
+LANE = "={1}+IF({3}>{2},timing_lane*({0}-{2})/({3}-{2}),0)"
+
+
+def cycle_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
+    """Declare the sheet."""
+    sheet = book.sheet("Cycle", "Every axis over one turn of the master shaft, sample by sample; what charts show.")
+    samples = len(machine.angles)
+    columns = [column for one in axes for column in results(one)]
+    lanes = [in_lane(one, len(axes)) for one in axes]
+    workings = [column for one in axes for column in found(one)]
+    sheet.table(
+        "cycle", "The axes over the master angle", samples,
+        calc("theta", "master angle", "θ", "°", "=[k]*360/[cycle.k.last]", machine.angles, format="0.0##"),
+        *columns, *lanes,
+        constant("k", "sample", "k", "", list(range(samples))),
+        *workings,
+    )  # fmt: skip
+    sheet.print_columns = 19
+
+
+def results(one: AxisRows) -> list[Quantity]:
+    """Return the motion of an axis, geometric and in time."""
+    axis, i, base, unit = one.axis, one.axis.number, one.axis.base, one.axis.given.unit
+    y, y1, y2, y3 = axis.at(one.machine.samples)
+    timed = axis.motion.at_speed(axis.told(one.machine.samples).x, axis.speed)
+    label = f"axis {i}:"
+
+    def of(order: int) -> str:
+        return derivative(one.pieces, order, str(i))
+
+    shown_y = f"=({of(0)})*1000" if unit == "mm" else f"=DEGREES({of(0)})"
+    return [
+        result(f"y{i}", f"{label} position", "y", unit,
+               f"{shown_y}+[n{i}]*[axes.travel.{i}]", shown(y, axis.unit), source=POSITION),
+        result(f"g{i}", f"{label} geometric velocity", "y'", f"{base}/rad", f"={of(1)}", y1, source="dy/du"),
+        result(f"gg{i}", f"{label} geometric acceleration", "y''", f"{base}/rad²", f"={of(2)}", y2, source="d²y/du²"),
+        result(f"ggg{i}", f"{label} geometric jerk", "y'''", f"{base}/rad³",
+               f"={of(3)}", y3, source="d³y/du³, between jumps"),
+        result(f"t{i}", f"{label} velocity", "ẏ", f"{base}/s", f"=[g{i}]*timing_omega", timed.v, source="y' ω"),
+        result(f"tt{i}", f"{label} acceleration", "ÿ", f"{base}/s²", f"=[gg{i}]*timing_omega^2", timed.a,
+               source="y'' ω²"),
+    ]  # fmt: skip
+
+
+def in_lane(one: AxisRows, of: int) -> Quantity:
+    """Return the axis as the timing diagram shows it: the first at the top."""
+    axis, i = one.axis, one.axis.number
+    formula = LANE.format(f"[y{i}]-[n{i}]*[axes.travel.{i}]", of - i, f"[axes.low.{i}]", f"[axes.high.{i}]")
+    return calc(f"lane{i}", f"axis {i}: in the diagram", "", "",
+                formula, axis.lane(one.machine.samples, of - i, LANE_SHARE))  # fmt: skip
+
+
+def found(one: AxisRows) -> list[Quantity]:
+    """Return where the samples of an axis lie: in which of its cycles, at which angle of its phases, in which piece."""
+    axis, i, late = one.axis, one.axis.number, f"[axes.late.{one.axis.number}]"
+    told = axis.told(one.machine.samples)
+    return [
+        calc(f"n{i}", f"axis {i}: cycles", "n", "",
+             f"=INT(({TOLD}-{late})/360+timing_wrap)", told.cycles, format="0", source="of its phases, begun before"),
+        calc(f"p{i}", f"axis {i}: angle of its phases", "", "°",
+             f"=[theta]-{late}-360*[n{i}]", shown(told.x, DEGREE), format="0.0##", source="θ − shift − 360 n",
+             scale=360.0),
+        *finding(one.pieces, f"p{i}", told.x, f"axis {i}: ", str(i)),
+    ]  # fmt: skip

@@ -1,0 +1,87 @@
+"""A machine of any axes: what an engineer enters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from workbook.book.sentence import figure
+from workbook.entries.machine import Machine
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, require_distinct
+from workbook.entries.turn import TurnPhase, forward
+from workbook.entries.types import ANGLE_TOLERANCE, DesignError, EntryError, Model, Number, Positive, TogetherError
+from workbook.motion.asked import Smoothness
+from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
+
+MOST_AXES = 24
+Unit = Literal["mm", "°"]
+Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
+
+
+class Master(Model):
+    """The master shaft: one cycle a turn."""
+
+    rate: Positive  # cycles/min
+
+
+class Axis(Model):
+    """An axis: what it does in one turn of the master shaft; between its phases it rests."""
+
+    name: Name
+    group: Text
+    unit: Unit = "mm"
+    closes: Literal["position", "feed"] = "position"
+    smoothness: Smoothness = "acceleration"
+    shift: Number = 0.0  # degrees by which it is later than its phases say
+    phases: Annotated[list[TurnPhase], Field(min_length=1)]
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield phases that run backwards, or that begin before the one above ends."""
+        yield from forward(self.name, self.phases)
+        reached = 0.0
+        for i, phase in enumerate(self.phases):
+            early = reached - phase.start
+            if early > ANGLE_TOLERANCE:
+                said = f"begins at {figure(phase.start)}°, {figure(early)}° before row {i} ends"
+                yield DesignError(f"phases.{i}.start", f"{self.name} row {i + 1} {said}", "follows", reached)
+                break
+            reached = phase.stop
+
+
+class AnyMachine(Machine):
+    """Axes over one master shaft."""
+
+    template: Literal["machine"] = "machine"
+    master: Master
+    axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        require_distinct((axis.name for axis in self.axes), "axis", "axes.{}.name")
+        for i, axis in enumerate(self.axes):
+            if len(axis.phases) > self.sizes.phases:
+                said = f"{len(axis.phases)} rows do not fit into {self.sizes.phases}; raise sizes.phases"
+                raise EntryError(f"axes.{i}.phases", said)
+        self._find_room()
+        return self
+
+    def _find_room(self) -> None:
+        """Settle the room for the pieces of an axis: those of its phases, and a rest between each two."""
+        number = counts(self.laws)
+        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) for axis in self.axes]
+        room = settle(self, max(needed), 2 * self.sizes.phases + 1)
+        found = [
+            DesignError(f"axes.{i}.phases", CROWDED.format(count, room), rule_of(i + 1), [*map(at_rest, axis.phases)])
+            for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True))
+            if count > room
+        ]
+        if found:
+            raise TogetherError(found)
+
+
+def rests(phases: list[TurnPhase]) -> list[int]:
+    """Return before which phases, counted from 0, an axis rests; behind the last counts as before one more."""
+    ends, begins = [0.0, *(p.stop for p in phases)], [*(p.start for p in phases), 360.0]
+    return [i for i, (end, begin) in enumerate(zip(ends, begins, strict=True)) if begin - end > ANGLE_TOLERANCE]

@@ -1,0 +1,122 @@
+"""Where the motions of a machine's axes stand in its book, and the tables of their steps and pieces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from engine.motion import Phase
+from workbook.book.declare import Book, Sheet, calc, constant
+from workbook.book.rows import filled
+from workbook.laws.phases import HIGH, LOW
+from workbook.laws.sampling import Pieces
+from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.motion.cells import Cells, PieceRows, rows_of
+from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
+from workbook.motion.smooth import Asked, Joints
+
+STEPS = "Steps of axis {}: its phases, and the rests between them"
+
+
+class AxisRows:
+    """An axis at its place in a book: its pieces in cells, and their joints."""
+
+    def __init__(self, machine: Whole, axis: MovingAxis, stack: Pieces) -> None:
+        self.axis, self.machine = axis, machine
+        self.steps = machine.machine.sizes.phases + machine.machine.sizes.phases + 1
+        self.pieces: PieceRows = rows_of(self.at, axis.motion, stack, self.steps, axis.places)
+        self.joints = Joints(self.pieces, axis.motion, self.asked)
+
+    @property
+    def name(self) -> str:
+        """The name of the table of phases, with which all others of the axis begin."""
+        return f"axis{self.axis.number}"
+
+    @property
+    def at(self) -> Cells:
+        """Where the motion stands."""
+        t, base = self.name, self.axis.base
+        return Cells(f"{t}_steps", f"{t}_pieces", f"{t}_count", "360", base, "rad", degrees=True, near="timing_eps")
+
+    @property
+    def asked(self) -> Asked:
+        """How smooth the axis must be."""
+        t, i, base = self.name, self.axis.number, self.axis.base
+        units = tuple((f'"{unit}"', unit) for unit in (f"{base}/rad", f"{base}/rad²", f"{base}/rad³"))
+        return Asked(
+            self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
+            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), ('"°"', "°"), units,
+            (f"[axes.name.{i}]", self.axis.given.name), rows=False,
+        )  # fmt: skip
+
+
+def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
+    """Declare the sheet of the motions as pieces."""
+    sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
+    for one in axes:
+        sheet.heading(f"Axis {one.axis.number}", ABOUT)
+        sheet.rows(pieces_in_all(one.pieces), one.joints.order())
+        steps_table(sheet, one)
+        room = one.machine.room
+        pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
+                     *one.joints.columns(room))  # fmt: skip
+    sheet.print_columns = 20
+
+
+def steps_table(sheet: Sheet, one: AxisRows) -> None:
+    """Declare the steps: a rest before each phase and behind the last, of no length where there is none."""
+    t, n, axis = one.name, one.machine.machine.sizes.phases, one.axis
+    motion, base = axis.motion, axis.base
+
+    def each(rest: str, phase: str) -> list[str]:
+        """Return the formulas: of rests, by the phase before and behind; of phases."""
+        found = [rest.format(before=0, behind=1)]
+        for k in range(1, n + 1):
+            found += [phase.format(k), rest.format(before=k, behind=k + 1)]
+        return found
+
+    def of(figure: Callable[[int, Phase], Any], spare: Any) -> list[Any]:
+        found = filled([], one.steps, spare)
+        for k, place in enumerate(axis.places):
+            found[place] = figure(k, motion.phases[k])
+        return found
+
+    begin = [text.replace(f"[{t}.end.0]", "0") for text in each(f"=[{t}.end.{{before}}]", f"=[{t}.begin.{{}}]")]
+    rest = f"=IF([{t}.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}.begin.{{behind}}]-[begin]),0)"
+    span = [text.replace(f"[{t}.begin.{n + 1}]", "360") for text in each(rest, f"=[{t}.span.{{}}]")]
+    ends = motion.ends
+    sheet.table(
+        f"{t}_steps", STEPS.format(axis.number), one.steps,
+        constant("k", "step", "k", "", list(range(1, one.steps + 1))),
+        calc("begin", "begins at", "", "°", begin, begins(one), scale=360.0, format="0.0##"),
+        calc("span", "duration", "δ", "rad", span, of(lambda _, p: p.duration, 0.0)),
+        calc("no", "law number", "", "", each("=1", f"=[{t}.no.{{}}]"), list(one.pieces.numbers), format="0"),
+        calc("h", "lift", "h", base, each("=0", f"=[{t}.h.{{}}]"), of(lambda _, p: p.lift, 0.0)),
+        calc("y0", "position at begin", "y_0", base,
+             "=IF([k]=1,0,[y0-1]+[h-1])", carried(of(lambda k, _: ends[k].begin.y, None), motion.lifts_sum),
+             source="lifts before", scale=motion.size(0)),
+        calc("low", "lowest position", "", base, LOW.format(0), of(lambda k, _: motion.reaches[k][0], 0.0),
+             scale=motion.size(0)),
+        calc("high", "highest position", "", base, HIGH.format(0), of(lambda k, _: motion.reaches[k][1], 0.0),
+             scale=motion.size(0)),
+        *phase_columns(one.pieces),
+    )  # fmt: skip
+
+
+def begins(one: AxisRows) -> list[float]:
+    """Return where each step begins, in degrees; spare ones where the cycle ends."""
+    phases, n = one.axis.given.phases, one.machine.machine.sizes.phases
+    starts, stops = filled([p.start for p in phases], n, 360.0), filled([p.stop for p in phases], n, 360.0)
+    found = [0.0]
+    for start, stop in zip(starts, stops, strict=True):
+        found += [start, stop]
+    return found
+
+
+def carried(values: list[float | None], last: float) -> list[float]:
+    """Return values of steps, those of steps that are not there as of the next one that is."""
+    found: list[float] = []
+    for value in reversed(values):
+        found.append(last if value is None else value)
+        last = found[-1]
+    return found[::-1]

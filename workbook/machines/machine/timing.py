@@ -1,0 +1,122 @@
+"""The Timing sheet: the axes over one turn of the master shaft, their phases, movements and diagram."""
+
+from __future__ import annotations
+
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.entries.units import shown
+from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.phases import axis_checks, phases_table
+from workbook.machines.machine.view import WRAP, MovingAxis, Whole, unit_name
+
+LANE_SHARE = 0.8
+CHART_COLUMN = 15
+
+
+def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
+    """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
+    sheet = book.sheet("Timing", "The axes over one turn of the master shaft: phases, movements, timing diagram.")
+    sheet.heading("What to enter")
+    sheet.rows(
+        given("timing_rate", "Production rate", "n", "cycles/min",
+              machine.machine.master.rate, "master.rate", format="0.0##", source="one a turn of the master shaft"),
+        calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
+        calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
+             "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
+        calc("timing_eps", "Tolerance of an angle", "ε", "°",
+             "=360*break_tolerance", machine.near, format="0E+00",
+             source="an angle this near to a phase's begin counts as on it"),
+        constant("timing_wrap", "Tolerance of the begin of a cycle", "", "",
+                 WRAP, format="0E+00", source="as a share of the cycle"),
+        constant("timing_lane", "Height of an axis in the diagram", "", "",
+                 LANE_SHARE, format="0.0", source="as a share of its lane"),
+    )  # fmt: skip
+    draw_diagram(sheet, machine)
+    axes_table(sheet, machine)
+    sheet.row = max(sheet.row, sheet.charts[0][1] + sheet.charts[0][4] + 1)
+    for one in axes:
+        i = one.axis.number
+        sheet.heading(f"Axis {i}")
+        sheet.rows(
+            calc(f"axis{i}_name", "Name", "", "", f"=[axes.name.{i}]", one.axis.given.name, align="left"),
+            constant(unit_name(i, one.axis.given.unit), "Moves in", "", "", one.axis.given.unit, align="left"),
+        )
+        phases_table(sheet, one)
+        axis_checks(sheet, one)
+    draw_curves(sheet, machine)
+    sheet.print_columns = 22
+
+
+def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
+    """Return the units of all axes, of positions or, with an ending, of their rates."""
+    units = dict.fromkeys((axis.base if si else axis.given.unit) + ending for axis in machine.axes)
+    return " or ".join(units)
+
+
+def axes_table(sheet: Sheet, machine: Whole) -> None:
+    """Declare the names of the axes, what each must do and what it comes to."""
+    axes, n = machine.axes, len(machine.axes)
+
+    def each(formula: str) -> list[str]:
+        return [f"={outward(axis, formula.format(f'axis{axis.number}'))}" for axis in axes]
+
+    def of(column: str) -> list[str]:
+        return [f"=MAX([axis{axis.number}.{column}])" for axis in axes]
+
+    unit = joined(machine, si=False)
+    sheet.row += 1
+    sheet.table(
+        "axes", "Axes", n,
+        given("group", "group", "", "", [a.given.group for a in axes], "axes.*.group"),
+        given("name", "axis", "", "", [a.given.name for a in axes], "axes.*.name"),
+        given("closes", "closes in", "", "", [a.given.closes for a in axes], "axes.*.closes",
+              source="a feed does not come back"),
+        given("smooth", "must be continuous", "", "", [a.given.smoothness for a in axes], "axes.*.smoothness",
+              source="velocity, acceleration, jerk"),
+        given("shift", "shift", "", "°", [a.given.shift for a in axes], "axes.*.shift", format="0.0##",
+              source="later than its phases say"),
+        calc("late", "shift", "", "°", "=[shift]+0", [a.given.shift for a in axes], format="0.0##"),
+        calc("travel", "travel a cycle", "Σh", unit,
+             each("SUM([{0}.h])"), [shown(a.motion.lifts_sum, a.unit) for a in axes]),
+        calc("low", "lowest position", "", unit,
+             each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes]),
+        calc("high", "highest position", "", unit,
+             each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes]),
+        result("v", "greatest velocity", "ẏ_max", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
+        result("a", "greatest acceleration", "ÿ_max", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
+    )  # fmt: skip
+
+
+def outward(axis: MovingAxis, formula: str) -> str:
+    """Return the formula that shows in the unit of an axis' entries what is in m or rad."""
+    return f"{formula}*1000" if axis.given.unit == "mm" else f"DEGREES({formula})"
+
+
+def draw_diagram(sheet: Sheet, machine: Whole) -> None:
+    """Place the timing diagram: one lane an axis over the master angle."""
+    n = len(machine.axes)
+    lines = tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.lane{i}]") for i in range(1, n + 1))
+    chart = Chart(
+        "Timing diagram", "master angle θ [°]", "axes, the first at the top", lines,
+        "Timing diagram: rises, rests and returns of each axis over one turn of the master shaft",
+        (0, 360, 30), (0, n, 1), hide_y=True,
+    )  # fmt: skip
+    sheet.chart(chart, column=CHART_COLUMN, row=5, width=8, height=max(21, 6 + n + n))
+
+
+def draw_curves(sheet: Sheet, machine: Whole) -> None:
+    """Place the charts of position, velocity and acceleration of all axes."""
+    sheet.heading("Position, velocity and acceleration over the cycle")
+    kinds = (
+        ("y", f"y [{joined(machine, si=False)}]", "Position"),
+        ("t", f"ẏ [{joined(machine, '/s')}]", "Velocity"),
+        ("tt", f"ÿ [{joined(machine, '/s²')}]", "Acceleration"),
+    )
+    sheet.chart_row(
+        *(Chart(title, "master angle θ [°]", label,
+                tuple(Series(f"=axis{a.number}_name", "[cycle.theta]", f"[cycle.{column}{a.number}]")
+                      for a in machine.axes),
+                f"{title} of each axis over the master angle", (0, 360, 60))
+          for column, label, title in kinds),
+        width=6, height=18,
+    )  # fmt: skip

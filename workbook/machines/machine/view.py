@@ -1,0 +1,174 @@
+"""The engine's view of a machine of any axes, in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from engine.laws import Dwell, Law
+from engine.laws.base import Array
+from engine.motion import Motion, MotionValues, Phase
+from engine.motion.shifted import SAME, Shifted, Told
+from engine.timing import Axis, Movement, lane, shaft_speed, turn_time
+from workbook.entries.turn import TURN
+from workbook.entries.units import DEGREE, MM, PER_MINUTE, shown, si
+from workbook.machines.machine import entries as entered
+
+UNITS = {"mm": MM, "°": DEGREE}
+MARKS = {"mm": "mm", "°": "deg"}
+WRAP = SAME
+"""of a turn: an axis this near to the begin of its motion is there"""
+
+BASES = {"mm": "m", "°": "rad"}
+"""the unit of the motion, by that of its entries"""
+
+
+class MovingAxis:
+    """One axis: its motion with the rests between its phases, and where each of both stands in tables of steps."""
+
+    def __init__(self, given: entered.Axis, number: int, library: dict[str, Law], speed: float) -> None:
+        self.given, self.number, self.speed = given, number, speed
+        self.unit, self.base = UNITS[given.unit], BASES[given.unit]
+        self.library = library
+
+    @cached_property
+    def rests(self) -> list[int]:
+        """Before which phases the axis rests, from 0."""
+        return entered.rests(self.given.phases)
+
+    @cached_property
+    def places(self) -> list[int]:
+        """The row, from 0, of each step: rests stand in the first, third, fifth row, phases between them."""
+        phases = range(len(self.given.phases))
+        return sorted([*(i + i for i in self.rests), *(i + i + 1 for i in phases)])
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The motion over a turn: m, or rad, over rad."""
+        phases = self.given.phases
+        ends = [0.0, *(p.stop for p in phases)]
+        edges: list[float] = []
+        lifts: list[float] = []
+        laws: list[Law] = []
+        for i in range(len(phases) + 1):
+            if i in self.rests:
+                edges, lifts, laws = [*edges, ends[i]], [*lifts, 0.0], [*laws, Dwell()]
+            if i < len(phases):
+                edges, lifts = [*edges, phases[i].start], [*lifts, si(phases[i].lift, self.unit)]
+                laws = [*laws, self.library[phases[i].law]]
+        last = TURN if len(phases) in self.rests else ends[-1]
+        return Motion.from_edges(si(np.array([*edges, last]), DEGREE), lifts, laws)
+
+    @cached_property
+    def axis(self) -> Axis:
+        """The axis of the timing diagram."""
+        return Axis(self.given.name, self.motion, feed=self.given.closes == "feed")
+
+    @cached_property
+    def entered(self) -> list[int]:
+        """For each phase as entered, its number in the motion, from 0."""
+        return [k for k, place in enumerate(self.places) if place % 2]
+
+    @property
+    def phases(self) -> list[Phase]:
+        """The phases as entered."""
+        return [self.motion.phases[k] for k in self.entered]
+
+    @cached_property
+    def moves(self) -> dict[int, Movement]:
+        """The phases that lift, by their number as entered, from 0."""
+        found = {m.phase: m for m in self.axis.movements(self.speed)}
+        return {i: found[k] for i, k in enumerate(self.entered) if k in found}
+
+    @cached_property
+    def shifted(self) -> Shifted:
+        """The motion as late as it is entered."""
+        return Shifted(self.motion, si(self.given.shift, DEGREE))
+
+    def told(self, at: Array) -> Told:
+        """Return where samples lie in the motion as its phases tell it."""
+        return self.shifted.told(at)
+
+    def at(self, x: Array) -> MotionValues[Array]:
+        """Return the motion at samples."""
+        return self.shifted.over_cycle(x)
+
+    def lane(self, x: Array, floor: int, share: float) -> Array:
+        """Return the axis as the timing diagram shows it: from where a cycle of its motion begins."""
+        return lane(self.motion.at(self.told(x).x).y, self.motion.reach, floor, share)
+
+    @property
+    def fastest(self) -> float:
+        """The greatest velocity (m/s, or rad/s)."""
+        return max((m.v_max for m in self.moves.values()), default=0.0)
+
+    @property
+    def hardest(self) -> float:
+        """The greatest acceleration (m/s², or rad/s²)."""
+        return max((m.a_max for m in self.moves.values()), default=0.0)
+
+    @property
+    def lack(self) -> float:
+        """The most that a law leaves of its lift."""
+        return max(abs(phase.lack) for phase in self.motion.phases)
+
+
+class Whole:
+    """The engine's view of a machine."""
+
+    def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
+        self.machine = machine
+        self.axes = [MovingAxis(a, i, library, self.speed) for i, a in enumerate(machine.axes, 1)]
+
+    @property
+    def time(self) -> float:
+        """Time of a turn (s)."""
+        return turn_time(si(self.machine.master.rate, PER_MINUTE))
+
+    @property
+    def speed(self) -> float:
+        """Speed of the master shaft (rad/s)."""
+        return shaft_speed(si(self.machine.master.rate, PER_MINUTE))
+
+    @property
+    def room(self) -> int:
+        """Rows of the table of an axis' pieces."""
+        return self.machine.sizes.motion_pieces or 0
+
+    @cached_property
+    def angles(self) -> Array:
+        """The sampled angles of the master shaft in degrees."""
+        return np.linspace(0.0, TURN, self.machine.sizes.cycle + 1)
+
+    @cached_property
+    def samples(self) -> Array:
+        """The same in rad."""
+        return si(self.angles, DEGREE)
+
+    @property
+    def near(self) -> float:
+        """How near to the begin of a phase counts as on it, in degrees."""
+        return shown(self.axes[0].motion.tolerance, DEGREE)
+
+
+def unit_name(number: int, unit: str) -> str:
+    """Return the name of the cell that says in which unit an axis is entered: by it a file tells that."""
+    return f"axis{number}_{MARKS[unit]}"
+
+
+def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyMachine:
+    """Return a machine with the axes that a file has by its defined names: its book has the file's inputs."""
+    axes = []
+    for i in range(1, entered.MOST_AXES + 1):
+        units = [unit for unit in UNITS if unit_name(i, unit) in names]
+        if units:
+            axes.append(machine.axes[0].model_copy(update={"unit": units[0]}))
+    return machine.model_copy(update={"axes": axes or machine.axes})
+
+
+def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
+    """Return the entries that a book's layout tells, and no cell to enter."""
+    return {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}

@@ -1,0 +1,66 @@
+"""The certificates of an export as one page of HTML: tables, errors over the points and over the cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+import workbook
+from workbook.axes import CamAxis
+from workbook.controllers import certificates
+from workbook.controllers.handing import ORDERS, Made, curve, rules_of
+from workbook.controllers.target import Target
+from workbook.reports.page import document, e, table
+from workbook.reports.plot import Line, plot
+
+FLOOR = 1e-12  # of the peak: what is less is drawn there
+SAMPLES = 1441  # of a picture
+HEADINGS = ("", "largest error", "unit", "of the peak", "at x", "added jump")
+
+
+def page(found: Sequence[tuple[CamAxis, Made]], target: Target) -> str:
+    """Return the page of the axes that were exported to a target."""
+    title = f"Cam tables for {target.title}"
+    how = (
+        f"motionbook {workbook.__version__}. Each file was read back by an independent reader, the motion rebuilt by "
+        "the target's rule and compared with the engine over the whole cycle. No controller was run."
+    )
+    body = [e("h1", title), e("p", how, css="quiet")]
+    body += [e("p", f"{claim.certainty}: {claim.what} ({claim.source})") for claim in target.claims]
+    for axis, made in found:
+        body += section(axis, made, target)
+    return document(title, body)
+
+
+def section(axis: CamAxis, made: Made, target: Target) -> list[Element]:
+    """Return what is to be said of one axis."""
+    said = [e("h2", axis.name), e("p", f"{made.points} points; x in {axis.x_unit}, y in {axis.y_unit}")]
+    for name, certificate in made.certificates.items():
+        said += [
+            e("h3", name[:1].upper() + name[1:]),
+            table(HEADINGS, certificates.rows(axis, certificate), (1, 3, 4, 5)),
+        ]
+    return [*said, over_points(axis, made, target), over_cycle(axis, made, target)]
+
+
+def over_points(axis: CamAxis, made: Made, target: Target) -> Element:
+    """Return the picture of errors over the number of points."""
+    tried = sorted([*curve(target, axis), made], key=lambda one: one.points)
+    x = np.array([float(one.points) for one in tried])
+    drawn = []
+    for order, word in zip(ORDERS, certificates.WORDS, strict=True):
+        shares = np.array([one.share(order) for one in tried])
+        drawn.append(Line(word, x, np.clip(np.nan_to_num(shares, posinf=FLOOR), FLOOR, None)))
+    title = f"{axis.name}: largest error over the number of points; {made.points} were taken"
+    return plot(title, ("points", "of the peak"), drawn, (True, True))
+
+
+def over_cycle(axis: CamAxis, made: Made, target: Target) -> Element:
+    """Return the picture of the acceleration meant, and of what each rule makes of it."""
+    begin, end = axis.course.edges[[0, -1]]
+    x = np.linspace(begin, end, SAMPLES)
+    drawn = [Line("meant", x, axis.course.at(x).y2)]
+    drawn += [Line(name, x, rule.made(made.table).at(x).y2) for name, rule in rules_of(target, made.table).items()]
+    return plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)

@@ -1,0 +1,133 @@
+"""Lines over an abscissa as a picture of SVG: axes that may go by powers of ten, and a name at each line."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+from xml.etree.ElementTree import Element, SubElement
+
+import numpy as np
+
+from engine.laws.base import Array
+from workbook.book.chart import COLOURS
+from workbook.visible import visible
+
+WIDTH, HEIGHT = 720, 400
+LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
+GREY, INK = "#d5d9de", "#1a1a1a"
+TICKS = 6
+APART = 14  # between two names
+
+
+class Line(NamedTuple):
+    """A line: its name, and the points that it goes through."""
+
+    name: str
+    x: Array
+    y: Array
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What brings numbers from an axis onto the picture."""
+
+    low: float
+    high: float
+    begin: float
+    end: float
+    powers: bool
+
+    def at(self, values: Array) -> Array:
+        """Return the places of numbers; what lies beyond the axis is put at its end."""
+        inside = np.clip(values, self.low, self.high)
+        share = (np.log(inside / self.low) / math.log(self.high / self.low) if self.powers
+                 else (inside - self.low) / (self.high - self.low))  # fmt: skip
+        return np.asarray(self.begin + share * (self.end - self.begin))
+
+    @property
+    def ticks(self) -> list[float]:
+        """The numbers that are written at the axis."""
+        if self.powers:
+            powers = range(round(math.log10(self.low)), round(math.log10(self.high)) + 1)
+            every = max(1, math.ceil(len(powers) / (TICKS + 3)))
+            return [10.0**k for k in powers[::every]]
+        rough = (self.high - self.low) / TICKS
+        power = 10.0 ** math.floor(math.log10(rough))
+        step = next(k * power for k in (1.0, 2.0, 5.0, 10.0) if k * power >= rough)
+        first = math.ceil(self.low / step - 1e-9)
+        return [k * step for k in range(first, math.floor(self.high / step + 1e-9) + 1)]
+
+
+def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
+    """Return the axis of numbers: whole powers of ten, or from the lowest to the highest."""
+    low, high = float(values.min()), float(values.max())
+    if powers:
+        low, high = (10.0 ** f(math.log10(value)) for f, value in ((math.floor, low), (math.ceil, high)))
+    if high <= low:
+        low, high = (low, low * 10.0) if powers else (low - 0.5, low + 0.5)
+    return Scale(low, high, begin, end, powers)
+
+
+def plot(
+    title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False)
+) -> Element:
+    """Return the picture; numbers that go by powers of ten must be above 0. Raises ValueError for no lines."""
+    if not lines:
+        raise ValueError("no lines are given; expected one or more")
+    svg = Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {WIDTH} {HEIGHT}", "role": "img",
+                          "font-family": "Segoe UI, Helvetica, Arial, sans-serif", "font-size": "12"})  # fmt: skip
+    SubElement(svg, "title").text = visible(title)
+    SubElement(svg, "rect", {"width": str(WIDTH), "height": str(HEIGHT), "fill": "#ffffff"})
+    across = scale(np.concatenate([line.x for line in lines]), LEFT, WIDTH - RIGHT, powers[0])
+    up = scale(np.concatenate([line.y for line in lines]), HEIGHT - BOTTOM, TOP, powers[1])
+    text(svg, title, LEFT, TOP - 14, weight="600")
+    grid(svg, across, up, labels)
+    names: list[float] = []
+    for k, line in enumerate(lines):
+        colour = COLOURS[k % len(COLOURS)]
+        colour = colour if colour.startswith("#") else f"#{colour}"
+        x, y = across.at(line.x), up.at(line.y)
+        points = " ".join(f"{one:.1f},{other:.1f}" for one, other in zip(x, y, strict=True))
+        SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
+        place = float(y[-1])
+        while any(abs(place - other) < APART for other in names):
+            place += APART / 2
+        names.append(place)
+        text(svg, line.name, WIDTH - RIGHT + 8, place + 4, colour=colour)
+    return svg
+
+
+def grid(svg: Element, across: Scale, up: Scale, labels: tuple[str, str]) -> None:
+    """Draw the lines at the numbers of both axes, these, and what they are of."""
+    for value, place in zip(across.ticks, across.at(np.array(across.ticks)), strict=True):
+        rule(svg, place, TOP, place, HEIGHT - BOTTOM)
+        text(svg, figure(value), place, HEIGHT - BOTTOM + 17, anchor="middle")
+    for value, place in zip(up.ticks, up.at(np.array(up.ticks)), strict=True):
+        rule(svg, LEFT, place, WIDTH - RIGHT, place)
+        text(svg, figure(value), LEFT - 7, place + 4, anchor="end")
+    text(svg, labels[0], (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, anchor="middle")
+    middle = (TOP + HEIGHT - BOTTOM) / 2
+    text(svg, labels[1], 16, middle, anchor="middle").set("transform", f"rotate(-90 16 {middle})")
+
+
+def figure(value: float) -> str:
+    """Return a number as it is written at an axis."""
+    return f"{value:.4g}" if value == 0.0 or 1e-3 <= abs(value) < 1e5 else f"{value:.0e}"
+
+
+def rule(svg: Element, x1: float, y1: float, x2: float, y2: float) -> None:
+    """Draw a line of the grid."""
+    ends = {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
+    SubElement(svg, "line", {name: f"{value:.1f}" for name, value in ends.items()} | {"stroke": GREY})
+
+
+def text(
+    svg: Element, words: str, x: float, y: float, anchor: str = "start", colour: str = INK, weight: str = "400"
+) -> Element:  # fmt: skip
+    """Write a text."""
+    look = {"text-anchor": anchor, "fill": colour, "font-weight": weight}
+    one = SubElement(svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}"} | look)
+    one.text = visible(words)
+    return one

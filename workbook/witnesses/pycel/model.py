@@ -1,0 +1,59 @@
+"""pycel as a witness: its parser, compiler and functions, each formula shape compiled once.
+
+pycel itself parses, compiles and loads every formula anew and walks its graph at every call; here its compiler is
+called once for each shape (:mod:`workbook.witnesses.pycel.compiled`), and cells are evaluated in an order found without
+recursion (:mod:`workbook.witnesses.pycel.calculation`). Every value is computed by pycel's functions and operators.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from openpyxl import Workbook
+
+from workbook.book.address import Address
+from workbook.reading.contents import Cells, Contents
+from workbook.witnesses.pycel.calculation import Calculation
+from workbook.witnesses.witness import Found, Known
+
+
+class PycelModel:
+    """A workbook's formulas, joined once, to be evaluated again and again with other inputs.
+
+    ``problems`` says in a line why a cell could not be evaluated; its value is an Excel error, or ``#CYCLE!``.
+    """
+
+    def __init__(self, held: Workbook | Contents) -> None:
+        contents = held if isinstance(held, Contents) else Contents(held)
+        self.problems: dict[Address, str] = dict(contents.problems)
+        self.constants, self.formulas = contents.constants, contents.formulas
+        self._failed = contents.failed
+        self._calculation = Calculation(self.constants | self._failed, self.formulas, self.problems)
+
+    @property
+    def order(self) -> list[Address]:
+        """The formula cells, each after those that it needs."""
+        return self._calculation.order
+
+    def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
+        """Return the value of every formula cell; ``inputs`` stand in for what cells hold."""
+        return self._failed | self._calculation.evaluate(inputs)
+
+    def each(self, wanted: Iterable[Address], found: Found) -> Cells:
+        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to.
+
+        ``found`` is asked with what the cell holds if it holds no formula. With the right values found, a fault
+        shows in its own cell only.
+        """
+        return self._calculation.each(wanted, found)
+
+    def later(self, wanted: Iterable[Address], known: Known) -> Callable[[], Cells]:
+        """Return what gives the result of :meth:`each`, which this process computes at once."""
+        results = self.each(wanted, known.get)
+        return lambda: results
+
+
+def evaluate(workbook: Workbook, inputs: Mapping[Address, Any] | None = None) -> Cells:
+    """Return the value of every formula cell of ``workbook``."""
+    return PycelModel(workbook).evaluate(inputs)
