@@ -13,7 +13,14 @@ ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 STAMP, LOG = VENV / "set-up.txt", VENV / "set-up.log"
 LOCKS = {"run": ROOT / "requirements.lock", "dev": ROOT / "requirements-dev.lock"}  # dev includes run
-CHECKS = ("ruff format --check .", "ruff check .", "mypy", "lint-imports", "motionbook templates --check")
+CHECKS = (
+    "ruff format --check .",
+    "ruff check .",
+    "mypy",
+    "lint-imports",
+    "motionbook templates --check",
+    "python -m docs.description --check",
+)
 OVER_CORES = ("-n", "auto", "--dist", "worksteal")  # neighbours stay together: they share their books
 OFFLINE = re.compile("(NewConnection|NameResolution|ConnectTimeout|ReadTimeout|Proxy)Error")
 USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook into the current folder

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -33,11 +34,14 @@ Made by `python -m docs.functions`: the functions MOTION.* are asked what docs/w
 it concerns them, on a sheet with nothing in A1, the texts 0.25 and 0.75 in B1:C1, TRUE in D1, numbers 0, 0.25, 1 in
 E1:E3, the text 2 in F1. The rule: a text is never a number, as in a range that SUM reads; an empty cell is 0; a law is
 its code, in any case and with spaces around it, never a number or a pattern; an error is handed on; what a law does not
-take is not looked at. Empty where a program agrees: the LAMBDA names in two programs, the add-in in LibreOffice.
+take is not looked at; what it takes may be left out, and is then as delivered. Empty where a program agrees: the LAMBDA
+names in two programs, the add-in in LibreOffice. formulon 0.18 knows no optional parameter, and would compute no
+function that has one: it is given names whose parameters are all required; what leaves one out is an error there.
 
 """
 HELD = {"B1": "0.25", "C1": "0.75", "D1": True, "E1": 0, "E2": 0.25, "E3": 1, "F1": "2"}
 ASKED: dict[str, Any] = {
+    'MOTION.S("CUB",0.25)': 0.15625,
     'MOTION.S("CUB",0.25,0)': 0.15625, 'MOTION.S("CUB",25%,0)': 0.15625, 'MOTION.S("CUB","0.25",0)': "#VALUE!",
     'MOTION.S("CUB",B1,0)': "#VALUE!", 'MOTION.S("CUB","25%",0)': "#VALUE!", 'MOTION.S("CUB","",0)': "#VALUE!",
     'MOTION.S("CUB","x",0)': "#VALUE!", 'MOTION.S("CUB",A1,0)': 0, 'MOTION.S("CUB",TRUE,0)': "#NUM!",
@@ -46,15 +50,21 @@ ASKED: dict[str, Any] = {
     "MOTION.S(1.9,0.25,0)": "#VALUE!", "MOTION.S(TRUE,0.25,0)": "#VALUE!", "MOTION.S(A1,0.25,0)": "#VALUE!",
     'MOTION.S("CUB",NA(),0)': "#N/A", "MOTION.S(1/0,0.25,0)": "#DIV/0!", 'MOTION.S("CUB",1+1E-16,0)': 1,
     'MOTION.S("CUB",0.1+0.2-0.3,0)': 0, 'MOTION.S("TVP",0.5,{"0.25","0.75"})': "#VALUE!",
-    'MOTION.S("TVP",0.5,B1:C1)': "#VALUE!", 'MOTION.CV("CUB","x")': 1.5, 'SUM(MOTION.S("CUB",{0;0.25;1},0))': 1.15625,
+    'MOTION.S("TVP",0.5,B1:C1)': "#VALUE!", 'MOTION.CV("CUB","x")': 1.5, 'MOTION.CV("TVP")': 1.5,
+    'MOTION.CV("OWN")': 1.875, 'MOTION.XI("ACS",0.125)': 0.25, 'SUM(MOTION.S("CUB",{0;0.25;1},0))': 1.15625,
     'SUM(MOTION.S("CUB",E1:E3,0))': 1.15625, 'MOTION.JRED("2",3)': "#VALUE!", "MOTION.JRED(F1,3)": "#VALUE!",
     "MOTION.JRED(TRUE,3)": 9, "MOTION.JRED(D1,3)": 9, "MOTION.JRED(A1,3)": 0, "MOTION.JRED(-2^2,1)": 4,
     "MOTION.RMS({3;4},{1;1})": 3.53553390593274, 'MOTION.RMS({"3";4},{1;1})': "#VALUE!",
 }  # fmt: skip
 
 
-def written_to(path: Path, names: bool) -> Path:
-    """Write a workbook that asks all, with or without the names."""
+def all_required(stored: str) -> str:
+    """Return a definition with every parameter required, for a program that knows no optional one."""
+    return re.sub(r"_xlfn\.ISOMITTED\(\w+\.\w+\)", "FALSE", stored.replace("_xlop.", "_xlpm."))
+
+
+def written_to(path: Path, names: bool, told: Callable[[str], str] = str) -> Path:
+    """Write a workbook that asks all, with or without the names, each as ``told`` makes it."""
     book = openpyxl.Workbook()
     sheet = book.active
     for place, value in HELD.items():
@@ -62,14 +72,14 @@ def written_to(path: Path, names: bool) -> Path:
     for row, formula in enumerate(ASKED, 1):
         sheet.cell(row, 7, f"={formula}")
     for definition in definitions() if names else ():
-        book.defined_names[definition.name] = DefinedName(definition.name, attr_text=definition.stored)
+        book.defined_names[definition.name] = DefinedName(definition.name, attr_text=told(definition.stored))
     book.save(path)
     return path
 
 
 def by_formulon(path: Path) -> list[Any]:
     """Return what the names answer, computed by formulon."""
-    with formulon.Workbook.load(written_to(path, names=True).read_bytes()) as book:
+    with formulon.Workbook.load(written_to(path, True, all_required).read_bytes()) as book:
         book.recalc()
         held = cells(book)
     return [held.get(Address("Sheet", row, 7)) for row in range(1, len(ASKED) + 1)]

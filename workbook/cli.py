@@ -87,6 +87,32 @@ With = Annotated[
 
 
 @app.command()
+def new(
+    template: Annotated[str, typer.Argument(metavar="TEMPLATE", help="The kind of machine, such as motion-composer.")],
+    output: Annotated[Path | None, to("FILE.toml", "Where to write; else here, named like the template.")] = None,
+    force: Force = False,
+) -> None:
+    """Write a description with every key explained, to be changed and built; its schema beside it."""
+    from workbook.commands import describe
+
+    describe.new(template, output, force)
+
+
+@app.command()
+def schema(
+    template: Annotated[
+        str | None, typer.Argument(metavar="[TEMPLATE]", help="The kind of machine; any when none is named.")
+    ] = None,
+    output: Annotated[Path | None, to("FILE.json", "Where to write; else to the terminal.")] = None,
+    force: Force = False,
+) -> None:
+    """Write the JSON Schema of descriptions, from which an editor completes their keys."""
+    from workbook.commands import describe
+
+    describe.schema(template, output, force)
+
+
+@app.command()
 def build(
     machine: Machine = None,
     output: Annotated[Path | None, to("BOOK.xlsx", "Where to write; else here, named like the description.")] = None,
@@ -191,7 +217,8 @@ def export(
     """Write an axis of a book as a controller's cam table, and certify what the controller makes of it.
 
     The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
-    engine over the whole cycle. docs/controllers.md says which layout comes from which document; no controller was run.
+    engine over the whole cycle. docs/controllers.md says which layout comes from which document, and what is untested;
+    no controller was run.
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """

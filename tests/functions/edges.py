@@ -5,6 +5,7 @@ from itertools import chain
 
 from tests.functions.case import ANY_ERROR, DIV0, NA, NUM, VALUE, Case
 from tests.functions.cases import CLASSIC, POLYNOMIAL_345
+from workbook.laws.registry import CODES, FAMILY
 
 FAILED, MISSING = "=1/0", "=NA()"
 MTP, TVP = (CLASSIC,), ((0.25, 0.75),)
@@ -43,6 +44,22 @@ def abscissae():
     yield Case("V", ("TVP", None, TVP), 0.0)
     yield from (Case("A", ("ACS", xi, 0.0), -4.0) for xi in (0.5, 0.5 - 1e-13, 1.0))
     yield from (Case("S", ("ACS", 0.5, p), 0.5) for p in (None, "none", 7.0, ((1.0, "two"), (None, 4.0))))
+
+
+def left_out():
+    """Without its parameters a law is as delivered."""
+    for code in CODES:
+        law = FAMILY[code].entry.example()
+        k = law.coefficients
+        for name, value in zip("SVAJ", law.evaluate(0.3), strict=True):
+            yield Case(name, (code, 0.3), value, 1e-10)
+        if code != "DWL":
+            yield Case("XI", (code, law.s(0.3)), 0.3, 1e-12)
+        for name, value in (("CV", k.cv), ("CA", k.ca), ("CARMS", k.ca_rms), ("CJ", k.cj)):
+            yield Case(name, (code,), value if math.isfinite(value) else NUM, 1e-8)
+    yield from (Case("S", (code, 0.3), VALUE) for code in ("XYZ", None, 5.0))
+    yield Case("S", (MISSING, 0.3), NA)
+    yield Case("S", ("MTP", 1.5), NUM)
 
 
 def heights():
@@ -188,4 +205,4 @@ def inline():
 
 def edge_cases():
     """Every case of this file, in order."""
-    return [*codes(), *abscissae(), *heights(), *parameters(), *phases(), *sums(), *inline()]
+    return [*codes(), *abscissae(), *left_out(), *heights(), *parameters(), *phases(), *sums(), *inline()]

@@ -25,7 +25,7 @@ def plain(name):
 def test_every_declared_function_is_a_name_with_the_declared_arguments():
     for function in FUNCTIONS:
         formula = by_name[function.name].formula
-        taken = [argument.name.en for argument in function.arguments]
+        taken = [argument.shown for argument in function.arguments]
         assert formula.startswith(f"LAMBDA({', '.join(taken)},"), function.name
 
 
@@ -58,7 +58,19 @@ def test_newer_functions_and_variables_are_marked_in_the_file(name):
     stored = tokens(by_name[name].stored)
     variables = {f"_xlpm.{variable}" for variable in declared_variables(by_name[name].formula)}
     assert {part for kind, part in stored if kind == "call"} <= EXCEL_2007 | set(FUTURE.values()) | set(by_name)
-    assert {part for kind, part in stored if kind == "word"} - {"TRUE"} == variables
+    words = {part for kind, part in stored if kind == "word"}
+    assert {part.replace("_xlop.", "_xlpm.") for part in words} - {"TRUE"} == variables
+
+
+def test_an_optional_parameter_is_marked_where_it_is_declared_and_nowhere_else():
+    """As Excel saves LAMBDA(law, [parameters], … ISOMITTED(parameters) …)."""
+    for function in FUNCTIONS:
+        stored = by_name[function.name].stored
+        optional = [f"_xlop.{argument.name.en}" for argument in function.arguments if argument.optional]
+        assert re.findall(r"_xlop\.\w+", stored) == optional, function.name
+        assert all(f",{mark}," in stored.partition("(_MOTION")[0] for mark in optional)
+        assert ("_xlfn.ISOMITTED(_xlpm.parameters)" in stored) == bool(optional)
+        assert "[" not in stored
 
 
 @names

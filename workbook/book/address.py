@@ -58,6 +58,13 @@ class Place(NamedTuple):
         offset = self.columns_at[j]
         return Address(self.sheet, self.row + row, 0 if offset is None else self.column + offset)
 
+    def down(self, j: int) -> list[Address]:
+        """Return the cells of a column; column 0 if it is gone."""
+        sheet, first, column = self.cell(0, j)
+        if self.rows_at:
+            return [Address(sheet, self.row + offset, column) for offset in self.rows_at]
+        return [Address(sheet, row, column) for row in range(first, first + self.rows)]
+
     def part(self, j: int) -> Place:
         """Return the place of one column; column 0 if it is gone."""
         return self._replace(column=self.cell(0, j).column, columns=1, columns_at=())

@@ -105,6 +105,8 @@ def export(
     else:
         for one in found:
             certificates.show(OUT, one.axis, one.made, asked.target)
+    for claim in asked.target.untested:
+        say(ERR, f"Untested: {claim.what} ({claim.source})")
     for one in found:
         if asked.points is None and not asked.held and one.made.excess(asked.tolerance) > 1.0:
             say(ERR, f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}: the best there is", "yellow")

@@ -10,7 +10,7 @@ from workbook.controllers.target import Target
 from workbook.errors import ReadError, TargetError
 from workbook.intake import read_text
 
-MOST = 16_000_000  # bytes: a tag of 50,000 points
+MOST = 8_000_000  # bytes: a tag of 25,000 points
 TOLD = re.compile(r"; (\d{1,9}) points; between them")
 
 

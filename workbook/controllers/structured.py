@@ -13,9 +13,9 @@ from workbook.controllers.number import Number, literal
 from workbook.controllers.table import MOST_POINTS
 from workbook.errors import TargetError
 
-COMMENT = re.compile(r"\(\*.*?\*\)|//[^\n]*", re.DOTALL)
+LINE_COMMENT = re.compile(r"//[^\n]*")
 NUMBER = r"[+-]?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?"
-ASSIGNED = re.compile(r"([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
+ASSIGNED = re.compile(r"\b([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 INDEXED = re.compile(r"\[(\d{1,9})\]\s{0,9}\.\s{0,9}([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 PLAIN = re.compile(NUMBER)
 
@@ -32,7 +32,14 @@ def literals(number: Number, values: Array) -> list[str]:
 
 def stripped(text: str) -> str:
     """Return a text without its comments."""
-    return COMMENT.sub(" ", text)
+    kept = []
+    rest = LINE_COMMENT.sub(" ", text)
+    while rest:
+        before, begun, rest = rest.partition("(*")
+        kept.append(before)
+        if begun:
+            rest = rest.partition("*)")[2]
+    return " ".join(kept)
 
 
 def columns(found: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list[Array]:

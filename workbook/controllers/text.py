@@ -25,12 +25,13 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#") -> list[list[f
     ``widths`` are how many columns it may have. Raises TargetError, by line, for what is no number, rows of another
     width, a decimal sign that changes, too many rows, or none.
     """
-    lines = [(n, line.split(comment, 1)[0].strip()) for n, line in enumerate(text.splitlines(), 1)]
-    kept = [(n, line) for n, line in lines if line]
-    begin = next((k for k, (_, line) in enumerate(kept) if STARTS.match(line)), len(kept))
-    kept = kept[begin:]
-    if len(kept) > MOST_POINTS + 1:
-        raise TargetError(f"{len(kept):,} lines of numbers; expected at most {MOST_POINTS:,}")
+    kept: list[tuple[int, str]] = []
+    for n, whole in enumerate(text.splitlines(), 1):
+        line = whole.split(comment, 1)[0].strip() if whole else ""
+        if line and (kept or STARTS.match(line)):
+            kept.append((n, line))
+        if len(kept) > MOST_POINTS + 1:
+            raise TargetError(f"more than {MOST_POINTS:,} lines of numbers; expected at most so many")
     if not kept:
         raise TargetError("there is no line of numbers; expected a table of two columns or more")
     if kept[0][1].isdigit():

@@ -6,13 +6,14 @@ from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser
 
 from workbook.errors import TargetError
 
-DEEPEST = 100
+DEEPEST, MOST = 100, 500_000
+"""levels and elements; a tag of 10,000 points has 50,000"""
 
 
 class Plain(TreeBuilder):
     """Builds elements, and refuses a document type and what is nested too deeply."""
 
-    depth = 0
+    depth = count = 0
 
     def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
         """Refuse a document type, and with it every entity."""
@@ -21,8 +22,11 @@ class Plain(TreeBuilder):
     def start(self, tag: str, attrs: dict[str, str]) -> Element:
         """Begin an element."""
         self.depth += 1
+        self.count += 1
         if self.depth > DEEPEST:
             raise TargetError(f"it is nested more than {DEEPEST} deep")
+        if self.count > MOST:
+            raise TargetError(f"it has more than {MOST:,} elements; expected a file of one tag")
         return super().start(tag, attrs)
 
     def end(self, tag: str) -> Element:

@@ -91,7 +91,8 @@ def is_required(model: type[BaseModel], key: str) -> bool:
     if last == "*" or last.isdigit():
         return True
     kind, _ = field_at(model, above)
-    return bool(kind.model_fields[last].is_required())
+    field = kind.model_fields.get(last)
+    return field is None or bool(field.is_required())
 
 
 def default_at(model: type[BaseModel], key: str) -> Any:
@@ -164,7 +165,7 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
             return f"{least} entries" if least == most else f"a list of {least} to {most} entries"
         return f"a list of at least {least} entries" if least else "a list"
     if isinstance(kind, type) and issubclass(kind, BaseModel):
-        return f"the entries {', '.join(kind.model_fields)}"
+        return f"the entries {listed(kind)}"
     bounds = [
         words.format(astuple(c)[0])
         for c in constraints
@@ -172,6 +173,15 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
         if isinstance(c, rule) and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)
     ]
     return " ".join(["a whole number" if kind is int else "a number", " and ".join(bounds)]).strip()
+
+
+def listed(model: type[BaseModel]) -> str:
+    """Return the entries of a model in words, those that may be left out last."""
+    required = [name for name, field in model.model_fields.items() if field.is_required()]
+    optional = [name for name in model.model_fields if name not in required]
+    if not required:
+        return f"{', '.join(optional)} (all optional)"
+    return "; optional: ".join(filter(None, (", ".join(required), ", ".join(optional))))
 
 
 BOUNDS: dict[Any, str] = {Gt: "greater than {:g}", Ge: "of at least {:g}", Lt: "less than {:g}", Le: "at most {:g}"}

@@ -8,7 +8,8 @@ What both back ends promise, beside the help texts:
 - ``p`` holds the law's parameters, a row or a column, read left to right, top to bottom; blank cells count as 0.
   TVP takes exactly two, MTP exactly seven, OWN rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of
   an empty or zero duration are passed over; another number of cells is #VALUE!, impossible values are #NUM!: what the
-  engine's law refuses. The other laws ignore p.
+  engine's law refuses. The other laws ignore p. Left out, it is what the law has as delivered; of OWN the
+  polynomial 3-4-5. A table of phases leaves out nothing.
 - ξ is right-continuous at breaks, with a tolerance of 2e-9; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
   1,000 rad in one piece. What only evaluates the law, at ξ or in a phase, takes any sine.
@@ -55,11 +56,18 @@ class Argument:
     kind: Kind
     name: Text
     help: Text
+    optional: bool = False
+    """whether it may be left out"""
+
+    @property
+    def shown(self) -> str:
+        """The name as a call shows it: in brackets where it may be left out."""
+        return f"[{self.name.en}]" if self.optional else self.name.en
 
 
 @dataclass(frozen=True)
 class Function:
-    """A function: the last part of its name, what it returns, its arguments; none of them is optional."""
+    """A function: the last part of its name, what it returns, its arguments; the last of them may be optional."""
 
     key: str
     help: Text
@@ -135,10 +143,11 @@ P = Argument(
     "cells",
     Text("parameters", "parametri", "Parameter"),
     Text(
-        f"Range of the law's parameters. {taken('en')}; else 0",
-        f"Intervallo dei parametri della legge. {taken('it')}; altrimenti 0",
-        f"Bereich mit den Parametern des Gesetzes. {taken('de')}; sonst 0",
+        f"Range of the law's parameters. {taken('en')}. Left out: as delivered",
+        f"Intervallo dei parametri della legge. {taken('it')}. Se omesso: come fornita",
+        f"Bereich mit den Parametern des Gesetzes. {taken('de')}. Fehlt er: wie geliefert",
     ),
+    optional=True,
 )
 X = Argument(
     "number",

@@ -1,7 +1,8 @@
 """The functions as names of Excel: LAMBDA formulas, as they are read and as a file stores them.
 
 ``formulas.txt`` holds them in the spelling that Excel shows. A file marks what Excel 2007 did not know: functions by
-``_xlfn.``, the parameters of LAMBDA and the variables of LET by ``_xlpm.``
+``_xlfn.``, the parameters of LAMBDA and the variables of LET by ``_xlpm.``, an optional parameter, ``[name]`` as Excel
+shows it, by ``_xlop.`` where it is declared
 (Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
 """
 
@@ -17,7 +18,8 @@ from workbook.functions.declared import FUNCTIONS
 SOURCE = Path(__file__).with_name("formulas.txt")
 FUTURE = {
     **{name: f"_xlfn.{name}" for name in (
-        "DROP", "HSTACK", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE", "TOCOL", "VSTACK",
+        "DROP", "HSTACK", "ISOMITTED", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE",
+        "TOCOL", "VSTACK",
     )},
     "FILTER": "_xlfn._xlws.FILTER",
 }  # fmt: skip
@@ -29,11 +31,11 @@ TOKEN = re.compile(
     | (?P<call>[A-Za-z_][\w.]*)(?=\()
     | (?P<word>[A-Za-z_][\w.]*)
     | (?P<space>\s+)
-    | (?P<sign><=|>=|<>|[-+*/^&=<>(),;{}])
+    | (?P<sign><=|>=|<>|[-+*/^&=<>(),;{}\[\]])
     """,
     re.VERBOSE,
 )
-PREFIX = re.compile(r"_xl(?:fn|ws|pm)\.")
+PREFIX = re.compile(r"_xl(?:fn|ws|pm|op)\.")
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
 
 
@@ -49,7 +51,8 @@ class Definition:
     def stored(self) -> str:
         """The formula as a file stores it."""
         variables = set(declared_variables(self.formula))
-        return "".join(_stored(kind, part, variables) for kind, part in tokens(self.formula))
+        parts = "".join(_stored(kind, part, variables) for kind, part in tokens(self.formula))
+        return parts.replace("[_xlpm.", "[_xlop.").replace("[", "").replace("]", "")
 
 
 @cache
@@ -107,6 +110,8 @@ def declared_variables(formula: str) -> list[str]:
         elif part == ",":
             call, argument = around.pop()
             around.append((call, argument + 1))
+        elif kind == "word" and (before, after) == ("[", "]"):
+            found.append(part)
         elif kind == "word" and before in ("(", ",") and after == ",":
             call, argument = around[-1]
             if call == "LAMBDA" or (call == "LET" and argument % 2 == 0):

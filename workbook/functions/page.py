@@ -98,7 +98,7 @@ def parameters(sheet: Sheet, shown: Shown) -> None:
 
 def functions(sheet: Sheet, shown: Shown) -> None:
     """Declare a row a function: how it is called, its result for the entries, what it gives."""
-    calls = [f"{f.name}({', '.join(a.name.en for a in f.arguments)})" for f in FUNCTIONS]
+    calls = [f"{f.name}({', '.join(a.shown for a in f.arguments)})" for f in FUNCTIONS]
     formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
     sheet.heading("The functions, each computed for these entries")
     sheet.table(

@@ -69,13 +69,11 @@ class Match:
         return fit.size if fit is not None else self.file.places[block.name].rows
 
     def _pairs(self, block: Block, place: Place) -> Iterator[Pair]:
-        value, last = self.file.value, min(block.size, place.rows)
+        value = self.file.value
         for j, cells in enumerate(block.by_column()):
-            if j >= place.columns or not place.cell(0, j).column:
-                continue
-            for cell in cells[:last]:
-                address = place.cell(cell.i, j)
-                yield Pair(cell, address, value(address), is_formula(cell.content))
+            if j < place.columns and place.cell(0, j).column:
+                for cell, address in zip(cells, place.down(j), strict=False):  # either may have more rows
+                    yield Pair(cell, address, value(address), is_formula(cell.content))
 
     @cached_property
     def addresses(self) -> set[Address]:
@@ -260,7 +258,7 @@ def cell_index(
     columns = [(name, place, j) for name, place in places.items() for j in range(place.columns)]
     up = {name: header(name) for name in places}
     cells = {place.cell(-up[name], j): (name, -1, j) for name, place, j in columns}
-    return cells | {place.cell(i, j): (name, i, j) for name, place, j in columns for i in range(place.rows)}
+    return cells | {at: (name, i, j) for name, place, j in columns for i, at in enumerate(place.down(j))}
 
 
 class Right:

@@ -113,11 +113,12 @@ def told(fault: Any, model: type[BaseModel], where: Where) -> str:
         kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
         plain = unknown.isidentifier() and len(unknown) < LONGEST
         named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else found(unknown)}".strip("."))
-        return f"{named}: unknown entry; expected one of {', '.join(kind.model_fields)}"
+        return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
     expected = rules.expectation(*rules.field_at(model, rule))
     if fault["type"] == "missing" or fault["input"] == {}:
         return f"{where(key)}: empty; expected {expected}"
-    return f"{where(key)}: found {found(fault['input'])}; expected {expected}"
+    optional = "" if rules.is_required(model, rule) else " (optional)"
+    return f"{where(key)}: found {found(fault['input'])}; expected {expected}{optional}"
 
 
 def unnamed(key: str, named: dict[str, str]) -> str:

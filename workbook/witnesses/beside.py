@@ -192,7 +192,7 @@ def cells_of(file: BookFile) -> list[tuple[Address, Any]]:
 def empty(file: BookFile, held: Iterable[tuple[Address, Any]]) -> list[Address]:
     """Return the cells within the places that names lead to in which the file has nothing."""
     known = {address for address, _ in held}
-    cells = (p.cell(i, j) for p in file.places.values() for i in range(p.rows) for j in range(p.columns))
+    cells = (address for p in file.places.values() for j in range(p.columns) for address in p.down(j))
     return list(dict.fromkeys(address for address in cells if address not in known and address.column))
 
 

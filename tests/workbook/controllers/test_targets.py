@@ -295,3 +295,20 @@ def test_whole_turn_speed() -> None:
         made = certified(one, tabulated(one, axis, 1000), axis.course)
         reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
     assert time.process_time() - begin < 3.0
+
+
+BOMBS = {
+    "comments": "(*" * 250_000, "word": "a" * 500_000, "spaces": " " * 500_000, "brackets": "[" * 500_000,
+    "lines": "\n" * 500_000, "initialisers": ":= [" * 120_000, "assignments": "dX := 1, " * 50_000,
+    "elements": f"<Tags>{'<a/>' * 600_000}</Tags>", "digits": "1" * 500_000, "pairs": f"Table := [{'[1,2],' * 80_000}",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("bomb", BOMBS)
+def test_no_text_keeps_a_reader_busy(bomb: str) -> None:
+    """What grows with the square of its length would take minutes; eight megabytes at most are read of a file."""
+    begin = time.process_time()
+    for name in TARGETS:
+        with pytest.raises(TargetError):
+            parsed(BOMBS[bomb], target(name))
+    assert time.process_time() - begin < 10.0

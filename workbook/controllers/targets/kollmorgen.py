@@ -13,7 +13,7 @@ from workbook.controllers.text import numbers
 from workbook.errors import TargetError
 
 HELP = "Kollmorgen KAS help, Import Cam Profile"
-LAYOUT = re.compile(r"CYCLIC;(YES|NO);?\s+TABLE_BEGIN;*\s+(.*?)\s*TABLE_END;*\s*", re.DOTALL)
+CYCLIC = re.compile(r"CYCLIC;(YES|NO);?")
 
 
 def write(handed: Handed) -> str:
@@ -28,10 +28,11 @@ def write(handed: Handed) -> str:
 
 def read(text: str) -> Table:
     """Return the points between TABLE_BEGIN and TABLE_END."""
-    found = LAYOUT.fullmatch(text)
-    if not found:
+    lines = [line for line in map(str.strip, text.splitlines()) if line]
+    frame = [line.rstrip(";") for line in (*lines[1:2], *lines[-1:])]
+    if len(lines) < 4 or not CYCLIC.fullmatch(lines[0]) or frame != ["TABLE_BEGIN", "TABLE_END"]:
         raise TargetError("expected CYCLIC;YES; then points between TABLE_BEGIN;; and TABLE_END;; (is it cut off?)")
-    lines = [line.strip() for line in found[2].splitlines()]
+    lines = lines[2:-1]
     for n, line in enumerate(lines, 1):
         if not line.endswith(";SPLINE"):
             raise TargetError(f"point {n}: {line[:40]!r}; expected x;y;SPLINE")

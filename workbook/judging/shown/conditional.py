@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from dataclasses import dataclass, field
+from typing import Any
 
 from openpyxl.formatting.rule import Rule
 from openpyxl.worksheet.worksheet import Worksheet
@@ -36,20 +37,33 @@ ALWAYS = {"notContainsBlanks": True, "containsBlanks": False, "containsErrors": 
 """of a text"""
 
 
-class Placed(NamedTuple):
+@dataclass(frozen=True)
+class Placed:
     """A rule with the ranges that it covers: top, left, bottom, right."""
 
     rule: Rule
     ranges: tuple[tuple[int, int, int, int], ...]
+    _rows: dict[int, list[tuple[int, int]]] = field(default_factory=dict)
 
     @property
     def top(self) -> int:
         """The row for which the formulas of the rule are written."""
         return min(top for top, *_ in self.ranges)
 
+    def within(self, column: int) -> list[tuple[int, int]]:
+        """Return the rows of a column that the rule covers, from and to."""
+        rows = self._rows.get(column)
+        if rows is None:
+            spans = [(top, bottom) for top, left, bottom, right in self.ranges if left <= column <= right]
+            rows = self._rows[column] = spans
+        return rows
+
     def covers(self, row: int, column: int) -> bool:
         """Whether the rule covers a cell."""
-        return any(top <= row <= bottom and left <= column <= right for top, left, bottom, right in self.ranges)
+        for top, bottom in self.within(column):  # noqa: SIM110 - any() takes twice as long, for every cell
+            if top <= row <= bottom:
+                return True
+        return False
 
 
 class Rules:
@@ -59,10 +73,14 @@ class Rules:
         self._sheet, self._known = sheet.title, known
         self._placed = sorted(placed(sheet), key=lambda p: p.rule.priority or 0)
         self.formats = [(p, code) for p in self._placed if (code := code_of(p.rule))]
+        self._formats: dict[int, list[tuple[Placed, str]]] = {}  # of a column
 
     def formats_of(self, at: Address, value: Any) -> Iterator[str]:
         """Yield the number formats that rules give to a cell, those included of which that cannot be told."""
-        for one, code in self.formats:
+        formats = self._formats.get(at.column)
+        if formats is None:
+            formats = self._formats[at.column] = [(p, code) for p, code in self.formats if p.within(at.column)]
+        for one, code in formats:
             if one.covers(at.row, at.column) and self.applies(one, at, value) is not False:
                 yield code
 

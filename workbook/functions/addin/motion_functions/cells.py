@@ -1,7 +1,7 @@
 """What a spreadsheet hands over, a single value or rows of them, read as codes, parameters and phases.
 
-In rows an empty cell comes as an empty text. An argument that is left out comes as None, and is refused: Excel's
-functions of the same names take none fewer.
+In rows an empty cell comes as an empty text. An argument that is left out comes as None: a law's parameters are then
+those as delivered, and anything else is refused.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Tuple, Union
 
 from .composed import Motion, Phase
 from .law import Law
-from .library import OWN_WIDTH, PARAMETERS, law
+from .library import DELIVERED, OWN_WIDTH, PARAMETERS, law
 from .refused import NUM, VALUE, Refused
 
 Cell = Union[float, str]
@@ -39,8 +39,9 @@ def rows(cells: Cells) -> tuple[tuple[float, ...], ...]:
 def named(name: Cell, parameters: Cells) -> Law:
     """Return the law of a code with the parameters in cells; those of a law that takes none are not looked at."""
     code = str(name).strip().upper()
-    unread = PARAMETERS.get(code) == 0 and parameters is not None
-    found = () if unread else rows(parameters)
+    if parameters is None:
+        return law(code, DELIVERED.get(code, ()))
+    found = () if PARAMETERS.get(code) == 0 else rows(parameters)
     if code == "OWN":  # blank rows are no pieces, and whole columns of them would fill the cache
         found = tuple(row for row in found if any(row)) or found[:1]
     return law(code, found)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Callable, Sequence
+from typing import Callable, Sequence, Tuple
 
 from .law import Law, end_of
 from .piece import Piece
@@ -18,7 +18,7 @@ from .refused import NUM, VALUE, Refused
 SUM_TOLERANCE = 1e-9  # of the durations of a law
 OWN_WIDTH = 8
 
-Rows = Sequence[Sequence[float]]
+Rows = Tuple[Tuple[float, ...], ...]
 
 
 @lru_cache(maxsize=512)
@@ -96,3 +96,9 @@ LAWS: dict[str, tuple[int, Callable[..., Law]]] = {
 }
 """how many parameters each law takes, and what makes it of them; the own law beside them takes rows of pieces"""
 PARAMETERS = {code: count for code, (count, _) in LAWS.items()}
+DELIVERED: dict[str, Rows] = {
+    "TVP": ((1 / 3, 2 / 3),),
+    "MTP": ((0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125),),
+    "OWN": ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),),
+}
+"""the parameters of a law where none are given"""

@@ -1,0 +1,64 @@
+"""SciPy as another hand: its splines and Hermite polynomials are ours, and its dense errors are the certificate's."""
+
+import numpy as np
+import pytest
+from scipy.interpolate import BPoly, CubicSpline
+
+from engine import law
+from engine.cams.certificate import certify
+from engine.cams.course import course_of_motion
+from engine.cams.interpolation import hermite, parabolas, quintics, spline
+from engine.cams.points import equal, spread
+from engine.motion import Motion, Phase
+
+REST = law("dwell")
+PHASES = ((law("MTP"), 30.0, 70.0), (REST, 0.0, 40.0), (law("polynomial 4-5-6-7"), -30.0, 150.0), (REST, 0.0, 100.0))
+OF = course_of_motion(Motion([Phase(*one) for one in PHASES]))
+DENSE = 100
+NAMES = {"natural": "natural", "not-a-knot": "not-a-knot", "periodic": "periodic", "clamped": (0.0, 0.0)}
+
+
+def dense(x: np.ndarray) -> np.ndarray:
+    return (x[:-1, None] + np.diff(x)[:, None] * np.linspace(1e-7, 1.0 - 1e-7, DENSE)).ravel()
+
+
+def compared(x: np.ndarray, ours, theirs) -> None:
+    """Values of four orders agree, and the certificate is what SciPy's polynomials come to at dense points."""
+    at = dense(np.unique(np.concatenate([x, OF.edges])))
+    found, meant = certify(OF, ours), OF.at(at)
+    for order, mine in enumerate(ours.at(at)):
+        other = theirs(at, order)
+        scale = max(float(np.abs(other).max()), 1e-12)
+        rounding = 2e-12 / float(np.diff(x).min()) ** order  # of positions of 30, over the shortest step
+        assert np.abs(mine - other).max() <= 1e-9 * scale + rounding, order
+        searched = float(np.abs(other - meant[order]).max())
+        noise = 1e-9 * max(scale, float(np.abs(meant[order]).max())) + rounding
+        assert searched - noise <= found.deviations[order].largest <= searched * 1.002 + noise, order
+
+
+@pytest.mark.parametrize("n", [17, 80, 400])
+@pytest.mark.parametrize("ends", NAMES)
+def test_a_cubic_spline_is_scipys(ends: str, n: int) -> None:
+    x = equal(OF, n)
+    y = OF.at(x).y
+    y[-1] = y[0]
+    ours = spline(x, y, NAMES[ends])  # type: ignore[arg-type]
+    compared(x, ours, CubicSpline(x, y, bc_type="clamped" if ends == "clamped" else ends))
+
+
+@pytest.mark.parametrize("n", [20, 60, 300])
+def test_quintics_are_scipys(n: int) -> None:
+    x = spread(OF, n, 6, np.ones(len(OF.origins), dtype=np.intp))
+    at = OF.at(x)
+    theirs = BPoly.from_derivatives(x, np.column_stack([at.y, at.y1, at.y2]))
+    compared(x, quintics(x, at.y, at.y1, at.y2), lambda where, order: theirs(where, nu=order))
+
+
+def test_cubics_of_slopes_are_scipys() -> None:
+    x = equal(OF, 50)
+    at = OF.at(x)
+    theirs = BPoly.from_derivatives(x, np.column_stack([at.y, at.y1]))
+    compared(x, hermite(x, at.y, at.y1), lambda where, order: theirs(where, nu=order))
+    slopes = np.gradient(at.y, x, edge_order=2)
+    local = BPoly.from_derivatives(x, np.column_stack([at.y, slopes]))
+    compared(x, parabolas(x, at.y), lambda where, order: local(where, nu=order))

@@ -1,0 +1,151 @@
+"""A description without guessing: every key is explained, in a new description, a schema and a page."""
+
+import tomllib
+
+import pytest
+
+from docs.description import PAGE
+from tests.workbook.described.validate import wrong
+from workbook.build import committed
+from workbook.commands import describe
+from workbook.described.commented import commented
+from workbook.described.keys import sections
+from workbook.described.page import page
+from workbook.described.schema import any_schema, schema
+from workbook.errors import InputError, WriteError
+from workbook.laws.registry import CODES
+from workbook.reading.entries import checked, read_machine
+from workbook.templates import TEMPLATES
+
+
+@pytest.fixture(scope="module", params=TEMPLATES)
+def template(request):
+    return TEMPLATES[request.param]
+
+
+def keys_of(template):
+    found = [key for section in sections(template) for key in section.keys]
+    return found + [row for key in found for row in key.rows]
+
+
+def paths(data, above=""):
+    """Every key of a description, rows alike."""
+    for name, value in data.items():
+        path = f"{above}.{name}".strip(".")
+        rows = value if isinstance(value, list) else []
+        if isinstance(value, dict):
+            yield from paths(value, path)
+        elif any(isinstance(row, dict) for row in rows):
+            for row in rows:
+                yield from paths(row, f"{path}.*")
+        else:
+            yield path
+
+
+def test_a_new_description_is_the_committed_one_with_every_key(template, tmp_path):
+    text = commented(template, "./x.json")
+    path = tmp_path / "new.toml"
+    path.write_text(text, encoding="utf-8")
+    assert read_machine(path) == read_machine(template.description)
+    missing = [key.path for key in keys_of(template) if f"{key.name} = " not in text and f"  {key.name}: " not in text]
+    assert missing == []
+    assert max(map(len, text.splitlines())) < 250  # a row of a table stands in one line
+
+
+def test_its_optional_keys_may_go(template):
+    """All that a remark calls optional is left out, and a machine is read all the same."""
+    data = read_machine(template.description).model_dump(exclude_none=True)
+    laws = data["laws"]
+    for key in keys_of(template):
+        *above, last = key.path.split(".")
+        if not key.required and not above:
+            data.pop(last, None)
+    data["laws"] = {name: entry for name, entry in laws.items() if name not in CODES}
+    data.pop("sizes")
+    assert checked(template, data, str).title == read_machine(template.description).title
+
+
+def test_every_key_says_what_it_means(template):
+    keys = keys_of(template)
+    assert [key.path for key in keys if len(key.meaning) < 2 or not key.expected] == []
+    described = {key.path for key in keys}
+    data = read_machine(template.description).model_dump()
+    data["laws"] = {name: entry for name, entry in data["laws"].items() if name in CODES}  # others are as their family
+    assert set(paths(data)) - described == set()
+
+
+def test_the_schema_takes_the_committed_descriptions_and_refuses_faults(template):
+    made = schema(template)
+    for file in committed():
+        data = tomllib.loads(file.read_text(encoding="utf-8"))
+        if data["template"] == template.name:
+            assert wrong(made, made, data) == []
+            assert wrong(made, made, data | {"titel": "x"}) == [".titel"]
+            assert wrong(made, made, data | {"title": 5}) == [".title"]
+            assert wrong(made, made, data | {"sizes": {"cycle": 2}}) == [".sizes.cycle"]
+            assert wrong(made, made, {k: v for k, v in data.items() if k != "title"}) == [".title"]
+            assert wrong(made, made, data | {"laws": {"soft": {"family": "MTP"}, "ACS": {"share": 0.4}}}) == []
+            assert wrong(made, made, data | {"laws": {"ACS": {"shares": 0.4}}}) == [".laws.ACS.shares"]
+
+
+def test_one_schema_serves_all_templates():
+    made = any_schema()
+    for file in committed():
+        data = tomllib.loads(file.read_text(encoding="utf-8"))
+        assert wrong(made, made, data) == []
+        assert wrong(made, made, data | {"title": 5}) == [".title"]
+    assert wrong(made, made, {"template": "mill"}) == [".template"]
+
+
+def test_the_schema_explains_units():
+    made = schema(TEMPLATES["cutting-machine"])
+    rate = made["$defs"]["Timing"]["properties"]["rate"]
+    assert rate["description"] == "Production rate [pieces/min]: a number greater than 0"
+    assert rate["examples"] == [200.0]
+
+
+def test_the_page_is_up_to_date():
+    """Else run python -m docs.description."""
+    assert PAGE.read_text(encoding="utf-8") == page()
+
+
+def test_new_writes_a_description_and_its_schema_and_overwrites_nothing(tmp_path, capsys):
+    target = tmp_path / "mine.toml"
+    describe.new("motion-composer", target, False)
+    first = target.read_text(encoding="utf-8")
+    assert first.startswith("#:schema ./motion-composer.schema.json\n")
+    beside = tmp_path / "motion-composer.schema.json"
+    assert beside.exists()
+    describe.new("motion-composer", tmp_path / "other.toml", False)  # the schema is there already, and the same
+    with pytest.raises(WriteError, match="exists"):
+        describe.new("motion-composer", target, False)
+    beside.write_text("{}", encoding="utf-8")
+    with pytest.raises(WriteError, match="exists"):
+        describe.new("motion-composer", tmp_path / "third.toml", False)
+    assert not (tmp_path / "third.toml").exists()
+    describe.new("motion-composer", target, True)
+    assert beside.read_text(encoding="utf-8") != "{}"
+
+
+def test_schema_goes_to_the_terminal_or_a_file(tmp_path, capsys):
+    describe.schema("flying-cutter", None, False)
+    assert '"flying-cutter"' in capsys.readouterr().out
+    describe.schema(None, tmp_path / "all.json", False)
+    assert (tmp_path / "all.json").exists()
+
+
+def test_an_unknown_template_is_told_with_the_known_ones(tmp_path):
+    with pytest.raises(InputError, match=r"no template is named 'mill'; expected one of .*cutting-machine"):
+        describe.new("mill", tmp_path / "x.toml", False)
+
+
+def test_errors_name_what_is_optional(tmp_path):
+    path = tmp_path / "x.toml"
+    text = TEMPLATES["cutting-machine"].description.read_text(encoding="utf-8")
+    path.write_text(text.replace("lift = 300.0", 'lift = "much"') + "colour = 3\n", encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        read_machine(path)
+    said = str(refused.value)
+    assert "found 'much'; expected a number (optional)" in said
+    assert "selection.colour: unknown entry; expected one of criterion" in said
+    assert "reducers (all optional)" in said

@@ -1,0 +1,50 @@
+"""The verdicts of all committed machines: how many checks each book has, and which of them fail.
+
+The books are built from their descriptions, so a check that is added or lost, or a committed machine that no longer
+does what is asked of it, is seen here whatever the committed workbooks hold.
+"""
+
+from pathlib import Path
+
+import pytest
+
+from workbook.build import committed
+from workbook.reading.entries import read_machine
+from workbook.templates import TEMPLATES
+
+VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those that fail
+    "actuator-sizing": (42, []),
+    "actuator-sizing-conveyor": (42, []),
+    "cutting-machine": (61, []),
+    "flying-cutter": (40, []),
+    "flying-cutter-saw": (40, []),
+    "indexing-overlap": (30, []),
+    "indexing-overlap-stations": (44, []),
+    "machine": (49, []),
+    "motion-composer": (26, []),
+    "motion-composer-example-1": (26, []),
+    "motion-composer-example-2": (26, []),
+    "motion-laws": (49, []),
+}
+
+
+def test_every_committed_machine_is_listed() -> None:
+    assert sorted(path.stem for path in committed()) == sorted(VERDICTS)
+
+
+@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+def test_its_checks_are_so_many_and_these_of_them_fail(path: Path) -> None:
+    machine = read_machine(path)
+    book = TEMPLATES[machine.template].declare(machine)
+    failing = [check.label for _, check in book.checks if check.value != "OK"]
+    assert (len(book.checks), failing) == VERDICTS.get(path.stem)
+
+
+def test_a_rougher_machine_is_told_by_its_check() -> None:
+    """S3's second example asks for velocity alone: asked for acceleration, its trapezoid falls short."""
+    machine = read_machine(next(path for path in committed() if path.stem == "motion-composer-example-2"))
+    data = machine.model_dump()
+    data["motion"]["smoothness"] = "acceleration"
+    template = TEMPLATES[machine.template]
+    book = template.declare(template.model.model_validate(data))
+    assert [check.label for _, check in book.checks if check.value != "OK"] == ["As smooth as asked"]

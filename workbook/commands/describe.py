@@ -1,0 +1,40 @@
+"""A new description, and the schema that editors complete it from."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from workbook.build import write_text
+from workbook.described import schema as schemas
+from workbook.described.commented import commented
+from workbook.reading.entries import template_named
+from workbook.reports.terminal import OUT, say, say_data
+from workbook.writing.place import refuse_existing, replace
+
+ARGUMENT = "TEMPLATE"
+
+
+def new(template: str, output: Path | None, force: bool) -> None:
+    """Write a description with every key, and its schema beside it."""
+    chosen = template_named(template, ARGUMENT)
+    target = output or Path(f"{chosen.name}.toml")
+    beside = target.with_name(f"{chosen.name}.schema.json")
+    made = schemas.text(schemas.schema(chosen))
+    kept = beside.is_file() and beside.read_bytes() == made.encode()
+    refuse_existing(target, force)
+    if not kept:
+        refuse_existing(beside, force)
+        replace(beside, lambda draft: write_text(draft, made), force)
+    replace(target, lambda draft: write_text(draft, commented(chosen, f"./{beside.name}")), force)
+    say(OUT, f"Wrote {target.absolute()}, and {beside.name} beside it, from which an editor completes its keys")
+
+
+def schema(template: str | None, output: Path | None, force: bool) -> None:
+    """Write the schema of a template's descriptions, or of any template's."""
+    made = schemas.any_schema() if template is None else schemas.schema(template_named(template, ARGUMENT))
+    if output is None:
+        say_data(json.dumps(made, indent=1, ensure_ascii=False))
+        return
+    replace(output, lambda draft: write_text(draft, schemas.text(made)), force)
+    say(OUT, f"Wrote {output.absolute()}")

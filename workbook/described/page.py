@@ -1,0 +1,74 @@
+"""The page of documentation on descriptions: every key, a section a template."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from workbook.described.keys import Key, Section, sections
+from workbook.described.words import default_of, toml
+from workbook.templates import TEMPLATES
+
+HEAD = """\
+# What a description says
+
+Made by `python -m docs.description` from the models that check a description, and from the cells that show it.
+`motionbook new TEMPLATE` writes a description with all of this in comments; `motionbook schema TEMPLATE` writes a JSON
+Schema from which an editor completes the keys. In a key, `*` stands for each row of a list. A key without a default
+must be there. Lengths, angles and rates are in the units named here, never in others.
+"""
+LAWS = """\
+## Laws
+
+Every template takes these. The basic laws are there without being named; a law of another family, or a second one of
+the same, has a name of its own and says its family: `[laws."soft MTP"]` with `family = "MTP"`. Phases take it by that
+name.
+"""
+TITLES = ("key", "meaning", "unit", "what it takes", "default", "example")
+LONGEST = 60
+
+
+def page() -> str:
+    """Return the page."""
+    parts, laws = [HEAD], list[Section]()
+    for name, template in TEMPLATES.items():
+        found = sections(template)
+        laws = laws or [section for section in found if section.path.startswith("laws.")]
+        own = [section for section in found if not section.path.startswith("laws.")]
+        parts.append(f"## {name}\n\n{own[0].model.__doc__ or ''}\n")
+        parts += [described(section) for section in own]
+    return "\n".join([*parts, LAWS, *(described(section) for section in laws)])
+
+
+def described(section: Section) -> str:
+    """Return the table of a section, with those of its lists."""
+    title = f"### `[{section.path}]`\n\n{section.about}.\n\n" if section.path else ""
+    return f"{title}{table(section.path, section.keys)}"
+
+
+def table(path: str, keys: Iterable[Key]) -> str:
+    """Return keys as a table."""
+    rows = [TITLES, ("---",) * len(TITLES), *lines(path, keys)]
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
+
+
+def lines(path: str, keys: Iterable[Key]) -> Iterator[tuple[str, ...]]:
+    """Yield a line for each key, and below a list one for each entry of its rows."""
+    for key in keys:
+        shown = key.path.removeprefix(f"{path}.")
+        example = "" if key.rows or key.example is None else code(toml(key.example))
+        default = default_of(key)
+        yield (
+            code(shown), plain(key.meaning), plain(key.unit), plain(key.expected),
+            code(default) if default not in ("", "none") and not key.rows else default, example,
+        )  # fmt: skip
+        yield from lines(path, key.rows)
+
+
+def code(text: str) -> str:
+    """Return a text as code; long ones are cut."""
+    return f"`{text if len(text) <= LONGEST else f'{text[:LONGEST]}…'}`"
+
+
+def plain(text: str) -> str:
+    """Return a text that a cell of a table can hold."""
+    return text.replace("|", "\\|")

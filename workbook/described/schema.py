@@ -1,0 +1,93 @@
+"""JSON Schemas of descriptions, from which editors complete keys and mark what does not do."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+from workbook.described.keys import Key, Section, sections
+from workbook.described.words import remark
+from workbook.laws.entries import ENTRIES
+from workbook.templates import TEMPLATES, AnyTemplate
+
+DRAFT = "http://json-schema.org/draft-07/schema#"
+REFERENCE = "#/$defs/"
+CATALOGUES = ("motors", "reducers")
+
+
+def schema(template: AnyTemplate) -> dict[str, Any]:
+    """Return the schema of a template's descriptions, each key with its meaning, unit and example."""
+    made = template.model.model_json_schema()
+    made["$defs"]["Laws"] = laws(made["$defs"])
+    for section in sections(template):
+        for key, node in placed(section, made):
+            node["description"] = remark(key)
+            if key.example is not None and not key.rows:
+                node["examples"] = [key.example]
+    selection = made["$defs"].get("Selection", {}).get("properties", {})
+    for entry in CATALOGUES:
+        if entry in selection:
+            rows = selection[entry]
+            selection[entry] = {"description": rows.pop("description", ""), "anyOf": [{"const": "committed"}, rows]}
+    made["required"] = [*dict.fromkeys(["template", *made.get("required", [])])]
+    return {"$schema": DRAFT, **made}
+
+
+def laws(defs: dict[str, Any]) -> dict[str, Any]:
+    """Return the schema of the laws: those of the basic families by code, others by names that say their family."""
+    known = {code: {"$ref": f"{REFERENCE}{model.__name__}"} for code, model in ENTRIES.items()}
+    for model in ENTRIES.values():
+        node = defs[model.__name__]
+        node["required"] = [name for name in node.get("required", []) if name != "family"]
+    others = {"type": "object", "required": ["family"], "properties": {"family": {"enum": [*ENTRIES]}}}
+    return {"type": "object", "properties": known, "additionalProperties": others}
+
+
+def placed(section: Section, made: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:
+    """Yield each key of a section with its place in a schema."""
+    for key in (*section.keys, *(row for one in section.keys for row in one.rows)):
+        node = at(made, key.path)
+        if node is not None:
+            yield key, node
+
+
+def at(made: dict[str, Any], path: str) -> dict[str, Any] | None:
+    """Return the place of a key in a schema, or None where it has none."""
+    node: dict[str, Any] | None = made
+    for part in path.split("."):
+        table = table_at(made, node)
+        node = table.get("items") if part == "*" else table.get("properties", {}).get(part)
+        if node is None:
+            return None
+    return node
+
+
+def table_at(made: dict[str, Any], node: dict[str, Any] | None) -> dict[str, Any]:
+    """Return the table or list that a place refers to; of an optional one, without the nothing that it may be."""
+    node = node or {}
+    for choice in node.get("anyOf", ()):
+        if choice.get("type") != "null":
+            node = choice
+    if "$ref" in node:
+        found: dict[str, Any] = made["$defs"][node["$ref"].removeprefix(REFERENCE)]
+        return found
+    return node
+
+
+def any_schema() -> dict[str, Any]:
+    """Return the schema of a description of any template: by the name that it gives of its template."""
+    defs: dict[str, Any] = {}
+    choices = []
+    for name, template in TEMPLATES.items():
+        own = json.loads(json.dumps(schema(template)).replace(REFERENCE, f"{REFERENCE}{name}-"))
+        own.pop("$schema")
+        defs |= {f"{name}-{part}": node for part, node in own.pop("$defs").items()}
+        choices.append({"if": {"properties": {"template": {"const": name}}}, "then": own})
+    named = {"properties": {"template": {"enum": [*TEMPLATES]}}, "required": ["template"]}
+    return {"$schema": DRAFT, "type": "object", **named, "allOf": choices, "$defs": defs}
+
+
+def text(made: dict[str, Any]) -> str:
+    """Return a schema as the text of a file."""
+    return json.dumps(made, indent=1, ensure_ascii=False) + "\n"
