@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from pydantic import Field
+
 from workbook.book.limits import RowRule
 from workbook.entries.types import DesignError, EntryError, Model, Number, Positive
 from workbook.laws.entries import LawName, Laws
@@ -24,8 +26,8 @@ class PhaseEntry(Model):
 class Passing(Model):
     """What a phase passes its begin with, between two curved phases, in the units of the motion; else 0."""
 
-    velocity: Number | None = None
-    acceleration: Number | None = None
+    velocity: Number | None = Field(None, description="y' with which two curved phases meet at its begin; else 0")
+    acceleration: Number | None = Field(None, description="y'' with which two curved phases meet at its begin; else 0")
 
     @property
     def passes(self) -> bool:
