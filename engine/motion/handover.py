@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import perm
@@ -12,7 +13,7 @@ from engine.laws.ends import Ends
 from engine.laws.piece import POWERS
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.pulse_law import PulseLaw
-from engine.motion.joining import EndedPhase, Joined, Side, slope
+from engine.motion.joining import EndedPhase, Joined, Rates, Side, agrees, slope
 from engine.motion.phase import Phase
 
 STRAIGHT, NEVER, PULSES, SEPTIC = -1, 0, 1, 7
@@ -37,6 +38,8 @@ def early_of(law: Law) -> int:
 class Handover:
     """A phase as it is carried out, what is asked for at ``begin`` and ``end``, and why it cannot have that, if so.
 
+    ``entered`` is what is entered for its begin; ``contrary`` where a straight line or a dwell there has other rates.
+
     A law of two pulses is, while it speeds up, v0 and ``halves[0]`` times the law, and from then on v1 and
     ``halves[1]`` times it: the heights of both pulses against those of the law between rests, as a lift.
     """
@@ -46,6 +49,8 @@ class Handover:
     end: Side
     kinds: tuple[str, str]
     fault: str
+    entered: Rates | None = None
+    contrary: bool = False
 
     @property
     def sides(self) -> tuple[Side, Side]:
@@ -132,8 +137,17 @@ class Handover:
         return law.top / self.phase.duration if self.mode == PULSES and isinstance(law, PulseLaw) else 0.0
 
 
-def handovers(found: Joined) -> tuple[Handover, ...]:
-    """Return what each phase of a motion becomes of its law."""
-    reasons = {fault.phase: fault.reason for fault in found.faults}
+def handovers(found: Joined, through: Mapping[int, Rates], periodic: bool) -> tuple[Handover, ...]:
+    """Return what each phase of a motion becomes of its law; ``through`` and ``periodic`` as it was joined."""
+    slopes = [slope(phase) for phase in found.motion.phases]
+    reasons = {fault.phase: fault.reason for fault in found.faults if slopes[fault.phase] is None}
+
+    def contrary(k: int) -> bool:
+        beside = slopes[k], slopes[k - 1] if k or periodic else None
+        return k in through and any(one is not None and not agrees(through[k], one) for one in beside)
+
     both = zip(found.motion.phases, found.asked, found.kinds, strict=True)
-    return tuple(Handover(phase, *asked, kinds, reasons.get(k, "")) for k, (phase, asked, kinds) in enumerate(both))
+    return tuple(
+        Handover(phase, *asked, kinds, reasons.get(k, ""), through.get(k), contrary(k))
+        for k, (phase, asked, kinds) in enumerate(both)
+    )

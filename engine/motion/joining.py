@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from engine.laws import Dwell, Law
-from engine.laws.ends import EndedLaw, EndError, Ends, between, kind
+from engine.laws.ends import STILL, EndedLaw, EndError, Ends, between, kind, require_ends
 from engine.laws.straight_line import StraightLine
 from engine.motion.motion import Motion
 from engine.motion.phase import Phase
@@ -89,13 +89,15 @@ def joined(
     periodic: bool = True,
     start: float = 0.0,
     position: float = 0.0,
+    shares: bool = True,
 ) -> Joined:
     """Return the motion of phases, each of which meets its neighbours, across the end of the cycle too.
 
     Beside a straight line or a dwell a curved phase takes its velocity, and no acceleration. Between two curved
     phases ``through`` says what y', y'' and y''' are, by the number of the phase that begins there (of the last
     end of a motion that is not periodic, the number of phases); else they are 0, or what the laws have of
-    themselves. Two straight lines keep their slopes: where these differ, the motion jumps.
+    themselves. Where ``shares`` is false, a harmonic combination does not take another share to have an acceleration
+    that is asked for. Two straight lines keep their slopes: where these differ, the motion jumps.
     """
     entered = dict(through or {})
     made, faults, kinds, asked = [], [], [], []
@@ -113,7 +115,7 @@ def joined(
             continue
         sides = _side(before, here), _side(after, there)
         try:
-            made.append(_between(phase, *sides))
+            made.append(_between(phase, *sides, shares))
         except EndError as error:
             made.append(phase)
             faults.append(Fault(k, str(error)))
@@ -131,13 +133,15 @@ def _side(neighbour: Phase | None, entered: Rates | None) -> Side:
     return Side(entered or Rates(), entered is not None, False)
 
 
-def _between(phase: Phase, begin: Side, end: Side) -> Phase:
+def _between(phase: Phase, begin: Side, end: Side, shares: bool) -> Phase:
     """Return a curved phase between its ends; raise EndError if its law cannot have them."""
     d, law = phase.duration, phase.law
     if isinstance(law, EndedLaw):
         law = law.opened(begin.open, end.open)
     one, other = begin.asked, end.asked
     ends = Ends(phase.lift, one.v * d, other.v * d, one.a * d**2, other.a * d**2, one.j * d**3, other.j * d**3)
+    if not shares:
+        require_ends(law, ends, law.takes if isinstance(law, EndedLaw) else "")
     made, _ = between(law, ends)
     return Phase(made, phase.lift, d) if ends.at_rest else EndedPhase(made, phase.lift, d, phase.law)
 
@@ -146,8 +150,14 @@ def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[st
     return [
         f"a straight line has y' = {constant:g} and no acceleration; {rates.v:g}, {rates.a:g}, {rates.j:g} are entered"
         for rates in entered
-        if rates is not None and rates != Rates(constant)
+        if rates is not None and not agrees(rates, constant)
     ]
+
+
+def agrees(rates: Rates, constant: float) -> bool:
+    """Whether rates are those of a straight line of a slope, but for rounding."""
+    near = abs(rates.v - constant) <= STILL * (abs(rates.v) + abs(constant))
+    return near and not rates.a and not rates.j
 
 
 def _straight_kinds(constant: float) -> tuple[str, str]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+
+from pydantic import Field
 
 from workbook.book.limits import RowRule
-from workbook.entries.types import DesignError, Model, Number, Positive
-from workbook.laws.entries import LawName
+from workbook.entries.types import DesignError, EntryError, Model, Number, Positive
+from workbook.laws.entries import LawName, Laws
 
 
 class PhaseEntry(Model):
@@ -19,6 +21,29 @@ class PhaseEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a dwell that is to lift."""
         yield from resting(self.law, self.lift)
+
+
+class Passing(Model):
+    """What a phase passes its begin with, between two curved phases, in the units of the motion; else 0."""
+
+    velocity: Number | None = Field(None, description="y' with which two curved phases meet at its begin; else 0")
+    acceleration: Number | None = Field(None, description="y'' with which two curved phases meet at its begin; else 0")
+
+    @property
+    def passes(self) -> bool:
+        """Whether any of them is entered."""
+        return self.velocity is not None or self.acceleration is not None
+
+
+NO_LINE = 'a velocity or acceleration is entered; expected a straight line among the laws: [laws.LIN] family = "LIN"'
+
+
+def require_straight(laws: Laws, phases: Mapping[str, Sequence[Passing]]) -> None:
+    """Raise EntryError for a velocity or acceleration that is entered in a book without straight lines."""
+    for key, rows in phases.items():
+        for i, phase in enumerate(rows):
+            if phase.passes and not laws.of("LIN"):
+                raise EntryError(f"{key}.{i}", NO_LINE)
 
 
 AT_REST = RowRule(

@@ -72,6 +72,14 @@ def page_of(name: str, entry: dict[str, Any]) -> Page:
     return FAMILY[entry.get("family", name)].page
 
 
+def passing(k: int, i: int, laws: dict[str, Any], size: float) -> dict[str, Any]:
+    """Return what the ``i``-th phase passes its begin with, of some, in a book with straight lines."""
+    if (i + k) % 3 != 1 or not any(entry.get("family", name) == "LIN" for name, entry in laws.items()):
+        return {}
+    sign = -1 if k % 2 else 1
+    return {"velocity": sign * size * (1 + i % 3), "acceleration": size * (i % 4 - 1)} if i % 5 else {"velocity": size}
+
+
 def own_in(laws: dict[str, Any]) -> list[str]:
     """Return the names of the own laws in a description's laws."""
     return [name for name, entry in laws.items() if entry.get("family", name) == "OWN"]

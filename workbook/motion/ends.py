@@ -10,15 +10,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from math import perm
-from typing import Any
+from typing import Any, Protocol
 
-from engine.motion.handover import PULSES, STRAIGHT, Handover, handovers
+from engine.motion.handover import NEVER, PULSES, STRAIGHT, Handover, handovers
 from engine.motion.joining import Joined
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import filled
 from workbook.book.sentence import Said
 from workbook.motion.cells import PieceRows
+from workbook.motion.through import passed
 from workbook.motion.turns import Turns, grids
 
 TITLE = "Workings: what phases take from their neighbours"
@@ -41,21 +42,39 @@ HERMITE = {
 """e_n by the degree, from stroke, v δ and a δ² at both ends; w, x and z are what the begin leaves to be done"""
 
 
+VELOCITY = " with a velocity: it begins and ends at rest"
+ACCELERATION = " with an acceleration: it begins and ends at rest"
+ONLY = " with an acceleration: it takes a velocity only"
+BESIDE = ": its begin is entered otherwise than the straight line or dwell there has it"
+
+
+class Passed(Protocol):
+    """A phase as entered."""
+
+    law: str
+    velocity: float | None
+    acceleration: float | None
+
+    @property
+    def passes(self) -> bool:
+        """Whether any of these is entered."""
+
+
 class Ends:
     """What the phases of a motion take from their neighbours: the engine's, and the cells that find it.
 
-    ``laws`` are the names of the phases' laws. ``used`` is the formula of how many phases there are, ``wraps`` the
+    ``phases`` are these as entered. ``used`` is the formula of how many phases there are, ``wraps`` the
     condition under which the motion repeats, if it need not; ``name`` what the motion is called in sentences, as a
     formula and as a text.
     """
 
     def __init__(
-        self, rows: PieceRows, found: Joined, laws: Sequence[str], used: str, name: tuple[str, str] = ("", ""),
+        self, rows: PieceRows, found: Joined, phases: Sequence[Passed], used: str, name: tuple[str, str] = ("", ""),
         wraps: str = "", periodic: bool = True,
     ) -> None:  # fmt: skip
-        self.rows, self.motion, self.laws, self.used = rows, found.motion, laws, used
+        self.rows, self.motion, self.phases, self.used = rows, found.motion, phases, used
         self.name, self.wraps, self.periodic = name, wraps, periodic
-        self.handed = handed = handovers(found)
+        self.handed = handed = handovers(found, passed(phases), periodic)
         self.turns = Turns(rows, found.motion, handed)
 
     @property
@@ -99,27 +118,48 @@ class Ends:
                                source="R rest, G velocity, U reversal, B both"))  # fmt: skip
         return both
 
-    def check(self, name: str, label: str) -> Quantity:
-        """Return the check that each law can have the ends that its neighbours give it."""
+    def checks(self, name: str, label: str) -> list[Quantity]:
+        """Return the checks that each law can have the ends that are asked of it, and that nothing speaks against them.
+
+        ``name`` and ``label`` are what the checks' begin with.
+        """
         table, phases = self.rows.at.ends, self.rows.at.phases
-        ok = not any(one.fault for one in self.handed)
         row = f"MATCH(1,[{table}.cannot],0)"
         head = f'{self.name[0]}&" row "&' if self.name[0] else '"row "&'
-        begins = f'IF(ABS(INDEX([{table}.w0],{row}))>0,"begin","end")'
-        says = (
-            f'{head}{row}&": "&INDEX([{phases}.law],{row})&" cannot "&{begins}&" with a velocity: '
-            'it begins and ends at rest"'
-        )
-        return check(name, label, f"SUM([{table}.cannot])=0", ok, says=Said(says, self._said()))
+
+        def at(column: str) -> str:
+            return f"ABS(INDEX([{table}.{column}],{row}))"
+
+        moving = f"{at('w0')}+{at('w1')}>0"
+        never = f"INDEX([{table}.way],{row})=0"
+        begins = f'IF(IF(AND({never},{moving}),{at("w0")},{at("q0")})>0,"begin","end")'
+        what = f'IF({never},IF({moving},"{VELOCITY}","{ACCELERATION}"),"{ONLY}")'
+        says = f'{head}{row}&": "&INDEX([{phases}.law],{row})&" cannot "&{begins}&{what}'
+        against = f"MATCH(1,[{table}.contrary],0)"
+        return [
+            check(f"{name}_meets", f"{label}each law meets its neighbours", f"SUM([{table}.cannot])=0",
+                  not any(one.fault for one in self.handed), says=Said(says, self._said())),
+            check(f"{name}_passes", f"{label}what is entered goes with straight lines and dwells",
+                  f"SUM([{table}.contrary])=0", not any(one.contrary for one in self.handed),
+                  says=Said(f'{head}{against}&"{BESIDE}"', self._contrary())),
+        ]  # fmt: skip
 
     def _said(self) -> str:
         first = next(((k, one) for k, one in enumerate(self.handed, 1) if one.fault), None)
         if first is None:
             return ""
         k, one = first
-        verb = "begin" if one.begin.asked.v else "end"
-        head = f"{self.name[1]} row {k}" if self.name[1] else f"row {k}"
-        return f"{head}: {self.laws[k - 1]} cannot {verb} with a velocity: it begins and ends at rest"
+        begin, end = one.begin.asked, one.end.asked
+        moving, never = bool(begin.v or end.v), one.way == NEVER
+        verb = "begin" if (begin.v if never and moving else begin.a) else "end"
+        what = (VELOCITY if moving else ACCELERATION) if never else ONLY
+        return f"{self._row(k)}: {self.phases[k - 1].law} cannot {verb}{what}"
+
+    def _contrary(self) -> str:
+        return next((f"{self._row(k)}{BESIDE}" for k, one in enumerate(self.handed, 1) if one.contrary), "")
+
+    def _row(self, k: int) -> str:
+        return f"{self.name[1]} row {k}" if self.name[1] else f"row {k}"
 
     def table(self, sheet: Sheet, title: str) -> None:
         """Declare the table of what the phases take."""
@@ -147,8 +187,19 @@ class Ends:
         after = self._beside(range(len(straight)), last, 1)
         wrapped = {"before": used, "after": "1"} if not self.wraps else {
             "before": f"IF({self.wraps},{used},0)", "after": f"IF({self.wraps},1,0)"}  # fmt: skip
-        hands = "=IF([way]=-1,[slope],IF([{0}]=0,0,INDEX([{1}.slope],MAX([{0}],1))))"
-        settled = "=IF([way]=-1,1,IF([{0}]=0,1,IF(INDEX([{1}.way],MAX([{0}],1))=-1,1,0)))"
+        hands = "=IF([way]=-1,[slope],IF([{0}]=0,{2},IF({1}.way],MAX([{0}],1))=-1,{1}.slope],MAX([{0}],1)),{3})))"
+        curves = "=IF([way]=-1,0,IF([{0}]=0,{2},IF({1}.way],MAX([{0}],1))=-1,0,{3})))"
+        settled = "=IF([way]=-1,1,IF([{0}]=0,1,IF({1}.way],MAX([{0}],1))=-1,1,{2})))"
+        here, there = f"INDEX([{at.ends}", "INDEX([{0}.{1}],MAX([after],1))"
+        begin, end = ("begin", "before"), ("end", "after")
+        set_by = ((*begin, "[set]"), (*end, there.format(at.ends, "set")))
+        v_by = ((*begin, "[ev]", "[ev]"), (*end, "0", there.format(at.ends, "ev")))
+        a_by = ((*begin, "[ea]", "[ea]"), (*end, "0", there.format(at.ends, "ea")))
+
+        def against(way: str, slope: str) -> str:
+            return f"AND({way}=-1,OR(ABS([ev]-{slope})>check_zero*(ABS([ev])+ABS({slope})),ABS([ea])>0))"
+
+        beside = against(*(f"{here}.{name}],MAX([before],1))" for name in ("way", "slope")))
         return [
             calc("way", "meets its neighbours' velocity", "", "",
                  f"=IF([span]>0,INDEX(law_way,INDEX([{at.phases}.no],[k])),-1)", self.of(lambda one: one.way, STRAIGHT),
@@ -160,22 +211,37 @@ class Ends:
                  filled(before, self.room, last + 1), format="0", source="0 where nothing is"),
             calc("after", "row after", "", "", f"=IF([k]<{used},[k]+1,{wrapped['after']})",
                  filled(after, self.room, after[-1]), format="0", source="0 where nothing is"),
-            *(calc(f"settled{i}", f"{word} is settled", "", "", settled.format(side, at.ends),
+            calc("set", "its begin is entered", "", "",
+                 f"=IF(COUNT(INDEX([{at.phases}.velocity],[k]),INDEX([{at.phases}.acceleration],[k]))>0,1,0)",
+                 self.of(lambda one: int(one.entered is not None)), format="0"),
+            *(calc(name, f"{word} entered", "", at.unit(order),
+                   f"=IF(ISNUMBER(INDEX([{at.phases}.{word}],[k])),INDEX([{at.phases}.{word}],[k]),0)",
+                   self.of(lambda one, i=order: one.entered[i - 1] if one.entered else 0.0),  # type: ignore[misc]
+                   scale=size(order))
+              for name, word, order in (("ev", "velocity", 1), ("ea", "acceleration", 2))),
+            *(calc(f"settled{i}", f"{word} is settled", "", "", settled.format(side, here, entered),
                    self.of(lambda one, i=i: int(one.sides[i].settled), 1), format="0",  # type: ignore[misc]
-                   source="by a straight line or a dwell")
-              for i, (word, side) in enumerate((("begin", "before"), ("end", "after")))),
-            *(calc(f"w{i}", f"velocity asked for at its {word}", f"v_{i}", velocity, hands.format(side, at.ends),
+                   source="by a straight line, a dwell, an entry")
+              for i, (word, side, entered) in enumerate(set_by)),
+            *(calc(f"w{i}", f"velocity asked for at its {word}", f"v_{i}", velocity,
+                   hands.format(side, here, *entered),
                    self.of(lambda one, i=i: one.sides[i].asked.v), scale=size(1))  # type: ignore[misc]
-              for i, (word, side) in enumerate((("begin", "before"), ("end", "after")))),
-            *(calc(f"q{i}", f"acceleration asked for at its {word}", f"a_{i}", at.unit(2), "=0*[k]",
+              for i, (word, side, *entered) in enumerate(v_by)),
+            *(calc(f"q{i}", f"acceleration asked for at its {word}", f"a_{i}", at.unit(2),
+                   curves.format(side, here, *entered),
                    self.of(lambda one, i=i: one.sides[i].asked.a), scale=size(2))  # type: ignore[misc]
-              for i, word in enumerate(("begin", "end"))),
-            calc("mode", "is carried out", "", "",
-                 "=IF(OR([way]=-1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,[way])", self.of(lambda one: one.mode),
-                 format="0", source="0 between rests, 1 as two pulses, 3, 5, 7 as a polynomial"),
+              for i, (word, side, *entered) in enumerate(a_by)),
+            calc("contrary", "is entered otherwise", "", "",
+                 f"=IF([set]=0,0,IF({against('[way]', '[slope]')},1,IF([before]=0,0,IF({beside},1,0))))",
+                 self.of(lambda one: int(one.contrary)), format="0;;", source="than a straight line there has it"),
             calc("cannot", "cannot have such ends", "", "",
-                 "=IF(AND([way]=0,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])>0),1,0)",
+                 "=IF(OR(AND([way]=0,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])>0),"
+                 "AND(OR([way]=1,[way]=3),ABS([q0])+ABS([q1])>0)),1,0)",
                  self.of(lambda one: int(bool(one.fault))), format="0;;", source="1 where it cannot"),
+            calc("mode", "is carried out", "", "",
+                 "=IF(OR([way]=-1,[cannot]=1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,[way])",
+                 self.of(lambda one: one.mode), format="0",
+                 source="0 between rests, 1 as two pulses, 3, 5, 7 as a polynomial"),
         ]  # fmt: skip
 
     def _beside(self, phases: range, last: int, side: int) -> list[int]:

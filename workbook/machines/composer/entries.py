@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.entries.machine import Machine, Sizes
-from workbook.entries.phase import PhaseEntry
+from workbook.entries.phase import Passing, PhaseEntry, require_straight
 from workbook.entries.texts import NO_FORMULA, ONE_LINE
 from workbook.entries.types import EntryError, Model, Number
 from workbook.motion.asked import Smoothness
@@ -15,6 +15,10 @@ from workbook.motion.room import settle_phases
 
 MOST_PHASES = 24
 Unit = Annotated[str, Field(min_length=1, max_length=12, pattern=NO_FORMULA), ONE_LINE]
+
+
+class ComposedPhase(PhaseEntry, Passing):
+    """A phase, and what it passes its begin with."""
 
 
 class ComposedMotion(Model):
@@ -25,7 +29,7 @@ class ComposedMotion(Model):
     position: Number = 0.0
     cycle: Literal["closes", "open"] = "closes"
     smoothness: Smoothness = "acceleration"
-    phases: Annotated[list[PhaseEntry], Field(min_length=1, max_length=MOST_PHASES)]
+    phases: Annotated[list[ComposedPhase], Field(min_length=1, max_length=MOST_PHASES)]
 
 
 class ComposerSizes(Sizes):
@@ -46,5 +50,6 @@ class MotionComposer(Machine):
         for path, filled, room in (("motion.phases", len(self.motion.phases), self.sizes.phases),):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
+        require_straight(self.laws, {"motion.phases": self.motion.phases})
         settle_phases(self, {"motion.phases": self.motion.phases})
         return self

@@ -12,6 +12,7 @@ from workbook.machines.composer.view import Composition
 from workbook.motion.cells import PieceRows
 from workbook.motion.ends import Ends
 from workbook.motion.pieces import phase_columns
+from workbook.motion.through import entries
 
 PER, PER2, PER3 = "lift/x", "lift/x²", "lift/x³"  # units, which the engineer names: in the headers they stand as words
 
@@ -34,6 +35,10 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows, handed: Ends | N
     if handed:
         lacking, reaching = handed.other(lacking, "0"), handed.other(reaching, "[y0]+[h]")
 
+    velocities, accelerations = (
+        filled([getattr(p, name) for p in entered], n, None) for name in ("velocity", "acceleration")
+    )
+    passing = entries(velocities, accelerations, "motion.phases.*", (PER, PER2))
     spare = '[duration]=""' if handed else '[kind]="spare"'
 
     def own(column: str, formula: str) -> str:
@@ -57,6 +62,7 @@ def phases(sheet: Sheet, machine: Composition, rows: PieceRows, handed: Ends | N
         result("y1", "position at its end", "y", "lift",
                reaching, filled([end.y for end in ends], n, reached), format="0.0####", scale=h,
                source="y_0 + h s(1)"),
+        *(passing if handed else []),
         *(handed.kinds() if handed else []),
         result("v", "greatest velocity", "y'max", PER,
                own("vmax", joined.VELOCITY), of(p.y1_max for p in moved), scale=v, source="C_v h/δ"),

@@ -30,9 +30,9 @@ def cells(hands_over: bool) -> Cells:
 
 def handing(machine: Composition, rows: PieceRows) -> Ends | None:
     """Return what phases take from their neighbours; None in a book without straight lines."""
-    laws = [p.law for p in machine.given.phases]
     return (
-        Ends(rows, machine.joined, laws, "move_count", wraps='move_cycle="closes"', periodic=machine.repeats)
+        Ends(rows, machine.joined, machine.given.phases, "move_count", wraps='move_cycle="closes"',
+             periodic=machine.repeats)
         if rows.at.ends else None
     )  # fmt: skip
 
@@ -153,7 +153,7 @@ def checks(sheet: Sheet, machine: Composition, joints: Joints, ends: Ends | None
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
               "of a cycle that closes, also from its end to its begin",
               says=amount(greatest("junctions.jump_v"), jump, "y' jumps by ", ": see the junctions")),
-        *([ends.check("move_ok_meets", "Each law meets its neighbours")] if ends else []),
+        *(ends.checks("move_ok", "") if ends else []),
         joints.check("move_ok_smooth", "As smooth as asked"),
         check("move_ok_closes", "The cycle closes in position",
               f'OR(move_cycle="open",ABS(move_gap)<=check_zero*{greatest("phases.h")})', machine.axis.closes,

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, passing, variations, vary_laws
 from workbook.machines.composer.entries import MotionComposer
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
@@ -37,7 +37,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-def phases(turn: int, room: int, scale: Iterator[float], laws: Iterable[str]) -> list[dict[str, Any]]:
+def phases(turn: int, room: int, scale: Iterator[float], laws: dict[str, Any]) -> list[dict[str, Any]]:
     """Return phases up to the table's last row in turn, with laws and lifts of every kind."""
     k = turn % SIX
     count = room if k == 0 else min(room, (24, 5, 1, 8, 3, 11)[k])
@@ -45,5 +45,6 @@ def phases(turn: int, room: int, scale: Iterator[float], laws: Iterable[str]) ->
     for i in range(count):
         law = "DWL" if (i + k) % 4 == 1 else law_for(turn + i, laws)
         lift = 0.0 if law == "DWL" or (i + k) % 7 == 6 else (12.0 + 5 * i) * (-1) ** (i + k) * next(scale)
-        made.append({"law": law, "lift": lift, "duration": (20.0 + 9 * ((i * 5 + k) % 7)) * next(scale)})
+        duration = (20.0 + 9 * ((i * 5 + k) % 7)) * next(scale)
+        made.append({"law": law, "lift": lift, "duration": duration, **passing(k, i, laws, 0.1)})
     return made

@@ -12,6 +12,7 @@ from engine.motion import MotionValues, Phase
 from engine.motion.joining import joined
 from engine.timing import Axis
 from workbook.machines.composer.entries import MotionComposer
+from workbook.motion.through import passed
 
 
 class Composition:
@@ -22,7 +23,9 @@ class Composition:
         self.given, self.sizes = machine.motion, machine.sizes
         phases = [Phase(library[p.law], p.lift, p.duration) for p in self.given.phases]
         self.repeats = self.given.cycle == "closes"
-        self.joined = joined(phases, periodic=self.repeats, position=self.given.position)
+        self.joined = joined(
+            phases, passed(self.given.phases), self.repeats, position=self.given.position, shares=False
+        )
         self.motion = self.joined.motion
         self.axis = Axis("motion", self.motion, feed=not self.repeats)
         self.junctions = self.motion.junctions(periodic=self.repeats)

@@ -10,12 +10,17 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.drive.entries import RollerDrive
 from workbook.entries.machine import Machine
+from workbook.entries.phase import Passing, require_straight
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.turn import TURN, TurnPhase, forward
 from workbook.entries.types import ANGLE_TOLERANCE, DesignError, EntryError, Model, Positive
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle_phases
 from workbook.selection.entries import Selection, SelectionSizes, require_room
+
+
+class AxisPhase(TurnPhase, Passing):
+    """A phase, its lift in mm, and what it passes its begin with."""
 
 
 class Axis(Model):
@@ -25,7 +30,7 @@ class Axis(Model):
     group: Text
     closes: Literal["position", "feed"] = "position"
     smoothness: Smoothness = "acceleration"
-    phases: Annotated[list[TurnPhase], Field(min_length=1)]
+    phases: Annotated[list[AxisPhase], Field(min_length=1)]
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, do not follow on, or do not fill the cycle."""
@@ -89,5 +94,6 @@ class CuttingMachine(Machine):
             if filled > room:
                 raise EntryError(path, f"{filled} rows do not fit into {room}; raise sizes.{path.split('.')[-1]}")
         require_room(self.selection, self.sizes)
+        require_straight(self.laws, {f"timing.axes.{i}.phases": axis.phases for i, axis in enumerate(self.timing.axes)})
         settle_phases(self, {f"timing.axes.{i}.phases": axis.phases for i, axis in enumerate(self.timing.axes)})
         return self

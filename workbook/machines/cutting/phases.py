@@ -18,6 +18,7 @@ from workbook.motion.cells import PieceRows
 from workbook.motion.ends import Ends
 from workbook.motion.pieces import phase_columns, room_check
 from workbook.motion.smooth import Joints
+from workbook.motion.through import entries
 
 CARRIED = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},IF([k]=1,0,[{0}-1]))"
 
@@ -64,6 +65,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows, handed: Ends
         given("stop", "to", "", "°", entered("stop"), f"{key}.stop", format="0.0##"),
         given("lift", "lift", "h", "mm", entered("lift"), f"{key}.lift", format="0.0##"),
         given("law", "law", "", "", entered("law"), f"{key}.law", choices="=law_code"),
+        *(entries(entered("velocity"), entered("acceleration"), key, ("m/rad", "m/rad²")) if handed else []),
         *(handed.kinds() if handed else []),
         result("y1", "geometric velocity", "y'max", "m/rad",
                own("vmax", VELOCITY), of(lambda m: m.y1_max), source="C_v h/δ"),
@@ -168,7 +170,7 @@ def joined(sheet: Sheet, machine: Cutting, i: int, joints: Joints, ends: Ends | 
         check(f"{t}_velocity", f"{name}: no jump of velocity",
               f"{greatest('jump_v')}<=check_zero*MAX([{t}.y1])", motion.smooth(),
               says=amount(greatest("jump_v"), jump, "y' jumps by ", " m/rad: see jump of y'")),
-        *([ends.check(f"{t}_meets", f"{name}: each law meets its neighbours")] if ends else []),
+        *(ends.checks(t, f"{name}: ") if ends else []),
         joints.check(f"{t}_smooth", f"{name}: as smooth as asked"),
         check(f"{t}_closes", f"{name}: the cycle closes",
               f'OR(INDEX([axes.closes],{i})="feed",ABS({gap})<=check_zero*{greatest("h")})', axis.closes,

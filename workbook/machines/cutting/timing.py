@@ -37,7 +37,7 @@ def handing(machine: Cutting, rows: Sequence[PieceRows]) -> list[Ends | None]:
     """Return what the phases of each axis take from their neighbours; None in a book without straight lines."""
     axes = zip(machine.machine.timing.axes, machine.joined, rows, strict=True)
     return [
-        Ends(of_axis, found, [p.law for p in axis.phases], f"COUNT([axis{i}.stop])",
+        Ends(of_axis, found, axis.phases, f"COUNT([axis{i}.stop])",
              (f"INDEX([axes.name],{i})", axis.name))
         if of_axis.at.ends else None
         for i, (axis, found, of_axis) in enumerate(axes, 1)

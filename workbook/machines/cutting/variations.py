@@ -3,10 +3,9 @@ choice, each side of each check, so that a fault shows that happens to be silent
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, passing, variations, vary_laws
 from workbook.machines.cutting.entries import CuttingMachine
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
@@ -38,7 +37,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[str, Any]]:
+def phases(axis: int, turn: int, room: int, laws: dict[str, Any]) -> list[dict[str, Any]]:
     """Return phases that fill the cycle, up to the table's last row in turn, with laws and lifts of every kind."""
     k = turn % SIX
     count = room if k == 0 else min(room, 2 + (axis + k) % 5)
@@ -49,7 +48,7 @@ def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[st
         dwell = (i + axis) % 4 == 3
         lift = 0.0 if dwell else (40.0 + 11 * axis + 3 * i) * (-1) ** (i + k)
         law = "DWL" if dwell else law_for(axis + turn + i, laws)
-        made.append({"start": edges[i], "stop": edges[i + 1], "lift": lift, "law": law})
+        made.append({"start": edges[i], "stop": edges[i + 1], "lift": lift, "law": law, **passing(k, i, laws, 0.01)})
     return made
 
 

@@ -20,6 +20,7 @@ from engine.timing import Axis, Diagram, shaft_speed
 from workbook.entries.texts import place_of
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, si
 from workbook.machines.cutting import entries as entered
+from workbook.motion.through import passed
 
 ROLLERS = 1
 """the rollers' shaft, behind the reducer"""
@@ -43,7 +44,7 @@ def motion_of(given: entered.Axis, library: dict[str, Law]) -> Joined:
     edges = np.deg2rad([given.phases[0].start, *(p.stop for p in given.phases)])
     lifts = [si(p.lift, MM) for p in given.phases]
     motion = Motion.from_edges(edges, lifts, [library[p.law] for p in given.phases])
-    return joined(motion.phases, start=float(edges[0]))
+    return joined(motion.phases, passed(given.phases), start=float(edges[0]), shares=False)
 
 
 class Cutting:
