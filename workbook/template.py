@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Generic, TypeVar
@@ -19,6 +19,8 @@ FOLDER = Path(workbook.__file__).parent.parent / "templates"
 
 
 M = TypeVar("M", bound=Machine)
+MOST = 99
+"""parts of a kind that are told apart by numbers"""
 
 
 @dataclass(frozen=True)
@@ -28,10 +30,11 @@ class Template(Generic[M]):
     ``finished`` declares the book of a machine whose entries do; :meth:`declare` that of any.
 
     ``sizes`` tells for each entry of a description's ``sizes`` which block shows it, and by how many rows that
-    block is longer. ``check`` raises EntryError for entries that only the engine can refuse; what the entries refuse
-    by themselves, the model does. ``laid_out`` gives a machine the layout that a file has by its defined names,
-    where the number of sheets depends on the description; ``fixed`` returns by key the entries that such a layout tells
-    and no cell holds. ``axes`` are the motions that a controller can be given.
+    block is longer; ``#`` in its name stands for the least number that a file has. ``check`` raises EntryError for
+    entries that only the engine can refuse; what the entries refuse by themselves, the model does. ``laid_out`` gives a
+    machine the layout that a file has by its defined names, where the number of sheets depends on the description;
+    ``fixed`` returns by key the entries that such a layout tells and no cell holds. ``axes`` are the motions that a
+    controller can be given.
     """
 
     name: str
@@ -47,6 +50,14 @@ class Template(Generic[M]):
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
         return with_entries(self.finished(machine), machine)
+
+    def sized(self, names: Container[str]) -> Iterator[tuple[str, str, int]]:
+        """Yield each size that a file of these names shows, with the block, and by how many rows that is longer."""
+        for size, (block, extra) in self.sizes.items():
+            numbered = (block.replace("#", str(i)) for i in range(1, MOST + 1))
+            found = next((name for name in numbered if name in names), None)
+            if found is not None:
+                yield size, found, extra
 
     @property
     def description(self) -> Path:

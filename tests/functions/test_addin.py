@@ -125,9 +125,9 @@ def test_a_column_goes_in_as_into_built_in_functions(calc, tmp_path):
     assert rows[1][2] == pytest.approx(law("CUB").s(0.2), rel=1e-14)
 
 
-def test_no_argument_can_be_left_out(calc, tmp_path):
-    short = [Case("S", ("ACS", 0.5), VALUE), Case("CV", ("ACS",), VALUE), Case("JRED", (1.0,), VALUE),
-             Case("POS", (1.0,), VALUE), Case("RMS", (1.0,), VALUE)]  # fmt: skip
+def test_only_the_parameters_of_a_law_can_be_left_out(calc, tmp_path):
+    short = [Case("S", ("ACS",), VALUE), Case("JRED", (1.0,), VALUE), Case("POS", (1.0,), VALUE),
+             Case("RMS", (1.0,), VALUE), Case("CV", ("ACS",), 2.0), Case("S", ("ACS", 0.5), 0.5)]  # fmt: skip
     write(short, tmp_path / "short.xlsx")
     assert disagreeing(short, read(calc.computed(tmp_path / "short.xlsx"))) == []
 

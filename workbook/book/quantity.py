@@ -10,8 +10,8 @@ from workbook.book.chart import in_scope
 from workbook.book.sentence import Said, Sentence, quoted
 
 HOLDS, FAILS = "holds", "does not hold"
-SAYS = "_says"
-"""behind the name of a check: the cell that says where it fails"""
+SAYS, WHERE = "_says", ": where, and by how much"
+"""behind the name of a check, and behind its label: the cell that says where it fails"""
 
 FLOOR = 1e-3
 """of the unit: that much of most quantities is next to nothing"""
@@ -52,6 +52,11 @@ class Quantity:
     """of a check: the formula of where it fails, and by how much"""
     said: str = ""
     """what that formula gives, by the engine, where the check fails"""
+
+    @property
+    def beside(self) -> str:
+        """The label that stands in its row: of a sentence that of its check."""
+        return self.label.removesuffix(WHERE)
 
     @property
     def floor(self) -> float:
@@ -108,5 +113,5 @@ def sentence(q: Quantity) -> Quantity:
     holds = q.source or HOLDS
     formula = f'=IF({q.name}="OK",{quoted(holds)},{q.says or quoted(FAILS)})'
     value = holds if q.value == "OK" else Sentence(q.said or FAILS)
-    return Quantity(f"{q.name}{SAYS}", f"{q.label}: where, and by how much", "", "", "sentence", formula, value,
+    return Quantity(f"{q.name}{SAYS}", f"{q.label}{WHERE}", "", "", "sentence", formula, value,
                     align="left")  # fmt: skip

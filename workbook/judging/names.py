@@ -65,10 +65,9 @@ def mislabelled(match: Match) -> Iterator[Misled]:
         for block in single:
             place = match.file.places.get(block.name)
             beside = texts_beside(match, place) & labels if place else set()
-            if place and beside and block.quantities[0].label not in beside and not itself(match, block, place):
-                yield Misled(
-                    place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {block.quantities[0].label!r}"
-                )
+            label = block.quantities[0].beside
+            if place and beside and label not in beside and not itself(match, block, place):
+                yield Misled(place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {label!r}")
 
 
 def itself(match: Match, block: Block, place: Place) -> bool:

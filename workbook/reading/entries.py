@@ -227,20 +227,16 @@ class Entries:
         return template_named(self.file.value(address), f"{self.file.path}: {address}")
 
     def _sizes(self) -> dict[str, int]:
-        return {
-            size: self.file.places[block].rows - extra
-            for size, (block, extra) in self.template.sizes.items()
-            if block in self.file.places
-        }
+        places = self.file.places
+        return {size: places[block].rows - extra for size, block, extra in self.template.sized(places)}
 
     def _fit(self, layout: Book) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""
         self.file.fits |= fitted(self.file, layout)
         for name, fit in self.file.fits.items():
             self.file.places[name] = fit.place
-        for size, (block, extra) in self.template.sizes.items():
-            if block in self.file.fits:
-                self.data["sizes"][size] = self.file.fits[block].size - extra
+        for size, block, extra in self.template.sized(self.file.fits):
+            self.data["sizes"][size] = self.file.fits[block].size - extra
 
     def _read_block(self, block: Block) -> None:
         inputs = [(j, q) for j, q in enumerate(block.quantities) if q.role == "input"]

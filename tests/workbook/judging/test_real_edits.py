@@ -230,6 +230,12 @@ def test_formula_changed(block, row, quantity, old, new, hands):
     assert first(hands.verify())[1] == spot(cell)
 
 
+def test_a_changed_sentence_is_a_changed_formula_not_a_moved_name(hands):
+    cell = hands.cell("axis1_position_says")
+    cell.value = cell.value.replace("1000", "1", 1)
+    assert first(hands.verify()) == ("formula", spot(cell))
+
+
 def test_constant_changed(hands):
     cell = hands.cell("check_zero")
     cell.value = 1.0

@@ -148,6 +148,12 @@ def test_no_result_hangs_on_the_samples():
             assert few(f"drive{i}_{name}") == many_samples(f"drive{i}_{name}"), name
 
 
+def test_parts_of_a_drive_have_their_room_whichever_axis_it_moves():
+    part = {"name": "disc", "count": 1.0, "inertia": 1e-3, "shaft": "motor"}
+    machine = described([axis(2, (0, 90, 2.0, "CIC")), driven((0, 90, 2.0, "CIC"), parts=[part] * 3)], rotors=3)
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
 def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(tmp_path):
     data = described([driven((0, 90, 2.0, "OWN"), (180, 200, -2.0, "CIC"))]).model_dump()
     machine = checked(TEMPLATE, data, str)

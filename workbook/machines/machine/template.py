@@ -54,7 +54,7 @@ TEMPLATE = Template(
     variants,
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
-    | {"rotors": ("drive1_parts", 0)},
+    | {"rotors": ("drive#_parts", 0)},
     check,
     laid_out=laid_out,
     fixed=fixed,
