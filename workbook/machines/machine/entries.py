@@ -42,7 +42,7 @@ class Master(Model):
 class MechanismEntry(Model):
     """What makes the motor's turning the axis' motion: its size is a screw's lead, a diameter or a radius in mm."""
 
-    kind: Kind
+    kind: Kind = Field(description="What turns the motor's motion into the axis'")
     size: Positive  # 1 where the axis turns with it
     efficiency: Efficiency
 
@@ -60,9 +60,9 @@ class AxisLoad(Model):
     friction: NotNegative = 0.0  # coefficient
     slope: Slope = 0.0  # degrees
     force: Number = 0.0  # N
-    inertia: NotNegative = 0.0  # kg m²
-    torque: Number = 0.0  # Nm
-    friction_torque: NotNegative = 0.0  # Nm
+    inertia: NotNegative = Field(0.0, description="Inertia that turns with the axis, in kg m²")
+    torque: Number = Field(0.0, description="Torque against positive motion, in Nm; always, also at rest")
+    friction_torque: NotNegative = Field(0.0, description="Friction torque, in Nm; it opposes the motion")
 
 
 class AxisMotor(MotorLimits):
