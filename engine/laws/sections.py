@@ -62,8 +62,13 @@ def velocity_peak(law: Law) -> float:
 
 
 def integral(function: Callable[[Array], Array], edges: Array) -> float:
-    """Return ∫ of a function of ξ, smooth between the edges, by Gauss-Legendre: exact to rounding."""
+    """Return ∫ of a function of ξ, smooth between the edges, by Gauss-Legendre: exact to rounding.
+
+    Nodes keep off the edges by twice the tolerance of a break: there a law already has the value of the next stage.
+    """
     fine = np.concatenate([[edges[0]], *(np.linspace(a, b, PANELS + 1)[1:] for a, b in itertools.pairwise(edges))])
     half = np.diff(fine)[:, None] / 2.0
-    values = function(fine[:-1, None] + half * (NODES + 1.0))
+    begin, end = (np.repeat(side, PANELS)[:, None] for side in (edges[:-1], edges[1:]))
+    off = np.minimum(2.0 * BREAK_TOLERANCE, 0.5 * (end - begin))
+    values = function(np.clip(fine[:-1, None] + half * (NODES + 1.0), begin + off, end - off))
     return float((values * WEIGHTS * half).sum())

@@ -48,7 +48,7 @@ class Shifted:
     def told(self, x: Array) -> Told:
         """Return where the motion is as it is told, at x of one cycle, the end of which has the left limit."""
         begin, end = self.motion.edges[[0, -1]]
-        cycles, _ = self._told(np.minimum(x, end - self.motion.tolerance))
+        cycles, _ = self._told(np.minimum(x, end - 2.0 * self.motion.tolerance))
         return Told(cycles, np.clip(x - self.shift - cycles * self.motion.total, begin, end))
 
     def over_cycle(self, x: Array) -> MotionValues[Array]:
@@ -79,7 +79,7 @@ class Shifted:
     def _told(self, x: Array) -> Told:
         """Return how many cycles have passed at x, and the place in the motion as it is told."""
         begin, total = float(self.motion.edges[0]), self.motion.total
-        cycles = np.floor((x - self.shift - begin) / total + SAME)
+        cycles = np.floor((x - self.shift - begin + self.motion.tolerance) / total)
         inner = np.clip(x - self.shift - cycles * total, begin, begin + total)
         return Told(cycles, inner)
 

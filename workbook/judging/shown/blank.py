@@ -17,10 +17,14 @@ CELL = re.compile(r"(\$?[A-Za-z]{1,3})(\$?)([0-9]+)")
 
 
 class Blanks:
-    """The declared rules of a book as its file has them; each may hide its table's cells, and no others."""
+    """The declared rules of a book as its file has them; each may hide its table's cells, and no others.
 
-    def __init__(self, match: Match, rules: dict[str, Rules]) -> None:
-        self._match = match
+    In a book that is ``torn``, the rules went with the cells that were cut, or lost the row for which they are written:
+    their conditions are compared when that is mended.
+    """
+
+    def __init__(self, match: Match, rules: dict[str, Rules], torn: bool = False) -> None:
+        self._match, self._torn = match, torn
         self._declared: dict[str, list[Placed]] = {}
         self.known: set[int] = set()
         """the rules that are declared ones, by their identity"""
@@ -47,13 +51,15 @@ class Blanks:
     def allow(self, block: Block, quantity: str, at: Address, code: str) -> bool:
         """Whether a number format that a rule gives to a cell of a table is that of the table's declared rule."""
         ruled = any(q.name == quantity for q in block.blanked)
+        if self._torn:
+            return ruled and hides(code)
         return ruled and any(one.covers(at.row, at.column) and code_of(one.rule) == code
                              for one in self._declared.get(block.name, ()))  # fmt: skip
 
     def gone(self, report: Report) -> None:
         """Enter as a notice each table whose declared rule is gone, or is another one now."""
         for name, found in self._declared.items():
-            if not found:
+            if not found and not self._torn:
                 block = self._match.declared.blocks[name]
                 at = self._match.file.places[name].cell(0, 0)
                 report.say(

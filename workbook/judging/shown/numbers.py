@@ -6,7 +6,7 @@ from typing import Any
 
 from workbook.book.formats import number_format, sample
 from workbook.judging.matching import Match, Pair
-from workbook.judging.report import Report
+from workbook.judging.report import LAYOUT, Report
 from workbook.judging.shown.blank import Blanks
 from workbook.judging.shown.conditional import Rules
 from workbook.judging.shown.formats import plain, problem
@@ -16,7 +16,7 @@ from workbook.reading.contents import Cells
 def numbers(match: Match, values: Cells, rules: dict[str, Rules], report: Report) -> None:
     """Enter the cells whose number format tells something else than their values."""
     sheets = {sheet.title: sheet for sheet in match.file.workbook.worksheets}
-    blanks = Blanks(match, rules)
+    blanks = Blanks(match, rules, torn=any(found.kind == LAYOUT for found in report.findings))
     blanks.gone(report)
     zeros = {title for title, sheet in sheets.items() if sheet.sheet_view.showZeros is False}
     codes: dict[int, str] = {}

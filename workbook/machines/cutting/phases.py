@@ -54,7 +54,7 @@ def phases(sheet: Sheet, machine: Cutting, i: int, rows: PieceRows, handed: Ends
     mean = own("rms", f"={RMS}")
     sheet.heading(f"Axis {i}")
     sheet.rows(
-        calc(f"axis{i}_name", "Axis and its group", "", "",
+        calc(f"axis{i}_name", f"Axis {i} and its group", "", "",
              f'=INDEX([axes.name],{i})&", "&INDEX([axes.group],{i})', f"{axis.name}, {axis.group}", align="left"),
     )  # fmt: skip
     sheet.table(

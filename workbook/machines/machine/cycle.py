@@ -9,7 +9,7 @@ from workbook.machines.machine.timing import LANE_SHARE
 from workbook.machines.machine.view import Whole
 from workbook.motion.sampled import POSITION, derivative, finding
 
-TOLD = "MIN([theta],360-timing_eps)"
+TOLD = "MIN([theta],360-2*timing_eps)"
 """the end of the turn has the left limit"""
 LANE = "={1}+IF({3}>{2},timing_lane*({0}-{2})/({3}-{2}),0)"
 
@@ -69,7 +69,7 @@ def found(one: AxisRows) -> list[Quantity]:
     told = axis.told(one.machine.samples)
     return [
         calc(f"n{i}", f"axis {i}: cycles", "n", "",
-             f"=INT(({TOLD}-{late})/360+timing_wrap)", told.cycles, format="0", source="of its phases, begun before"),
+             f"=INT(({TOLD}-{late}+timing_eps)/360)", told.cycles, format="0", source="of its phases, begun before"),
         calc(f"p{i}", f"axis {i}: angle of its phases", "", "°",
              f"=[theta]-{late}-360*[n{i}]", shown(told.x, DEGREE), format="0.0##", source="θ − shift − 360 n",
              scale=360.0),

@@ -7,7 +7,7 @@ from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.units import shown
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.phases import axis_checks, phases_table
-from workbook.machines.machine.view import WRAP, MovingAxis, Whole, unit_name
+from workbook.machines.machine.view import MovingAxis, Whole, unit_name
 
 LANE_SHARE = 0.8
 CHART_COLUMN = 15
@@ -26,8 +26,6 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         calc("timing_eps", "Tolerance of an angle", "ε", "°",
              "=360*break_tolerance", machine.near, format="0E+00",
              source="an angle this near to a phase's begin counts as on it"),
-        constant("timing_wrap", "Tolerance of the begin of a cycle", "", "",
-                 WRAP, format="0E+00", source="as a share of the cycle"),
         constant("timing_lane", "Height of an axis in the diagram", "", "",
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip

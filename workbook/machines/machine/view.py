@@ -11,7 +11,7 @@ import numpy as np
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion, MotionValues, Phase
-from engine.motion.shifted import SAME, Shifted, Told
+from engine.motion.shifted import Shifted, Told
 from engine.timing import Axis, Movement, lane, shaft_speed, turn_time
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, shown, si
@@ -19,9 +19,6 @@ from workbook.machines.machine import entries as entered
 
 UNITS = {"mm": MM, "°": DEGREE}
 MARKS = {"mm": "mm", "°": "deg"}
-WRAP = SAME
-"""of a turn: an axis this near to the begin of its motion is there"""
-
 BASES = {"mm": "m", "°": "rad"}
 """the unit of the motion, by that of its entries"""
 
