@@ -236,7 +236,7 @@ def test_a_table_cut_and_pasted_without_its_headings_is_one_finding(books, tmp_p
 
 def test_a_table_cut_and_pasted_to_another_sheet_is_one_finding(books, tmp_path):
     path = books("cutting-machine")
-    sheet, top, bottom, left, right = place(path, "axis2")
+    sheet, top, bottom, _, right = place(path, "axis2")
     report = verify(edited(path, tmp_path, excel.Cut(sheet, f"A{top - 5}:{right}{bottom + 8}", 900, 0, "Drive")))
     (found,) = sums(report).findings
     assert (found.kind, found.sheet, found.cell) == ("name", "Drive", f"D{top + 895}")  # the name above the table
