@@ -114,7 +114,8 @@ def disordered(match: Match) -> Iterator[Misled]:
                 alike.setdefault((sheet.title, *what), []).append((block, match.file.places[block.name]))
     for blocks in alike.values():
         for (before, first), (after, second) in pairwise(blocks):
-            if first[:3] >= second[:3] and not (headed(match, before, first) and headed(match, after, second)):
+            in_order = first.sheet != second.sheet or first[:3] < second[:3]  # another sheet is what strays() tells
+            if not in_order and not (headed(match, before, first) and headed(match, after, second)):
                 yield Misled(second, after.name, f"above or left of {before.name}", f"below {before.name}")
 
 
