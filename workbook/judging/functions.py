@@ -24,7 +24,7 @@ def changed(workbook: Workbook) -> list[str]:
     held = {name: one.attr_text or "" for name, one in workbook.defined_names.items() if NAMESPACE in name}
     if not held:  # as in most books: the definitions need not be read
         return []
-    return [d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.formula)]
+    return [d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.stored)]
 
 
 def listed(words: list[str]) -> str:

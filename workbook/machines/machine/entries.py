@@ -60,9 +60,9 @@ class AxisLoad(Model):
     friction: NotNegative = 0.0  # coefficient
     slope: Slope = 0.0  # degrees
     force: Number = 0.0  # N
-    inertia: NotNegative = Field(0.0, description="Inertia that turns with the axis, in kg m²")
-    torque: Number = Field(0.0, description="Torque against positive motion, in Nm; always, also at rest")
-    friction_torque: NotNegative = Field(0.0, description="Friction torque, in Nm; it opposes the motion")
+    inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg m²")
+    torque: Number = Field(default=0.0, description="Torque against positive motion, in Nm; always, also at rest")
+    friction_torque: NotNegative = Field(default=0.0, description="Friction torque, in Nm; it opposes the motion")
 
 
 class AxisMotor(MotorLimits):
