@@ -23,6 +23,11 @@ from workbook.reading.entries import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 FACTORS = {"3", "5", "6", "7", "8", "12", "20", "42"}  # of a polynomial's integrals, and of closed forms: no inputs
+CLOSED = {
+    "Double harmonic": {"9", "15", "16", "675", "8192"},
+    "Polynomial 3-4-5": {"15", "45", "686", "6075"},
+    "Polynomial 4-5-6-7": {"10", "11", "16", "35", "70", "105", "525", "58800"},
+}  # and of the coefficients of these families, by the sheets of their laws
 TURN = {"360"}  # degrees of a turn
 NOTHING = {repr(FLAT), repr(FLAT).upper()}  # of a size, of a slope, of a rate: below it there is none
 DENSE = {repr(WIDEST)}  # radians from a point to the next: with more, its extremes are not sure
@@ -84,8 +89,10 @@ def designed(book):
         for cell in block.cells():
             q, place = cell.quantity, f"{block.sheet.title}!{get_column_letter(cell.column)}{cell.row}"
             shown = SHOWN if q.role == "sentence" else set()
-            numbers[place] = shown | guarded.get(f"{block.name}.{q.name}" if block.is_table else q.name, set())
-            if q.formula is not None and not isinstance(q.formula, str):  # one for each row: each law, each part
+            closed = CLOSED.get(block.sheet.title, set())
+            numbers[place] = shown | closed | guarded.get(f"{block.name}.{q.name}" if block.is_table else q.name, set())
+            by_row = q.formula is not None and not isinstance(q.formula, str)  # one for each row: each law, each part
+            if by_row or block.sheet.title == "Straight line":  # whose coefficients are 1 and 0, one below the other
                 own.add(place)
     return numbers, own
 
