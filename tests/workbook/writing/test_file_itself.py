@@ -92,7 +92,8 @@ def designed(book):
             closed = CLOSED.get(block.sheet.title, set())
             numbers[place] = shown | closed | guarded.get(f"{block.name}.{q.name}" if block.is_table else q.name, set())
             by_row = q.formula is not None and not isinstance(q.formula, str)  # one for each row: each law, each part
-            if by_row or block.sheet.title == "Straight line":  # whose coefficients are 1 and 0, one below the other
+            fixed = not block.is_table and block.sheet.title == "Straight line"  # coefficients of 1 and 0, in turn
+            if by_row or fixed:
                 own.add(place)
     return numbers, own
 
