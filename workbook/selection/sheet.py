@@ -32,6 +32,7 @@ def selection_sheet(book: Book, load: LoadCells, view: Choosing) -> Sheet:
     outcome(sheet, view)
     ranking(sheet, view)
     charts(sheet, view)
+    sheet.not_printed_below()
     catalogues(sheet, view)
     with sheet.scoped("sel_"):
         workings(sheet, view)

@@ -34,6 +34,7 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
         table(sheet, machine)
         limits_table(sheet, machine.motor.corners(float(machine.samples.speed.min())), "MIN([drive.w])<0-@still")
     sheet.print_columns = 18
+    sheet.one_page = True
 
 
 def entries(sheet: Sheet, machine: Cutting) -> None:

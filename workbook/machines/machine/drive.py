@@ -41,6 +41,7 @@ def drive_sheet(book: Book, one: AxisRows) -> None:
         backward = "MIN([@moves.dir])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
+    sheet.one_page = True
 
 
 def entries(sheet: Sheet, driven: Driven) -> None:
