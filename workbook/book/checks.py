@@ -20,11 +20,11 @@ def checks_sheet(book: Book) -> Sheet:
     sheet.widths = {2: 60, 6: 90}
     found = book.checks
     summed = summary(book)
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(
-        result("checks_ok", "Checks that hold", "", "", '=COUNTIF([checks.verdict],"OK")', summed.holding, format="0"),
-        calc("checks_all", "Checks in all", "", "", "=MAX([checks.k])", len(found), format="0"),
-        constant("check_zero", "What a check takes for zero", "", "", ZERO, format="0E+00",
+        result("checks_ok", "Checks passed", "", "", '=COUNTIF([checks.verdict],"OK")', summed.holding, format="0"),
+        calc("checks_all", "Checks in total", "", "", "=MAX([checks.k])", len(found), format="0"),
+        constant("check_zero", "Zero tolerance of the checks", "", "", ZERO, format="0E+00",
                  source="so that rounding fails no check"),
     )  # fmt: skip
     ok = summed.overall == "OK"

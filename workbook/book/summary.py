@@ -76,7 +76,7 @@ def summary_sheet(book: Book, machine: Identified, purpose: str, key_results: li
             )
         ),
     )  # fmt: skip
-    sheet.heading("What comes out, in short")
+    sheet.heading("Results, in short")
     sheet.rows(*key_results)
     sheet.row = max(sheet.row, PICTURE_ROW + PICTURE_ROWS)
     return sheet

@@ -35,12 +35,12 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
     rise = Rise(law, si(entered.lift, MM), entered.time)
     with sheet.scoped(f"{one.slug}_"):
-        sheet.heading("What to enter")
+        sheet.heading("Enter")
         entries(sheet, one)
         page.enter(sheet, one, sizes)
-        sheet.heading("What comes out: the coefficients, for unit rise and time")
+        sheet.heading("Results: the coefficients, for unit rise and time")
         coefficients(sheet, page, law)
-        sheet.heading("What comes out: the rise h in the time t_a")
+        sheet.heading("Results: the rise h in the time t_a")
         risen(sheet, one, rise)
         page.work(sheet, one, stack, sizes)
         if page.pieces:
