@@ -367,7 +367,8 @@ def test_macros_links_and_connections_are_noted(part, book):
 
 NOWHERE = (
     "#REF!", "#REF!$A$1", "Gone!$A$1", "", "'", "1", "Summary!$A$1:$XFD$1048576", "Summary!$A:$A", "{1,2",
-    "Summary!$A$0", "Summary!$A$9999999", "[1]Summary!$A$1", "OFFSET(Summary!$A$1,1,1)", "&quot;", "Summary!", "!", "Summary!$B$2:$A$1",
+    "Summary!$A$0", "Summary!$A$9999999", "[1]Summary!$A$1", "OFFSET(Summary!$A$1,1,1)", "&quot;",
+    "Summary!", "!", "Summary!$B$2:$A$1",
 )  # fmt: skip
 
 
