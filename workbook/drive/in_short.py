@@ -9,11 +9,15 @@ from engine.drivetrain.motor import Reserve
 from workbook.book.declare import Quantity, Sheet, calc, result
 from workbook.entries.units import RPM, shown
 
-NO_DRIVE = "–"
+NO_DRIVE, ENTERED = "–", "as entered"
+NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
 
 
 class InShort(NamedTuple):
-    """An axis: its name, travel between its ends and greatest rates; its motor's use, and the scope of that's cells."""
+    """An axis: its name, travel between its ends and greatest rates.
+
+    Of its drive: the motor's name, or none where its figures are entered, ratio, use, and the scope of the cells.
+    """
 
     name: str
     travel: float
@@ -21,6 +25,8 @@ class InShort(NamedTuple):
     hardest: float
     reserve: Reserve | None = None
     scope: str = ""
+    motor: str = ""
+    ratio: float = 1.0
 
 
 def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: str) -> None:
@@ -54,26 +60,29 @@ def each(axes: Sequence[InShort], formula: str) -> list[str]:
 
 
 def drives(axes: Sequence[InShort]) -> list[Quantity]:
-    """Return the columns on the motors: torque and speed, with the share of each limit that is used."""
+    """Return the columns on the motors: name, ratio, torque and speed with the share of each limit that is used."""
     peak = "MAX({0}tmax,0-{0}tmin)"
 
     def column(
-        name: str, label: str, symbol: str, unit: str, formula: str, value: Callable[[Reserve], float], look: str = "",
+        name: str, label: str, symbol: str, unit: str, formula: str, value: Callable[[InShort, Reserve], float | str],
+        look: str = "",
     ) -> Quantity:  # fmt: skip
         texts = [f"={formula.format(a.scope)}" if a.reserve else f'="{NO_DRIVE}"' for a in axes]
-        values = [value(a.reserve) if a.reserve else NO_DRIVE for a in axes]
+        values = [value(a, a.reserve) if a.reserve else NO_DRIVE for a in axes]
         return result(name, label, symbol, unit, texts, values, format=look, align="right")
 
     return [
-        column("peak", "peak torque", "T_max", "Nm", peak, lambda r: r.peak_torque.value),
+        column("motor", "motor", "", "", NAMED, lambda axis, _: axis.motor or ENTERED),
+        column("ratio", "ratio of the reducer", "i", "", "{0}i1", lambda axis, _: axis.ratio),
+        column("peak", "peak torque", "T_max", "Nm", peak, lambda _, use: use.peak_torque.value),
         column("of_peak", "of the motor's peak", "", "%", f"100*{peak}/{{0}}motor_peak",
-               lambda r: used(r.peak_torque.value, r.peak_torque.limit), "0"),
-        column("rms", "RMS torque", "T_rms", "Nm", "{0}rms", lambda r: r.rms_torque.value),
+               lambda _, use: used(use.peak_torque.value, use.peak_torque.limit), "0"),
+        column("rms", "RMS torque", "T_rms", "Nm", "{0}rms", lambda _, use: use.rms_torque.value),
         column("of_rated", "of the motor's rated", "", "%", "100*{0}rms/{0}motor_rated",
-               lambda r: used(r.rms_torque.value, r.rms_torque.limit), "0"),
-        column("speed", "speed", "n", "rpm", "{0}speed", lambda r: shown(r.speed.value, RPM), "0"),
+               lambda _, use: used(use.rms_torque.value, use.rms_torque.limit), "0"),
+        column("speed", "speed", "n", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
         column("of_speed", "of the motor's largest", "", "%", "100*{0}speed/{0}motor_nmax",
-               lambda r: used(r.speed.value, r.speed.limit), "0"),
+               lambda _, use: used(use.speed.value, use.speed.limit), "0"),
     ]  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
+from workbook.selection.entries import Products
 from workbook.template import Template, finish
 
 
@@ -38,7 +39,9 @@ def declare(given: AnyMachine) -> Book:
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
         ],
     )  # fmt: skip
-    axes_in_short(sheet, [in_short(axis) for axis in machine.axes], joined(machine, si=False), joined(machine))
+    axes_in_short(
+        sheet, [in_short(axis, given.selection) for axis in machine.axes], joined(machine, si=False), joined(machine)
+    )
     timing_sheet(book, machine, rows)
     book.name("axes", axis_name="name")
     for one in driven:
@@ -50,12 +53,16 @@ def declare(given: AnyMachine) -> Book:
     return finish(book, "Machine", ("S1", "S3"))
 
 
-def in_short(axis: MovingAxis) -> InShort:
+def in_short(axis: MovingAxis, products: Products) -> InShort:
     """Return what the first sheet tells of an axis."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
-    driven = axis.given.mechanism and axis.given.motor
-    return found._replace(reserve=Driven(axis).reserve, scope=f"drive{axis.number}_") if driven else found
+    motor = axis.given.mechanism and axis.given.motor
+    if not motor:
+        return found
+    driven = Driven(axis, products)
+    return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=motor.name,
+                          ratio=driven.reducer.ratio)  # fmt: skip
 
 
 TEMPLATE = Template(
