@@ -54,5 +54,5 @@ def pixels(text, size=11.0, bold=False, italic=False):
 
 
 def room(width):
-    """Return how wide a text may be in a column as wide as so many digits of Calibri 11 (ISO/IEC 29500-1, 18.3.1.13)."""
+    """Return how wide a text may be in a column of so many digits of Calibri 11 (ISO/IEC 29500-1, 18.3.1.13)."""
     return width * pixels("0") + MARGIN

@@ -2,13 +2,14 @@
 
 import pytest
 
-from tests.workbook.writing.carlito import pixels, room
+from tests.workbook.writing.carlito import FOLDER, pixels, room
 from workbook.build import committed
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 from workbook.writing import style
 from workbook.writing.write import COLUMN_WIDTH, WIDTHS
 
+pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="Carlito is not there: fonts-crosextra-carlito")
 WRAPPED = ("header", "equation")
 FARTHEST = 12  # columns over which a text may run, where they are empty
 
