@@ -16,7 +16,7 @@ from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses import beside
-from workbook.witnesses.beside import Asked, Beside, wanted
+from workbook.witnesses.beside import EVALUATED, Asked, Beside, wanted
 
 TEMPLATE = TEMPLATES["motion-composer"]
 
@@ -100,13 +100,13 @@ def test_killed_before_the_other_inputs_their_findings_are_not_lost(wrong, begun
         return values
 
     monkeypatch.setattr(Asked, "evaluate", then_killed)
-    monkeypatch.setattr(Asked, "_answer", patient(Asked._answer))
+    monkeypatch.setattr(Asked, "answer", patient(Asked.answer))
     assert verify(wrong, beside=helper) == verify(wrong)
 
 
 def patient(answer):
     """Return what passes on the first answer, and loses those that follow, as a process that ends in between would."""
-    return lambda asked, number: answer(asked, number) if number == 0 else None
+    return lambda asked, key: answer(asked, key) if key == EVALUATED else None
 
 
 def test_a_file_that_was_replaced_meanwhile_is_read_by_the_judge_alone(good, wrong, tmp_path, begun):
