@@ -8,6 +8,7 @@ from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.axes import axes
 from workbook.machines.machine.check import check
+from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.cycle import cycle_sheet
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.entries import AnyMachine
@@ -41,6 +42,7 @@ def declare(given: AnyMachine) -> Book:
     driven = [one for one in rows if one.axis.given.mechanism and one.axis.given.motor]
     for one in driven:
         drive_sheet(book, one)
+    catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
     pieces_sheet(book, rows, shelf.named if driven else [])
@@ -54,7 +56,7 @@ TEMPLATE = Template(
     variants,
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
-    | {"rotors": ("drive#_parts", 0)},
+    | {"rotors": ("drive#_parts", 0), "motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,
     laid_out=laid_out,
     fixed=fixed,
