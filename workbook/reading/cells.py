@@ -47,9 +47,9 @@ def fill(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
         sheet.row_dimensions[row] = RowDimension(sheet, **{**own, "r": row})
 
 
-def placed(sheet: Worksheet, held: Written, style: Any) -> Cell:
+def placed(sheet: Worksheet, held: Written, style: Any) -> Any:
     """Return an empty cell with its looks, which it shares with others: nobody changes them."""
-    cell = Cell.__new__(Cell)  # a third of the time of its initializer, which copies the style
+    cell: Any = Cell.__new__(Cell)  # a third of the time of its initializer, which copies the style
     cell.parent, cell.row, cell.column, cell._style = sheet, held.row, held.column, style
     cell._value, cell._hyperlink, cell._comment = None, None, None
     return cell

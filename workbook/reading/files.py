@@ -86,8 +86,8 @@ class BookFile:
         values: list[Any] = []
         for address in cells:
             cell = held.get(address[1:])
-            value = None if cell is None else cell.value
-            text = plain and type(value) is str and (value[:1] != "=" or cell.data_type == "f")
+            value, kind = (None, "n") if cell is None else (cell.value, cell.data_type)
+            text = plain and type(value) is str and (value[:1] != "=" or kind == "f")
             values.append(value if value is None or type(value) is float or text else self.value(address))
         return values
 
