@@ -9,7 +9,8 @@ from tests.functions import lambdas
 from tests.functions.case import Case
 from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
 from tests.functions.edges import edge_cases
-from workbook.functions.declared import CODES, FUNCTIONS
+from workbook.functions.declared import FUNCTIONS
+from workbook.functions.taken import CODES
 
 
 @pytest.fixture(scope="module")
