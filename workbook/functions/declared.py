@@ -9,8 +9,8 @@ What both back ends promise, beside the help texts:
   blank cells count as 0, and where the motion turns round, ``start`` and ``end`` count as −1 and 1, ``none`` as 0.
   Left out, and where all of it is 0 or blank, the law is as delivered. Else another number of cells than
   :data:`workbook.functions.taken.PARAMETERS` says is #VALUE!, impossible values are #NUM!: what the engine's law
-  refuses. OWN takes rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of an empty or zero duration are passed over; left out, it
-  is the polynomial 3-4-5. DWL and LIN ignore p.
+  refuses. OWN takes rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of an empty or zero duration are
+  passed over; left out, it is the polynomial 3-4-5. DWL and LIN ignore p.
 - ξ is right-continuous at breaks, with a tolerance of 2e-9; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
   1,000 rad in one piece. What only evaluates the law, at ξ or in a phase, takes any sine.
