@@ -41,7 +41,7 @@ def tool_sheet(book: Book, station: Station, pieces: Pieces) -> None:
         f"Tool {station.number} and the transfer: how much longer its ways in and out may take.",
     )
     sheet.print_columns = 24
-    sheet.heading("What to enter", "The rate and the transfer are entered on the sheet Overlap.")
+    sheet.heading("Enter", "The rate and the transfer are entered on the sheet Overlap.")
     with sheet.scoped(station.scope):
         entries(sheet, station)
         outcome(sheet, station)
@@ -112,7 +112,7 @@ def outcome(sheet: Sheet, station: Station) -> None:
     """Declare the results, in short."""
     before, _, after = station.peaks
     way_in, way_out = station.angles_set
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(*quoting(
         station,
         result("@new_in", "New angle of the tool's way in", "B_m", "°",
