@@ -147,7 +147,7 @@ def test_straight_lines_and_single_phases(phases, smooth):
 
 def test_a_jump_between_straight_lines_names_both_slopes():
     value = of(composed([("LIN", 20.0, 100.0), ("LIN", -20.0, 260.0)]))
-    reason = "row 2 to 1 at 0 mm: velocity jumps by 0.27692308 mm/mm: straight lines of -0.076923077 and 0.2"
+    reason = "row 2 to 1 at 0 °: velocity jumps by 0.276923077 °/°: straight lines of -0.076923077 and 0.2"
     assert said(value, "move_ok_smooth") == ("FAIL", reason)
     beside = said(of(composed([("LIN", 20.0, 100.0), ("DWL", 0.0, 160.0), ("CIC", -20.0, 100.0)])), "move_ok_smooth")
     assert beside[1].endswith(": straight lines of 0.2 and 0")
