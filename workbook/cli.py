@@ -193,6 +193,9 @@ def export(
     points: Annotated[
         str, typer.Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
     ] = "auto",
+    equidistant: Annotated[
+        bool, typer.Option("--equidistant", help="Points at equal steps, also where the format would take others.")
+    ] = False,
     tolerance: Annotated[
         list[str] | None,
         typer.Option(
@@ -224,7 +227,7 @@ def export(
     """
     from workbook.commands import export as exporting
 
-    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified)
+    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified, equidistant)
     raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from engine.laws.base import Array
 from workbook.controllers.number import DINT
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
@@ -27,10 +28,14 @@ def read(text: str) -> Table:
     """Return the coordinates, in the units that the comment names."""
     steps = read_counts(text)
     x, y = np.array(numbers(text, (2,))).T
-    for values in (x, y):
-        if not np.all((np.abs(values) <= DINT.largest) & (values == np.round(values))):
-            raise TargetError("a coordinate is no whole number of 32 bits; expected such")
-    return Table(*(np.round(values * step, 12) for values, step in zip((x, y), steps, strict=True)))
+    return Table(np.round(whole(x) * steps[0], 12), np.round(whole(y) * steps[1], 12))
+
+
+def whole(values: Array) -> Array:
+    """Return whole numbers of 32 bits; raise TargetError for others."""
+    if not np.all((np.abs(values) <= DINT.largest) & (values == np.round(values))):
+        raise TargetError("a value is no whole number of 32 bits; expected such")
+    return values
 
 
 TARGET = Target(
@@ -50,5 +55,6 @@ TARGET = Target(
     ),
     number=DINT,
     points=(2, 16_384),
+    signs=("separator",),
     tolerance=("v", 0.01),
 )
