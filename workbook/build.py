@@ -27,7 +27,7 @@ from workbook.reading.entries import (
 )
 from workbook.reading.files import open_book
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
-from workbook.selection.entries import MOST_PRODUCTS, Selection
+from workbook.selection.entries import MOST_PRODUCTS, Products, Selection
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
@@ -71,7 +71,7 @@ def described(path: Path, motors: Path | None = None, reducers: Path | None = No
     machine = read_machine(path)
     named = {"motors": motors, "reducers": reducers}
     choice = getattr(machine, "selection", None)
-    if not isinstance(choice, Selection):
+    if not isinstance(choice, Products):
         unused = [f"--{entry}" for entry, file in named.items() if file is not None]
         if unused:
             raise InputError([f"{path}: {machine.template} chooses no motor; {' and '.join(unused)} cannot be used"])
@@ -83,7 +83,7 @@ def described(path: Path, motors: Path | None = None, reducers: Path | None = No
     return with_catalogues(machine, choice, named, str(path))
 
 
-def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path | None], where: str) -> Machine:
+def with_catalogues(machine: Machine, choice: Products, named: dict[str, Path | None], where: str) -> Machine:
     """Return the machine with other catalogues, in tables that have room for them."""
     rows = {entry: READERS[entry](file) for entry, file in named.items() if file is not None}
     if not rows:
@@ -96,7 +96,11 @@ def with_catalogues(machine: Machine, choice: Selection, named: dict[str, Path |
         entries[entry] = products
         data["sizes"][entry] = max(data["sizes"][entry], len(products))
         one = entry[:-1]
-        if choice.pair == "best" and entries[one] not in [row["name"] for row in entries[entry]]:
+        if (
+            isinstance(choice, Selection)
+            and choice.pair == "best"
+            and entries[one] not in [row["name"] for row in entries[entry]]
+        ):
             del entries[one]
     return checked(template_named(machine.template, where), data, lambda key: f"{where}: {key}")
 

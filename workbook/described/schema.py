@@ -25,11 +25,12 @@ def schema(template: AnyTemplate) -> dict[str, Any]:
             node["description"] = remark(key)
             if key.example is not None and not key.rows:
                 node["examples"] = [key.example]
-    selection = made["$defs"].get("Selection", {}).get("properties", {})
-    for entry in CATALOGUES:
-        if entry in selection:
-            rows = selection[entry]
-            selection[entry] = {"description": rows.pop("description", ""), "anyOf": [{"const": "committed"}, rows]}
+    for model in ("Selection", "Products"):
+        selection = made["$defs"].get(model, {}).get("properties", {})
+        for entry in CATALOGUES:
+            if entry in selection:
+                rows = selection[entry]
+                selection[entry] = {"description": rows.pop("description", ""), "anyOf": [{"const": "committed"}, rows]}
     made["required"] = [*dict.fromkeys(["template", *made.get("required", [])])]
     return {"$schema": DRAFT, **made}
 

@@ -153,7 +153,7 @@ X = Argument(
     "number",
     Text("x", "x", "x"),
     Text(
-        "Abscissa from the begin of the first phase, in the unit of the durations",
+        "Abscissa from the start of the first phase, in the unit of the durations",
         "Ascissa dall'inizio della prima fase, nell'unità delle durate",
         "Abszisse ab Beginn der ersten Phase, in der Einheit der Dauern",
     ),
@@ -292,7 +292,7 @@ FUNCTIONS: tuple[Function, ...] = (
     Function(
         "POS",
         Text(
-            "Position of a motion of phases at x, from 0 at its begin",
+            "Position of a motion of phases at x, from 0 at its start",
             "Posizione in x di un moto composto da fasi, da 0 all'inizio",
             "Lage einer Bewegung aus Phasen bei x, ab 0 am Beginn",
         ),

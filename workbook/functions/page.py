@@ -67,7 +67,7 @@ def introduction(sheet: Sheet) -> None:
 
 def entries(sheet: Sheet, shown: Shown) -> None:
     """Declare what the examples take: change it, and everything below follows."""
-    sheet.heading("What to enter for the examples")
+    sheet.heading("Enter for the examples")
     sheet.rows(
         given("fn_law", "Law", "", "", shown.law, "law", align="center", source="its parameters stand below"),
         given("fn_xi", "Share of the rise time", "ξ", "", shown.xi, "xi", source="0 to 1"),

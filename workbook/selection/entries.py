@@ -30,7 +30,27 @@ def referred(data: dict[str, Any]) -> dict[str, Any]:
     return data | {"selection": chosen | named} if named else data
 
 
-class Selection(Model):
+class Products(Model):
+    """The catalogues of motors and reducers: those that come with the templates where none are told, or by the word."""
+
+    motors: Annotated[list[MotorRow], Field(min_length=1)] = Field(default_factory=committed_motors)
+    reducers: Annotated[list[ReducerRow], Field(min_length=1)] = Field(default_factory=committed_reducers)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _referred(cls, data: Any) -> Any:
+        if not isinstance(data, dict):
+            return data
+        return data | {entry: committed() for entry, committed in COMMITTED.items() if data.get(entry) == REFERENCE}
+
+    @model_validator(mode="after")
+    def _distinct(self) -> Self:
+        for entry, rows in (("motor", self.motors), ("reducer", self.reducers)):
+            require_distinct([row.name for row in rows], entry, f"{entry}s.{{}}.name")
+        return self
+
+
+class Selection(Products):
     """The catalogues, the criterion, and the pair that is looked at.
 
     Without catalogues, or with the word ``committed`` for one, those that come with the templates. A motor or reducer
@@ -43,19 +63,15 @@ class Selection(Model):
     reducer: Name = ""
     efficiency: Efficiency = 1.0  # in the range of ratios, before a reducer is known
     torque_factor: Positive = 1.0  # on the reducer's output torque
-    motors: Annotated[list[MotorRow], Field(min_length=1)] = Field(default_factory=committed_motors)
-    reducers: Annotated[list[ReducerRow], Field(min_length=1)] = Field(default_factory=committed_reducers)
 
     @model_validator(mode="before")
     @classmethod
     def _complete(cls, data: Any) -> Any:
         if not isinstance(data, dict):
             return data
-        for entry, committed in COMMITTED.items():
-            if data.get(entry) == REFERENCE:
-                data = data | {entry: committed()}
         for entry, committed in (("motor", committed_motors), ("reducer", committed_reducers)):
             rows = data.get(f"{entry}s", committed())
+            rows = committed() if rows == REFERENCE else rows
             named = data.get(entry) is not None or data.get("pair") == "chosen"
             if not named and isinstance(rows, list) and rows:
                 first = rows[0]
@@ -65,9 +81,7 @@ class Selection(Model):
     @model_validator(mode="after")
     def _named(self) -> Self:
         for entry, rows in (("motor", self.motors), ("reducer", self.reducers)):
-            names = [row.name for row in rows]
-            require_distinct(names, entry, f"{entry}s.{{}}.name")
-            if place_of(getattr(self, entry), names) < 0:
+            if place_of(getattr(self, entry), [row.name for row in rows]) < 0:
                 raise EntryError(entry, f"no {entry} is named {getattr(self, entry)!r}; expected a name of its table")
         return self
 
@@ -79,7 +93,7 @@ class SelectionSizes(Sizes):
     reducers: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 18
 
 
-def require_room(selection: Selection, sizes: SelectionSizes) -> None:
+def require_room(selection: Products, sizes: SelectionSizes) -> None:
     """Raise EntryError where a catalogue has more rows than its table."""
     for entry, filled, room in (
         ("motors", len(selection.motors), sizes.motors),

@@ -277,7 +277,7 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         calc("nth", "of those that last", "", "", "=IF([d]>0,1,0)+IF([k]=1,0,[nth-1])", counted, format="0"),
         calc("turn", "angle of the sine", "ω d", "rad",
              "=[omega]*[d]", [spread_turn(piece) for piece in pieces]),
-        calc("a0", "a at its begin", "", "", "=[c0]+[P]*SIN([phi])", [row.begin for row in at]),
+        calc("a0", "a at its start", "", "", "=[c0]+[P]*SIN([phi])", [row.begin for row in at]),
         calc("a1", "a at its end", "", "",
              "=[c0]+[d]*([c1]+[d]*([c2]+[d]*[c3]))+[P]*SIN([omega]*[d]+[phi])", [row.end for row in at]),
         calc("reached", "a reached", "", "",

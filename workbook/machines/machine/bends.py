@@ -102,6 +102,8 @@ def moves_table(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
         calc("hi", "highest b", "", "", "=[per]*INDEX(law_ca_max,[no])", of(lambda m: m.highest), scale=acc),
         calc("lo", "lowest b", "", "", "=[per]*INDEX(law_ca_min,[no])", of(lambda m: m.lowest), scale=acc),
         *at(driven, "hi", "highest", of), *at(driven, "lo", "lowest", of),
+        calc("shaft", "largest behind the reducer", "", "Nm", "=IF([dir]=0,0,MAX(ABS([s_hi]),ABS([s_lo])))",
+             of(driven.shaft_peak), scale=driven.sizes.behind),
         result("high", "highest torque", "", "Nm",
                "=IF([dir]=0,0,MAX([dir]*[t_hi],[dir]*[t_lo]))", highs, scale=size),
         result("low", "lowest torque", "", "Nm", "=IF([dir]=0,0,MIN([dir]*[t_hi],[dir]*[t_lo]))", lows, scale=size),

@@ -5,8 +5,10 @@ from __future__ import annotations
 from engine.drivetrain.loads import GRAVITY
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane
 from workbook.entries.units import RPM, shown
+from workbook.machines.machine import chosen
 from workbook.machines.machine.bends import both_ways, moves_table
 from workbook.machines.machine.driven import SCREW, Driven, Samples
 from workbook.machines.machine.motion import AxisRows
@@ -26,7 +28,7 @@ UNSHAPED = "a phase has a law of other stages than constants, quarter sines and 
 
 def drive_sheet(book: Book, one: AxisRows) -> None:
     """Declare the sheet."""
-    driven = Driven(one.axis)
+    driven = Driven(one.axis, one.machine.machine.selection)
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
@@ -34,6 +36,8 @@ def drive_sheet(book: Book, one: AxisRows) -> None:
         parts(sheet, driven, one.machine.machine.sizes.rotors)
         outcome(sheet, driven)
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
+        sheet.heading("Motor and reducer in use")
+        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
         workings(sheet, driven)
         both_ways(sheet, driven)
         moves_table(sheet, one, driven)
@@ -41,33 +45,23 @@ def drive_sheet(book: Book, one: AxisRows) -> None:
         backward = "MIN([@moves.dir])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
+    sheet.one_page = True
 
 
 def entries(sheet: Sheet, driven: Driven) -> None:
     """Declare what is entered of this mechanism, its load, reducer and motor."""
-    e, m, motor, key = driven.entered, driven.given, driven.motor_given, f"axes.{driven.number - 1}"
-    sheet.heading("What to enter")
+    m, key = driven.given, f"axes.{driven.number - 1}"
+    sheet.heading("Enter")
     label, symbol = SIZES.get(m.kind, ("", ""))
     size = [given("@size", label, symbol, "mm", m.size, f"{key}.mechanism.size", format="0.0##")] if label else []
     sheet.rows(
-        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", e.name, align="left"),
+        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
         *size,
         given("@eta2", "Efficiency of the mechanism", "η_2", "",
               m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
         *loads(driven, key),
-        given("@i1", "Reducer: ratio", "i_1", "", e.reducer.ratio, f"{key}.reducer.ratio", format="0.0##",
-              source="motor over mechanism; 1 without a reducer"),
-        given("@eta1", "Reducer: efficiency", "η_1", "", e.reducer.efficiency, f"{key}.reducer.efficiency",
-              format="0.0##"),
-        given("@jm", "Motor: inertia", "J_m", "kg m²", motor.inertia, f"{key}.motor.inertia",
-              source="with its brake and the reducer's input"),
-        given("@motor_rated", "Motor: rated torque", "T_N", "Nm", motor.rated_torque, f"{key}.motor.rated_torque"),
-        given("@motor_peak", "Motor: peak torque", "T_max", "Nm", motor.peak_torque, f"{key}.motor.peak_torque"),
-        given("@motor_nmax", "Motor: largest speed", "n_max", "rpm", motor.max_speed, f"{key}.motor.max_speed",
-              format="0.0##"),
-        given("@holding", "At rest the load is held by", "", "", motor.holding, f"{key}.motor.holding",
-              source="the motor, or a brake"),
+        *chosen.entries(driven.entered, key),
     )  # fmt: skip
 
 
@@ -112,7 +106,7 @@ def outcome(sheet: Sheet, driven: Driven) -> None:
     found, m, motor = driven.demand, driven.mechanism, driven.reserve
     torque = max(found.torque.peak, 1e-3)
     fastest = shown(found.speed.peak, RPM)
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(
         result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", "=@j0-@jm+@j1/@i1^2+@m/@i^2",
                m.inertia(), source="Σ J/i², load and parts"),
@@ -136,12 +130,29 @@ def outcome(sheet: Sheet, driven: Driven) -> None:
         result("@res_peak", "Reserve of peak torque", "", "",
                "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
         result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
+        result("@smax", "Largest torque behind the reducer", "", "Nm",
+               "=MAX(MAX([@moves.shaft]),IF(@resting>check_zero,ABS(@rest)*@eta1*@i1,0))",
+               driven.reducer_checks[0].value, scale=driven.sizes.behind),
     )  # fmt: skip
     sheet.checks(
         *limit_checks(motor, f"Drive {driven.number}"),
+        *reducer_checks(driven),
+        chosen.told(driven.number),
         check("@ok_laws", f"Drive {driven.number}: the laws are of stages that this sheet integrates",
               "MIN([@moves.known])=1", True, "for the RMS torque", f":shaped{driven.number}", f'"{UNSHAPED}"'),
     )  # fmt: skip
+
+
+def reducer_checks(driven: Driven) -> list[Quantity]:
+    """Return the checks of the reducer's limits."""
+    label, (torque, speed) = f"Drive {driven.number}: ", driven.reducer_checks
+    fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
+    return [
+        check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_peak=0,@smax<=@reducer_peak)",
+              torque.ok, says=exceeding("@smax", "@reducer_peak", "Nm", torque.value, driven.reducer.peak_torque)),
+        check("@ok_reducer_speed", f"{label}speed within the reducer's", "OR(@reducer_nmax=0,@speed<=@reducer_nmax)",
+              speed.ok, says=exceeding("@speed", "@reducer_nmax", "rpm", fastest, limit)),
+    ]  # fmt: skip
 
 
 def workings(sheet: Sheet, driven: Driven) -> None:
@@ -166,7 +177,7 @@ def workings(sheet: Sheet, driven: Driven) -> None:
              ratio, m.ratio_from(1), source="2π/P of a screw" if driven.given.kind == SCREW else ""),
         calc("@i", "Motor over load", "i", "rad/m" if travels else "", "=@i1*@i2", m.ratio, source="i_1 i_2"),
         calc("@j0", "Inertia on the motor's shaft, with it", "J_0", "kg m²",
-             f"=@jm+{on('motor')}", driven.at_motor, source="motor and parts"),
+             f"=@jm+@j_reducer+{on('motor')}", driven.at_motor, source="motor, reducer, parts"),
         calc("@j1", "Inertia on the mechanism's shaft", "J_1", "kg m²", f"={on('mechanism')}", m.on_shaft(1)),
         calc("@steady", "What resists always", "", force, steady, load.torque, scale=driven.sizes.force,
              source="F + m g sin θ" if travels else ""),

@@ -8,13 +8,15 @@ from typing import NamedTuple
 
 from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage
 from engine.drivetrain.bends import Bends, BentMove, Sizes, sizes_of
-from engine.drivetrain.motor import Reserve, reserve
+from engine.drivetrain.motor import LimitCheck, Reserve, reserve
 from engine.laws.base import Array
 from engine.machine.course import Course
 from engine.machine.demand import Demand
 from engine.machine.train import Train
-from workbook.entries.units import MM, RPM, shown, si
+from workbook.entries.units import MM, shown, si
+from workbook.machines.machine.chosen import motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
+from workbook.selection.entries import Products
 
 SHAFTS = ("motor", "mechanism")
 SCREW = "lead screw"
@@ -23,11 +25,12 @@ SCREW = "lead screw"
 class Driven:
     """An axis with its drive."""
 
-    def __init__(self, axis: MovingAxis) -> None:
+    def __init__(self, axis: MovingAxis, products: Products) -> None:
         self.axis, self.entered = axis, axis.given
         if axis.given.mechanism is None or axis.given.motor is None:
             raise ValueError(f"{axis.given.name} has no drive")
-        self.given, self.motor_given = axis.given.mechanism, axis.given.motor
+        self.given, self.holding = axis.given.mechanism, axis.given.motor.holding
+        self.motor_used, self.reducer = motor_in_use(axis.given, products), reducer_in_use(axis.given, products)
         self.kind = KINDS[self.given.kind]
         self.number = axis.number
 
@@ -52,13 +55,14 @@ class Driven:
     @cached_property
     def mechanism(self) -> Mechanism:
         """Reducer and mechanism, their parts and the load."""
-        reducer = Stage("reducer", self.entered.reducer.ratio, self.entered.reducer.efficiency)
-        return self.kind.of(self.load, self.size, self.given.efficiency, [reducer], self.parts)
+        reducer = Stage("reducer", self.reducer.ratio, self.reducer.efficiency)
+        parts = [self.reducer.part, *self.parts]
+        return self.kind.of(self.load, self.size, self.given.efficiency, [reducer], parts)
 
     @cached_property
     def drive(self) -> Drive:
         """The motor on it."""
-        return Drive(self.mechanism, self.motor_given.inertia, holding=self.motor_given.holding)
+        return Drive(self.mechanism, self.motor_used.inertia, holding=self.holding)
 
     @cached_property
     def demand(self) -> Demand:
@@ -68,14 +72,21 @@ class Driven:
     @cached_property
     def motor(self) -> Motor:
         """The motor with its limits."""
-        m = self.motor_given
-        return Motor(m.inertia, m.rated_torque, m.peak_torque, si(m.max_speed, RPM))
+        return self.motor_used.motor
 
     @cached_property
     def reserve(self) -> Reserve:
         """What a cycle asks of the motor against its limits."""
         found = self.demand
         return reserve(self.motor, found.rms_torque, found.torque.peak, found.speed.peak)
+
+    @cached_property
+    def reducer_checks(self) -> tuple[LimitCheck, LimitCheck]:
+        """The torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
+        limits, found = self.reducer.limits, self.demand
+        torque, speed = found.shaft_torque(1).peak, found.speed.peak
+        return (LimitCheck("peak torque", torque, limits.peak_torque, torque <= limits.peak_torque),
+                LimitCheck("input speed", speed, limits.input_speed, speed <= limits.input_speed))  # fmt: skip
 
     @cached_property
     def bends(self) -> dict[str, Bends]:
@@ -101,6 +112,10 @@ class Driven:
             found[k] = BentMove(way, move.of, self.axis.speed)
         return found
 
+    def shaft_peak(self, move: BentMove) -> float:
+        """Return the largest torque behind the reducer (Nm) in a phase."""
+        return max(abs(move.bends.shaft(1, b)) for b in (move.lowest, move.highest))
+
     def torques(self, move: BentMove) -> tuple[float, float]:
         """Return the lowest and the highest torque of the motor (Nm) in a phase."""
         way = move.bends
@@ -125,7 +140,7 @@ class Driven:
     @property
     def at_motor(self) -> float:
         """Inertia on the motor's shaft, with it (kg m²)."""
-        return self.motor_given.inertia + self.mechanism.on_shaft(0)
+        return self.motor_used.inertia + self.mechanism.on_shaft(0)
 
     def samples(self, at: Array, going: Array) -> Samples:
         """Return what the drive does at places of the motion, in the direction of each phase."""

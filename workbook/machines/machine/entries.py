@@ -3,32 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.drive.entries import Efficiency, MotorLimits, RotatingParts
 from workbook.entries.machine import Machine
-from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, require_distinct
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.turn import TurnPhase, forward
 from workbook.entries.types import (
     ANGLE_TOLERANCE,
     DesignError,
     EntryError,
     Model,
-    NotNegative,
     Number,
     Positive,
     TogetherError,
 )
+from workbook.machines.machine.chain import (
+    TRAVELLING_LOAD,
+    TURNING,
+    TURNING_LOAD,
+    AxisLoad,
+    AxisMotor,
+    AxisPart,
+    MechanismEntry,
+    Reducer,
+)
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
+from workbook.selection.entries import Products, SelectionSizes, require_room
 
 MOST_AXES = 24
-Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "feed rollers", "rotary table", "gear train"]
-TURNING = ("rotary table", "gear train")
-Slope = Annotated[float, Field(ge=-90, le=90)]
 Unit = Literal["mm", "°"]
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
@@ -37,56 +43,6 @@ class Master(Model):
     """The master shaft: one cycle a turn."""
 
     rate: Positive  # cycles/min
-
-
-class MechanismEntry(Model):
-    """What makes the motor's turning the axis' motion: its size is a screw's lead, a diameter or a radius in mm."""
-
-    kind: Kind = Field(description="What turns the motor's motion into the axis'")
-    size: Positive  # 1 where the axis turns with it
-    efficiency: Efficiency
-
-    @model_validator(mode="before")
-    @classmethod
-    def _turns(cls, data: Any) -> Any:
-        turning = isinstance(data, dict) and data.get("kind") in TURNING
-        return {"size": 1.0} | data if turning else data
-
-
-class AxisLoad(Model):
-    """What hangs on an axis: of one that travels a mass, of one that turns an inertia, and what resists."""
-
-    mass: NotNegative = 0.0  # kg
-    friction: NotNegative = 0.0  # coefficient
-    slope: Slope = 0.0  # degrees
-    force: Number = 0.0  # N
-    inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg m²")
-    torque: Number = Field(default=0.0, description="Torque against positive motion, in Nm; always, also at rest")
-    friction_torque: NotNegative = Field(default=0.0, description="Friction torque, in Nm; it opposes the motion")
-
-
-class AxisMotor(MotorLimits):
-    """A motor with its own inertia; at rest it holds the load, or a brake does."""
-
-    inertia: NotNegative  # kg m²
-    holding: Literal["motor", "brake"] = "motor"
-
-
-class Reducer(Model):
-    """What stands between motor and mechanism."""
-
-    ratio: Positive  # motor over mechanism
-    efficiency: Efficiency
-
-
-class AxisPart(RotatingParts):
-    """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer."""
-
-    inertia: NotNegative  # kg m²
-    shaft: Literal["motor", "mechanism"]
-
-
-TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")
 
 
 class Axis(Model):
@@ -103,7 +59,7 @@ class Axis(Model):
     load: AxisLoad = AxisLoad()
     parts: list[AxisPart] = []  # noqa: RUF012 - frozen
     motor: AxisMotor | None = None
-    reducer: Reducer = Reducer(ratio=1.0, efficiency=1.0)
+    reducer: Reducer = Reducer()
 
     @model_validator(mode="after")
     def _driven(self) -> Self:
@@ -138,10 +94,18 @@ class AnyMachine(Machine):
     template: Literal["machine"] = "machine"
     master: Master
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
+    selection: Products = Products()
+    sizes: SelectionSizes = SelectionSizes()
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         require_distinct((axis.name for axis in self.axes), "axis", "axes.{}.name")
+        require_room(self.selection, self.sizes)
+        for i, axis in enumerate(self.axes):
+            for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):
+                name = getattr(getattr(axis, entry), "name", "")
+                if name and place_of(name, [row.name for row in rows]) < 0:
+                    raise EntryError(f"axes.{i}.{entry}.name", f"no {entry} of the catalogue is named {name!r}")
         for i, axis in enumerate(self.axes):
             if len(axis.parts) > self.sizes.rotors:
                 said = f"{len(axis.parts)} rows do not fit into {self.sizes.rotors}; raise sizes.rotors"

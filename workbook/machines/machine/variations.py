@@ -41,12 +41,13 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         made = phases(i, turn, sizes["phases"], shaped(data["laws"]) if driven else data["laws"])
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
         if driven:
-            drive(axis, i, k, sizes["rotors"])
+            drive(axis, i, k, sizes["rotors"], data["selection"])
     return data
 
 
-def drive(axis: dict[str, Any], i: int, k: int, room: int) -> None:
+def drive(axis: dict[str, Any], i: int, k: int, room: int, products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
+    motors, reducers = products["motors"], products["reducers"]
     travels = axis["unit"] == "mm"
     axis["mechanism"] |= {"size": 7.0 + 11 * k if travels else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
     axis["load"] = {
@@ -64,10 +65,15 @@ def drive(axis: dict[str, Any], i: int, k: int, room: int) -> None:
         }
         for j in range(room if k == 0 else k % 3)
     ]
-    axis["reducer"] = {"ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX)}
+    axis["reducer"] = {
+        "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
+        "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1e-4 * k,
+        "peak_torque": (None, 1e-3, 1e6)[k % 3], "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
+    }  # fmt: skip
     limits = ("rated_torque", "peak_torque", "max_speed")
     axis["motor"] |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
     axis["motor"] |= {"inertia": 0.0 if k == 4 else 0.001 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor"}
+    axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 
 
 def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[str, Any]]:

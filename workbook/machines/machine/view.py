@@ -15,6 +15,7 @@ from engine.motion.shifted import Shifted, Told
 from engine.timing import Axis, Movement, lane, shaft_speed, turn_time
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, shown, si
+from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
 
 UNITS = {"mm": MM, "°": DEGREE}
@@ -161,20 +162,20 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     axes = []
     for i in range(1, entered.MOST_AXES + 1):
         units = [unit for unit in UNITS if unit_name(i, unit) in names]
-        kinds = [kind for kind in get_args(entered.Kind) if kind_name(i, kind) in names]
+        kinds = [kind for kind in get_args(chain.Kind) if kind_name(i, kind) in names]
         if units:
             drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
             axes.append(machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": []} | drive))
     return machine.model_copy(update={"axes": axes or machine.axes})
 
 
-LEAST = entered.AxisLoad()
+LEAST = chain.AxisLoad()
 
 
 def driven_by(kind: str) -> dict[str, Any]:
     """Return the entries of some drive with a mechanism."""
-    mechanism = entered.MechanismEntry.model_validate({"kind": kind, "size": 1.0, "efficiency": 1.0})
-    motor = entered.AxisMotor(inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
+    mechanism = chain.MechanismEntry.model_validate({"kind": kind, "size": 1.0, "efficiency": 1.0})
+    motor = chain.AxisMotor(inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
     return {"mechanism": mechanism, "motor": motor}
 
 

@@ -1,0 +1,70 @@
+"""Motor and reducer of a machine's drives: by name or as entered, one entry decides, and their limits."""
+
+import pytest
+
+from tests.workbook.cells import computed, entered
+from tests.workbook.machines.test_machine import TEMPLATE, described, driven
+from workbook.build import build, failing
+from workbook.judging.verify import verify
+from workbook.reading.entries import checked
+from workbook.selection.catalogue_files import committed_motors, committed_reducers
+
+PHASES = ((30, 90, 2.0, "CIC"), (180, 200, -2.0, "MTP"))
+MOTOR, REDUCER = committed_motors()[3], committed_reducers()[4]
+FIGURES = {"inertia": MOTOR.inertia, "rated_torque": MOTOR.rated_torque, "peak_torque": MOTOR.peak_torque,
+           "max_speed": MOTOR.max_speed}  # fmt: skip
+
+
+def failed(machine):
+    """The labels of the checks that fail."""
+    return [line.partition(": ")[2].partition(":")[0] for line in failing(TEMPLATE.declare(machine))]
+
+
+def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
+    others = {"inertia": 9.0, "rated_torque": 1e-3, "peak_torque": 1e-3, "max_speed": 1.0}
+    named = described([driven(*PHASES, motor=others | {"name": MOTOR.name.upper()},
+                              reducer={"name": REDUCER.name, "ratio": 99.0})])  # fmt: skip
+    told = described([driven(*PHASES, motor=FIGURES,
+                             reducer={"ratio": REDUCER.reduction, "efficiency": REDUCER.efficiency,
+                                      "inertia": REDUCER.inertia, "peak_torque": REDUCER.max_torque,
+                                      "max_speed": REDUCER.max_speed})])  # fmt: skip
+    one, other = computed(TEMPLATE, named), computed(TEMPLATE, told)
+    for name in ("jtot", "tmax", "tmin", "rms", "speed", "smax", "res_rms", "res_peak", "res_speed", "ok_rms"):
+        assert one(f"drive1_{name}") == other(f"drive1_{name}"), name
+    assert entered(TEMPLATE, named) == (named, [])
+
+
+def test_a_motor_by_name_needs_no_figures():
+    machine = described([driven(*PHASES, motor={"name": MOTOR.name})])
+    assert computed(TEMPLATE, machine)("drive1_jm") == MOTOR.inertia
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+def test_a_name_that_no_product_has_is_refused():
+    with pytest.raises(ValueError, match="no motor of the catalogue is named 'HG-0'"):
+        described([driven(*PHASES, motor={"name": "HG-0"})])
+
+
+def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design(tmp_path):
+    data = described([driven(*PHASES)]).model_dump()
+    data["axes"][0]["motor"]["peak_torque"] = None
+    machine = checked(TEMPLATE, data, str)
+    assert [fault.key for fault in machine.design.faults] == ["axes.0.motor.peak_torque"]
+    build(machine, tmp_path / "book.xlsx")
+    assert verify(tmp_path / "book.xlsx").findings == []
+
+
+@pytest.mark.parametrize(("limit", "value"), [("peak_torque", "drive1_smax"), ("max_speed", "drive1_speed")])
+def test_a_limit_of_the_reducer_is_held_up_to_what_it_is_and_no_further(limit, value):
+    free = {"ratio": 3.0, "efficiency": 0.9}
+    reached = computed(TEMPLATE, described([driven(*PHASES, reducer=free)]))(value)
+    for share, holds in ((1.0 + 1e-9, True), (1.0 - 1e-9, False)):
+        machine = described([driven(*PHASES, reducer=free | {limit: reached * share})])
+        assert any("the reducer's" in line for line in failed(machine)) is not holds
+
+
+def test_the_torque_behind_a_reducer_without_losses_is_what_the_load_asks_for():
+    """S = (m a)/i_2 of a screw of 10 mm lead: the motor's own inertia is before it."""
+    machine = described([driven((90.3, 95.8, 2.0, "CIC"), (180, 200, -2.0, "CIC"), reducer={"ratio": 3.0})])
+    value = computed(TEMPLATE, machine)
+    assert value("drive1_smax") == pytest.approx(20.0 * value("axes", "a")[0] * 0.01 / 6.283185307179586, rel=1e-12)

@@ -1,0 +1,83 @@
+"""What drives an axis of a machine: mechanism, load, parts, motor and reducer, as an engineer enters them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from workbook.drive.entries import Efficiency, RotatingParts
+from workbook.entries.texts import LOOKED_UP
+from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
+
+Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "feed rollers", "rotary table", "gear train"]
+TURNING = ("rotary table", "gear train")
+Slope = Annotated[float, Field(ge=-90, le=90)]
+Product = Annotated[str, Field(max_length=60), LOOKED_UP]
+"""the name of one in the catalogue; empty where its figures are entered"""
+UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
+
+
+class MechanismEntry(Model):
+    """What makes the motor's turning the axis' motion: its size is a screw's lead, a diameter or a radius in mm."""
+
+    kind: Kind = Field(description="What turns the motor's motion into the axis'")
+    size: Positive  # 1 where the axis turns with it
+    efficiency: Efficiency
+
+    @model_validator(mode="before")
+    @classmethod
+    def _turns(cls, data: Any) -> Any:
+        turning = isinstance(data, dict) and data.get("kind") in TURNING
+        return {"size": 1.0} | data if turning else data
+
+
+class AxisLoad(Model):
+    """What hangs on an axis: of one that travels a mass, of one that turns an inertia, and what resists."""
+
+    mass: NotNegative = 0.0  # kg
+    friction: NotNegative = 0.0  # coefficient
+    slope: Slope = 0.0  # degrees
+    force: Number = 0.0  # N
+    inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg m²")
+    torque: Number = Field(default=0.0, description="Torque against positive motion, in Nm; always, also at rest")
+    friction_torque: NotNegative = Field(default=0.0, description="Friction torque, in Nm; it opposes the motion")
+
+
+class AxisMotor(Model):
+    """A motor by its name in the catalogue, or by its figures; at rest it holds the load, or a brake does."""
+
+    name: Product = ""
+    inertia: NotNegative | None = None  # kg m²
+    rated_torque: Positive | None = None  # Nm
+    peak_torque: Positive | None = None  # Nm
+    max_speed: Positive | None = None  # rpm
+    holding: Literal["motor", "brake"] = "motor"
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a figure that is missing of a motor without a name."""
+        for figure in ("inertia", "rated_torque", "peak_torque", "max_speed"):
+            if not self.name and getattr(self, figure) is None:
+                yield DesignError(figure, UNTOLD, "told", 1.0)
+
+
+class Reducer(Model):
+    """What stands between motor and mechanism, by its name in the catalogue, or by its figures."""
+
+    name: Product = ""
+    ratio: Positive = 1.0  # motor over mechanism
+    efficiency: Efficiency = 1.0
+    inertia: NotNegative = 0.0  # kg m², at the motor's shaft
+    peak_torque: Positive | None = None  # Nm, behind it
+    max_speed: Positive | None = None  # rpm, of the input
+
+
+class AxisPart(RotatingParts):
+    """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer."""
+
+    inertia: NotNegative  # kg m²
+    shaft: Literal["motor", "mechanism"]
+
+
+TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")

@@ -1,0 +1,207 @@
+"""Motor and reducer of a drive: by name from the sheet Catalogue, or as entered; one entry decides, the name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import NamedTuple, TypeVar
+
+from engine.drivetrain import Motor
+from engine.drivetrain.chain import Part
+from engine.machine.limits import ReducerLimits
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, given
+from workbook.book.rows import filled
+from workbook.entries.texts import place_of
+from workbook.entries.units import RPM, si
+from workbook.machines.machine.chain import UNTOLD
+from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
+from workbook.selection.entries import Products
+
+P = TypeVar("P", MotorRow, ReducerRow)
+MOTOR = (
+    ("inertia", "inertia", "J_m", "kg m²", "with its brake"),
+    ("rated_torque", "rated torque", "T_N", "Nm", ""),
+    ("peak_torque", "peak torque", "T_max", "Nm", ""),
+    ("max_speed", "largest speed", "n_max", "rpm", ""),
+)
+REDUCER = (
+    ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
+    ("efficiency", "efficiency", "η_1", "", "1 if empty"),
+    ("inertia", "inertia at the input", "J_1", "kg m²", ""),
+    ("peak_torque", "largest torque behind it", "", "Nm", "empty: no limit"),
+    ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
+)
+IN_USE = {"inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax"}
+GEARED = {
+    "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
+    "peak_torque": ("@reducer_peak", "tmax"), "max_speed": ("@reducer_nmax", "nmax"),
+}  # fmt: skip
+"""of each entry of a reducer: the cell that is used, and the column of the catalogue"""
+COLUMNS = {"inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax"}
+GENERAL = ("kg m²",)
+
+
+def named(rows: Iterable[P], name: str) -> P | None:
+    """Return the product of a name; None where nothing is named."""
+    known = list(rows)
+    return known[place_of(name, [row.name for row in known])] if name else None
+
+
+class MotorInUse(NamedTuple):
+    """The motor that a drive has, in the units of entries."""
+
+    row: int
+    inertia: float
+    rated_torque: float
+    peak_torque: float
+    max_speed: float
+
+    @property
+    def motor(self) -> Motor:
+        """The engine's motor."""
+        return Motor(self.inertia, self.rated_torque, self.peak_torque, si(self.max_speed, RPM))
+
+
+class ReducerInUse(NamedTuple):
+    """The reducer that a drive has, in the units of entries; a limit of 0 is none."""
+
+    row: int
+    ratio: float
+    efficiency: float
+    inertia: float
+    peak_torque: float
+    max_speed: float
+
+    @property
+    def part(self) -> Part:
+        """Its inertia, on the motor's shaft."""
+        return Part("reducer", self.inertia, 0)
+
+    @property
+    def limits(self) -> ReducerLimits:
+        """Its limits."""
+        return ReducerLimits(self.peak_torque or math.inf, input_speed=si(self.max_speed or math.inf, RPM))
+
+
+def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
+    """Return the motor of an axis. Raises ValueError where it has none."""
+    if axis.motor is None:
+        raise ValueError(f"{axis.name} has no motor")
+    found = named(products.motors, axis.motor.name)
+    figures = [float(getattr(found or axis.motor, name)) for name in IN_USE]
+    return MotorInUse(place_of(axis.motor.name, [row.name for row in products.motors]) + 1, *figures)
+
+
+def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
+    """Return the reducer of an axis, one of ratio 1 where nothing is entered."""
+    e, found = axis.reducer, named(products.reducers, axis.reducer.name)
+    row = place_of(e.name, [one.name for one in products.reducers]) + 1
+    if found:
+        return ReducerInUse(row, found.reduction, found.efficiency, found.inertia or 0.0, found.max_torque or 0.0,
+                            found.max_speed or 0.0)  # fmt: skip
+    return ReducerInUse(row, e.ratio, e.efficiency, e.inertia, e.peak_torque or 0.0, e.max_speed or 0.0)
+
+
+def entries(axis: Axis, key: str) -> list[Quantity]:
+    """Return the rows of what is entered of reducer and motor."""
+    rows: list[Quantity] = []
+    for kind, figures in (("reducer", REDUCER), ("motor", MOTOR)):
+        entered = getattr(axis, kind)
+        rows.append(
+            given(f"@{kind}_name", f"{kind.capitalize()} of the catalogue", "", "", entered.name or None,
+                  f"{key}.{kind}.name", choices=f"={kind}_name", align="left",
+                  source="its name decides; leave it empty to enter the figures below")
+        )  # fmt: skip
+        rows += [
+            given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
+                  getattr(entered, name), f"{key}.{kind}.{name}", source=source,
+                  format="General" if unit in GENERAL else "0.0##")
+            for name, words, symbol, unit, source in figures
+        ]  # fmt: skip
+    motor = axis.motor
+    rows.append(
+        given("@holding", "At rest the load is held by", "", "", motor.holding if motor else None,
+              f"{key}.motor.holding", source="the motor, or a brake")
+    )  # fmt: skip
+    return rows
+
+
+def in_use(motor: MotorInUse, reducer: ReducerInUse) -> list[Quantity]:
+    """Return the rows of the figures that the drive uses."""
+    rows = [
+        calc("@reducer_row", "Reducer: row of the catalogue", "", "",
+             '=IF(@reducer_name="",0,MATCH(@reducer_name,[reducers.name],0))', reducer.row, format="0",
+             source="0: as entered"),
+        calc("@motor_row", "Motor: row of the catalogue", "", "",
+             '=IF(@motor_name="",0,MATCH(@motor_name,[motors.name],0))', motor.row, format="0",
+             source="0: as entered"),
+    ]  # fmt: skip
+    for name, words, symbol, unit, _ in REDUCER:
+        cell, column = GEARED[name]
+        own = f"@own_reducer_{name}"
+        entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
+        rows.append(
+            calc(cell, f"Reducer: {words}", symbol, unit,
+                 f"=IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)", getattr(reducer, name),
+                 source="0: no limit" if name in ("peak_torque", "max_speed") else "")
+        )  # fmt: skip
+    rows += [
+        calc(IN_USE[name], f"Motor: {words}", symbol, unit,
+             f"=IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))+0",
+             getattr(motor, name))
+        for name, words, symbol, unit, _ in MOTOR
+    ]  # fmt: skip
+    return rows
+
+
+def told(number: int) -> Quantity:
+    """Return the check that the motor is named, or entered."""
+    figures = ",".join(f"@own_motor_{name}" for name in IN_USE)
+    return check("@ok_told", f"Drive {number}: the motor is named or entered",
+                 f'OR(@motor_name<>"",COUNT({figures})={len(IN_USE)})', True, rule=f"axes.{number - 1}.motor:told",
+                 says=f'"{UNTOLD}"')  # fmt: skip
+
+
+def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
+    """Declare the sheet of motors and reducers, from which drives take theirs by name."""
+    sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
+    products, sizes = machine.selection, machine.sizes
+
+    def column(kind: str, rows: int, name: str, entry: str, label: str, symbol: str = "", unit: str = "",
+               **more: str) -> Quantity:  # fmt: skip
+        values = filled([getattr(row, entry) for row in getattr(products, kind)], rows, None)
+        return given(name, label, symbol, unit, values, f"selection.{kind}.*.{entry}", **more)
+
+    sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
+    n = sizes.motors
+    book.column_names |= {"motor_name": ("motors", "name"), "reducer_name": ("reducers", "name")}
+    sheet.table(
+        "motors", "Motors", n,
+        column("motors", n, "name", "name", "motor", align="left"),
+        column("motors", n, "inertia", "inertia", "inertia", "J_M", "kg m²", format="0.000000##"),
+        column("motors", n, "rated", "rated_torque", "rated torque", "T_N", "Nm", format="0.0##"),
+        column("motors", n, "peak", "peak_torque", "peak torque", "T_max", "Nm", format="0.0##"),
+        column("motors", n, "nmax", "max_speed", "largest speed", "n_max", "rpm", format="0.##"),
+        column("motors", n, "knee", "full_torque_to", "peak torque up to, if less", "n_1", "rpm", format="0.##"),
+        column("motors", n, "end", "end_torque", "peak torque at n_max, if less", "", "Nm", format="0.0##"),
+        column("motors", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
+        column("motors", n, "cost", "cost", "cost", format="0.##"),
+        column("motors", n, "source", "source", "source", align="left"),
+        rules=[HALF, FALLING],
+    )  # fmt: skip
+    sheet.row += 1
+    n = sizes.reducers
+    sheet.table(
+        "reducers", "Reducers", n,
+        column("reducers", n, "name", "name", "reducer", align="left"),
+        column("reducers", n, "i", "reduction", "reduction", "i", format="0.0##"),
+        column("reducers", n, "eta", "efficiency", "efficiency", "η", format="0.0##"),
+        column("reducers", n, "inertia", "inertia", "inertia at the input", "J_T", "kg m²", format="0.000000##"),
+        column("reducers", n, "nmax", "max_speed", "largest input speed", "", "rpm", format="0.##"),
+        column("reducers", n, "tmax", "max_torque", "largest output torque", "", "Nm", format="0.0##"),
+        column("reducers", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
+        column("reducers", n, "cost", "cost", "cost", format="0.##"),
+        column("reducers", n, "source", "source", "source", align="left"),
+    )  # fmt: skip
+    return sheet
