@@ -245,7 +245,9 @@ def read(
     """Read a controller's cam table as the description of a composed motion.
 
     Dwells and turns part it; each movement is the first law of the registry that keeps to its points within their
-    precision, else a law of its own pieces. Build, verify and export what is written: the way back is closed.
+    precision, also where phases meet at speed, else a law of its own pieces or a run of quintics. A turn of a shaft
+    that begins on the way is written as a machine's axis with a shift. Build, verify and export what is written: the
+    way back is closed.
     """
     from workbook.commands import cams
 
