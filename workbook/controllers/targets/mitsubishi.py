@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.laws.base import Array
-from workbook.controllers.number import DINT
+from workbook.controllers.number import DINT, whole
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
 from workbook.controllers.text import joined, numbers
 from workbook.controllers.units import counts, read_counts
-from workbook.errors import TargetError
 
 MANUAL = "Mitsubishi RD77MS advanced synchronous control manual, p. 51"
 
@@ -29,13 +27,6 @@ def read(text: str) -> Table:
     steps = read_counts(text)
     x, y = np.array(numbers(text, (2,))).T
     return Table(np.round(whole(x) * steps[0], 12), np.round(whole(y) * steps[1], 12))
-
-
-def whole(values: Array) -> Array:
-    """Return whole numbers of 32 bits; raise TargetError for others."""
-    if not np.all((np.abs(values) <= DINT.largest) & (values == np.round(values))):
-        raise TargetError("a value is no whole number of 32 bits; expected such")
-    return values
 
 
 TARGET = Target(

@@ -7,14 +7,14 @@ import numpy as np
 from engine.cams.course import Course
 from engine.cams.points import equal
 from engine.laws.base import Array
-from workbook.controllers.number import DINT, Number
+from workbook.controllers.number import DINT, Number, whole
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.targets.mitsubishi import MANUAL, whole
 from workbook.controllers.text import joined, numbers
 from workbook.controllers.units import counts, read_counts, read_stand, stands
 from workbook.errors import TargetError
 
+MANUAL = "Mitsubishi RD77MS advanced synchronous control manual, p. 51"
 WHOLE = 1_000_000_000
 """a ratio of 100 %, in steps of 1e-7 %"""
 RESOLUTIONS = tuple(2**k for k in range(8, 16))
