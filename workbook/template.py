@@ -47,6 +47,12 @@ class Template(Generic[M]):
     axes: Callable[[M], list[CamAxis]] = lambda machine: []
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
 
+    def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:
+        """To another process a template goes by its name."""
+        from workbook.templates import TEMPLATES
+
+        return TEMPLATES.__getitem__, (self.name,)
+
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
         return with_entries(self.finished(machine), machine)

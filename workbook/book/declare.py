@@ -188,7 +188,7 @@ class Sheet:
         watched = self._limited(own)
         if watched:
             name = f"{watched[0][0].name}_entries"
-            guard, verdict = of_cells(name, f"{self.title}: entries within their limits", watched)
+            guard, verdict = of_cells(name, f"{self.title}: entries within limits", watched)
             self.book.guards.append(guard)
             self.checks(verdict)
 
@@ -234,7 +234,8 @@ class Sheet:
         watched = self._limited(quantities)
         if not watched:
             return self._table(name, title, size, blank, *quantities)
-        label = f"{self.title}, {title.split(':')[0].split(';')[0]}: entries within their limits"
+        named = re.split(r"[:;(]", title)[0].strip()
+        label = f"{self.title}, {named}: entries within limits"
         rows = self.book.limit(inputs[0].key.partition(".*")[0])
         filled = rows is not None and rows.required
         guard, column, verdict = of_rows(in_scope(name, self.scope), size, label, inputs, watched, rules, filled)

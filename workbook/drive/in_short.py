@@ -41,17 +41,17 @@ def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: str
         calc("axis", "axis", "", "", each(axes, "=[axes.name.{0}]"), [axis.name for axis in axes], align="left"),
         result("travel", "travel", "h", travel, each(axes, "=[axes.high.{0}]-[axes.low.{0}]"),
                [axis.travel for axis in axes], source="highest less lowest position"),
-        result("v", "greatest velocity", "ẏ_max", unit(rates, "/s"), each(axes, "=[axes.v.{0}]"),
+        result("v", "greatest velocity", "ẏ", unit(rates, "/s"), each(axes, "=[axes.v.{0}]"),
                [axis.fastest for axis in axes]),
-        result("a", "greatest acceleration", "ÿ_max", unit(rates, "/s²"), each(axes, "=[axes.a.{0}]"),
+        result("a", "greatest acceleration", "ÿ", unit(rates, "/s²"), each(axes, "=[axes.a.{0}]"),
                [axis.hardest for axis in axes]),
         *driven,
     )  # fmt: skip
 
 
 def unit(bases: str, ending: str) -> str:
-    """Return the units of rates, of ``m or rad`` both."""
-    return " or ".join(f"{base}{ending}" for base in bases.split(" or "))
+    """Return the units of rates, of ``m, rad`` both."""
+    return ", ".join(f"{base}{ending}" for base in bases.split(", "))
 
 
 def each(axes: Sequence[InShort], formula: str) -> list[str]:

@@ -43,12 +43,13 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         axis_checks(sheet, one)
     draw_curves(sheet, machine)
     sheet.print_columns = 22
+    sheet.widths = {12: 14}
 
 
 def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
     """Return the units of all axes, of positions or, with an ending, of their rates."""
     units = dict.fromkeys((axis.base if si else axis.given.unit) + ending for axis in machine.axes)
-    return " or ".join(units)
+    return ", ".join(units)
 
 
 def axes_table(sheet: Sheet, machine: Whole) -> None:
@@ -80,8 +81,8 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
              each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes]),
         calc("high", "highest position", "", unit,
              each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes]),
-        result("v", "greatest velocity", "ẏ_max", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
-        result("a", "greatest acceleration", "ÿ_max", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
+        result("v", "greatest velocity", "ẏ", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
+        result("a", "greatest acceleration", "ÿ", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
     )  # fmt: skip
 
 

@@ -87,7 +87,7 @@ def entries(sheet: Sheet, station: Station) -> None:
         given("@stroke", "its stroke", "h_m", "mm", tool.stroke, f"{key}.stroke", format="0.0##", source="S2: 50 mm"),
         given("@dwell", "its dwell at the part", "", "°",
               tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
-        given("@remaining", "Share of the transfer's stroke that may remain", "r", "%",
+        given("@remaining", "Share of the transfer stroke that may remain", "r", "%",
               p.remaining, f"{key}.passage.remaining", format="0.0000",
               source="while the tool is in; S2: 0.65 %, at a tenth of the time"),
         given("@clearance", "Clearance between tool and transfer", "c", "mm",
