@@ -9,8 +9,8 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.quantity import SAYS
 
 ZERO = 1e-9
-FAILS = '1-COUNTIF([verdict],"OK")'
-"""1 where a check does not hold, be it for an error value"""
+FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
+"""1 where a check does not hold, be it for an error value; a range, for IronCalc counts in no single cell"""
 
 
 def checks_sheet(book: Book) -> Sheet:

@@ -20,7 +20,7 @@ from pydantic import BaseModel
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.book.formats import number_format, sample
 from workbook.entries import rules
-from workbook.writing import archive, caches, charts, style
+from workbook.writing import archive, caches, charts, heights, style
 from workbook.writing.cells import Cells, Strings
 from workbook.writing.place import refuse_existing, replace
 
@@ -101,20 +101,9 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
             target = f"{quote_sheetname(text.link)}!A1"
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
         if text.style in LINE_HEIGHTS and text.text:
-            lines = wrapped(text.text, (WIDTHS | sheet.widths).get(text.column, COLUMN_WIDTH))
-            cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + 2, cells.heights.get(text.row, 0))
-
-
-def wrapped(text: str, width: float) -> int:
-    """Return how many lines a text takes in a column as wide as so many figures, at the size of table heads."""
-    lines, room = 1, 0.0
-    for word in text.split():
-        needed = len(word) + (1 if room else 0)
-        if room and room + needed > width:
-            lines, room, needed = lines + 1, 0.0, len(word)
-        room += needed
-        lines, room = (lines + int(room / width), room % width) if room > width else (lines, room)
-    return lines
+            room = (WIDTHS | sheet.widths).get(text.column, COLUMN_WIDTH)
+            needed = heights.lines(text.text, style.TEXTS[text.style].font.sz or heights.FULL, room) * LINE_HEIGHTS[text.style] + 2
+            cells.heights[text.row] = max(needed, cells.heights.get(text.row, 0))
 
 
 def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles) -> None:

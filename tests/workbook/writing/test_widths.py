@@ -6,7 +6,7 @@ from tests.workbook.writing.carlito import FOLDER, pixels, room
 from workbook.build import committed
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
-from workbook.writing import style
+from workbook.writing import heights, style
 from workbook.writing.write import COLUMN_WIDTH, WIDTHS
 
 pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="Carlito is not there: fonts-crosextra-carlito")
@@ -51,3 +51,14 @@ def test_a_column_holds_its_digits_and_not_two_more(width):
 def test_bold_is_wider_and_letters_differ():
     assert pixels("Drive") < pixels("Drive", bold=True)
     assert pixels("iii") < pixels("mmm") / 3
+
+
+@pytest.mark.parametrize("path", committed()[::4], ids=lambda path: path.stem)
+def test_no_wrapped_text_takes_more_room_than_its_row_was_given(path):
+    """The letters are counted rather too wide than too narrow."""
+    machine = read_machine(path)
+    book = TEMPLATES[machine.template].declare(machine)
+    texts = {(t.text, t.style) for sheet in book.sheets for t in sheet.texts if t.style in WRAPPED and t.text}
+    for text, kind in texts:
+        font = style.TEXTS[kind].font
+        assert heights.width(text, font.sz) * pixels("0") >= 0.97 * pixels(text, font.sz, bool(font.b)), text
