@@ -131,6 +131,11 @@ class LimitCheck(NamedTuple):
         """The limit over the quantity; 0 where nothing is asked for."""
         return self.limit / self.value if self.value else 0.0
 
+    @property
+    def use(self) -> float:
+        """The share of the limit that is asked for."""
+        return self.value / self.limit
+
 
 class Reserve(NamedTuple):
     """What a cycle asks of a motor against its limits."""

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.quantity import SAYS
+from workbook.book.rows import filled
 
 ZERO = 1e-9
 FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
@@ -72,7 +73,7 @@ def counted(book: Book) -> list[int | None]:
     verdicts = summary(book).verdicts
     known = verdicts.index(None) if None in verdicts else len(verdicts)
     so_far = accumulate(int(verdict != "OK") for verdict in verdicts[:known])
-    return [*so_far, *[None] * (len(verdicts) - known)]
+    return filled(so_far, len(verdicts), None)
 
 
 def mended(book: Book, most: int) -> dict[str, list[str | None]]:
@@ -83,10 +84,10 @@ def mended(book: Book, most: int) -> dict[str, list[str | None]]:
         for (sheet, q), verdict, said in zip(book.checks, found.verdicts, found.sentences, strict=True)
         if verdict != "OK"
     ][:most]
-    rows = [*failing, *[("", "", "")] * (most - len(failing))]
+    rows = filled(failing, most, ("", "", ""))
     known = found.holding is not None
     columns = zip(*rows, strict=True)
-    return {f"mend.{name}": list(column) if known else [None] * most
+    return {f"mend.{name}": list(column) if known else filled([], most, None)
             for name, column in zip(("what", "where", "says"), columns, strict=True)}  # fmt: skip
 
 

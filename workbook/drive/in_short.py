@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from engine.drivetrain.motor import Reserve
 from workbook.book.declare import Quantity, Sheet, calc, result
-from workbook.entries.units import RPM, shown
+from workbook.entries.units import PERCENT, RPM, shown
 
 NO_DRIVE, ENTERED = "–", "as entered"
 NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
@@ -76,16 +76,11 @@ def drives(axes: Sequence[InShort]) -> list[Quantity]:
         column("ratio", "ratio of the reducer", "i", "", "{0}i1", lambda axis, _: axis.ratio),
         column("peak", "peak torque", "T_max", "Nm", peak, lambda _, use: use.peak_torque.value),
         column("of_peak", "of the motor's peak", "", "%", f"100*{peak}/{{0}}motor_peak",
-               lambda _, use: used(use.peak_torque.value, use.peak_torque.limit), "0"),
+               lambda _, use: shown(use.peak_torque.use, PERCENT), "0"),
         column("rms", "RMS torque", "T_rms", "Nm", "{0}rms", lambda _, use: use.rms_torque.value),
         column("of_rated", "of the motor's rated", "", "%", "100*{0}rms/{0}motor_rated",
-               lambda _, use: used(use.rms_torque.value, use.rms_torque.limit), "0"),
+               lambda _, use: shown(use.rms_torque.use, PERCENT), "0"),
         column("speed", "speed", "n", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
         column("of_speed", "of the motor's largest", "", "%", "100*{0}speed/{0}motor_nmax",
-               lambda _, use: used(use.speed.value, use.speed.limit), "0"),
+               lambda _, use: shown(use.speed.use, PERCENT), "0"),
     ]  # fmt: skip
-
-
-def used(value: float, limit: float) -> float:
-    """Return the share of a limit in percent."""
-    return 100.0 * value / limit

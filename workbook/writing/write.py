@@ -102,8 +102,8 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
         if text.style in LINE_HEIGHTS and text.text:
             room = (WIDTHS | sheet.widths).get(text.column, COLUMN_WIDTH)
-            needed = heights.lines(text.text, style.TEXTS[text.style].font.sz or heights.FULL, room) * LINE_HEIGHTS[text.style] + 2
-            cells.heights[text.row] = max(needed, cells.heights.get(text.row, 0))
+            lines = heights.lines(text.text, style.TEXTS[text.style].font.sz or heights.FULL, room)
+            cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + 2, cells.heights.get(text.row, 0))
 
 
 def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles) -> None:
