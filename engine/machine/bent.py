@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise, repeat
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,6 +24,8 @@ PLACES = 3
 """in a piece, at most, at which its acceleration turns"""
 INSIDE = 1e-9
 """of a piece: what is nearer to its ends is not inside"""
+LEAST = 1e-9
+"""J, and of ∫|S|³ |y'|: what is next to nothing"""
 LOST = 1e-9
 """of the largest acceleration: what differs by less is equal"""
 
@@ -73,6 +76,37 @@ def stretches(cuts: Iterable[float], total: float, near: float) -> list[tuple[fl
     if total - found[-1] > near:
         found.append(total)
     return list(pairwise(found))
+
+
+def middle(span: tuple[float, float]) -> float:
+    """Return the middle of a stretch."""
+    return 0.5 * (span[0] + span[1])
+
+
+def turned(angle: float, late: float, cycle: float) -> float:
+    """Return the place in the cycle of a place in a motion that is so late."""
+    return (angle + late) % cycle
+
+
+def going(piece: MotionPiece, u: float, fastest: float) -> float:
+    """Return the direction of a motion, 1, −1, or 0 where it is next to nothing beside its largest |y'|."""
+    velocity = float(piece.at(np.array([u])).y1[0])
+    return float(np.sign(velocity)) if abs(velocity) > LOST * fastest else 0.0
+
+
+class Scales(NamedTuple):
+    """What the integrals of a cycle are measured by: ∫T² (Nm² rad), work (J), ∫|S|³ |y'|, mean power (W)."""
+
+    square: float
+    work: float
+    cube: float
+    power: float
+
+
+def scales(torque: float, behind: float, ratio: float, way: float, time: float) -> Scales:
+    """Return them from the largest torques of motor and reducer (Nm), the motor's ratio, the way and the time."""
+    work = max(torque * ratio * way, LEAST)
+    return Scales(torque**2, work, max(behind**3 * way, LEAST), work / time)
 
 
 @dataclass(frozen=True)
@@ -151,6 +185,11 @@ class BentPart:
         """The begin of its rise, where it passes each level, and its end."""
         first, last = self.sides
         return [first, *(self.passed(level)[-1] for level in self.levels), last]
+
+    @property
+    def falling(self) -> float:
+        """The slope of the torque over y (Nm per m/s² or rad/s²) beside y = 0."""
+        return -self.bends.sign * self.bends.slope
 
     @property
     def turns_back(self) -> bool:

@@ -148,11 +148,11 @@ def outcome(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
                "=IF(@way>0,(SUM([@st.cube])/@way)^(1/3),0)", driven.reducer_checks[1].value,
                scale=driven.sizes.behind, source="³√(∫|ω||S|³ dt/∫|ω| dt)"),
         result("@energy", "Energy that the motor drives with", "E", "J", "=SUM([@st.drives])",
-               found.energy.driving, scale=driven.work, source="at its shaft, a cycle"),
+               found.energy.driving, scale=driven.scales.work, source="at its shaft, a cycle"),
         result("@returned", "Energy that comes back to it", "", "J", "=SUM([@st.returns])",
-               found.energy.regenerated, scale=driven.work),
+               found.energy.regenerated, scale=driven.scales.work),
         result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle",
-               found.energy.net / driven.demand.course.time, scale=driven.work / driven.demand.course.time),
+               found.mean_power, scale=driven.scales.power),
     )  # fmt: skip
     sheet.checks(
         *limit_checks(motor, f"Drive {driven.number}"),
@@ -192,6 +192,7 @@ def workings(sheet: Sheet, driven: Driven) -> None:
     """Declare ratios, inertias and what resists."""
     m, load = driven.mechanism, driven.load
     travels = driven.kind.travels
+    way = f"[axis{driven.number}.h]"
     ratio = RATIOS.get(driven.given.kind, "=2/(@size/1000)") if travels else "=1"
     steady = "=@force+@m*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
     rubbing = "=@friction*@m*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
@@ -217,10 +218,10 @@ def workings(sheet: Sheet, driven: Driven) -> None:
         calc("@rub", "What opposes the motion", "", force, rubbing, load.friction, scale=driven.sizes.force,
              source="μ m g cos θ" if travels else ""),
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
-             driven.axis.fastest / driven.axis.speed),
+             driven.fastest),
         calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]", driven.axis.hardest),
         calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if travels else "rad",
-             f"=SUMPRODUCT(ABS([axis{driven.number}.h]))", driven.way),
+             f"=SUMPRODUCT({way}*(({way}>0)-({way}<0)))", driven.way),
     )  # fmt: skip
 
 

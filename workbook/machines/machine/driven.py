@@ -13,6 +13,7 @@ from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide,
 from engine.drivetrain.bends import Bends, Sizes, sizes_of
 from engine.drivetrain.motor import LimitCheck, Reserve, reserve
 from engine.laws.base import Array
+from engine.machine.bent import Scales, scales
 from engine.machine.course import Course
 from engine.machine.demand import Demand
 from engine.machine.train import Train, Window
@@ -128,10 +129,15 @@ class Driven:
         ways = [self.bends_under(some, going) for some in each for going in (1.0, -1.0)]
         return sizes_of(ways, self.axis.hardest)
 
+    @cached_property
+    def scales(self) -> Scales:
+        """What its integrals are measured by."""
+        return scales(self.sizes.torque, self.sizes.behind, self.mechanism.ratio, self.way, self.demand.course.time)
+
     @property
-    def work(self) -> float:
-        """What deviations of energies are measured by (J)."""
-        return max(self.sizes.torque * self.mechanism.ratio * self.way, 1e-9)
+    def fastest(self) -> float:
+        """The greatest geometric velocity (m or rad, per rad)."""
+        return max(phase.y1_max for phase in self.axis.motion.phases)
 
     @property
     def way(self) -> float:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
-from itertools import repeat
+from itertools import chain, repeat
 from typing import Any
 
 import numpy as np
 
 from engine.drivetrain import Load
 from engine.drivetrain.bends import Bends
-from engine.machine.bent import PLACES, BentPart, inside, stretches, turning
+from engine.machine.bent import PLACES, BentPart, going, inside, middle, stretches, turned, turning
 from engine.machine.train import Window
 from engine.motion.pieces import MotionPiece
 from workbook.book.rows import filled
@@ -21,9 +21,6 @@ from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.motion import AxisRows
-
-TURNING_LEAST = 1e-9
-"""of the greatest velocity: what is slower rests"""
 
 
 class Stretched:
@@ -57,15 +54,15 @@ class Stretched:
         return filled([shown(piece.begin, DEGREE) for piece in self.pieces], self.room, TURN)
 
     @cached_property
-    def turned(self) -> list[float]:
-        """Where the accelerations turn, in degrees; at the end of the turn where they do not."""
+    def turned(self) -> list[list[float]]:
+        """Where the accelerations turn, in degrees, each piece's first, second and third place; else at the end."""
         found = []
         for j in range(PLACES):
             each = [
                 shown(piece.begin + places[j], DEGREE) if places[j] < piece.duration else TURN
                 for piece, places in zip(self.pieces, self.places, strict=True)
             ]
-            found += filled(each, self.room, TURN)
+            found.append(filled(each, self.room, TURN))
         return found
 
     @cached_property
@@ -73,29 +70,26 @@ class Stretched:
         """The edges of process forces in degrees of the motion as it is told; spare ones at the end of the turn."""
         late = self.driven.axis.given.shift
         windows = self.driven.windows
-        found = [(shown(edge, DEGREE) - late) % TURN for w in windows for edge in (w.begin, w.end)]
+        found = [turned(shown(edge, DEGREE), -late, TURN) for w in windows for edge in (w.begin, w.end)]
         return filled(found, WINDOWS + WINDOWS, TURN)
 
     @cached_property
     def spans(self) -> list[tuple[float, float]]:
         """Begin and end of each stretch, in degrees."""
-        return stretches([*self.begins, *self.turned, *self.edges], TURN, self.near)
+        return stretches([*self.begins, *chain(*self.turned), *self.edges], TURN, self.near)
 
     @cached_property
     def parts(self) -> list[BentPart]:
         """The stretches."""
-        return [self._part(begin, end) for begin, end in self.spans]
+        return [self._part(span) for span in self.spans]
 
-    def _part(self, begin: float, end: float) -> BentPart:
-        middle = si(0.5 * (begin + end), DEGREE)
-        axis = self.driven.axis
-        piece = self.pieces[self.piece_at(0.5 * (begin + end))]
-        velocity = float(piece.at(np.array([middle - piece.begin])).y1[0])
-        moves = abs(velocity) > TURNING_LEAST * axis.fastest / axis.speed
-        going = float(np.sign(velocity)) if moves else 0.0
-        bends = self.driven.bends_under(self.driven.acting(middle + axis.shifted.shift), going)
-        low, high = (si(angle, DEGREE) - piece.begin for angle in (begin, end))
-        return BentPart(bends, piece, low, high, axis.speed, going, axis.hardest, axis.fastest / axis.speed)
+    def _part(self, span: tuple[float, float]) -> BentPart:
+        axis, at = self.driven.axis, middle(span)
+        piece = self.pieces[self.piece_at(at)]
+        low, high = (si(angle, DEGREE) - piece.begin for angle in span)
+        way = going(piece, middle((low, high)), self.driven.fastest)
+        bends = self.driven.bends_under(self.driven.acting(si(at, DEGREE) + axis.shifted.shift), way)
+        return BentPart(bends, piece, low, high, axis.speed, way, axis.hardest, self.driven.fastest)
 
     def piece_at(self, angle: float) -> int:
         """Return the number of the piece, from 0, in which an angle of the motion lies."""
@@ -118,14 +112,14 @@ class Stretched:
     @property
     def numbers(self) -> list[int]:
         """The piece of each stretch, from 1."""
-        found = [self.piece_at(0.5 * (begin + end)) + 1 for begin, end in self.spans]
+        found = [self.piece_at(middle(span)) + 1 for span in self.spans]
         return filled(found, self.rows, found[-1])
 
     @property
     def middles(self) -> list[float]:
         """The angle of the master shaft in the middle of each stretch."""
         late = self.driven.axis.given.shift
-        found = [(0.5 * (begin + end) + late) % TURN for begin, end in self.spans]
+        found = [turned(middle(span), late, TURN) for span in self.spans]
         return filled(found, self.rows, found[-1])
 
     @property

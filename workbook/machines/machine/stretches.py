@@ -8,6 +8,7 @@ integrals are those of straight lines between the places where y passes 0 of the
 from __future__ import annotations
 
 from functools import partial
+from itertools import chain
 from typing import Any
 
 from engine.machine.bent import PLACES, root_term
@@ -32,6 +33,8 @@ LINES = {
     "3": ("([b0]-[s1]*[y1]-[s2]*[y2])", "([g1]+[s1]+[s2])"),
 }
 """the torque's lines over y: beside 0, past y_1, past y_2"""
+FINER = ("", "/100", "/10000")
+"""by which a round's bracket is smaller"""
 BRANCHES = (("1", "z0", "p1"), ("2", "p1", "p2"), ("3", "p2", "z4"))
 WORKS = (("1", "z0", "p3"), ("1", "p3", "p1"), ("2", "p1", "p2"), ("3", "p2", "z4"))
 ORDER = {"z0": 0, "p3": 1, "p1": 2, "p2": 3, "z4": 4}
@@ -94,7 +97,7 @@ def turns_table(sheet: Sheet, view: Stretched) -> None:
         *(calc(f"t{j}", f"place {j}", "θ", "°",
                f"=IF(AND([u{j}]>check_zero*{d},[u{j}]<(1-check_zero)*{d}),"
                f"INDEX([{table}.begin],[r])+DEGREES([u{j}]),360)",
-               view.turned[room * (j - 1) : room * j], source="360: none", format="0.0##", scale=360.0)
+               view.turned[j - 1], source="360: none", format="0.0##", scale=360.0)
           for j in range(1, PLACES + 1)),
     )  # fmt: skip
 
@@ -118,7 +121,7 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
     sheet.table(
         "@breaks", "Where a stretch can begin", len(formulas),
         constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
-        calc("at", "angle of its phases", "θ", "°", formulas, [*view.begins, *view.turned, *view.edges, TURN],
+        calc("at", "angle of its phases", "θ", "°", formulas, [*view.begins, *chain(*view.turned), *view.edges, TURN],
              scale=360.0, format="0.0##"),
     )  # fmt: skip
 
@@ -205,7 +208,7 @@ def lined(view: Stretched) -> list[Quantity]:
 
     return [
         calc("b0", "torque at y = 0", "B", "Nm", f"=[r]*{way('b')}", of(lambda p: p.bends.level), scale=sizes.torque),
-        calc("g1", "slope", "g", "Nm/y", f"=0-[sign]*{way('a')}", of(lambda p: -p.bends.sign * p.bends.slope),
+        calc("g1", "slope", "g", "Nm/y", f"=0-[sign]*{way('a')}", of(lambda p: p.falling),
              scale=sizes.slope),
         calc("s1", "change at y_1", "ΔA_1", "Nm/y", f"={way('s1')}", of(lambda p: p.bends.steps[0]),
              scale=sizes.slope),
@@ -248,7 +251,7 @@ def passing(view: Stretched, place: str, level: str, index: int) -> list[Quantit
     at = "[z0]"
     for turn, pattern in enumerate(PLACE, 1):
         name, last = pattern.format(place), turn == len(PLACE)
-        step = "([z4]-[z0])" + ("/1" + "00" * (turn - 1) if turn > 1 else "")
+        step = f"([z4]-[z0]){FINER[turn - 1]}"
         below = f"[per]*{A.format(u=f'({at}+{step}*[grid.at])')}<[{level}]-{LOST}"
         found = f"{at}+{step}*(MIN({PARTS - 1},SUMPRODUCT(({below})*1)){'+0.5' if last else ''})/{PARTS}"
         other = f"IF(MAX([yb],[ye])<=[{level}]+{LOST},[z4],[z0])" if last else "[z0]"
@@ -286,7 +289,7 @@ def ends(view: Stretched) -> list[Quantity]:
 def integral(level: str, low: str, high: str, function: str, times: str = "") -> str:
     """Return the formula of an integral between two places, of y, |y'| and ``level``; 0 at rest and in spare rows."""
     u = f"([{low}]+([{high}]-[{low}])*(1+[gauss.x])/2)"
-    inner = function.format(y=f"[per]*{A.format(u=u)}", v=f"ABS({V.format(u=u)})", level=level)
+    inner = function.format(y=f"[per]*{A.format(u=u)}", v=f"[dir]*{V.format(u=u)}", level=level)
     wide = f"ABS([{high}]-[{low}])"
     return f"=IF([on]*ABS([dir])*{wide}=0,0,{wide}/2*SUMPRODUCT([gauss.w],{inner}){times})"
 
@@ -294,18 +297,18 @@ def integral(level: str, low: str, high: str, function: str, times: str = "") ->
 def integrals(view: Stretched) -> list[Quantity]:
     """Return ∫T² and the work of each line, and behind the reducer ∫|S|³ |y'|."""
     driven, of = view.driven, view.counted
-    torque, fastest = driven.sizes.torque, driven.axis.fastest / driven.axis.speed
-    work, cubed = max(torque * driven.mechanism.ratio * fastest, 1e-9), max(driven.sizes.behind**3 * fastest, 1e-12)
+    torque, work, cubed, _ = driven.scales
 
     def square(line: str, low: str, high: str) -> Quantity:
         level, slope = LINES[line]
         return calc(f"sq{line}", f"∫T² on line {line}", "", "",
                     integral(level, low, high, f"({{level}}+{slope}*{{y}})^2"),
-                    of(lambda p: p.square((ORDER[low], ORDER[high]), torque**2)), scale=torque**2)  # fmt: skip
+                    of(lambda p: p.square((ORDER[low], ORDER[high]), torque)), scale=torque)  # fmt: skip
 
     def cube(line: str, low: str, high: str) -> Quantity:
         level, slope = LINES[line]
-        inner = f"ABS({{level}}+({slope}+[sign]*@j0*@i)*{{y}})^3*{{v}}"
+        side = "[sign]" if line == "1" else "(0-[sign])"
+        inner = f"({side}*({{level}}+({slope}+[sign]*@j0*@i)*{{y}}))^3*{{v}}"
         factor = "@i1/[f]" if line == "1" else "@i1*[f]"
         return calc(f"cu{line}", f"∫|S|³ on line {line}", "", "",
                     integral(level, low, high, inner, f"*({factor})^3"),
@@ -320,7 +323,7 @@ def integrals(view: Stretched) -> list[Quantity]:
     return [
         *(square(*one) for one in BRANCHES), *(cube(*one) for one in BRANCHES), *(worked(*one) for one in WORKS),
         calc("square", "∫T²", "", "", "=[on]*IF([dir]=0,([ue]-[ub])*[hold]^2,[sq1]+[sq2]+[sq3])",
-             of(lambda p: p.square_in_all(torque**2)), scale=torque**2),
+             of(lambda p: p.square_in_all(torque)), scale=torque),
         calc("drives", "driven", "", "J", "=IF([sign]>0,[w0],[w1]+[w2]+[w3])", of(lambda p: p.driven(work)),
              scale=work),
         calc("returns", "regenerated", "", "J", "=[drives]-([w0]+[w1]+[w2]+[w3])", of(lambda p: p.regenerated(work)),
