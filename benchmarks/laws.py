@@ -58,15 +58,15 @@ def goal(law: Law) -> float:
 
 
 def ratios(laws: dict[str, Law], xi: np.ndarray) -> tuple[dict[str, float], float]:
-    """Best time of each law over the best of np.sin, and the latter in seconds; the rounds take turns."""
+    """Least processor time of each law over that of np.sin, and the latter in seconds; the rounds take turns."""
     tasks: dict[str, Callable[[np.ndarray], object]] = {"sin": np.sin}
     tasks |= {name: law.evaluate for name, law in laws.items()}
     best = dict.fromkeys(tasks, float("inf"))
     for _ in range(ROUNDS):
         for name, task in tasks.items():
-            begin = time.perf_counter()
+            begin = time.process_time()
             task(xi)
-            best[name] = min(best[name], time.perf_counter() - begin)
+            best[name] = min(best[name], time.process_time() - begin)
     sine = best.pop("sin")
     return {name: seconds / sine for name, seconds in best.items()}, sine
 

@@ -26,7 +26,7 @@ between points needs them. The file is then read by an independent reader, the m
 the target's numbers, and compared with the engine over the whole cycle: between two breaks both are polynomials and
 sines, and their difference is enclosed by Bernstein coefficients until the largest error is known to 1e-9 of itself.
 Where several rules are named, each is tried, and the worst is a bound. Jumps of acceleration have a point on either
-side.
+side. `--equidistant` puts the points at equal steps instead.
 
 `motionbook read FILE --from TARGET` and `motionbook compare BOOK FILE --axis NAME --from TARGET` use the same
 readers; those of `rockwell` take calculated `CAM_PROFILE` tags too.

@@ -50,7 +50,7 @@ ASKED: dict[str, Any] = {
     "MOTION.S(1.9,0.25,0)": "#VALUE!", "MOTION.S(TRUE,0.25,0)": "#VALUE!", "MOTION.S(A1,0.25,0)": "#VALUE!",
     'MOTION.S("CUB",NA(),0)': "#N/A", "MOTION.S(1/0,0.25,0)": "#DIV/0!", 'MOTION.S("CUB",1+1E-16,0)': 1,
     'MOTION.S("CUB",0.1+0.2-0.3,0)': 0, 'MOTION.S("TVP",0.5,{"0.25","0.75"})': "#VALUE!",
-    'MOTION.S("TVP",0.5,B1:C1)': "#VALUE!", 'MOTION.CV("CUB","x")': 1.5, 'MOTION.CV("TVP")': 1.5,
+    'MOTION.S("TVP",0.5,B1:C1)': "#VALUE!", 'MOTION.CV("CUB","x")': "#VALUE!", 'MOTION.CV("TVP")': 1.5,
     'MOTION.CV("OWN")': 1.875, 'MOTION.XI("ACS",0.125)': 0.25, 'SUM(MOTION.S("CUB",{0;0.25;1},0))': 1.15625,
     'SUM(MOTION.S("CUB",E1:E3,0))': 1.15625, 'MOTION.JRED("2",3)': "#VALUE!", "MOTION.JRED(F1,3)": "#VALUE!",
     "MOTION.JRED(TRUE,3)": 9, "MOTION.JRED(D1,3)": 9, "MOTION.JRED(A1,3)": 0, "MOTION.JRED(-2^2,1)": 4,

@@ -193,6 +193,9 @@ def export(
     points: Annotated[
         str, typer.Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
     ] = "auto",
+    equidistant: Annotated[
+        bool, typer.Option("--equidistant", help="Points at equal steps, also where the format would take others.")
+    ] = False,
     tolerance: Annotated[
         list[str] | None,
         typer.Option(
@@ -224,7 +227,7 @@ def export(
     """
     from workbook.commands import export as exporting
 
-    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified)
+    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified, equidistant)
     raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report))
 
 
@@ -242,7 +245,9 @@ def read(
     """Read a controller's cam table as the description of a composed motion.
 
     Dwells and turns part it; each movement is the first law of the registry that keeps to its points within their
-    precision, else a law of its own pieces. Build, verify and export what is written: the way back is closed.
+    precision, also where phases meet at speed, else a law of its own pieces or a run of quintics. A turn of a shaft
+    that begins on the way is written as a machine's axis with a shift. Build, verify and export what is written: the
+    way back is closed.
     """
     from workbook.commands import cams
 

@@ -9,9 +9,9 @@ from typing import Any, Generic, TypeVar
 
 import workbook
 from workbook.axes import CamAxis
-from workbook.book.about import contents
 from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import FIRST, Book, Text
+from workbook.book.summary import TITLE, close
 from workbook.entries.machine import Machine
 from workbook.unfinished import with_entries
 
@@ -47,6 +47,12 @@ class Template(Generic[M]):
     axes: Callable[[M], list[CamAxis]] = lambda machine: []
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
 
+    def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:
+        """To another process a template goes by its name."""
+        from workbook.templates import TEMPLATES
+
+        return TEMPLATES.__getitem__, (self.name,)
+
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
         return with_entries(self.finished(machine), machine)
@@ -73,12 +79,12 @@ class Template(Generic[M]):
 def finish(book: Book, title: str, sources: tuple[str, ...]) -> Book:
     """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles."""
     checks_sheet(book)
+    close(book, sources)
     repeat_verdict(book)
-    contents(book, sources)
     for sheet in book.sheets:
-        about = sheet is book.sheets[0]
-        sheet.texts.append(Text(1, FIRST, title if about else sheet.title, "title"))
+        first = sheet is book.sheets[0]
+        sheet.texts.append(Text(1, FIRST, title if first else sheet.title, "title"))
         sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))
-        if not about:
-            sheet.texts.append(Text(3, FIRST + 4, "Contents", "link", "About"))
+        if not first:
+            sheet.texts.append(Text(3, FIRST + 4, TITLE, "link", TITLE))
     return book

@@ -10,30 +10,22 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.course import Course
+from engine.cams.course import Course, turned
+from engine.cams.given import Points, may_be, moves_at, part
+from engine.cams.joined import RATES, grown, joined
 from engine.cams.points import equal
 from engine.cams.segments import quintics_between
 from engine.laws import Law, Piece, PieceLaw
 from engine.laws.base import Array
+from engine.laws.ends import EndedLaw
 from engine.laws.registry import CATALOGUE
 
 ROUNDED = 1e-9
-"""of the lift: what a fit may miss by whatever the data's precision is"""
+"""of the reach: what a fit may miss by whatever the data's precision is"""
 TURNS = 12  # of Gauss and Newton
 LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell
-RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
 DIGITS = (3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
 MOST_PIECES = 40
-
-
-class Points(NamedTuple):
-    """A table: x, y, where it has them y' and y'', and the precision of y."""
-
-    x: Array
-    y: Array
-    v: Array | None
-    a: Array | None
-    precision: float
 
 
 @dataclass(frozen=True)
@@ -48,6 +40,35 @@ class Found:
     residual: float
     fits: bool = True
 
+    @property
+    def rates(self) -> tuple[float, float]:
+        """y' and y'' at its begin, where its ends are prescribed; else 0."""
+        return self._prescribed(0)
+
+    @property
+    def leaves(self) -> tuple[float, float]:
+        """y' and y'' at its end, where its ends are prescribed; else 0."""
+        return self._prescribed(1)
+
+    def _prescribed(self, side: int) -> tuple[float, float]:
+        if not isinstance(self.law, EndedLaw):
+            return 0.0, 0.0
+        span = self.end - self.begin
+        return self.law.ends.asked("v")[side] / span, self.law.ends.asked("a")[side] / span**2
+
+    @property
+    def rests(self) -> bool:
+        """Whether it begins and ends at rest."""
+        at = self.law.start, self.law.end
+        return all(abs(one.v) <= 1e-6 * self.law.coefficients.cv for one in at)
+
+
+class Read(NamedTuple):
+    """The phases of a table, and by how much the cycle that they are told in begins later than the table."""
+
+    found: list[Found]
+    late: float = 0.0
+
 
 class _Fit(NamedTuple):
     begin: float
@@ -56,31 +77,17 @@ class _Fit(NamedTuple):
     lift: float
 
 
-def precision(y: Array) -> float:
-    """Return how precise numbers are: half of their last decimal, or what 32 or 64 bits keep of the largest."""
-    size = float(np.abs(y).max(initial=0.0))
-    for digits in range(10):
-        if np.allclose(y, np.round(y, digits), rtol=0.0, atol=1e-15 * size):
-            return float(0.5 * 10.0**-digits)
-    single = np.array_equal(y, y.astype(np.float32).astype(np.float64))
-    return size * (2.0**-24 if single else 2.0**-50)
-
-
 def movements(of: Points) -> list[tuple[int, int]]:
-    """Return from which to which point a table moves one way, dwells left out."""
-    near = 2.0 * of.precision
-    still = np.abs(np.diff(of.y)) <= near
-    still = np.array([one and _dwells(of, still, k) for k, one in enumerate(still.tolist())])
-    found: list[tuple[int, int]] = []
-    begin: int | None = None
-    for k, rests in enumerate([*still.tolist(), True]):
-        if rests:
-            if begin is not None:
-                found += _one_way(of, int(begin), int(k))
-            begin = None
-        elif begin is None:
-            begin = k
-    return found
+    """Return from which to which point a table moves, dwells left out."""
+    still = dwelling(of)
+    found = grown([not one for one in still])
+    return [(begin, end) for begin, end in found if np.ptp(of.y[begin : end + 1]) > 0.0]
+
+
+def dwelling(of: Points) -> list[bool]:
+    """Return which intervals are dwells."""
+    still = np.abs(np.diff(of.y)) <= 2.0 * of.precision
+    return [bool(one) and _dwells(of, still, k) for k, one in enumerate(still.tolist())]
 
 
 def _dwells(of: Points, still: NDArray[np.bool_], k: int) -> bool:
@@ -104,16 +111,49 @@ def _one_way(of: Points, begin: int, end: int) -> list[tuple[int, int]]:
     return list(pairwise([begin, *turns, end]))
 
 
-def identified(of: Points, rebuilt: Course) -> list[Found]:
+def identified(of: Points, rebuilt: Course, turns: bool = False) -> Read:
     """Return the movements of a table with the first law of the registry that each keeps to, in order.
 
-    A movement that keeps to none is an own law of what rebuilds it, thinned to the data's precision; it does not fit
-    where that takes too many pieces, or where it neither begins nor ends at rest.
+    What does not move from rest to rest is told as phases that meet at speed. A movement that keeps to no law is an own
+    law of what rebuilds it, thinned to the data's precision, or a run of quintics; it does not fit where that takes
+    too many pieces. Where a cycle begins on the way and ``turns`` allows it, it is told from its
+    first dwell at 0 on.
     """
+    begins, ends = (moves_at(of, side) for side in (0, -1))
+    home = next((k for k, rests in enumerate(dwelling(of)) if rests and abs(of.y[k]) <= _near(of)), None)
+    if turns and begins and ends and home is not None:
+        found = phases(rolled(of, home), turned(rebuilt, float(of.x[-1] - of.x[home])))
+        if all(one.fits and not isinstance(one.law, PieceLaw) and one.rests for one in found):
+            return Read(found, float(of.x[home] - of.x[0]))
+    return Read(phases(of._replace(begins=begins, ends=ends), rebuilt))
+
+
+def phases(of: Points, rebuilt: Course) -> list[Found]:
+    """Return the phases of each movement of a table."""
     laws = [entry.example() for entry in CATALOGUE if entry.rises and entry.law is not PieceLaw]
-    moving = [(begin, end) for begin, end in movements(of) if of.y[begin] != of.y[end]]
-    begins, ends = {begin for begin, _ in moving}, {end for _, end in moving}
-    return [_identify(of, rebuilt, laws, (begin, end), (begin in ends, end in begins)) for begin, end in moving]
+    found: list[Found] = []
+    for span in movements(of):
+        edges = _one_way(of, *span)
+        last = len(edges) - 1
+        resting = [_identify(of, rebuilt, laws, edge, (k > 0, k < last)) for k, edge in enumerate(edges)]
+        if all(not isinstance(one.law, PieceLaw) for one in resting):
+            found += resting
+            continue
+        whole = part(of, *span)
+        meeting, known = joined(whole, rebuilt, _near(whole))
+        wanted = known or not all(one.fits for one in resting)
+        found += [Found(*one, True) for one in meeting] if meeting and wanted else resting
+    return found
+
+
+def rolled(of: Points, k: int) -> Points:
+    """Return the table of a cycle that is told from its point ``k`` on, over the same x."""
+    total, travel = float(of.x[-1] - of.x[0]), float(of.y[-1] - of.y[0])
+    by = total - float(of.x[k] - of.x[0])
+    x = np.concatenate([of.x[k:-1] + by - total, of.x[: k + 1] + by])
+    y = np.concatenate([of.y[k:-1], of.y[: k + 1] + travel])
+    v, a = (None if one is None else np.concatenate([one[k:-1], one[: k + 1]]) for one in (of.v, of.a))
+    return of._replace(x=x, y=y, v=v, a=a)
 
 
 def _identify(
@@ -121,25 +161,19 @@ def _identify(
 ) -> Found:  # fmt: skip
     """Return the law of a movement between two points; one at which it turns may belong to the next."""
     for late, early in ((0, 0), (turns[0], 0), (0, turns[1]), turns):
-        part = _part(of, span[0] + late, span[1] - early)
-        if len(part.x) >= 4 or (part.a is not None and len(part.x) > 1):
+        inner = part(of, span[0] + late, span[1] - early)
+        if len(inner.x) >= 4 or (inner.a is not None and len(inner.x) > 1):
             for one in laws:
-                fit = _fitted(one, part, _near(part))
+                fit = _fitted(one, inner, _near(inner)) if may_be(one, inner) else None
                 if fit is not None:
-                    return Found(one, *fit, residual=_residual(one, part, fit))
-    part = _part(of, *span)
-    return _own(part, rebuilt, _near(part))
-
-
-def _part(of: Points, begin: int, end: int) -> Points:
-    inside = slice(begin, end + 1)
-    v, a = (None if one is None else one[inside] for one in (of.v, of.a))
-    return Points(of.x[inside], of.y[inside], v, a, of.precision)
+                    return Found(one, *fit, residual=_residual(one, inner, fit))
+    whole = part(of, *span)
+    return _own(whole, rebuilt, _near(whole))
 
 
 def _near(of: Points) -> float:
     """Return what a fit may miss by."""
-    return max(2.0 * of.precision, ROUNDED * abs(float(of.y[-1] - of.y[0])))
+    return max(2.0 * of.precision, ROUNDED * float(np.ptp(of.y)))
 
 
 def _fitted(law: Law, of: Points, near: float) -> _Fit | None:
@@ -182,9 +216,9 @@ def _rates_agree(law: Law, of: Points, fit: _Fit) -> bool:
     """Whether y' and y'' of a table, within the movement, are the law's, where the table has them."""
     span = fit.end - fit.begin
     at = law.evaluate(np.clip((of.x - fit.begin) / span, 0.0, 1.0))
-    inner = slice(1, -1)
+    inner = slice(0, -1)  # what a table has at a place is what follows there
     for given, meant, per in ((of.v, at.v, fit.lift / span), (of.a, at.a, fit.lift / span**2)):
-        if given is not None and len(given) > 2:
+        if given is not None:
             off = np.abs(given[inner] - per * meant[inner])
             if (
                 np.median(off) > RATES * np.abs(per * meant).max()

@@ -117,6 +117,5 @@ def lag(h: Array, sin: Array, cos: Array) -> Array:
     term = np.ones_like(h)
     for divisor in (210.0, 156.0, 110.0, 72.0, 42.0, 20.0):
         term = 1.0 - y / divisor * term
-    small = y < 1.0
-    direct = np.divide(h - sin * cos, 2.0 * h * h, out=np.zeros_like(h), where=~small)
-    return np.where(small, series * term, direct)
+    direct = (h - sin * cos) / np.maximum(0.5 * y, 0.5)  # a floor that is never reached where it counts
+    return np.where(y < 1.0, series * term, direct)

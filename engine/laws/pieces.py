@@ -57,7 +57,7 @@ class PieceLaw(Law):
 
     def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
         table, powers = self._carried
-        start, s0, v0, *row = table.take(stage_of(xi, table[0]), axis=1)
+        start, s0, v0, *row = table[:, :1] if table.shape[1] == 1 else table.take(stage_of(xi, table[0]), axis=1)
         u = xi - start
         s, v, a, j = gains_of(u, row[:powers], [row[k : k + 4] for k in range(powers, len(row), 4)])
         return s0 + v0 * u + s, v0 + v, a, j

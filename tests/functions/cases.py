@@ -7,9 +7,11 @@ import numpy as np
 
 from engine.drivetrain import Part, reflected_inertia
 from engine.laws.inverse import inverse
-from engine.motion import Motion, Phase
+from engine.motion import Phase
+from engine.motion.joining import Rates, joined
 from tests.functions.case import NUM, Case
-from workbook.functions.declared import CODES, OWN_WIDTH, TAKES
+from workbook.functions.taken import CODES, OWN_WIDTH, TAKES
+from workbook.laws.registry import CODES as BASIC
 from workbook.laws.registry import FAMILY
 
 SEED = 20261121
@@ -35,6 +37,8 @@ MORE = {
     "OWN": [POLYNOMIAL_345, HARMONIC, STANDS_BETWEEN],
 }
 """parameters of laws at their limits, beside those of their pages"""
+RANDOM = {"TVP": 5, "MTP": 5, "OWN": 5}
+"""random parameters of a law, where these are more than one"""
 
 
 def engine_law(code, p):
@@ -70,7 +74,8 @@ def drawn(code, draw):
         return (tuple(w / sum(weights) for w in weights),)
     (one,), (other,) = draw.sample(known(code), 2)
     share = draw.random()
-    return (tuple(share * a + (1.0 - share) * b for a, b in zip(one, other, strict=True)),)
+    return (tuple(draw.choice((a, b)) if isinstance(a, str) else share * a + (1.0 - share) * b
+                  for a, b in zip(one, other, strict=True)),)  # fmt: skip
 
 
 def parameters(draw):
@@ -79,7 +84,7 @@ def parameters(draw):
         taken = known(code)
         yield from ((code, p) for p in taken)
         if taken != [0]:
-            yield from ((code, drawn(code, draw)) for _ in range(5))
+            yield from ((code, drawn(code, draw)) for _ in range(RANDOM.get(code, 1)))
 
 
 def own_law(draw):
@@ -100,6 +105,8 @@ def breaks(code, p):
 def abscissae(code, p, draw):
     """ξ at the ends, at every break and a hair beside it, between, and at random."""
     inner = [x for x in breaks(code, p) if 0.0 < x < 1.0]
+    if code not in BASIC:
+        return sorted({0.0, 1.0, draw.choice(inner) - 1e-13, draw.choice(inner), draw.random()})
     sides = [x + side for x in inner for side in (0.0, 1e-13, -1e-13, 1e-6)]
     return sorted({0.0, 1.0, 1e-9, 1 - 1e-9, *(min(x, 1.0) for x in sides), *(draw.random() for _ in range(4))})
 
@@ -123,7 +130,8 @@ def of_laws(draw):
 
 def inverses(code, p, one, draw):
     """ξ at heights of the law; #NUM! where it moves backwards."""
-    for share in (0.0, 0.25, 0.5, 1.0, 1e-6, *(draw.random() for _ in range(3))):
+    shares = (0.0, 0.25, 0.5, 1.0, 1e-6, *(draw.random() for _ in range(3))) if code in BASIC else (draw.random(), 1.0)
+    for share in shares:
         s = share * max(one.end.s, 0.5)
         try:
             xi = inverse(one, s)
@@ -137,20 +145,54 @@ def inverses(code, p, one, draw):
 def of_phases(draw):
     alone = ([(code, 3.0, 0.0 if code == "DWL" else -7.0, known(code)[-1])] for code in CODES)
     for phases in (exercise(), *alone, *(random_phases(draw) for _ in range(10))):
-        motion = Motion([Phase(engine_law(code, p), lift, duration) for code, duration, lift, p in phases])
-        table = wide([row(*phase, draw) for phase in phases])
-        edges = [float(x) for x in motion.edges]
-        inner = [x + d * xi for x, (code, d, _, p) in zip(edges, phases, strict=False) if code == "OWN"
-                 for xi in breaks(code, p)]  # fmt: skip
-        k = [phase.law.coefficients for phase in motion.phases]
-        high = max(sum(abs(lift) * max(1.0, one.cv) for (_, _, lift, _), one in zip(phases, k, strict=True)), 1.0)
-        fast = max(abs(lift) / d * one.cv for (_, d, lift, _), one in zip(phases, k, strict=True)) + 1.0
-        steep = max(abs(lift) / d**2 * one.ca for (_, d, lift, _), one in zip(phases, k, strict=True)) + 1.0
-        between = [draw.uniform(0.0, motion.total) for _ in range(6)]
-        for x in (*edges, *inner, *between, edges[1] - 1e-6 * motion.total):
-            at = motion.at(x)
-            for name, value, near in (("POS", at.y, high), ("VEL", at.y1, fast), ("ACC", at.y2, steep)):
-                yield Case(name, (x, table), value, 1e-10 * near)
+        yield from of_table(phases, {}, draw)
+    for phases, through in (LINE_SPEED, *(handing_over(draw) for _ in range(12))):
+        yield from of_table(phases, through, draw)
+
+
+def of_table(phases, through, draw):
+    """A motion of phases, with what is prescribed between them; #NUM! where a law cannot meet what it is asked for."""
+    found = joined([Phase(engine_law(code, p), lift, d) for code, d, lift, p in phases], through, False, shares=False)
+    motion = found.motion
+    rows = [row(*phase, draw) for phase in phases]
+    for k, rates in sorted(through.items(), reverse=True):
+        rows.insert(k, ("VIA", *rates))
+    table = wide(rows)
+    edges = [float(x) for x in motion.edges]
+    inner = [x + d * xi for x, (code, d, _, p) in zip(edges, phases, strict=False) if code == "OWN"
+             for xi in breaks(code, p)]  # fmt: skip
+    k = [phase.law.coefficients for phase in motion.phases]
+    sizes = [max(abs(phase.scale), 1e-3) for phase in motion.phases]
+    high = max(sum(size * max(1.0, one.cv) for size, one in zip(sizes, k, strict=True)), 1.0)
+    fast = max(size / d * one.cv for (_, d, _, _), size, one in zip(phases, sizes, k, strict=True)) + 1.0
+    steep = max(size / d**2 * one.ca for (_, d, _, _), size, one in zip(phases, sizes, k, strict=True)) + 1.0
+    between = [draw.uniform(0.0, motion.total) for _ in range(4)]
+    for x in (*edges, *inner, *between, edges[1] - 1e-6 * motion.total):
+        at = motion.at(x)
+        for name, value, near in (("POS", at.y, high), ("VEL", at.y1, fast), ("ACC", at.y2, steep)):
+            yield Case(name, (x, table), NUM if found.faults else value, 1e-10 * near)
+
+
+LINE_SPEED = (
+    [("PO7", 40.0, 30.0, 0), ("LIN", 40.0, 60.0, 0), ("MSN", 60.0, 25.0, 0), ("CUB", 60.0, -60.0, 0)],
+    {3: Rates(0.5)},
+)
+"""rise to line speed, run in step, and on by way of a velocity that only one of its neighbours can have"""
+
+
+def handing_over(draw):
+    """Random phases beside straight lines, and velocities, accelerations and jerks prescribed between them."""
+    phases = random_phases(draw)
+    for k in range(0, len(phases), draw.choice((2, 3))):
+        phases[k] = ("LIN", draw.uniform(0.1, 90.0), draw.uniform(-100.0, 100.0), 0)
+    for k, (code, d, lift, _) in enumerate(phases):
+        if code in ("OWN", "DHM") and draw.random() < 0.9:
+            phases[k] = (draw.choice(("CUB", "PO5", "PO7", "SCV")), d, lift, 0)
+    free = [k for k in range(len(phases) + 1) if not any(
+        0 <= i < len(phases) and phases[i][0] in ("LIN", "DWL") for i in (k - 1, k))]  # fmt: skip
+    wanted = draw.randint(1, 3)
+    through = {k: Rates(*(draw.uniform(-1.0, 1.0) for _ in range(wanted))) for k in free if draw.random() < 0.5}
+    return phases, {k: rates for k, rates in through.items() if rates.v}
 
 
 def exercise():
@@ -172,7 +214,7 @@ def random_phases(draw):
 
 def row(code, duration, lift, p, draw):
     """A phase in cells; around the pieces of an own law some that last for no time."""
-    cells = list(p[0]) if p and code != "OWN" else []
+    cells = list(p[0]) if p and code != "OWN" else []  # 0: as delivered
     if code == "OWN":
         for piece in (*p, ()):
             cells += [*draw.choice(((), (), *PASSED_OVER)), *piece]

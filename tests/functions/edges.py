@@ -5,7 +5,8 @@ from itertools import chain
 
 from tests.functions.case import ANY_ERROR, DIV0, NA, NUM, VALUE, Case
 from tests.functions.cases import CLASSIC, POLYNOMIAL_345
-from workbook.laws.registry import CODES, FAMILY
+from workbook.functions.taken import CODES
+from workbook.laws.registry import FAMILY
 
 FAILED, MISSING = "=1/0", "=NA()"
 MTP, TVP = (CLASSIC,), ((0.25, 0.75),)
@@ -26,6 +27,21 @@ FAULTY_PIECES = (
 """Tables of pieces that are no law, one below the other or side by side, with the error of each."""
 
 
+REFUSED = {
+    "MSN": ((0.0, 0.25, 0.25), (0.5, -0.1, 0.5), (0.5, 0.25, 1.1)),
+    "MTS": ((0.5, 2.0, 0.5), (0.5, 0.5, 0.5), (1.0, 1.0, 0.5), (0.5, "end", 1.1), (None, "end", 0.5)),
+    "SCC": (
+        (0.3, 0.3, 0.3, 0.3, 0.5),
+        (0.0, 0.0, 0.0, 1.0, 0.5),
+        (0.5, 0.0, 0.5, 0.0, 0.0),
+        (-0.5, 1.0, 0.5, 0.0, 0.5),
+    ),
+    "HAC": ((0.5, 0.0), (0.5, "none"), (0.0, "end"), (0.5, 2.0)),
+    "SGS": ((0.5, 0.0), (0.5, 1.1), (1.0, 0.5)),
+}
+"""Parameters that a law cannot have."""
+
+
 def codes():
     yield from (Case("S", (code, 0.25, 0.0), 0.125) for code in ("ACS", "acs", " Acs "))
     yield from (Case("S", (code, 0.25, 0.0), VALUE) for code in ("XYZ", "", "ACS1", "parabolic", None, 5.0))
@@ -43,7 +59,8 @@ def abscissae():
     yield from (Case("S", ("CUB", xi, 0.0), value) for xi, value in ((None, 0.0), (-1e-13, 0.0), (1 + 1e-13, 1.0)))
     yield Case("V", ("TVP", None, TVP), 0.0)
     yield from (Case("A", ("ACS", xi, 0.0), -4.0) for xi in (0.5, 0.5 - 1e-13, 1.0))
-    yield from (Case("S", ("ACS", 0.5, p), 0.5) for p in (None, "none", 7.0, ((1.0, "two"), (None, 4.0))))
+    yield from (Case("S", ("ACS", 0.5, p), 0.5) for p in (None, "none", 0.0, ((0.0, None), (None, 0.0))))
+    yield from (Case("S", ("LIN", 0.5, p), 0.5) for p in (None, "none", 7.0, ((1.0, "two"), (None, 4.0))))
 
 
 def left_out():
@@ -73,21 +90,26 @@ def heights():
 def refused_parameters():
     """Parameters that no law takes, with the error of each."""
     for pair in ((0.75, 0.25), (0.0, 0.5), (0.5, 1.0), (-0.1, 0.5), (None, 0.5)):
-        yield "TVP", (pair,), NUM
-    for p in (0.0, 0.25, ((0.25,),), ((0.25, 0.5, 0.75),), ((0.25, "abc"),), "abc"):
+        yield from ((code, (pair,), NUM) for code in ("TVP", "SRT"))
+    yield from (("CIC", p, NUM) for p in (7.0, -0.1, 1.0, "start"))
+    yield from ((code, p, VALUE) for code in ("CUB", "PO7") for p in (((0.5, 0.5),), ((1.0, "two"), (None, 4.0)), "x"))
+    for code, bad in REFUSED.items():
+        yield from ((code, (p,), NUM) for p in bad)
+        yield code, (bad[0][:-1],), VALUE
+        yield code, ((*bad[0], 0.5),), VALUE
+        yield code, ((*bad[0][:-1], "abc"),), VALUE
+    for p in (0.25, ((0.25,),), ((0.25, 0.5, 0.75),), ((0.25, "abc"),), "abc"):
         yield "TVP", p, VALUE
     yield "TVP", MISSING, NA
     yield "TVP", ((0.25, FAILED),), ANY_ERROR
     for durations in (
         (0.25, -0.25, 0.25, 0.25, 0.25, 0.0, 0.25),
-        (0.0,) * 7,
         (0.125,) * 7,
         (0.0, 0.0, 0.0, 0.5, 0.0, 0.5, 0.0),
         (0.0, 0.5, 0.0, 0.5, 0.0, 0.0, 0.0),
-        (None,) * 7,
     ):
-        yield "MTP", (durations,), NUM
-    for p in (0.0, (CLASSIC[:6],), ((*CLASSIC, 0.0),), (("a", *CLASSIC[1:]),), TVP):
+        yield from ((code, (durations,), NUM) for code in ("MTP", "SCV"))
+    for p in ((CLASSIC[:6],), ((*CLASSIC, 0.0),), (("a", *CLASSIC[1:]),), TVP):
         yield "MTP", p, VALUE
     yield "MTP", ((FAILED, *CLASSIC[1:]),), ANY_ERROR
     for p in (0.0, (OWN[:7],), ((*OWN, 0.0),), tuple((x,) for x in OWN)):
@@ -99,6 +121,23 @@ def parameters():
     for code, p, error in refused_parameters():
         yield from (Case(name, (code, 0.25, p), error) for name in ("S", "V", "A", "J", "XI"))
         yield from (Case(name, (code, p), error) for name in ("CV", "CA", "CARMS", "CJ"))
+    yield from (
+        Case("S", ("DHM", 0.5, p), v)
+        for p, v in (
+            ("end", 0.25),
+            (" END", 0.25),
+            (1.0, 0.25),
+            ("start", 0.75),
+            (-1.0, 0.75),
+            (0.0, 0.25),
+            (2.0, NUM),
+            ("middle", VALUE),
+        )
+    )
+    yield from (
+        Case("CV", (code, (zeros,)), FAMILY[code].entry.example().coefficients.cv, 1e-9)
+        for code, zeros in (("MTP", (None,) * 7), ("MTP", (0.0,) * 7), ("TVP", (0.0,)), ("SCC", (None, 0.0)))
+    )
     yield Case("S", ("TVP", 0.5, ((0.25,), (0.75,))), 0.5)
     yield Case("S", ("MTP", 0.5, tuple((d,) for d in CLASSIC)), 0.5)
     yield Case("S", ("MTP", 0.5, ((0.125, 0.25, 0.125, None, 0.125, 0.25, 0.125),)), 0.5)
@@ -117,12 +156,50 @@ def phases():
             yield Case(name, (x, TABLE), value, 1e-10)
             yield Case(name, (x, (*TABLE, (None,) * 3, (None,) * 3)), value, 1e-10)
     yield Case("POS", (1.0, (("TVP", 2.0, 4.0, 0.25, 0.75, "unused"),)), 2.0)
-    yield Case("POS", (3.0, (("ACS", 2.0, 4.0, 9.0, "unused"), ("CUB", 2.0, 4.0, None, None))), 6.0)
+    yield Case("POS", (3.0, (("ACS", 2.0, 4.0, 0.5, "unused"), ("CUB", 2.0, 4.0, None, None))), 6.0)
+    yield from (
+        Case("POS", (1.0, ((code, 2.0, 4.0, *p),)), 2.0)
+        for code in ("TVP", "MTP", "MSN", "SCC")
+        for p in ((), (None,), (None, 0.0))
+    )
+    yield from handed_over()
     yield from own_phases()
     for name in ("POS", "VEL", "ACC"):
         yield from (Case(name, (x, TABLE), NUM) for x in (-0.1, 8.1, -1e-9, 8.0 + 1e-9))
         yield from (Case(name, (x, TABLE), error) for x, error in (("abc", VALUE), (FAILED, DIV0), (MISSING, NA)))
         yield from (Case(name, (1.0, table), error) for table, error in refused_tables())
+
+
+def handed_over():
+    """A rise to the velocity of a line: half of the polynomial 3-4-5 rises 8/15 of V T. And what contradicts itself."""
+    rise = ("PO5", 3.0, 3.2)
+    line, back = ("LIN", 2.0, 4.0), ("CIC", 4.0, 4.0)
+    for x, y, v in ((3.0, 3.2, 2.0), (4.0, 5.2, 2.0), (5.0, 7.2, 2.0), (7.0, 10.2, 1.0), (9.0, 11.2, 0.0)):
+        for table in (
+            (rise, line, back),
+            (rise, ("via", 2.0, None), line, ("VIA", 2.0, 0.0), back, ("Via", None, None)),
+        ):
+            yield Case("POS", (x, table), y, 1e-12)
+            yield Case("VEL", (x, table), v, 1e-12)
+    passed = (("PO7", 1.0, 2.0, None), ("VIA", 3.0, -4.0, 5.0), ("PO7", 1.0, -2.0, None))
+    yield from (Case(name, (1.0, passed), value, 1e-10) for name, value in (("POS", 2.0), ("VEL", 3.0), ("ACC", -4.0)))
+    cubic = (("VIA", 1.0, None), ("CUB", 2.0, 3.0), ("VIA", -1.0, None))
+    yield from (Case("VEL", (x, cubic), v, 1e-12) for x, v in ((0.0, 1.0), (2.0, -1.0)))
+    for table in (
+        (rise, ("VIA", 2.5, None), line),  # the line has another velocity
+        (rise, ("VIA", 2.0, 0.1), line),
+        (("DWL", 1.0, None), ("VIA", 1.0, None), rise),
+        (rise, ("VIA", 1.0, None), ("VIA", 1.0, None), back),
+        (("VIA", 1.0, None),),
+        (("CUB", 1.0, 1.0), ("VIA", 1.0, 1.0), ("PO5", 1.0, 1.0)),  # a cubic has no prescribed acceleration
+        (("PO5", 1.0, 1.0, None), ("VIA", 1.0, 1.0, 1.0), ("PO7", 1.0, 1.0, None)),
+        (("DHM", 1.0, 1.0), line),
+        ((*line, *BLANK), ("OWN", 1.0, 1.0, *OWN)),
+        (("PO5", 1.0, 1.0, 0.4), ("LIN", 1.0, 1.0, None)),
+    ):
+        yield from (Case(name, (0.5, table), NUM) for name in ("POS", "VEL", "ACC"))
+    yield Case("POS", (0.5, (rise, ("VIA", "abc", None), back)), VALUE)
+    yield Case("POS", (0.5, (("PO7", 1.0, 1.0, None), ("VIA", 1.0, 1.0, "abc"), ("PO7", 1.0, 1.0, None))), VALUE)
 
 
 def own_phases():
@@ -157,11 +234,11 @@ def refused_tables():
     for table in (0.0, "CUB", (("CUB", 4.0),), ((None,) * 3,) * 2, GAP):
         yield table, VALUE
     for row in (("XYZ", 4.0, 8.0), (5.0, 4.0, 8.0), (None, 4.0, 8.0), ("CUB", "abc", 8.0), ("CUB", 4.0, "abc"),
-                ("TVP", 4.0, 8.0), ("TVP", 4.0, 8.0, 0.5), ("MTP", 4.0, 8.0, *CLASSIC[:6]),
+                ("TVP", 4.0, 8.0, 0.5), ("MTP", 4.0, 8.0, *CLASSIC[:6]), ("HAC", 4.0, 8.0, 0.5, "side"),
                 ("TVP", 4.0, 8.0, 0.25, "abc"), ("OWN", 4.0, 8.0), ("OWN", 4.0, 8.0, *OWN[:7])):  # fmt: skip
         yield (row,), VALUE
     for row in (("CUB", 0.0, 8.0), ("CUB", -4.0, 8.0), ("CUB", None, 8.0), ("DWL", 4.0, 8.0),
-                ("TVP", 4.0, 8.0, 0.75, 0.25), ("TVP", 4.0, 8.0, None, None), ("OWN", 0.0, 8.0, *OWN),
+                ("TVP", 4.0, 8.0, 0.75, 0.25), ("MSN", 4.0, 8.0, None, 0.25, 0.25), ("OWN", 0.0, 8.0, *OWN),
                 ("OWN", 4.0, 8.0, *HALVES[0], *HALVES[1][:-1])):  # fmt: skip
         yield (row,), NUM
     yield ((("CUB", 4.0, 8.0)), ("ACS", 0.0, 8.0)), NUM  # also where the phase is not the one asked for

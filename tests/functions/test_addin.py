@@ -18,7 +18,9 @@ from tests.functions.cases import CLASSIC, engine_law, known, value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions import oxt
 from workbook.functions.addin.motion_functions import library
-from workbook.functions.declared import CODES, FUNCTIONS, OWN_WIDTH, PARAMETERS
+from workbook.functions.addin.motion_functions.cells import parameters
+from workbook.functions.declared import FUNCTIONS
+from workbook.functions.taken import CODES, OWN_WIDTH, PARAMETERS
 from workbook.template import FOLDER
 
 OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has
@@ -230,7 +232,7 @@ def test_the_types_were_made_from_what_is_declared():
 def test_the_add_in_knows_the_law(code):
     assert code == "OWN" or library.PARAMETERS.get(code) == PARAMETERS[code], f"{code} is not in the add-in's library"
     for p in known(code):
-        made, one = engine_law(code, p), library.law(code, p if isinstance(p, tuple) else ())
+        made, one = engine_law(code, p), library.law(code, parameters(code, p))
         for xi in (0.0, 0.07, 0.3, 0.5, 0.81, 1.0):
             assert one.at(xi) == pytest.approx(made.evaluate(xi), rel=1e-12, abs=1e-12), (code, p, xi)
 

@@ -12,10 +12,11 @@ from typer.testing import CliRunner
 from tests.functions import lambdas
 from workbook.cli import app
 from workbook.functions import publish
-from workbook.functions.declared import CODES, FUNCTIONS
+from workbook.functions.declared import FUNCTIONS
 from workbook.functions.names import definitions
 from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE
+from workbook.functions.taken import CODES
 from workbook.writing import archive
 
 SHEET = "xl/worksheets/sheet1.xml"
@@ -55,7 +56,11 @@ def without_empty_cells(path, made):
     return made
 
 
-@pytest.mark.parametrize("law", CODES)
+OF_EACH_KIND = ("DWL", "LIN", "TVP", "MTP", "PO7", "DHM", "OWN")
+LAWS = [law if law in OF_EACH_KIND else pytest.param(law, marks=pytest.mark.nightly) for law in CODES]
+
+
+@pytest.mark.parametrize("law", LAWS)
 def test_the_names_compute_what_the_page_shows(law, tmp_path):
     shown = EXAMPLE.model_copy(update={"law": law, "xi": 0.625})
     publish.write_book(tmp_path / "page.xlsx", shown)

@@ -42,7 +42,7 @@ def test_every_function_called_exists(name):
 @names
 def test_every_word_is_a_variable_of_the_formula(name):
     words = {part for kind, part in plain(name) if kind == "word"}
-    assert words - {"TRUE"} == set(declared_variables(by_name[name].formula))
+    assert words - {"TRUE", "FALSE"} == set(declared_variables(by_name[name].formula))
 
 
 @names
@@ -59,7 +59,7 @@ def test_newer_functions_and_variables_are_marked_in_the_file(name):
     variables = {f"_xlpm.{variable}" for variable in declared_variables(by_name[name].formula)}
     assert {part for kind, part in stored if kind == "call"} <= EXCEL_2007 | set(FUTURE.values()) | set(by_name)
     words = {part for kind, part in stored if kind == "word"}
-    assert {part.replace("_xlop.", "_xlpm.") for part in words} - {"TRUE"} == variables
+    assert {part.replace("_xlop.", "_xlpm.") for part in words} - {"TRUE", "FALSE"} == variables
 
 
 def test_an_optional_parameter_is_marked_where_it_is_declared_and_nowhere_else():

@@ -17,7 +17,8 @@ from workbook.book.declare import Book
 from workbook.book.formula import Area, Formula
 from workbook.entries.machine import Machine
 from workbook.judging.compare import TOLERANCE, difference
-from workbook.judging.matching import Match, Right, is_formula
+from workbook.judging.matching import Match, is_formula
+from workbook.judging.right import Right
 from workbook.judging.verify import Report, judge
 from workbook.reading.entries import read_machine
 from workbook.reading.files import BookFile, find_places

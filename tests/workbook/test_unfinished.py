@@ -20,9 +20,9 @@ from workbook.writing.same import same_book
 AXIS = ("timing", "axes", 1, "phases")
 MOVED = ("axes", 1, "phases")
 TOOL = ("overlap", "tools", 0)
-ROTORS = "Drive, Rotating parts (S1, slide 'Feeding group layout'): entries within their limits"
-PHASES = "Timing, Phases of axis 2: entries within their limits"
-MOTION = "Motion, Fill one row each, in order: entries within their limits"
+ROTORS = "Drive, Rotating parts (S1, slide 'Feeding group layout'): entries within limits"
+PHASES = "Timing, Phases of axis 2: entries within limits"
+MOTION = "Motion, Fill one row each, in order: entries within limits"
 UNEQUAL = [0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]
 
 CASES = {
@@ -31,13 +31,13 @@ CASES = {
                        "MC02 row 2 begins at 120°, 15° before row 1 ends"),
         "a phase that runs backwards": ([(*MOVED, 1, "stop", 300.0)], "Axis 2: every phase runs forward",
                                         "MC02 row 2 ends at 300°, 5° before it begins"),
-        "a missing end": ([(*MOVED, 0, "stop", None)], "Timing, Phases of axis 2: entries within their limits",
+        "a missing end": ([(*MOVED, 0, "stop", None)], "Timing, Phases of axis 2: entries within limits",
                           "to, row 1: empty; expected a number of at least 0 and at most 360"),
-        "no phases": ([("axes", 1, "phases", [])], "Timing, Phases of axis 2: entries within their limits",
+        "no phases": ([("axes", 1, "phases", [])], "Timing, Phases of axis 2: entries within limits",
                       "no row is filled"),
-        "no rate": ([("master", "rate", None)], "Timing: entries within their limits",
+        "no rate": ([("master", "rate", None)], "Timing: entries within limits",
                     "Production rate: empty; expected a number greater than 0"),
-        "a shift beyond all": ([("axes", 3, "shift", 1e300)], "Timing, Axes: entries within their limits",
+        "a shift beyond all": ([("axes", 3, "shift", 1e300)], "Timing, Axes: entries within limits",
                                "shift, row 4: beyond 1E9; expected a number"),
     },
     "cutting-machine": {
@@ -58,13 +58,13 @@ CASES = {
                                      "to, row 5: 400; expected a number of at least 0 and at most 360"),
         "no phases": ([("timing", "axes", 1, "phases", [])], PHASES, "no row is filled"),
         "a dwell with a lift": ([(*AXIS, 0, "lift", 5.0)], PHASES, "lift of a dwell or without a law, row 1: 5"),
-        "a negative rate": ([("timing", "rate", -200.0)], "Timing: entries within their limits",
+        "a negative rate": ([("timing", "rate", -200.0)], "Timing: entries within limits",
                             "Production rate: -200; expected a number greater than 0"),
-        "no rate": ([("timing", "rate", None)], "Timing: entries within their limits",
+        "no rate": ([("timing", "rate", None)], "Timing: entries within limits",
                     "Production rate: empty; expected a number greater than 0"),
-        "a ratio of zero": ([("drive", "motor", "reduction", 0.0)], "Drive: entries within their limits",
+        "a ratio of zero": ([("drive", "motor", "reduction", 0.0)], "Drive: entries within limits",
                             "Reduction of the reducer: 0; expected a number greater than 0"),
-        "an efficiency above 1": ([("drive", "motor", "efficiency", 1.2)], "Drive: entries within their limits",
+        "an efficiency above 1": ([("drive", "motor", "efficiency", 1.2)], "Drive: entries within limits",
                                   "Efficiency of the reducer: 1.2; expected a number greater than 0 and at most 1"),
         "a negative inertia": ([("drive", "rotors", 0, "inertia", -1e-5)], ROTORS,
                                "inertia of one, row 1: -1e-05; expected a number of at least 0"),
@@ -99,7 +99,7 @@ CASES = {
     "flying-cutter": {
         "a product too short": ([("cutter", "product_length", 1.0)], "The products leave time to re-position",
                                 "a product of 1 mm; expected at least 62.894684925 mm"),
-        "a line that runs backwards": ([("cutter", "line_speed", -20.0)], "Cutter: entries within their limits",
+        "a line that runs backwards": ([("cutter", "line_speed", -20.0)], "Cutter: entries within limits",
                                        "Line speed: -20; expected a number greater than 0"),
         "half a tool": ([("cutter", "drum", "tools", 2.5)], "A drum has whole tools",
                         "2.5 tools; expected a whole number"),
@@ -123,14 +123,14 @@ CASES = {
                           "-50° are left to a way; expected at least 0.01°"),
         "more than a turn": ([(*TOOL, "angle_in", 250.0)], "Way in, dwell and way out fit into the turn",
                              "way in, dwell and way out take 469.836914727°; expected at most 360°"),
-        "no stroke": ([("overlap", "transfer", "stroke", 0.0)], "Overlap: entries within their limits",
+        "no stroke": ([("overlap", "transfer", "stroke", 0.0)], "Overlap: entries within limits",
                       "its stroke: 0; expected a number greater than 0"),
         "a law that moves backwards": ([(*TOOL, "law_in", "OWN"), ("laws", "OWN", {"pieces": [
             {"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]})],
             "The laws never move backwards", "a law moves backwards: see its sheet, or Laws"),
     },
     "actuator-sizing": {
-        "an efficiency above 1": ([("actuator", "output", "efficiency", 1.2)], "Actuator: entries within their limits",
+        "an efficiency above 1": ([("actuator", "output", "efficiency", 1.2)], "Actuator: entries within limits",
                                   "Efficiency of screw, roller, pinion, pulley: 1.2; expected a number greater than 0 "
                                   "and of at least 0.01 and at most 1"),
         "too hot": ([("actuator", "motor", "temperature", 200.0)], "The motor is cooler than its limit",

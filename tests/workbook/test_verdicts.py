@@ -24,6 +24,7 @@ VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those 
     "motion-composer": (26, []),
     "motion-composer-example-1": (26, []),
     "motion-composer-example-2": (26, []),
+    "motion-composer-example-3": (32, []),
     "motion-laws": (49, []),
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
@@ -35,6 +36,14 @@ class Address(NamedTuple):
         return cls(name, row, column)
 
 
+class Strip(NamedTuple):
+    """Cells of one column of a sheet."""
+
+    sheet: str
+    column: int
+    rows: Sequence[int]
+
+
 class Place(NamedTuple):
     """Where a block lies in a file.
 
@@ -64,6 +73,12 @@ class Place(NamedTuple):
         if self.rows_at:
             return [Address(sheet, self.row + offset, column) for offset in self.rows_at]
         return [Address(sheet, row, column) for row in range(first, first + self.rows)]
+
+    def strip(self, j: int, rows: int) -> Strip:
+        """Return so many cells of a column, from its first."""
+        sheet, first, column = self.cell(0, j)
+        below = [self.row + offset for offset in self.rows_at[:rows]]
+        return Strip(sheet, column, below or range(first, first + rows))
 
     def part(self, j: int) -> Place:
         """Return the place of one column; column 0 if it is gone."""

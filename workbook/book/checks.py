@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
 from typing import Any, NamedTuple
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.quantity import SAYS
 
 ZERO = 1e-9
+FAILS = '1-COUNTIF([verdict],"OK")'
+"""1 where a check does not hold, be it for an error value"""
 
 
 def checks_sheet(book: Book) -> Sheet:
@@ -17,11 +20,11 @@ def checks_sheet(book: Book) -> Sheet:
     sheet.widths = {2: 60, 6: 90}
     found = book.checks
     summed = summary(book)
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(
-        result("checks_ok", "Checks that hold", "", "", '=COUNTIF([checks.verdict],"OK")', summed.holding, format="0"),
-        calc("checks_all", "Checks in all", "", "", "=MAX([checks.k])", len(found), format="0"),
-        constant("check_zero", "What a check takes for zero", "", "", ZERO, format="0E+00",
+        result("checks_ok", "Checks passed", "", "", '=COUNTIF([checks.verdict],"OK")', summed.holding, format="0"),
+        calc("checks_all", "Checks in total", "", "", "=MAX([checks.k])", len(found), format="0"),
+        constant("check_zero", "Zero tolerance of the checks", "", "", ZERO, format="0E+00",
                  source="so that rounding fails no check"),
     )  # fmt: skip
     ok = summed.overall == "OK"
@@ -35,6 +38,7 @@ def checks_sheet(book: Book) -> Sheet:
         constant("where", "sheet", "", "", [s.title for s, _ in found]),
         Quantity("says", "what it is about, or where it fails and by how much", "", "", "sentence",
                  [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
+        calc("nth", "failing so far", "", "", ["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]], counted(book)),
     )  # fmt: skip
     return sheet
 
@@ -57,6 +61,35 @@ def summary(book: Book) -> Summary:
     return Summary(verdicts, sentences, None if unknown else verdicts.count("OK"), overall)
 
 
+def failing(book: Book) -> int | None:
+    """Return how many checks do not hold; None where one is unfinished."""
+    holding = summary(book).holding
+    return None if holding is None else len(book.checks) - holding
+
+
+def counted(book: Book) -> list[int | None]:
+    """Return for each check how many up to it do not hold; None from the first that is unfinished."""
+    verdicts = summary(book).verdicts
+    known = verdicts.index(None) if None in verdicts else len(verdicts)
+    so_far = accumulate(int(verdict != "OK") for verdict in verdicts[:known])
+    return [*so_far, *[None] * (len(verdicts) - known)]
+
+
+def mended(book: Book, most: int) -> dict[str, list[str | None]]:
+    """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.what``."""
+    found = summary(book)
+    failing = [
+        (q.label, sheet.title, said)
+        for (sheet, q), verdict, said in zip(book.checks, found.verdicts, found.sentences, strict=True)
+        if verdict != "OK"
+    ][:most]
+    rows = [*failing, *[("", "", "")] * (most - len(failing))]
+    known = found.holding is not None
+    columns = zip(*rows, strict=True)
+    return {f"mend.{name}": list(column) if known else [None] * most
+            for name, column in zip(("what", "where", "says"), columns, strict=True)}  # fmt: skip
+
+
 def settled(book: Book) -> dict[str, list[Any]]:
     """Return what stands in the cells that sum up the checks, by block and column: ``checks.verdict``."""
     found = summary(book)
@@ -64,6 +97,9 @@ def settled(book: Book) -> dict[str, list[Any]]:
     return {
         "checks.verdict": found.verdicts,
         "checks.says": found.sentences,
+        "checks.nth": counted(book),
+        "mend_count.mend_count": [failing(book)],
+        **mended(book, book.blocks["mend"].size),
         "checks_ok.checks_ok": [found.holding],
         "overall.overall": [found.overall],
         **{f"{head}.{head}": [found.overall] for head in heads},

@@ -129,6 +129,8 @@ class Text(NamedTuple):
     link: str = ""
 
 
+LONG = 40
+"""rows of a table that is not printed below others, and of which a page is printed where it stands alone"""
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 
 
@@ -144,10 +146,13 @@ class Sheet:
     blocks: list[Block] = field(default_factory=list)
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
+    print_rows: int = 0
     one_page: bool = False
     widths: dict[int, float] = field(default_factory=dict)
     """of columns that differ from those of other sheets"""
     scope: str = ""
+    section: int = 0
+    """row of the heading above"""
 
     @contextmanager
     def scoped(self, scope: str) -> Iterator[None]:
@@ -158,9 +163,14 @@ class Sheet:
         finally:
             self.scope = before
 
+    def not_printed_below(self) -> None:
+        """End what is printed above the next thing: long tables are for the screen."""
+        self.print_rows = self.row
+
     def heading(self, text: str, note: str = "") -> None:
         """Begin a section."""
         self.row += 1
+        self.section = self.row
         self.texts.append(Text(self.row, FIRST, text, "heading"))
         self.row += 1
         if note:
@@ -178,7 +188,7 @@ class Sheet:
         watched = self._limited(own)
         if watched:
             name = f"{watched[0][0].name}_entries"
-            guard, verdict = of_cells(name, f"{self.title}: entries within their limits", watched)
+            guard, verdict = of_cells(name, f"{self.title}: entries within limits", watched)
             self.book.guards.append(guard)
             self.checks(verdict)
 
@@ -224,7 +234,8 @@ class Sheet:
         watched = self._limited(quantities)
         if not watched:
             return self._table(name, title, size, blank, *quantities)
-        label = f"{self.title}, {title.split(':')[0].split(';')[0]}: entries within their limits"
+        named = re.split(r"[:;(]", title)[0].strip()
+        label = f"{self.title}, {named}: entries within limits"
         rows = self.book.limit(inputs[0].key.partition(".*")[0])
         filled = rows is not None and rows.required
         guard, column, verdict = of_rows(in_scope(name, self.scope), size, label, inputs, watched, rules, filled)
@@ -235,6 +246,9 @@ class Sheet:
         return block
 
     def _table(self, name: str, title: str, size: int, blank: str, *quantities: Quantity) -> Block:
+        if size > LONG and not self.print_rows:
+            above = self.section if self.row < self.section + 4 else self.row
+            self.print_rows = above - 1 if self.blocks else self.row + LONG
         self.texts.append(Text(self.row, FIRST, title, "subheading"))
         explained = any(q.source for q in quantities)
         for i, q in enumerate(quantities):

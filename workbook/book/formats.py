@@ -6,6 +6,9 @@ from typing import Any
 
 from workbook.book.quantity import Quantity
 
+LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))
+"""below each size: four digits that count"""
+
 
 def sample(q: Quantity) -> Any:
     """Return the value by whose size all cells of a quantity are shown: the only one, or the greatest of them."""
@@ -30,4 +33,4 @@ def number_format(q: Quantity, value: Any) -> str:
     size = abs(value)
     if size and (size < 1e-3 or size >= 1e6):
         return "0.000E+00"
-    return "0.0000" if size < 10 else "0.000" if size < 1000 else "0.0"
+    return next((look for limit, look in LOOKS if size < limit), "0")

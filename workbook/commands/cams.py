@@ -32,12 +32,15 @@ def read(file: Path, source: str, output: Path | None, force: bool) -> None:
         refuse_existing(output, force)
     table = read_table(file, target)
     units = described.units_of(read_text(file, "a table", most=len(file.read_bytes())))
-    found = described.phases_of(target, table)
-    say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found)} movements")
+    found = described.phases_of(target, table, units)
+    say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
     for line in described.lines(found, units):
         say(ERR, line)
     data = described.composed(found, table, units, f"Read from {file.name}")
-    machine = checked(template_named("motion-composer", str(file)), data, lambda key: f"{file}: {key}")
+    if data["template"] == "machine":
+        said = f"It begins on the way: written as a machine's axis, {found.late:.9g} {units[0]} later"
+        say(ERR, f"{said}; its rate of {described.RATE:g} is ours, enter the machine's")
+    machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     if output is None:
         say_data(write_machine(machine))
         return

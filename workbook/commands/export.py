@@ -6,6 +6,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from dataclasses import replace as replaced
 from pathlib import Path
 
 from workbook import __version__
@@ -13,7 +14,7 @@ from workbook import build as making
 from workbook.axes import CamAxis
 from workbook.build import write_text
 from workbook.controllers import certificates, files
-from workbook.controllers.handing import Made, automatic, certified, reread, tabulated
+from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine
@@ -57,15 +58,22 @@ class Exported:
 
 
 def asked_for(
-    to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool
+    to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool, equal: bool = False
 ) -> Asked:  # fmt: skip
     """Return what is asked for; raise TargetError where it cannot be meant."""
     target = target_named(to)
+    if equal and target.spacing == "breaks":
+        raise TargetError(f"{to} has segments between the breaks of a motion; expected no --equidistant")
+    target = replaced(target, spacing="equal") if equal else target
     if points != AUTO and not (points.isdecimal() and len(points) < 8):
         raise TargetError(f"--points {points}: expected a number of points, or {AUTO}")
+    if points != AUTO:
+        allowed(target, int(points))
     for name, value, known in (("separator", separator, SEPARATORS), ("decimal", decimal, DECIMALS)):
         if value not in known:
             raise TargetError(f"--{name} {value}: expected {' or '.join(known)}")
+        if name not in target.signs and value != next(iter(known)):
+            raise TargetError(f"{to} has no {name} to choose; expected no --{name}")
     if SEPARATORS[separator] == DECIMALS[decimal]:
         raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
     held = dict(map(tolerated, tolerance))
@@ -186,13 +194,13 @@ def exported(machine: Machine, axis: CamAxis, asked: Asked, mark: Sequence[str],
         made = automatic(target, axis, asked.tolerance)
     else:
         made = certified(target, tabulated(target, axis, asked.points), axis.course)
+    units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     header = tuple(visible(line) for line in (
         f"{machine.title}, axis {axis.name}: {target.title}",
-        files.header(made.points, " or ".join(made.certificates), (axis.x_unit, axis.y_unit)),
+        files.header(made.points, " or ".join(made.certificates), equal, units),
         *mark,
         *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),
     ))  # fmt: skip
-    units = axis.x_unit, axis.y_unit
     handed = Handed(made.table, slug(axis.name), header, units, axis.repeats, asked.separator, asked.decimal)
     text = target.write(handed)
     again = certified(target, reread(target, text, made.table), axis.course)

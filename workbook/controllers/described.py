@@ -6,8 +6,12 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from engine.cams.identify import Found, Points, identified, precision
+import numpy as np
+
+from engine.cams.given import Points, precision
+from engine.cams.identify import Found, Read, identified
 from engine.laws import PieceLaw
+from engine.laws.base import Array
 from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table
 from workbook.controllers.target import Target
@@ -15,16 +19,32 @@ from workbook.errors import TargetError
 
 UNITS = re.compile(r"x in (\S{1,12}), y in (\S{1,12});")
 BASIC = ("ACS", "TVP", "CIC", "CUB", "MTP")
+TURN = 360.0
+RATE = 60.0  # cycles/min
+AXIS = "Read"
+AS_FAST = 1e-3  # of the peak: so far what a cycle ends with may be from what it begins with
+BETWEEN = 8  # places of a polynomial
 NEXT = 1e-9  # of the cycle: phases so near to each other meet
 
 
-def phases_of(target: Target, table: Table) -> list[Found]:
-    """Return the movements that a table was made of."""
+def phases_of(target: Target, table: Table, units: tuple[str, str] = ("", "")) -> Read:
+    """Return the movements that a table was made of; a turn of a shaft may be told from a dwell on."""
     rebuilt = next(iter(rules_of(target, table).values())).made(table)
     known = precision(table.y)
     if table.steps[1] != 1.0:
         known = max(known, 0.5 * table.steps[1])
-    return identified(Points(table.x, table.y, table.v, table.a, known), rebuilt)
+    turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
+    if table.course is not None and table.steps == (1.0, 1.0):
+        x = finer(table.x)
+        return identified(Points(x, table.course.at(x, left=True).y, None, None, known), rebuilt, turns)
+    return identified(Points(table.x, table.y, table.v, table.a, known), rebuilt, turns)
+
+
+def finer(x: Array) -> Array:
+    """Return places, and some between each two: a polynomial is known there too."""
+    return np.append(
+        (x[:-1, None] + np.diff(x)[:, None] * np.linspace(0.0, 1.0, BETWEEN, endpoint=False)).ravel(), x[-1]
+    )
 
 
 def units_of(text: str) -> tuple[str, str]:
@@ -33,49 +53,101 @@ def units_of(text: str) -> tuple[str, str]:
     return (found[1], found[2]) if found else ("°", "mm")
 
 
-def lines(found: Sequence[Found], units: tuple[str, str]) -> list[str]:
+def lines(read: Read, units: tuple[str, str]) -> list[str]:
     """Return a line for each movement: its law, from where to where, its lift, and what the table is off by."""
     x, y = units
     said = []
-    for one in found:
+    for one in read.found:
         own = isinstance(one.law, PieceLaw)
         name = f"no law of the registry, {len(one.law.as_pieces())} pieces" if own else one.law.name
         misses = "" if one.fits else "; it neither begins and ends at rest nor keeps to the points"
-        place = f"{one.begin:.9g}–{one.end:.9g} {x}"
+        v = one.rates[0]
+        misses += f"; begins with {v:.6g} {y}/{x}" if v else ""
+        place = f"{one.begin + read.late:.9g}–{one.end + read.late:.9g} {x}"
         said.append(f"{place}: {name}, lift {one.lift:.9g} {y}, residual {one.residual:.2g} {y}{misses}")
     return said
 
 
-def composed(found: Sequence[Found], table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
-    """Return the description of a composed motion; raise TargetError for movements that none can have."""
-    begin, end = float(table.x[0]), float(table.x[-1])
+def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
+    """Return the description of a composed motion, or of a machine whose axis is that much later.
+
+    Raises TargetError for movements that none can have.
+    """
+    found = read.found
     for one in found:
         if not one.fits:
-            raise TargetError(f"from {one.begin:.9g} to {one.end:.9g} it does not move from rest to rest by any law; "
+            raise TargetError(f"from {one.begin:.9g} to {one.end:.9g} it keeps to no law and to no few quintics; "
                               "a composed motion needs such phases")  # fmt: skip
-    edges, phases = [begin], []
     laws: dict[str, Any] = {}
+    if any(not one.rests for one in found):
+        laws["LIN"] = {"family": "LIN"}
+    phases, reached = [], float(table.x[0])
+    near = NEXT * float(table.x[-1] - table.x[0])
     for k, one in enumerate(found):
-        low, high = max(one.begin, edges[-1]), min(one.end, end)
-        if low - edges[-1] > NEXT * (end - begin):
-            phases.append({"law": "DWL", "lift": 0.0, "duration": low - edges[-1]})
+        if one.begin - reached > near:
+            phases.append({"law": "DWL", "lift": 0.0, "start": reached, "stop": one.begin})
+            reached = one.begin
         name, law = named(one, k)
         laws |= law
-        start = edges[-1] if low - edges[-1] <= NEXT * (end - begin) else low
-        phases.append({"law": name, "lift": one.lift, "duration": high - start})
-        edges.append(high)
-    if end - edges[-1] > NEXT * (end - begin):
-        phases.append({"law": "DWL", "lift": 0.0, "duration": end - edges[-1]})
+        phases.append({"law": name, "lift": one.lift, "start": reached, "stop": one.end, **passing(found, k, near)})
+        reached = one.end
+    if table.x[-1] - reached > near:
+        phases.append({"law": "DWL", "lift": 0.0, "start": reached, "stop": float(table.x[-1])})
     travel = sum(one.lift for one in found)
     closes = abs(travel) <= NEXT * max((abs(one.lift) for one in found), default=1.0)
+    if found and table.x[-1] - found[-1].end <= near:
+        require_end(found, closes, near + float(table.x[0]))
+    if read.late:
+        return turning(read.late, phases, laws, units[1], closes, title)
     motion = {"abscissa_unit": units[0], "lift_unit": units[1], "position": float(found[0].y if found else table.y[0]),
-              "cycle": "closes" if closes else "open", "phases": tidy(phases)}  # fmt: skip
+              "cycle": "closes" if closes else "open", "phases": [*map(lasting, phases)]}  # fmt: skip
     return {"template": "motion-composer", "title": title, "laws": laws, "motion": motion}
 
 
-def tidy(phases: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return phases with durations as they were meant, without what rounding leaves behind the twelfth digit."""
-    return [phase | {"duration": float(f"{phase['duration']:.12g}")} for phase in phases]
+def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
+    """Raise TargetError where the last phase ends on the way, and the first does not take over what it ends with."""
+    one, other = found[-1], found[0]
+    if one.law.code == "LIN" or not any(one.leaves):
+        return
+    taken = (other.lift / (other.end - other.begin), 0.0) if other.law.code == "LIN" else other.rates
+    near = (AS_FAST * one.law.coefficients.cv, AS_FAST * one.law.coefficients.ca)
+    span = one.end - one.begin
+    off = [abs(a - b) * span**k / size for k, (a, b, size) in enumerate(zip(one.leaves, taken, near, strict=True), 1)]
+    if not closes or other.begin > begin or max(off) > 1.0:
+        raise TargetError(f"it ends on the way at {one.end:.9g}, and its begin does not take that over: "
+                          "a composed motion ends at rest, or as it begins")  # fmt: skip
+
+
+def passing(found: Sequence[Found], k: int, near: float) -> dict[str, float]:
+    """Return what a phase passes its begin with where another curved one ends there, or nothing does."""
+    before = found[k - 1]
+    meets = k == 0 or found[k].begin - before.end <= near
+    if not meets or "LIN" in (found[k].law.code, before.law.code if k else ""):
+        return {}
+    rates = dict(zip(("velocity", "acceleration"), found[k].rates, strict=True))
+    return {name: value for name, value in rates.items() if value}
+
+
+def turning(
+    late: float, phases: Sequence[dict[str, Any]], laws: dict[str, Any], unit: str, closes: bool, title: str
+) -> dict[str, Any]:  # fmt: skip
+    """Return a machine of one axis, shifted by what it begins later; its rate is ours."""
+    moving = [tidy(phase) for phase in phases if phase["law"] != "DWL"]
+    axis = {"name": AXIS, "group": "Read", "unit": unit, "closes": "position" if closes else "feed",
+            "shift": float(f"{late:.12g}"), "phases": moving}  # fmt: skip
+    return {"template": "machine", "title": title, "laws": laws, "master": {"rate": RATE}, "axes": [axis]}
+
+
+def lasting(phase: dict[str, Any]) -> dict[str, Any]:
+    """Return a phase as one with a duration."""
+    start, stop = phase["start"], phase["stop"]
+    rest = {name: value for name, value in phase.items() if name not in ("start", "stop")}
+    return rest | {"duration": float(f"{stop - start:.12g}")}
+
+
+def tidy(phase: dict[str, Any]) -> dict[str, Any]:
+    """Return a phase with places as they were meant, without what rounding leaves behind the twelfth digit."""
+    return phase | {name: float(f"{phase[name]:.12g}") for name in ("start", "stop")}
 
 
 def named(one: Found, k: int) -> tuple[str, dict[str, Any]]:
@@ -84,6 +156,6 @@ def named(one: Found, k: int) -> tuple[str, dict[str, Any]]:
         pieces = [{"duration": p.duration, **{f"c{i}": c for i, c in enumerate(p.c)}} for p in one.law.pieces]
         name = f"Read {k + 1}"
         return name, {name: {"family": "OWN", "name": name, "pieces": pieces}}
-    if one.law.code in BASIC:
+    if one.law.code in (*BASIC, "LIN"):
         return one.law.code, {}
     return one.law.name, {one.law.name: {"family": one.law.code}}

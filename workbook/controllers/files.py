@@ -11,7 +11,7 @@ from workbook.errors import ReadError, TargetError
 from workbook.intake import read_text
 
 MOST = 8_000_000  # bytes: a tag of 25,000 points
-TOLD = re.compile(r"; (\d{1,9}) points; between them")
+TOLD = re.compile(r"; (\d{1,9}) points(?: at equal steps)?; between them")
 
 
 def read_table(path: Path, target: Target) -> Table:
@@ -32,6 +32,8 @@ def parsed(text: str, target: Target) -> Table:
     return table
 
 
-def header(points: int, between: str, units: tuple[str, str]) -> str:
-    """Return the line of a header that tells units, points and what is between them."""
-    return f"x in {units[0]}, y in {units[1]}; {points} points; between them {between}"
+def header(points: int, between: str, equal: bool, units: tuple[str, str]) -> str:
+    """Return the line of a header that tells units, points, whether at equal steps, and what is between them."""
+    return (
+        f"x in {units[0]}, y in {units[1]}; {points} points{' at equal steps' if equal else ''}; between them {between}"
+    )

@@ -27,6 +27,8 @@ DIGITS = 13
 """of the cycle: so many digits of x are kept, which the breaks of a motion have"""
 ROUNDED = 1e-14
 """of the largest of a column: what is smaller is none"""
+WITHIN = 1e-3
+"""of a way from point to point: so near to its ends a break may lie, which numbers of 32 bits have rounded"""
 GROWTH = (1.25, 2.0)
 BETTER = 0.95  # times the best so far: more points are worth it
 COARSE = 100
@@ -72,10 +74,17 @@ def certified(target: Target, table: Table, meant: Course) -> Made:
 
 def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
     """Return the table of n points at most, in the target's numbers; raise TargetError beyond its limits."""
+    allowed(target, n)
+    return filled(target, axis.course, placed(target, axis.course, n), (axis.x_unit, axis.y_unit))
+
+
+def allowed(target: Target, n: int) -> None:
+    """Raise TargetError for a number of points that a target cannot have."""
     least, most = target.points
     if not least <= n <= most:
         raise TargetError(f"{target.name}: {n:,} points; expected {least:,} to {most:,}")
-    return filled(target, axis.course, placed(target, axis.course, n), (axis.x_unit, axis.y_unit))
+    if target.counts and n not in target.counts:
+        raise TargetError(f"{target.name}: {n:,} points; expected one of {', '.join(map(str, target.counts))}")
 
 
 def placed(target: Target, of: Course, n: int) -> Array:
@@ -115,9 +124,16 @@ def filled(target: Target, of: Course, x: Array, units: tuple[str, str]) -> Tabl
     y, v, a, j = (clean(one, size * (len(x) / of.total) ** order) for order, one in enumerate((y, v, a, j)))
     had = [number.rounded(column) if name in target.columns else None
            for name, column in (("y'", v), ("y''", a), ("y'''", j))]  # fmt: skip
-    lines = straight(of)[of.index(0.5 * (x[:-1] + x[1:]))] if "straight" in target.columns else None
+    lines = lying(of, x) if "straight" in target.columns else None
     first, second = (v if number.whole else number.rounded(v))[[0, -1]].tolist()
     return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
+
+
+def lying(of: Course, x: Array) -> NDArray[np.bool_]:
+    """Return which ways between places lie within one straight stretch."""
+    h = np.diff(x)
+    first, last = of.index(x[:-1] + WITHIN * h), of.index(x[1:] - WITHIN * h)
+    return np.asarray(straight(of)[first] & (first == last))
 
 
 def clean(values: Array, size: float) -> Array:
@@ -127,6 +143,9 @@ def clean(values: Array, size: float) -> Array:
 
 def tried(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Iterator[Made]:
     """Yield tables of more and more points: the more of them, the farther each is from what is tolerated."""
+    if target.counts:
+        yield from (certified(target, tabulated(target, axis, n), axis.course) for n in target.counts)
+        return
     n, most = fewest(target, axis.course), min(target.points[1], MOST_TRIED)
     while n <= most:
         made = certified(target, tabulated(target, axis, n), axis.course)
@@ -140,7 +159,7 @@ def curve(target: Target, axis: CamAxis) -> list[Made]:
     low, high = fewest(target, axis.course), min(target.points[1], MOST_TRIED)
     if low > high:
         return []
-    counts = dict.fromkeys(round(n) for n in np.geomspace(low, high, DRAWN))
+    counts = target.counts or dict.fromkeys(round(n) for n in np.geomspace(low, high, DRAWN))
     return [certified(target, tabulated(target, axis, n), axis.course) for n in counts]
 
 
@@ -159,7 +178,7 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     before, idle = 0, 0
     for made in tried(target, axis, tolerance):
         if made.excess(tolerance) <= 1.0:
-            return fewer(target, axis, tolerance, before, made)
+            return made if target.counts else fewer(target, axis, tolerance, before, made)
         idle += 1
         if best is None or made.excess(tolerance) < BETTER * best.excess(tolerance):
             best, idle = made, 0

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import islice
 
 import numpy as np
 
 from engine.laws.base import Array
-from workbook.controllers.number import Number, literal
-from workbook.controllers.table import MOST_POINTS
+from workbook.controllers.number import LREAL, Number, literal
+from workbook.controllers.table import MOST_POINTS, Table
 from workbook.errors import TargetError
 
 LINE_COMMENT = re.compile(r"//[^\n]*")
@@ -30,6 +30,17 @@ def literals(number: Number, values: Array) -> list[str]:
     return [literal(number.text(float(value))) for value in values]
 
 
+def rows(table: Table, names: Sequence[str]) -> list[dict[str, str]]:
+    """Return the fields of each point and the texts of their numbers."""
+    written = [literals(LREAL, values) for values in table.columns.values()]
+    return [dict(zip(names, row, strict=True)) for row in zip(*written, strict=True)]
+
+
+def assigned(element: str, fields: Mapping[str, str]) -> str:
+    """Return the assignments of an element's fields, in a line."""
+    return " ".join(f"{element}.{name} := {value};" for name, value in fields.items())
+
+
 def stripped(text: str) -> str:
     """Return a text without its comments."""
     kept = []
@@ -47,22 +58,22 @@ def columns(found: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list
 
     Raises TargetError, by element, for what is no number, assigned twice, missing, out of order, or too many.
     """
-    rows: dict[int, dict[str, float]] = {}
+    elements: dict[int, dict[str, float]] = {}
     for index, name, text in islice(((i, n, t) for i, n, t in found if n in names), MOST_POINTS * len(names) + 1):
-        row = rows.setdefault(index, {})
+        row = elements.setdefault(index, {})
         if name in row:
             raise TargetError(f"element {index}: {name} is assigned twice; expected once")
         if not PLAIN.fullmatch(text):
             raise TargetError(f"element {index}: {name} is {text!r}; expected a number")
         row[name] = float(text)
-    if not rows:
+    if not elements:
         raise TargetError(f"no {names[0]} is assigned; expected {', '.join(names)} of each point")
-    for expected, index in enumerate(rows, min(rows)):
-        lacks = [name for name in names if name not in rows[index]]
+    for expected, index in enumerate(elements, min(elements)):
+        lacks = [name for name in names if name not in elements[index]]
         if lacks or index != expected:
             said = f"lacks {lacks[0]}" if lacks else f"follows element {expected - 1}"
             raise TargetError(f"element {index} {said}; expected every element in order, with {', '.join(names)}")
-    return [np.array([row[name] for row in rows.values()]) for name in names]
+    return [np.array([row[name] for row in elements.values()]) for name in names]
 
 
 def indexed(text: str, names: Sequence[str]) -> list[Array]:
@@ -77,6 +88,16 @@ def grouped(text: str, names: Sequence[str]) -> list[Array]:
         index += name == names[0]
         found.append((index, name, value))
     return columns(found, names)
+
+
+def points(text: str, found: Callable[[str], Sequence[Array]], count: str = "") -> Table:
+    """Return the table of the columns that a reader finds, as many as ``count`` says where that is assigned."""
+    x, y, *rates = found(text)
+    v, a = rates or (None, None)
+    table = Table(x, y, v, a)
+    if count:
+        counted(text, count, len(table.x))
+    return table
 
 
 def scalar(text: str, name: str) -> float | None:
@@ -103,10 +124,10 @@ def pairs(text: str, name: str) -> list[Array]:
     """Return x and y of ``NAME := [[x, y], …]``; raise TargetError where there is none, or what is no pair in it."""
     _, found, rest = stripped(text).partition(f"{name} := [")
     body, closed, _ = rest.partition("]]")
-    rows = PAIR.findall(f"{body}]")[: MOST_POINTS + 1] if found else []
-    if not rows or not closed or PAIR.sub("", f"{body}]").strip(" ,\r\n\t"):
+    each = PAIR.findall(f"{body}]")[: MOST_POINTS + 1] if found else []
+    if not each or not closed or PAIR.sub("", f"{body}]").strip(" ,\r\n\t"):
         raise TargetError(f"expected {name} := [[x, y], …], of numbers alone (is the file cut off?)")
-    return [np.array([float(row[k]) for row in rows]) for k in (0, 1)]
+    return [np.array([float(row[k]) for row in each]) for k in (0, 1)]
 
 
 def flat_pairs(text: str) -> list[Array]:

@@ -58,6 +58,11 @@ class Table:
         return {name: column for name, column in named.items() if column is not None}
 
 
+def equidistant(x: Array) -> bool:
+    """Whether places are at equal steps."""
+    return bool(np.allclose(x, np.linspace(x[0], x[-1], len(x)), rtol=0.0, atol=1e-9 * float(x[-1] - x[0])))
+
+
 class Rule(NamedTuple):
     """A way between points: what makes it, the degree of its polynomials and 1, and the steps a stretch needs."""
 

@@ -15,7 +15,8 @@ from workbook.controllers.number import LREAL, Number
 from workbook.controllers.table import Table
 
 Certainty = Literal["documented", "probable", "untested"]
-Spacing = Literal["free", "equal"]
+Spacing = Literal["free", "equal", "breaks"]
+"""of points: anywhere, at equal steps alone, or on the breaks at least"""
 
 
 class Claim(NamedTuple):
@@ -49,8 +50,9 @@ class Target:
 
     ``rules`` say what is between points: several where the documents do not settle it, and then each is tried and the
     worst is a bound. ``plain`` are those for a table of x and y only, where a file may have no more. ``columns`` are
-    what a point has; ``points`` the fewest and the most; ``tolerance`` what is asked unless told otherwise. ``exact``
-    says which stretches of a motion need no points within; ``built`` makes a table of polynomials of a motion, between
+    what a point has; ``points`` the fewest and the most, ``counts`` all there may be where these are few; ``signs``
+    which of separator and decimal may be asked for; ``tolerance`` what is asked unless told otherwise. ``exact`` says
+    which stretches of a motion need no points within; ``built`` makes a table of polynomials of a motion, between
     places, in steps of x and y.
     """
 
@@ -64,6 +66,8 @@ class Target:
     claims: tuple[Claim, ...]
     number: Number = LREAL
     points: tuple[int, int] = (2, 10_000)
+    counts: tuple[int, ...] = ()
+    signs: tuple[str, ...] = ()
     spacing: Spacing = "free"
     plain: tuple[str, ...] = ()
     tolerance: tuple[str, float] = ("a", 0.01)

@@ -19,11 +19,12 @@ def joined(rows: Iterable[Sequence[str]], separator: str = ";", decimal: str = "
     return "".join(f"{separator.join(row).replace('.', decimal)}\r\n" for row in rows)
 
 
-def numbers(text: str, widths: Sequence[int], comment: str = "#") -> list[list[float]]:
+def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool = False) -> list[list[float]]:
     """Return the rows of numbers of a text; what stands above the first is passed over, and a count of rows.
 
-    ``widths`` are how many columns it may have. Raises TargetError, by line, for what is no number, rows of another
-    width, a decimal sign that changes, too many rows, or none.
+    ``widths`` are how many columns it may have; ``counted`` whether a count must stand before them. Raises
+    TargetError, by line, for what is no number, rows of another width, a decimal sign that changes, too many rows,
+    or none.
     """
     kept: list[tuple[int, str]] = []
     for n, whole in enumerate(text.splitlines(), 1):
@@ -34,6 +35,8 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#") -> list[list[f
             raise TargetError(f"more than {MOST_POINTS:,} lines of numbers; expected at most so many")
     if not kept:
         raise TargetError("there is no line of numbers; expected a table of two columns or more")
+    if counted and not kept[0][1].isdigit():
+        raise TargetError(f"line {kept[0][0]}: {kept[0][1][:40]!r}; expected how many numbers follow")
     if kept[0][1].isdigit():
         if int(kept[0][1][:9]) != len(kept) - 1:
             raise TargetError(f"line {kept[0][0]}: {kept[0][1][:9]} points are told, {len(kept) - 1} follow")

@@ -5,8 +5,11 @@ from __future__ import annotations
 import re
 
 from workbook.controllers.number import LREAL
+from workbook.controllers.structured import NUMBER
 from workbook.errors import TargetError
 
+STANDS = re.compile(rf"the axis stands at ({NUMBER}) ")
+LARGEST = 1e9  # of a step
 TOLD = re.compile(r"one step is (\S{1,30}) (?:\S{1,30}) of x and (\S{1,30}) (?:\S{1,30}) of y")
 
 
@@ -25,6 +28,17 @@ def read_counts(text: str) -> tuple[float, float]:
         x, y = float(found[1]), float(found[2])
     except ValueError:
         x = y = 0.0
-    if not (0.0 < x <= 1.0 and 0.0 < y <= 1.0):
-        raise TargetError(f"one step is {found[1]} of x and {found[2]} of y; expected numbers above 0, up to 1")
+    if not (0.0 < x <= LARGEST and 0.0 < y <= LARGEST):
+        raise TargetError(f"one step is {found[1]} of x and {found[2]} of y; expected numbers above 0, up to 1e9")
     return x, y
+
+
+def stands(offset: float, unit: str) -> str:
+    """Return the comment that says where the axis is when a cam that begins at 0 begins."""
+    return f"the cam begins at y = 0; the axis stands at {LREAL.text(offset)} {unit} there"
+
+
+def read_stand(text: str) -> float:
+    """Return where the axis is when its cam begins; 0 where the comment does not say."""
+    found = STANDS.search(text)
+    return float(found[1]) if found else 0.0

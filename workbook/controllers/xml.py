@@ -6,7 +6,7 @@ from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser
 
 from workbook.errors import TargetError
 
-DEEPEST, MOST = 100, 500_000
+DEEPEST, MOST = 100, 200_000
 """levels and elements; a tag of 10,000 points has 50,000"""
 
 

@@ -8,13 +8,13 @@ from workbook.book.declare import Quantity, constant
 
 def standstill() -> Quantity:
     """Return the speed below which a shaft counts as standing: it decides the direction where only a speed is known."""
-    return constant("@still", "Slower than this counts as standing", "ω_0", "rad/s",
+    return constant("@still", "Speed taken as standstill, up to", "ω_0", "rad/s",
                     STANDSTILL, format="0E+00", source="then nothing flows back")  # fmt: skip
 
 
 def nearly() -> Quantity:
     """Return the torque with which a load must drive to count as driving."""
-    return constant("@near", "A load that drives with less counts as resisting", "R_0", "N or Nm",
+    return constant("@near", "Overhauling torque taken as resisting, up to", "R_0", "N or Nm",
                     NEAR, format="0E+00", source="rounding never decides the losses")  # fmt: skip
 
 

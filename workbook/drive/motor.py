@@ -19,11 +19,11 @@ def limits_given(motor: MotorLimits, key: str) -> list[Quantity]:
     """Return the rows of a motor's limits, kept at ``key`` of the description."""
     return [
         given("@motor_rated", "Motor: rated torque", "T_N", "Nm", motor.rated_torque, f"{key}.rated_torque",
-              source="ours: the document leaves the motor open"),
+              source="example value: the document leaves the motor open"),
         given("@motor_peak", "Motor: peak torque", "T_max", "Nm", motor.peak_torque, f"{key}.peak_torque",
-              source="ours"),
+              source="example value"),
         given("@motor_nmax", "Motor: largest speed", "n_max", "rpm", motor.max_speed, f"{key}.max_speed",
-              format="0.0##", source="ours"),
+              format="0.0##", source="example value"),
     ]  # fmt: skip
 
 

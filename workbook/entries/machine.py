@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from datetime import date
 from typing import Annotated, Any, NamedTuple, Self
 
-from pydantic import AfterValidator, Field, PrivateAttr, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr, model_validator
 
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model
@@ -54,11 +55,19 @@ class Design(NamedTuple):
     faults: tuple[Fault, ...] = ()
 
 
+Dated = Annotated[Text, BeforeValidator(lambda told: told.isoformat() if isinstance(told, date) else told)]
+"""a date as a text, or as TOML has dates"""
+
+
 class Machine(Model):
     """What every machine description has, whatever its template."""
 
     template: str
     title: Text
+    number: Text | None = None
+    revision: Text | None = None
+    author: Text | None = None
+    date: Dated | None = None
     laws: Laws = Laws({})
     sizes: Sizes = Sizes()
     _design: Design = PrivateAttr(default_factory=lambda: Design({}))

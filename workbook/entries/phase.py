@@ -26,8 +26,8 @@ class PhaseEntry(Model):
 class Passing(Model):
     """What a phase passes its begin with, between two curved phases, in the units of the motion; else 0."""
 
-    velocity: Number | None = Field(None, description="y' with which two curved phases meet at its begin; else 0")
-    acceleration: Number | None = Field(None, description="y'' with which two curved phases meet at its begin; else 0")
+    velocity: Number | None = Field(None, description="y' with which two curved phases meet at its start; else 0")
+    acceleration: Number | None = Field(None, description="y'' with which two curved phases meet at its start; else 0")
 
     @property
     def passes(self) -> bool:

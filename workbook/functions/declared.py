@@ -5,20 +5,27 @@ What both back ends promise, beside the help texts:
 - An error value given as an argument passes through; one within a range gives an error.
 - A law is named by its code, in capitals or not, blanks around it ignored. Anything else: #VALUE!.
 - Where a number is expected, an empty cell counts as 0 and a text is #VALUE!. A number outside its domain is #NUM!.
-- ``p`` holds the law's parameters, a row or a column, read left to right, top to bottom; blank cells count as 0.
-  TVP takes exactly two, MTP exactly seven, OWN rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of
-  an empty or zero duration are passed over; another number of cells is #VALUE!, impossible values are #NUM!: what the
-  engine's law refuses. The other laws ignore p. Left out, it is what the law has as delivered; of OWN the
-  polynomial 3-4-5. A table of phases leaves out nothing.
+- ``p`` holds the law's parameters in the order of its page, a row or a column, read left to right, top to bottom;
+  blank cells count as 0, and where the motion turns round, ``start`` and ``end`` count as −1 and 1, ``none`` as 0.
+  Left out, and where all of it is 0 or blank, the law is as delivered. Else another number of cells than
+  :data:`workbook.functions.taken.PARAMETERS` says is #VALUE!, impossible values are #NUM!: what the engine's law
+  refuses. OWN takes rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of an empty or zero duration are
+  passed over; left out, it is the polynomial 3-4-5. DWL and LIN ignore p.
 - ξ is right-continuous at breaks, with a tolerance of 2e-9; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
   1,000 rad in one piece. What only evaluates the law, at ξ or in a phase, takes any sine.
-- A row of a table of phases: code, duration, lift, then at least as many parameters as the law takes; what stands
-  beyond is ignored. OWN takes its pieces side by side, eight cells a piece, as many as the table has room for, which
+- A row of a table of phases: code, duration, lift, then the law's parameters, as p takes them; what stands beyond is
+  ignored. OWN takes its pieces side by side, eight cells a piece, as many as the table has room for, which
   is (columns − 3)/8 rounded down; no room for any is #VALUE!, and what p refuses is refused here with the same error.
   Rows at the end whose first three cells are empty are ignored. A table of fewer than three columns, or without rows:
   #VALUE!. A duration that is not positive, or a dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the
   total: #NUM!; as near to a joint as 2e-9 of the total counts as on it.
+- Phases hand over: beside a straight line (LIN) a curved phase takes its velocity, beside a dwell and where nothing
+  stands beside it, it rests. A row VIA with velocity, acceleration and jerk (per x, x², x³) in place of duration, lift
+  and first parameter prescribes them between two curved phases, or where the motion begins or ends; else they are 0
+  there. Laws of two pulses meet a velocity, CUB, PO5 and PO7 of the share ½ one, two or three of these; what a law
+  cannot meet is #NUM!, and so is a VIA beside another or one that a straight line contradicts, and a motion of VIA
+  alone. Two straight lines beside each other keep their velocities.
 - JRED and RMS: two ranges of unequal rows or columns: #VALUE!, as in SUMPRODUCT. A negative inertia: #NUM!. A negative
   duration, or durations that sum to 0: #NUM!.
 - MOTION.XI: the first ξ that reaches s; s = 0 gives 0 and the law's end value 1. A law that moves backwards: #NUM!.
@@ -27,25 +34,14 @@ What both back ends promise, beside the help texts:
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import Literal
 
-from engine.laws.entry import IncompleteError
-from workbook.laws.pages.pieces import OWN_ENTRIES
-from workbook.laws.registry import BASIC, CODES
+from workbook.functions.taken import Text, spelled, taken
 
 NAMESPACE = "MOTION"
 Kind = Literal["code", "number", "cells", "table"]
 
 
-class Text(NamedTuple):
-    """The same words in English, Italian and German."""
-
-    en: str
-    it: str
-    de: str
-
-
-LANGUAGES: tuple[str, ...] = Text._fields
 CATEGORY = Text("Machine motion", "Moto delle macchine", "Maschinenbewegung")
 
 
@@ -77,39 +73,6 @@ class Function:
     def name(self) -> str:
         """The name as it stands in a formula and in the file."""
         return f"{NAMESPACE}.{self.key}"
-
-
-OWN_WIDTH = len(OWN_ENTRIES)
-TAKES = {
-    "TVP": Text(
-        "end of acceleration, start of deceleration",
-        "fine dell'accelerazione, inizio della decelerazione",
-        "Ende der Beschleunigung, Beginn der Verzögerung",
-    ),
-    "MTP": Text("seven durations", "sette durate", "sieben Dauern"),
-    "OWN": Text(
-        "a row a piece (duration, c0, c1, c2, c3, P, ω, φ)",
-        "una riga per tratto (durata, c0, c1, c2, c3, P, ω, φ)",
-        "eine Zeile je Abschnitt (Dauer, c0, c1, c2, c3, P, ω, φ)",
-    ),
-}
-"""What a law takes, of those that take anything: a share λ that others have on their pages is ½ here."""
-PARAMETERS = {
-    family.code: len(family.page.parameters) if family.code in TAKES else 0 for family in BASIC if family.code != "OWN"
-}
-"""Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
-if wrong := [code for code in TAKES if not PARAMETERS.get(code, OWN_WIDTH)]:
-    raise IncompleteError(f"TAKES has words for the parameters of {', '.join(wrong)}, which takes none")
-
-
-def spelled(last: str) -> str:
-    """Return the codes of the laws, the last after a language's word for or."""
-    return f"{', '.join(CODES[:-1])} {last} {CODES[-1]}"
-
-
-def taken(language: str) -> str:
-    """Return what each law takes, in a language."""
-    return "; ".join(f"{code}: {getattr(words, language)}" for code, words in TAKES.items())
 
 
 LAW = Argument(
@@ -153,7 +116,7 @@ X = Argument(
     "number",
     Text("x", "x", "x"),
     Text(
-        "Abscissa from the begin of the first phase, in the unit of the durations",
+        "Abscissa from the start of the first phase, in the unit of the durations",
         "Ascissa dall'inizio della prima fase, nell'unità delle durate",
         "Abszisse ab Beginn der ersten Phase, in der Einheit der Dauern",
     ),
@@ -163,11 +126,14 @@ PHASES = Argument(
     Text("phases", "fasi", "Phasen"),
     Text(
         "Range with a row a phase: code of the law, duration, lift, then the law's parameters; "
-        "OWN: its pieces side by side, eight cells each",
+        "OWN: its pieces side by side, eight cells each. A phase takes the velocity of a straight line LIN beside it; "
+        "a row VIA, velocity, acceleration, jerk prescribes these between two phases",
         "Intervallo con una riga per fase: codice della legge, durata, alzata, poi i parametri della legge; "
-        "OWN: i suoi tratti affiancati, otto celle ciascuno",
+        "OWN: i suoi tratti affiancati, otto celle ciascuno. Una fase prende la velocità della retta LIN accanto; "
+        "una riga VIA, velocità, accelerazione, jerk le prescrive fra due fasi",
         "Bereich mit einer Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, dann die Parameter des Gesetzes; "
-        "OWN: seine Abschnitte nebeneinander, je acht Zellen",
+        "OWN: seine Abschnitte nebeneinander, je acht Zellen. Eine Phase nimmt die Geschwindigkeit einer Geraden LIN "
+        "neben ihr; eine Zeile VIA, Geschwindigkeit, Beschleunigung, Ruck schreibt sie zwischen zwei Phasen vor",
     ),
 )
 INERTIAS = Argument(
@@ -292,7 +258,7 @@ FUNCTIONS: tuple[Function, ...] = (
     Function(
         "POS",
         Text(
-            "Position of a motion of phases at x, from 0 at its begin",
+            "Position of a motion of phases at x, from 0 at its start",
             "Posizione in x di un moto composto da fasi, da 0 all'inizio",
             "Lage einer Bewegung aus Phasen bei x, ab 0 am Beginn",
         ),

@@ -16,7 +16,8 @@ from xml.etree.ElementTree import Element, SubElement
 
 from workbook import __version__
 from workbook.errors import WriteError
-from workbook.functions.declared import CATEGORY, FUNCTIONS, LANGUAGES, NAMESPACE, Function, Text
+from workbook.functions.declared import CATEGORY, FUNCTIONS, NAMESPACE, Function
+from workbook.functions.taken import LANGUAGES, Text
 from workbook.writing.archive import zipped
 from workbook.writing.place import refuse_existing, replace
 

@@ -9,15 +9,16 @@ from engine.laws.inverse import inverse
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.functions.declared import FUNCTIONS, TAKES, Argument
+from workbook.functions.declared import FUNCTIONS, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
+from workbook.functions.taken import TAKES
 from workbook.laws.family import value_at
-from workbook.laws.registry import BASIC
+from workbook.laws.registry import FAMILIES
 
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
     family.code: f"[{family.code}.{names[0]}]:[{family.code}.{names[-1]}]"
-    for family in BASIC
+    for family in FAMILIES
     if family.code in TAKES and (names := [parameter.column for parameter in family.page.parameters])
 }
 """where the parameters of each law stand that takes any, a table a law"""
@@ -67,7 +68,7 @@ def introduction(sheet: Sheet) -> None:
 
 def entries(sheet: Sheet, shown: Shown) -> None:
     """Declare what the examples take: change it, and everything below follows."""
-    sheet.heading("What to enter for the examples")
+    sheet.heading("Enter for the examples")
     sheet.rows(
         given("fn_law", "Law", "", "", shown.law, "law", align="center", source="its parameters stand below"),
         given("fn_xi", "Share of the rise time", "ξ", "", shown.xi, "xi", source="0 to 1"),
@@ -80,7 +81,8 @@ def parameters(sheet: Sheet, shown: Shown) -> None:
     """Declare the parameters of the laws that take any."""
     laws, pieces = shown.laws, shown.laws["OWN"].pieces
     sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
-    for family in (family for family in BASIC if family.code in TAKES and family.page.parameters):
+    sheet.note("Where a motion turns round: start, end or, of MTS, none; in a table of phases -1, 1 or 0 too.")
+    for family in (family for family in FAMILIES if family.code in TAKES and family.page.parameters):
         code, entered = family.code, laws[family.code]
         sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
             given(one.column, one.short, "", "",
@@ -142,7 +144,9 @@ def motion(sheet: Sheet, shown: Shown) -> None:
     rows = len(shown.phases) + EMPTY_PHASES
     phases = shown.phases
     p = [filled(phase.p, WIDTH, None) for phase in phases]
-    sheet.heading("A motion of phases", "Empty rows at the end are left out; what a law does not take may stay empty.")
+    sheet.heading("A motion of phases", "Empty rows at the end are left out; a law without parameters is as delivered.")
+    sheet.note("A curved phase takes the velocity of a straight line LIN beside it. A row VIA, velocity, acceleration")
+    sheet.note("prescribes these between two curved phases, or where the motion begins or ends.")
     sheet.note("OWN takes its pieces side by side, each as in its table above; a wider table has room for more.")
     sheet.table(
         "phases", "Phases", rows,

@@ -13,27 +13,33 @@ from engine.drivetrain import Part, reflected_inertia
 from engine.laws import Law
 from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase
-from workbook.entries.types import Model, NotNegative, Number, Positive, Share
-from workbook.functions.declared import TAKES
+from engine.motion.joining import joined
+from workbook.entries.types import Model, NotNegative, Number, Share
+from workbook.functions.taken import CODES, TAKES
 from workbook.laws.entries import Laws, as_listed
-from workbook.laws.registry import CODES, FAMILY
+from workbook.laws.registry import CODES as BASIC
+from workbook.laws.registry import FAMILY
 
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2
 WIDTH = 8  # parameters of a phase's law, at most: an own law of one piece
 
+VIA = "VIA"
 if TYPE_CHECKING:
     LawCode = str
+    RowCode = str
 else:
     LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]
     """a law that the functions know"""
+    RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]
+    """a law of a phase, or what stands for it where a velocity is prescribed"""
 
 
 class ShownPhase(Model):
     """A row of the table of phases."""
 
-    law: LawCode
-    duration: Positive
+    law: RowCode
+    duration: Number
     lift: Number = 0.0
     p: Annotated[list[Number], Field(max_length=WIDTH)] = Field(default_factory=list)
 
@@ -64,7 +70,7 @@ class Shown(Model):
     xi: Share = 0.3
     s: Share = 0.3
     x: NotNegative = 120.0
-    laws: Laws = Laws({})
+    laws: Laws = Laws({code: {"family": code} for code in CODES if code not in BASIC})
     phases: list[ShownPhase]
     shafts: list[Shaft]
     profile: list[Interval]
@@ -91,8 +97,8 @@ class Shown(Model):
 
     @cached_property
     def motion(self) -> Motion:
-        """The phases, joined."""
-        return Motion([phase.made for phase in self.phases])
+        """The phases, joined: they take over velocities from straight lines."""
+        return joined([phase.made for phase in self.phases], periodic=False).motion
 
     @cached_property
     def xs(self) -> NDArray[np.float64]:
@@ -121,9 +127,10 @@ EXAMPLE = Shown(
         ShownPhase(law="DWL", duration=30.0),
         ShownPhase(law="MTP", duration=120.0, lift=80.0, p=[0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125]),
         ShownPhase(law="DWL", duration=30.0),
-        ShownPhase(law="TVP", duration=60.0, lift=-30.0, p=[0.25, 0.75]),
-        ShownPhase(law="CIC", duration=60.0, lift=-25.0),
-        ShownPhase(law="OWN", duration=60.0, lift=-25.0, p=[1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0]),
+        ShownPhase(law="MSN", duration=40.0, lift=-13.0),
+        ShownPhase(law="LIN", duration=40.0, lift=-25.0),
+        ShownPhase(law="PO5", duration=40.0, lift=-12.0),
+        ShownPhase(law="OWN", duration=60.0, lift=-30.0, p=[1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0]),
     ],
     shafts=[
         Shaft(inertia=0.02, ratio=1.0),

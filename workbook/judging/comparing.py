@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.book.declare import Book
 from workbook.errors import WitnessError
 from workbook.judging.compare import TOLERANCE, difference, is_error
-from workbook.judging.matching import Match, Pair, Right
+from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Finding, Ran, Report
+from workbook.judging.right import Right, Variation
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.witness import CellWitness, Model, Witness
+from workbook.witnesses.witness import Answers, CellWitness, Model, Turn, Witness
 
 LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
 SHARE = 3  # of shorter tables and single cells, every cell at one in so many of the other inputs
@@ -34,7 +34,8 @@ class Comparison:
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
-        self._turns: list[tuple[Right, Callable[[], Cells]]] = []  # asked for, at other inputs
+        self._turns: list[list[Address]] = []  # the cells that are looked at, at each of the other inputs
+        self._answers: Callable[[], Answers] = lambda: iter(())
         for pair in match.pairs:
             if pair.declared_formula:
                 report.cells[pair.address.sheet] = report.cells.get(pair.address.sheet, 0) + 1
@@ -101,10 +102,14 @@ class Comparison:
 
     def _faults(self, wrong: list[Address]) -> set[Address]:
         """Return the cells that are wrong even when all that they refer to is right."""
-        return {a for a, value in self.model.each(wrong, self.right.get).items() if differs(self.right, a, value)}
+        if not wrong:
+            return set()
+        numbers = [self.match.numbers[a] for a in wrong]
+        values = self.model.each(numbers, self.match.strips, self.right.values)
+        return {a for a, value in zip(wrong, values, strict=True) if differs(self.right, a, value)}
 
-    def ask_elsewhere(self, books: Iterable[Book], number: int, suspects: set[Address]) -> None:
-        """Ask at a number of other inputs, for each cell with the right values around it.
+    def ask_elsewhere(self, variations: Sequence[Variation], suspects: set[Address]) -> None:
+        """Begin to ask at variations of the inputs, for each cell with the right values around it.
 
         Formulas that are not the declared ones are evaluated at every variation, the others in turn.
         """
@@ -112,21 +117,27 @@ class Comparison:
             return
         readable = self.match.file.contents.formulas
         pairs = {a: pair for a, pair in self.pairs.items() if a in readable}
-        for book, turn in zip(books, turns(pairs, suspects, number), strict=True):
-            right = Right(self.match, book)
-            self._turns.append((right, self.model.later(turn, right)))
+        self._turns = turns(pairs, suspects, len(variations))
+        asked = [
+            Turn([self.match.numbers[a] for a in turn], variation)
+            for turn, variation in zip(self._turns, variations, strict=True)
+        ]
+        self._answers = self.model.elsewhere(self.match.strips, asked)
 
-    def elsewhere(self) -> None:
-        """Compare what was asked for at other inputs."""
-        known = {(f.sheet, f.cell) for f in self.report.findings}
-        for k, (right, answered) in enumerate(self._turns, 1):
+    def elsewhere(self, before: int) -> None:
+        """Enter what differs at the variations, behind so many findings."""
+        known = {(f.sheet, f.cell) for f in self.report.findings[:before]}
+        found = Report(self.report.path, self.report.template)
+        for k, (turn, (values, stated)) in enumerate(zip(self._turns, self._answers(), strict=True), 1):
+            right = Right(self.match, stated)
             by = f"{self.single.name}, at variation {k} of the inputs"
-            for a, value in answered().items():
+            for a, value in zip(turn, values, strict=True):
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
                     expected = right.get(a)
                     deviation = difference(value, expected, right.peak(a))
-                    self.report.add(self.pairs[a], "value", value, expected, deviation, by)
+                    found.add(self.pairs[a], "value", value, expected, deviation, by)
+        self.report.findings[before:before] = found.findings
 
 
 def differs(right: Right, address: Address, value: Any) -> bool:

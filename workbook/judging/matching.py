@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from workbook.book.address import Address, Place
-from workbook.book.declare import Block, Book, Cell, Quantity
+from workbook.book.address import Address, Place, Strip
+from workbook.book.declare import Block, Book, Cell
 from workbook.book.formula import Area, FormulaError, area_of, read
-from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, Words, find_places
 
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
@@ -39,6 +37,14 @@ def is_formula(content: Any) -> bool:
     return isinstance(content, str) and content.startswith("=") and not isinstance(content, Words)
 
 
+class Column(NamedTuple):
+    """A column of a block, by the name of that and its number there, and how many of its rows the file has."""
+
+    block: str
+    number: int
+    rows: int
+
+
 class Misfit(NamedTuple):
     """A block that the file lacks, or has in another size."""
 
@@ -54,6 +60,9 @@ class Match:
     declared: Book
     pairs: list[Pair] = field(default_factory=list)
     misfits: list[Misfit] = field(default_factory=list)
+    columns: list[Column] = field(default_factory=list)
+    strips: list[Strip] = field(default_factory=list)
+    """where the cells of ``pairs`` are, one of ``columns`` after the other"""
 
     def __post_init__(self) -> None:
         for block in self.declared.blocks.values():
@@ -61,19 +70,32 @@ class Match:
             if place is None or (self.size_of(block), place.columns) != (block.size, len(block.quantities)):
                 self.misfits.append(Misfit(block, place))
             if place is not None:
-                self.pairs += self._pairs(block, place)
+                self._pair(block, place)
 
     def size_of(self, block: Block) -> int:
         """Return how many rows a block had in the file, those counted that are gone."""
         fit = self.file.fits.get(block.name)
         return fit.size if fit is not None else self.file.places[block.name].rows
 
-    def _pairs(self, block: Block, place: Place) -> Iterator[Pair]:
-        value = self.file.value
+    def _pair(self, block: Block, place: Place) -> None:
         for j, cells in enumerate(block.by_column()):
             if j < place.columns and place.cell(0, j).column:
-                for cell, address in zip(cells, place.down(j), strict=False):  # either may have more rows
-                    yield Pair(cell, address, value(address), is_formula(cell.content))
+                addresses = place.down(j)
+                found = zip(cells, addresses, self.file.values(addresses), strict=False)  # either may have more rows
+                pairs = [Pair(cell, at, held, is_formula(cell.content)) for cell, at, held in found]
+                self.pairs += pairs
+                self.columns.append(Column(block.name, j, len(pairs)))
+                self.strips.append(place.strip(j, len(pairs)))
+
+    @cached_property
+    def numbers(self) -> dict[Address, int]:
+        """The place of each declared cell among ``pairs``."""
+        return {pair.address: n for n, pair in enumerate(self.pairs)}
+
+    @cached_property
+    def column_of(self) -> list[int]:
+        """The place among ``columns`` of each of ``pairs``."""
+        return [k for k, column in enumerate(self.columns) for _ in range(column.rows)]
 
     @cached_property
     def addresses(self) -> set[Address]:
@@ -259,67 +281,3 @@ def cell_index(
     up = {name: header(name) for name in places}
     cells = {place.cell(-up[name], j): (name, -1, j) for name, place, j in columns}
     return cells | {at: (name, i, j) for name, place, j in columns for i, at in enumerate(place.down(j))}
-
-
-class Right:
-    """What should stand in the cells of a matched file, by a declaration of the same layout.
-
-    That is the engine's value in a formula cell, what was entered in an input, and what is declared in a constant.
-    """
-
-    def __init__(self, match: Match, declared: Book) -> None:
-        self._cells, self._blocks = match.declared_at, declared.blocks
-        self._columns: dict[int, list[Any]] = {}
-        self._peaks: dict[int, float] = {}
-
-    def get(self, address: Address, default: Any = None) -> Any:
-        """Return what should stand in a cell; ``default`` for one that is not declared."""
-        cell = self._cells.get(address)
-        if cell is None:
-            return default
-        values = self._columns.get(id(cell.quantity))
-        return (values or self._column(cell))[cell.i]
-
-    def all(self, cells: Iterable[tuple[Address, Any]]) -> list[Any]:
-        """Return :meth:`get` of each of ``cells``, which come with what is returned for one that is not declared."""
-        declared, columns, values = self._cells, self._columns, []
-        for address, default in cells:
-            cell = declared.get(address)
-            if cell is None:
-                values.append(default)
-            else:
-                column = columns.get(id(cell.quantity)) or self._column(cell)
-                values.append(column[cell.i])
-        return values
-
-    def peak(self, address: Address) -> float:
-        """Return what deviations of a declared cell are measured against.
-
-        That is the greatest size in its column, or the declared scale where that is greater.
-        """
-        cell = self._cells[address]
-        key = id(cell.quantity)
-        if key not in self._peaks:
-            scale = self._declared(cell)[1].floor
-            self._peaks[key] = max(greatest(self._columns.get(key) or self._column(cell)), scale)
-        return self._peaks[key]
-
-    def _column(self, cell: Cell) -> list[Any]:
-        block, q = self._declared(cell)
-        values = self._columns[id(cell.quantity)] = as_rows(q.value, block.size, q.name)
-        return values
-
-    def _declared(self, cell: Cell) -> tuple[Block, Quantity]:
-        block = self._blocks[cell.block.name]
-        return block, block.quantities[cell.column - cell.block.column]
-
-
-def greatest(values: list[Any]) -> float:
-    """Return the greatest size of the finite numbers among ``values``, or 0."""
-    try:
-        size = max(map(abs, values), default=0.0)
-    except TypeError:  # texts or empty cells among them
-        size = math.inf
-    if size < math.inf:
-        return float(size)
-    return max((abs(v) for v in values if isinstance(v, int | float) and abs(v) < math.inf), default=0.0)

@@ -19,6 +19,7 @@ from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match
 from workbook.judging.moved import put_back
 from workbook.judging.report import ORDER, Finding, Ran, Report
+from workbook.judging.right import Variation
 from workbook.judging.settings import settings
 from workbook.judging.shown.book import displayed
 from workbook.judging.structure import structure
@@ -45,6 +46,8 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
     names, absent = present(witnesses)
     file = open_book(path)
     entries = Entries(file, agreed, put_back)
+    if beside is not None:
+        beside.prepare(Variation, entries.template)
     report = Report(path, entries.template.name, findings=entries.moved, notes=list(file.notes))
     machine = entries.machine()
     if entries.computed:
@@ -96,12 +99,13 @@ def judge(
         except ValidationError:  # numbers so large that no neighbour of theirs is one
             report.notes.append("the values entered leave no room for other ones: compared at these alone")
         else:
-            comparison.ask_elsewhere(map(template.declare, variants), len(variants), suspects)
+            comparison.ask_elsewhere([Variation(template, m, match.columns) for m in variants], suspects)
         for witness in asked:
             comparison.ask(witness, required=witness.name in witnesses)
-        comparison.elsewhere()
-    report.checks = checks(match, comparison.values)
-    displayed(match, comparison.values, report)
+        computed = len(report.findings)
+        report.checks = checks(match, comparison.values)
+        displayed(match, comparison.values, report)
+        comparison.elsewhere(computed)
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)

@@ -197,7 +197,7 @@ class Stages:
             if form.word in SEARCHES and edge is not None:
                 words, where, formula, source = SEARCHES[form.word]
                 rows += [
-                    calc(f"{name}_v", f"Velocity where {words} begins, {side}", "v₂", "",
+                    calc(f"{name}_v", f"Velocity before {words}, {side}", "v₂", "",
                          f"={height}*({self.total(stages[:-1], 'gain')})", edge.velocity),
                     calc(f"{name}_g", f"Velocity gained on it, {side}", "G", "",
                          f"={height}*{times(form.gain, f'@d{k}')}", edge.gain),

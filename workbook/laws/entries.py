@@ -65,6 +65,9 @@ CELLS: dict[str, type[Model]] = {
     for code, model in ENTRIES.items()
 }
 """the entries that a law's own page has: its name too"""
+globals().update(
+    {model.__name__: model for model in (*ENTRIES.values(), *CELLS.values())}
+)  # pickle looks for them here
 
 if TYPE_CHECKING:
     Entered = Any

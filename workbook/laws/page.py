@@ -20,7 +20,7 @@ from workbook.laws.library import NamedLaw
 
 LONGEST_TITLE = 31  # characters of a sheet's title; Excel's limit
 POWERS = {"c0": "", "c1": " u", "c2": " u²", "c3": " u³", "c4": " u⁴", "c5": " u⁵"}
-RESERVED = ("About", "Checks", "Laws", "History")
+RESERVED = ("Summary", "Checks", "Laws", "History")
 """sheets that come later, and a title that Excel keeps for itself"""
 
 
@@ -35,12 +35,12 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
     rise = Rise(law, si(entered.lift, MM), entered.time)
     with sheet.scoped(f"{one.slug}_"):
-        sheet.heading("What to enter")
+        sheet.heading("Enter")
         entries(sheet, one)
         page.enter(sheet, one, sizes)
-        sheet.heading("What comes out: the coefficients, for unit rise and time")
+        sheet.heading("Results: the coefficients, for unit rise and time")
         coefficients(sheet, page, law)
-        sheet.heading("What comes out: the rise h in the time t_a")
+        sheet.heading("Results: the rise h in the time t_a")
         risen(sheet, one, rise)
         page.work(sheet, one, stack, sizes)
         if page.pieces:
@@ -53,6 +53,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         draw(sheet, one.called)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = 19
+        sheet.one_page = True
         sheet.heading("Table")
         samples(sheet, rise, entered.lift, sizes.law, stack)
         page.detail(sheet, one, stack, sizes)

@@ -21,7 +21,7 @@ def laws_sheet(
 ) -> None:
     """Declare the sheet from which every axis evaluates its law; ``hands_over`` where phases hand over at speed."""
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
-    sheet.heading("What comes out: the laws and their coefficients")
+    sheet.heading("Results: the laws and their coefficients")
     summary(sheet, laws, sizes, hands_over)
     sheet.heading(
         "Workings: the stacked pieces",
@@ -29,7 +29,7 @@ def laws_sheet(
     )
     sheet.rows(
         constant("break_tolerance", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
-                 source="in units of ξ: a sample this near counts as on it, so that rounding never decides the side "
+                 source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
                         "of a jump"),
     )  # fmt: skip
     stack(sheet, rows, stacked.second_sine)

@@ -16,7 +16,7 @@ from workbook.motion.stack import FIRST, Sine, last_before, of_law
 
 TITLE = "The motion as pieces"
 ABOUT = (
-    "On each piece y(u) = c0 + c1 u + c2 u² + … + A sin(ωu + φ), u from its begin: "
+    "On each piece y(u) = c0 + c1 u + c2 u² + … + A sin(ωu + φ), u from its start: "
     "a piece of the phase's law, scaled by lift and duration."
 )
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")

@@ -23,9 +23,9 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
     q, local = f"q{suffix}", f"[{x}]-{at.of_piece('origin' if at.opens else 'begin', f'q{suffix}')}"
     return [
         calc(q, f"{of}piece", "q", "",
-             f"={at.piece(x)}", found.row, format="0", source="last begin not above"),
+             f"={at.piece(x)}", found.row, format="0", source="last start at or below"),
         calc(f"u{suffix}", f"{of}within piece", "u", at.x,
-             f"=RADIANS({local})" if at.degrees else f"={local}", found.u, source="from its begin"),
+             f"=RADIANS({local})" if at.degrees else f"={local}", found.u, source="from its start"),
         calc(f"x{suffix}", f"{of}sine argument", "x", "rad",
              f"={at.of_piece('om', q)}*[u{suffix}]+{at.of_piece('ph', q)}", found.angle, source="ωu + φ"),
     ]  # fmt: skip

@@ -8,6 +8,7 @@ from functools import partial
 from typing import Any
 
 from engine.motion import Motion
+from engine.motion.joining import slope
 from engine.motion.smoothness import ORDERS, Joint, joints, scales_of, shortfalls
 from workbook.book.declare import Quantity, calc, check
 from workbook.book.rows import filled
@@ -140,7 +141,16 @@ class Joints:
         unit = f'" "&CHOOSE({at("order")},{",".join(formula for formula, _ in asked.units)})'
         joined = '&" "&' if asked.rows else "&"
         head = f"{asked.of[0]}{joined}" if asked.of[0] else ""
-        return f'{head}{rows}{begin}&": "&{what}&" jumps by "&{size}&{unit}'
+        return f'{head}{rows}{begin}&": "&{what}&" jumps by "&{size}&{unit}{self._straight(at("from"), at("p"))}'
+
+    def _straight(self, before: str, after: str) -> str:
+        """Return the end of the sentence where the phases on both sides are straight: their slopes."""
+        table = self.rows.at.ends
+        if not table:
+            return ""
+        both = f"AND(INDEX([{table}.way],{before})=-1,INDEX([{table}.way],{after})=-1)"
+        one, other = (figure_of(f"INDEX([{table}.slope],{row})") for row in (before, after))
+        return f'&IF({both},": straight lines of "&{one}&" and "&{other},"")'
 
     def _said(self) -> str:
         first = next(((piece, j) for piece, j in zip(self.rows.pieces, self.found, strict=True) if j.order), None)
@@ -153,4 +163,8 @@ class Joints:
         unit = asked.units[joint.order - 1][1]
         head = f"{asked.of[1]} " if asked.of[1] else ""
         what = ORDERS[joint.order - 1]
-        return f"{head}{rows}at {x}{asked.place[1]}: {what} jumps by {figure(abs(joint.size))} {unit}"
+        jump = f"{what} jumps by {figure(abs(joint.size))} {unit}"
+        slopes = [slope(self.motion.phases[k]) for k in (joint.before, piece.phase)] if self.rows.at.ends else []
+        straight = [figure(one) for one in slopes if one is not None]
+        why = f": straight lines of {' and '.join(straight)}" if len(straight) > 1 else ""
+        return f"{head}{rows}at {x}{asked.place[1]}: {jump}{why}"

@@ -17,7 +17,7 @@ def passed(phases: Iterable[Any]) -> dict[int, Rates]:
 def entries(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str]) -> list[Quantity]:
     """Return the columns in which it is entered; ``key`` is that of the rows in the description."""
     return [
-        given("velocity", "passes its begin with", "y'", units[0], velocities, f"{key}.velocity", format="0.0####",
+        given("velocity", "velocity at its start", "y'", units[0], velocities, f"{key}.velocity", format="0.0####",
               source="between two curved phases; empty: 0"),
         given("acceleration", "and with", "y''", units[1], accelerations, f"{key}.acceleration", format="0.0####",
               source="between two curved phases; empty: 0"),

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import re
 import warnings
+from collections.abc import Sequence
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -31,6 +33,8 @@ SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
 
 
+# a name as programs write nearly all; a tokenizer takes others apart
+USUAL = re.compile(r"([A-Za-z_]\w*)!\$([A-Z]{1,3})\$([0-9]{1,7})(?::\$([A-Z]{1,3})\$([0-9]{1,7}))?", re.ASCII)
 BUILT = datetime(2020, 1, 1)
 
 
@@ -75,6 +79,18 @@ class BookFile:
             return arrays[address]
         return value if type(value) is str else entered(value, self.workbook.epoch)
 
+    def values(self, cells: Sequence[Address]) -> list[Any]:
+        """Return :attr:`value` of each of the cells of one sheet."""
+        held = self._sheets[cells[0].sheet] if cells else {}
+        plain = not self.contents.arrays
+        values: list[Any] = []
+        for address in cells:
+            cell = held.get(address[1:])
+            value, kind = (None, "n") if cell is None else (cell.value, cell.data_type)
+            text = plain and type(value) is str and (value[:1] != "=" or kind == "f")
+            values.append(value if value is None or type(value) is float or text else self.value(address))
+        return values
+
     @property
     def as_built(self) -> bool:
         """Whether no program has saved the file since it was built: then its saved values are no evidence."""
@@ -95,8 +111,8 @@ class BookFile:
         return {sheet.title: sheet._cells for sheet in self.workbook.worksheets}
 
 
-def open_book(path: Path) -> BookFile:
-    """Open a workbook for reading.
+def open_book(path: Path, shown: bool = True) -> BookFile:
+    """Open a workbook for reading; ``shown`` false, without charts and saved values, which no formula asks for.
 
     Raises ReadError, in one line, where the file is missing, locked, of another kind, damaged, or larger than
     a workbook may be (:mod:`workbook.reading.guard`).
@@ -105,20 +121,21 @@ def open_book(path: Path) -> BookFile:
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
     inspected = guard(path)
-    workbook = parsed(path, inspected)
+    workbook = parsed(path, inspected, shown)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
-    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved_values(path, inspected))
+    saved = saved_values(path, inspected) if shown else {}
+    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved)
 
 
-def parsed(path: Path, inspected: Inspected) -> Workbook:
+def parsed(path: Path, inspected: Inspected, drawn: bool = True) -> Workbook:
     """Let openpyxl read a file that passed the guard, all but its rows; raise ReadError where it cannot."""
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints one of its complaints
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
             reader = ExcelReader(str(path), keep_links=False)
             reader.archive.close()
-            reader.archive = Bare(path, inspected.parts)
+            reader.archive = Bare(path, inspected.parts, drawn)
             reader.read()
             for sheet in reader.wb.worksheets:
                 fill(sheet, inspected.sheets[sheet.title], reader.shared_strings)
@@ -144,6 +161,13 @@ def find_places(workbook: Workbook) -> dict[str, Place]:
     places = {}
     titles = {sheet.title.lower(): sheet.title for sheet in workbook.worksheets}
     for name, defined in workbook.defined_names.items():
+        usual = USUAL.fullmatch(defined.attr_text or "")
+        if usual is not None and usual[1].lower() in titles:
+            sheet, left, top, right, bottom = usual.groups()
+            place = place_of(titles[sheet.lower()], f"{left}{top}:{right or left}{bottom or top}")
+            if place is not None:
+                places[name] = place
+            continue
         try:
             targets = list(defined.destinations)
         except Exception:  # noqa: S112 - openpyxl splits the text of a name, and fails in many ways if it is no formula

@@ -15,6 +15,8 @@ from typing import IO, Any
 from workbook.reading.rows import Rows
 
 CHART = re.compile(r"/?xl/charts/[^/]*\.xml")
+DRAWING = re.compile(r"/?xl/drawings/[^/]*\.xml")
+NOTHING_DRAWN = b'<d:wsDr xmlns:d="http://schemas.openxmlformats.org/drawingml/2006/spreadsheetDrawing"/>'
 POINT = re.compile(rb"<((?:\w+:)?)pt [^<>]*><\1v>[^<>]*</\1v></\1pt>")
 
 
@@ -33,15 +35,17 @@ def without_rows(data: bytes, rows: Rows) -> bytes:
 
 
 class Bare(zipfile.ZipFile):
-    """A workbook's archive whose sheets hold no rows, and whose charts no saved points."""
+    """A workbook's archive whose sheets hold no rows, and whose charts no saved points; ``drawn`` false, no charts."""
 
-    def __init__(self, path: Path, rows: Mapping[str, Rows]) -> None:
+    def __init__(self, path: Path, rows: Mapping[str, Rows], drawn: bool = True) -> None:
         super().__init__(path)
-        self.rows = rows
+        self.rows, self.drawn = rows, drawn
 
     def open(self, name: str | zipfile.ZipInfo, *args: Any, **how: Any) -> IO[bytes]:
         """Open a part for reading."""
         part = name if isinstance(name, str) else name.filename
+        if not self.drawn and DRAWING.fullmatch(part):
+            return io.BytesIO(NOTHING_DRAWN)
         stream = super().open(name, *args, **how)
         rows = self.rows.get(part)
         if rows is None and not CHART.fullmatch(part):

@@ -17,7 +17,7 @@ def charts(sheet: Sheet, view: Choosing) -> None:
         Series("τ_opt", "[figure11.x]", "[figure11.best]", points=True, marker="circle", color="0072B2"),
         Series("across: reducers that hold the load", "[figure11r.x]", "[figure11r.tau]", points=True,
                right="[figure11r.right]", color="A6A6A6"),
-        Series("the pair", "[figure11p.x]", "[figure11p.tau]", points=True, marker="diamond", color="D55E00"),
+        Series("selected pair", "[figure11p.x]", "[figure11p.tau]", points=True, marker="diamond", color="D55E00"),
     )  # fmt: skip
     sheet.chart(
         Chart("Ratios that each motor accepts, and reducers (S5, figure 11)", "number of the motor in its table",
@@ -32,7 +32,7 @@ def charts(sheet: Sheet, view: Choosing) -> None:
         Series("rated torque", "[pair_limits.rpm]", "[pair_limits.rated]", dashed=True),
     )
     sheet.chart(
-        Chart("Torque against speed of the motor of the pair", "motor speed n_M [rpm]", "motor torque T_M [Nm]", points,
+        Chart("Torque against speed of the selected motor", "motor speed n_M [rpm]", "motor torque T_M [Nm]", points,
               "Operating points of the chosen motor over one cycle, within its torque-speed curve"),
         column=13, row=28, width=8, height=18,
     )  # fmt: skip
@@ -40,10 +40,10 @@ def charts(sheet: Sheet, view: Choosing) -> None:
         Series("τ_max", "[figure12.beta]", "[figure12.tau_max]", color="C00000"),
         Series("τ_opt", "[figure12.beta]", "[figure12.tau_opt]", dashed=True, color="404040"),
         Series("τ_min", "[figure12.beta]", "[figure12.tau_min]", color="000000"),
-        Series("the pair", "[figure12p.beta]", "[figure12p.tau]", points=True, marker="diamond", color="D55E00"),
+        Series("selected pair", "[figure12p.beta]", "[figure12p.tau]", points=True, marker="diamond", color="D55E00"),
     )
     sheet.chart(
-        Chart("Ratios against the load factor, the pair's motor (S5, figure 12)", "load factor β [Nm rad/s²]",
+        Chart("Ratios against the load factor, selected motor (S5, figure 12)", "load factor β [Nm rad/s²]",
               "transmission ratio τ", against,
               "Largest, best and least transmission ratio of the chosen motor against the load factor",
               (0, None, None), log_y=True),

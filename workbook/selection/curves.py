@@ -83,7 +83,7 @@ def reducer_lines(sheet: Sheet, view: Choosing) -> None:
              '=IF(INDEX([reducers.verdict],[k])="yes",[width],0)', np.where(fits, down + 1.0, 0.0)),
     )  # fmt: skip
     sheet.table(
-        "figure11p", "Figure 11: the pair", 1,
+        "figure11p", "Figure 11: selected pair", 1,
         calc("x", "place", "", "", "=IF(sel_found=1,sel_m,sel_off)", [pair.motor + 1 if pair else OFF]),
         calc("tau", "ratio", "τ", "", "=IF(sel_found=1,sel_tau,[reducers.tau.1])", [pair.ratio if pair else first]),
     )  # fmt: skip
@@ -108,7 +108,7 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
     sheet.row += 1
     sheet.table(
-        "figure12", "Figure 12: the motor of the pair, or else the first, and this load driven faster and slower",
+        "figure12", "Figure 12: the selected motor, or else the first, with this load driven faster and slower",
         POINTS,
         constant("k", "point", "", "", list(range(1, POINTS + 1))),
         calc("share", "share of α", "β/(η α)", "",
@@ -139,7 +139,7 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
                drawn(x.tau_max)),
     )  # fmt: skip
     sheet.table(
-        "figure12p", "Figure 12: the pair", 1,
+        "figure12p", "Figure 12: selected pair", 1,
         calc("beta", "load factor", "β", "",
              "=IF(sel_found=1,sel_beta,sel_off)", [view.load_factor if pair else OFF]),
         calc("tau", "ratio", "τ", "",

@@ -32,6 +32,7 @@ def selection_sheet(book: Book, load: LoadCells, view: Choosing) -> Sheet:
     outcome(sheet, view)
     ranking(sheet, view)
     charts(sheet, view)
+    sheet.not_printed_below()
     catalogues(sheet, view)
     with sheet.scoped("sel_"):
         workings(sheet, view)
@@ -45,13 +46,13 @@ def entries(sheet: Sheet, view: Choosing) -> None:
     """Declare the criterion, the pair to look at, and what is assumed before a reducer is known."""
     s = view.given
     sheet.heading(
-        "What to enter",
+        "Enter",
         "The catalogues stand below: extend or replace them; each product says where its figures are from.",
     )
     sheet.rows(
         given("sel_criterion", "Rank the pairs by", "", "",
               s.criterion, "selection.criterion", source="S5, step 6; size is the mass, cost is as entered"),
-        given("sel_pair", "Pair to look at", "", "",
+        given("sel_pair", "Pair shown", "", "",
               s.pair, "selection.pair", source="the best by that, or the one chosen in the next two rows"),
         given("sel_motor", "Motor, if chosen", "", "",
               s.motor, "selection.motor", choices="=motor_name", source="from the table of motors"),
@@ -92,7 +93,7 @@ def asked(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
 def outcome(sheet: Sheet, view: Choosing) -> None:
     """Declare the pair, what it does, and step 7's checks."""
     pair, points = view.pair, view.points
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(
         result("sel_message", "In words", "", "", MESSAGE, message(view), align="left"),
         result("sel_motor_used", "Motor", "", "",

@@ -9,61 +9,28 @@ from __future__ import annotations
 
 import hashlib
 import os
-import pickle
 import subprocess
 import sys
-import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from functools import cached_property
-from itertools import starmap
 from pathlib import Path
-from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 
+from workbook.witnesses.line import Line
+
 if TYPE_CHECKING:  # what the first process begins with must load in no time
-    from workbook.book.address import Address
+    from workbook.book.address import Address, Strip
     from workbook.reading.contents import Cells
     from workbook.reading.files import BookFile
-    from workbook.witnesses.witness import CellWitness, Found, Known, Model, Witness
+    from workbook.witnesses.witness import Answers, CellWitness, Model, Turn, Witness
 
+Key = tuple[str, int]
+EVALUATED = ("evaluated", 0)
 NAME = "pycel"
 """the witness that evaluates beside"""
 LARGEST = 20_000_000  # bytes of a file: both processes hold it
 BEGIN = "import sys; sys.path[:] = {path!r}; from workbook.witnesses.beside import main; main({book!r})"
-
-
-class Line:
-    """Messages to another process and from it; a thread listens, so that neither waits while the other speaks."""
-
-    def __init__(self, heard: Any, said: Any) -> None:
-        self._heard, self._said = heard, said
-        self._messages: SimpleQueue[bytes | None] = SimpleQueue()
-        threading.Thread(target=self._listen, daemon=True).start()
-
-    def _listen(self) -> None:
-        with suppress(OSError, ValueError):
-            while len(head := self._heard.read(8)) == 8:
-                size = int.from_bytes(head, "big")
-                message = self._heard.read(size)
-                if len(message) < size:
-                    break
-                self._messages.put(message)
-        self._messages.put(None)
-
-    def say(self, message: Any) -> None:
-        """Send a message; raise OSError where nobody listens any more."""
-        data = pickle.dumps(message, pickle.HIGHEST_PROTOCOL)
-        self._said.write(len(data).to_bytes(8, "big") + data)
-        self._said.flush()
-
-    def hear(self) -> Any:
-        """Return the next message; raise EOFError where none will come any more."""
-        data = self._messages.get()
-        if data is None:
-            self._messages.put(None)
-            raise EOFError
-        return pickle.loads(data)  # from a process that this one has started, or was started by
 
 
 class Beside:
@@ -82,6 +49,11 @@ class Beside:
     def witness(self, witness: Witness) -> Witness:
         """Return the witness that this process evaluates with as one that is asked there; any other as it is."""
         return Evaluating(witness, self) if witness.name == NAME else witness
+
+    def prepare(self, *needed: Any) -> None:
+        """Let the process load, once it has evaluated, what it will need for what is said to it later."""
+        with suppress(OSError):
+            self._line.say(("load", needed))
 
     def line(self, file: BookFile) -> Line | None:
         """Return the line to the process, once, if it has read the same file; None where it has not."""
@@ -130,70 +102,94 @@ class Asked:
 
     def __init__(self, line: Line, file: BookFile, witness: CellWitness) -> None:
         self._line, self._file, self._witness = line, file, witness
-        self._numbers = {address: n for n, address in enumerate(file.contents.formula_cells)}
-        held = cells_of(file)
-        self._cells, self._known = [*held, *((a, None) for a in empty(file, held))], len(held)
         self._problems: Mapping[Address, str] | None = None
-        self._heard: list[Any] = []
+        self._heard: dict[Key, Any] = {}
         self._asked = 0
 
     @cached_property
-    def _here(self) -> Model:
+    def here(self) -> Model:
+        """The same formulas in this process."""
         return self._witness.model(self._file)
 
     @property
     def problems(self) -> Mapping[Address, str]:
         """Why cells could not be evaluated, each in a line."""
-        return self._here.problems if self._problems is None else self._problems
+        return self.here.problems if self._problems is None else self._problems
 
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
-        answer = self._answer(0)
+        answer = self.answer(EVALUATED)
         if answer is None:
-            return self._here.evaluate()
+            return self.here.evaluate()
         values, self._problems = answer
-        return dict(zip(self._numbers, values, strict=True))
+        return dict(zip(self._file.contents.formula_cells, values, strict=True))
 
-    def each(self, wanted: Iterable[Address], found: Found) -> Cells:
-        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
-        return self._ask(list(wanted), found, list(starmap(found, self._cells)))()
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Sequence[Any]:
+        """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``."""
+        self._asked += 1
+        self.say("each", self._asked, wanted, strips, values)
+        answer: Sequence[Any] | None = self.answer(("each", self._asked))
+        return self.here.each(wanted, strips, values) if answer is None else answer
 
-    def later(self, wanted: Iterable[Address], known: Known) -> Callable[[], Cells]:
-        """Ask for what :meth:`each` returns with what is ``known``; return what waits for it."""
-        return self._ask(list(wanted), known.get, known.all(self._cells))
+    def elsewhere(self, strips: Sequence[Strip], turns: Sequence[Turn]) -> Callable[[], Answers]:
+        """Begin with what :meth:`each` gives at each of ``turns``; return what yields it."""
+        return Shared(self, strips, turns).answers
 
-    def _ask(self, wanted: list[Address], found: Found, values: list[Any]) -> Callable[[], Cells]:
-        number = self._asked = self._asked + 1
-        with suppress(OSError):  # of a process that is gone: then it does not answer either
-            if number == 1:
-                self._line.say([address for address, _ in self._cells[self._known :]])
-            self._line.say(([self._numbers[a] for a in wanted], values))
+    def say(self, *message: Any) -> None:
+        """Say something to the other process, if it is still there."""
+        with suppress(OSError):
+            self._line.say(message)
 
-        def answered() -> Cells:
-            answer = self._answer(number)
-            return self._here.each(wanted, found) if answer is None else dict(zip(wanted, answer, strict=True))
-
-        return answered
-
-    def _answer(self, number: int) -> Any:
-        """Return an answer by its number, counted from 0, that of the first evaluation; None where none comes."""
+    def has(self, key: Key) -> bool:
+        """Whether the other process has said something."""
         with suppress(EOFError):
-            while len(self._heard) <= number:
-                self._heard.append(self._line.hear())
-        return self._heard[number] if number < len(self._heard) else None
+            while self._line.waits:
+                self._hear()
+        return key in self._heard
+
+    def answer(self, key: Key) -> Any:
+        """Wait for what the other process says; return None where it is gone before that."""
+        with suppress(EOFError):
+            while key not in self._heard:
+                self._hear()
+        return self._heard.get(key)
+
+    def _hear(self) -> None:
+        key, said = self._line.hear()
+        self._heard[key] = said
 
 
-def cells_of(file: BookFile) -> list[tuple[Address, Any]]:
-    """Return the cells of a file with what they hold if that is no formula, in the same order in both processes."""
-    contents = file.contents
-    return [*((a, None) for a in contents.formula_cells), *contents.constants.items()]
+class Shared:
+    """Turns that both processes take: this one from the first of them on, the other from the last."""
 
+    def __init__(self, asked: Asked, strips: Sequence[Strip], turns: Sequence[Turn]) -> None:
+        self._asked, self._strips, self._turns = asked, strips, turns
+        self._mine: list[Any] = []  # what is stated at those that this process has taken
+        asked.say("turns", strips, turns)
+        while not asked.has(EVALUATED) and self._take():
+            pass
 
-def empty(file: BookFile, held: Iterable[tuple[Address, Any]]) -> list[Address]:
-    """Return the cells within the places that names lead to in which the file has nothing."""
-    known = {address for address, _ in held}
-    cells = (address for p in file.places.values() for j in range(p.columns) for address in p.down(j))
-    return list(dict.fromkeys(address for address in cells if address not in known and address.column))
+    def answers(self) -> Answers:
+        """Yield what the cells of each turn compute, and what is stated there."""
+        while self._take():
+            pass
+        for n, turn in enumerate(self._turns):
+            mine = self._mine[n] if n < len(self._mine) else None
+            results, theirs = self._asked.answer(("turn", n)) or (None, None)
+            stated = mine or theirs or turn.stated()
+            if results is None:
+                results = self._asked.here.each(turn.wanted, self._strips, stated.values)
+            yield results, stated
+
+    def _take(self) -> bool:
+        """Take the next turn; return whether there was one that the other process had not begun."""
+        n = len(self._mine)
+        if n == len(self._turns) or self._asked.has(("begun", n)):
+            return False
+        self._asked.say("mine", n)
+        self._mine.append(self._turns[n].stated())
+        self._asked.say("at", n, self._mine[n].values)
+        return True
 
 
 def digest(path: Path) -> bytes:
@@ -243,21 +239,41 @@ def main(book: str) -> None:
 
 
 def answer(path: Path, line: Line) -> None:
-    """Evaluate a book, and then each set of its cells that is asked for."""
+    """Evaluate a book, and then whatever is asked for."""
     from workbook.reading.files import open_book
     from workbook.reading.work import require_little_work
     from workbook.witnesses.pycel.model import PycelModel
 
-    file = open_book(path)
+    file = open_book(path, shown=False)
     require_little_work(file)
     line.say(digest(path))
     model = PycelModel(file.contents)
     values = model.evaluate()
-    formulas = file.contents.formula_cells
-    line.say(([values[a] for a in formulas], model.problems))
-    cells = [*(address for address, _ in cells_of(file)), *line.hear()]
+    line.say((EVALUATED, ([values[a] for a in file.contents.formula_cells], model.problems)))
+    serve(model, line)
+
+
+def serve(model: Model, line: Line) -> None:
+    """Answer what is asked, first what has come; meanwhile take turns, from the last, that the first process has not.
+
+    It says which it begins, and what is stated there.
+    """
+    strips: Sequence[Strip] = ()
+    turns: Sequence[Turn] = ()
+    left: list[int] = []
     while True:
-        numbers, found = line.hear()
-        wanted_cells = [formulas[n] for n in numbers]
-        results = model.each(wanted_cells, dict(zip(cells, found, strict=True)).get)
-        line.say([results[a] for a in wanted_cells])
+        if left and not line.waits:
+            n = left.pop()
+            line.say((("begun", n), True))
+            stated = turns[n].stated()
+            line.say((("turn", n), (model.each(turns[n].wanted, strips, stated.values), stated)))
+            continue
+        match line.hear():
+            case "turns", strips, turns:
+                left = list(range(len(turns)))
+            case "mine", n:
+                left = [other for other in left if other != n]
+            case "at", n, values:
+                line.say((("turn", n), (model.each(turns[n].wanted, strips, values), None)))
+            case "each", n, wanted_cells, within, values:
+                line.say((("each", n), model.each(wanted_cells, within, values)))

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Protocol, runtime_checkable
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
-from workbook.book.address import Address
+from workbook.book.address import Address, Strip
 from workbook.errors import WitnessError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.reading.refusal import Refusal
 from workbook.reading.saved import values_within
-
-Found = Callable[[Address, Any], Any]  # what is found in a cell; else what a cell without a formula holds
 
 
 class Witness(Protocol):
@@ -29,14 +27,22 @@ class Witness(Protocol):
         """Return the value of every formula cell; raise WitnessError where that cannot be had."""
 
 
-class Known(Protocol):
-    """What stands in cells."""
+class Stated(Protocol):
+    """What stands in strips of cells, one after the other."""
 
-    def get(self, address: Address, default: Any = None) -> Any:
-        """Return what is found in a cell; ``default`` where that is not known."""
+    @property
+    def values(self) -> Sequence[Any]:
+        """The values, as many as the strips have cells."""
 
-    def all(self, cells: Iterable[tuple[Address, Any]]) -> list[Any]:
-        """Return what is found in each of ``cells``, which come with their defaults."""
+
+class Turn(NamedTuple):
+    """Cells to be computed at other inputs, by their numbers within strips, and what gives the values in these."""
+
+    wanted: Sequence[int]
+    stated: Callable[[], Any]  # a Stated: it may be called in another process
+
+
+Answers = Iterator[tuple[Sequence[Any], Any]]  # of each turn: what its cells compute, and the Stated
 
 
 class Model(Protocol):
@@ -49,11 +55,15 @@ class Model(Protocol):
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
 
-    def each(self, wanted: Iterable[Address], found: Found) -> Cells:
-        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Sequence[Any]:
+        """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
 
-    def later(self, wanted: Iterable[Address], known: Known) -> Callable[[], Cells]:
-        """Ask for what :meth:`each` returns with what is ``known`` of cells, and return what waits for it."""
+        ``wanted`` are the numbers of the cells within ``strips``; a cell that is in none holds what it has without a
+        formula.
+        """
+
+    def elsewhere(self, strips: Sequence[Strip], turns: Sequence[Turn]) -> Callable[[], Answers]:
+        """Begin with what :meth:`each` gives at each of ``turns``; return what yields it."""
 
 
 @runtime_checkable

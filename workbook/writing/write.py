@@ -27,6 +27,8 @@ from workbook.writing.place import refuse_existing, replace
 WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
+LINE_HEIGHTS = {"header": 14, "equation": 12}
+"""in points, of the texts that wrap"""
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
@@ -98,10 +100,21 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
         if text.link:
             target = f"{quote_sheetname(text.link)}!A1"
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
-        if text.style == "equation":
-            cells.heights[text.row] = 44
-        elif text.style == "header":
-            cells.heights[text.row] = max(32 if len(text.text) < 24 else 47, cells.heights.get(text.row, 0))
+        if text.style in LINE_HEIGHTS and text.text:
+            lines = wrapped(text.text, (WIDTHS | sheet.widths).get(text.column, COLUMN_WIDTH))
+            cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + 2, cells.heights.get(text.row, 0))
+
+
+def wrapped(text: str, width: float) -> int:
+    """Return how many lines a text takes in a column as wide as so many figures, at the size of table heads."""
+    lines, room = 1, 0.0
+    for word in text.split():
+        needed = len(word) + (1 if room else 0)
+        if room and room + needed > width:
+            lines, room, needed = lines + 1, 0.0, len(word)
+        room += needed
+        lines, room = (lines + int(room / width), room % width) if room > width else (lines, room)
+    return lines
 
 
 def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles) -> None:
@@ -147,7 +160,7 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
     page.print_title_rows = "1:3"
     right = get_column_letter(sheet.print_columns or max(used, LAST_PAGE_COLUMN))
-    page.print_area = f"A1:{right}{max(sheet.row, 30)}"
+    page.print_area = f"A1:{right}{sheet.print_rows or max(sheet.row, 30)}"
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
 

@@ -1,15 +1,20 @@
 """Tables are taken apart again: each law of the registry is found from its points, and nothing else for one."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
 from engine import law
-from engine.cams.course import course_of_motion
-from engine.cams.identify import Points, identified, precision
+from engine.cams.course import course_of_motion, turned
+from engine.cams.given import Points, precision
+from engine.cams.identify import identified
 from engine.cams.interpolation import quintics, spline
 from engine.laws import PieceLaw
 from engine.laws.registry import CATALOGUE
 from engine.motion import Motion, Phase
+from engine.motion.joining import Rates
+from engine.motion.joining import joined as join
 
 MOVING = [entry for entry in CATALOGUE if entry.rises and entry.law is not PieceLaw]
 
@@ -21,7 +26,7 @@ def motion(entry) -> Motion:
 
 
 def found_in(x: np.ndarray, y: np.ndarray):
-    return identified(Points(x, y, None, None, precision(y)), spline(x, y, "natural"))
+    return identified(Points(x, y, None, None, precision(y)), spline(x, y, "natural")).found
 
 
 @pytest.mark.parametrize("digits", [None, 6, "REAL"])
@@ -58,19 +63,76 @@ def test_breaks_are_exact_where_points_stand_on_them_with_their_rates() -> None:
     of = course_of_motion(motion(MOVING[4]))
     at = of.at(of.edges)
     points = Points(of.edges, at.y, at.y1, at.y2, precision(at.y))
-    one, other = identified(points, quintics(of.edges, at.y, at.y1, at.y2))
+    one, other = identified(points, quintics(of.edges, at.y, at.y1, at.y2)).found
     assert (one.law.code, one.begin, one.end) == (MOVING[4].code, 33.3, 125.0)
     assert (other.begin, other.end, other.lift) == (180.0, 300.0, -50.0)
 
 
-def test_what_keeps_to_no_law_is_a_law_of_its_own_within_the_precision() -> None:
+def test_what_keeps_to_no_law_is_a_run_of_quintics_that_meet_with_their_rates() -> None:
     x = np.linspace(0.0, 360.0, 361)
     xi = np.clip((x - 60.0) / 120.0, 0.0, 1.0)
     bumpy = 20.0 * (law("polynomial 3-4-5").s(xi) + 0.05 * np.sin(2.0 * np.pi * xi) ** 4 * xi)
-    (found,) = found_in(x, np.round(bumpy, 5))
-    assert isinstance(found.law, PieceLaw)
-    assert found.residual < 2e-3
-    assert found.lift == pytest.approx(20.0)
+    found = found_in(x, np.round(bumpy, 5))
+    assert {one.law.code for one in found} == {"PO5"}
+    assert 2 <= len(found) <= 20
+    assert max(one.residual for one in found) < 2e-3
+    assert sum(one.lift for one in found) == pytest.approx(20.0)
+    for one, other in pairwise(found):
+        assert one.end == other.begin
+        assert one.law.end.v / (one.end - one.begin) == pytest.approx(other.rates[0], abs=1e-9)
+
+
+PASSING = {
+    "to line speed, in step, and back": ([("PO5", 30.0, 90.0), ("LIN", 20.0, 40.0), ("PO5", -50.0, 170.0),
+                                          ("DWL", 0.0, 60.0)], {}),
+    "laws of pulses": ([("DWL", 0.0, 33.3), ("MSN", 30.0, 90.0), ("LIN", 20.0, 40.0), ("MTP", -50.0, 136.7),
+                        ("DWL", 0.0, 60.0)], {}),
+    "two lines": ([("LIN", 20.0, 50.0), ("PO5", 5.0, 100.0), ("LIN", -40.0, 60.0), ("CUB", 15.0, 150.0)], {}),
+    "through a point": ([("PO5", 30.0, 90.0), ("PO5", -30.0, 150.0), ("DWL", 0.0, 120.0)], {1: Rates(0.3, 0.002)}),
+    "begins on the way": ([("PO5", 30.0, 90.0), ("PO5", -30.0, 270.0)], {0: Rates(0.3, 0.0), 1: Rates(0.1, 0.0)}),
+}  # fmt: skip
+
+
+EVERY_DAY = ("laws of pulses", "through a point")
+
+
+@pytest.mark.parametrize(
+    ("name", "equidistant"),
+    [
+        pytest.param(name, equal, marks=[] if name in EVERY_DAY or not equal else pytest.mark.nightly)
+        for name in PASSING for equal in (False, True)
+    ],
+)  # fmt: skip
+def test_phases_that_meet_at_speed_are_told_as_they_were(name: str, equidistant: bool) -> None:
+    given, through = PASSING[name]
+    whole = join([Phase(law(code), lift, span) for code, lift, span in given], through)
+    assert not whole.faults
+    of = course_of_motion(whole.motion)
+    x = np.linspace(0.0, 360.0, 361) if equidistant else np.unique([*of.edges, *np.linspace(0.0, 360.0, 37)])
+    at = of.at(x)
+    y, rates = at.y, (None, None) if equidistant else (at.y1, at.y2)
+    rebuilt = spline(x, y, "not-a-knot") if equidistant else quintics(x, y, at.y1, at.y2)
+    found = identified(Points(x, y, *rates, precision(y)), rebuilt).found
+    meant = [phase for phase in given if phase[0] != "DWL"]
+    if equidistant and through:  # where two curved phases meet is not to be seen in positions alone
+        assert max(one.residual for one in found) < 1e-4
+        return
+    assert [one.law.code for one in found] == [phase[0] for phase in meant]
+    for one, (_, lift, span) in zip(found, meant, strict=True):
+        assert (one.lift, one.end - one.begin) == pytest.approx((lift, span), abs=1e-4 if equidistant else 1e-8)
+        assert one.residual < 1e-6
+
+
+def test_a_cycle_that_begins_on_the_way_is_told_from_its_dwell_on() -> None:
+    of = turned(course_of_motion(motion(MOVING[4])), 200.0)
+    x = np.linspace(0.0, 360.0, 721)
+    y = of.at(x).y
+    points = Points(x, y, None, None, precision(y))
+    read = identified(points, spline(x, y, "periodic"), turns=True)
+    one, other = read.found
+    assert (one.law.code, other.law.code) == (MOVING[4].code, "MTP")
+    begins = sorted((phase.begin + read.late) % 360.0 for phase in (one, other))
+    assert begins == pytest.approx(sorted([233.3, 20.0]), abs=1e-3)
 
 
 def test_a_turn_parts_a_movement_also_between_two_points() -> None:

@@ -1,25 +1,62 @@
-"""A small book of the cutting machine, and one whose design fails, built once."""
+"""A small book of two axes, built once, the cutting machine's axes, and the command in a folder of its own."""
+
+import sys
 
 import pytest
 
+from tests.workbook.controllers.examples import TEXT
+from workbook import build as making
 from workbook.build import build
+from workbook.cli import main
+from workbook.judging.many import digest
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 
 
 @pytest.fixture(scope="session")
 def machine():
-    found = read_machine(TEMPLATES["cutting-machine"].description)
-    return found.model_copy(update={"sizes": found.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 24})})
-
-
-@pytest.fixture(scope="session")
-def book(machine, tmp_path_factory):
-    path = tmp_path_factory.mktemp("books") / "machine.xlsx"
-    build(machine, path)
-    return path
+    return read_machine(TEMPLATES["cutting-machine"].description)
 
 
 @pytest.fixture(scope="session")
 def axes(machine):
     return TEMPLATES["cutting-machine"].axes(machine)
+
+
+@pytest.fixture(scope="session")
+def book(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("books")
+    (folder / "two.toml").write_text(TEXT, encoding="utf-8")
+    build(read_machine(folder / "two.toml"), folder / "two.xlsx")
+    return folder / "two.xlsx"
+
+
+@pytest.fixture(scope="session")
+def read_once():
+    """What reads the entries of a book, and the same bytes but once."""
+    known, read = {}, making.inputs
+
+    def inputs(path):
+        found = digest(path)
+        if found not in known:
+            known[found] = read(path)
+        return known[found]
+
+    return inputs
+
+
+@pytest.fixture
+def run(monkeypatch, capsys, tmp_path):
+    """Run a command within an empty folder; return its exit code and what it says."""
+    monkeypatch.chdir(tmp_path)
+
+    def called(*arguments):
+        monkeypatch.setattr(sys, "argv", ["motionbook", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as left:
+            main()
+        said = capsys.readouterr()
+        assert "Traceback" not in said.out + said.err
+        return left.value.code, said.out, said.err
+
+    return called

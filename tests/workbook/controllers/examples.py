@@ -21,10 +21,36 @@ FIVE = np.insert(X, 3, 270.0)
 MOVING = [one.example for one in CATALOGUE if one.rises and min(one.claims.order_ends, one.claims.order_inside) >= 2]
 """laws whose acceleration does not jump"""
 
+TEXT = """\
+template = "machine"
+title = "Two axes"
+[master]
+rate = 60.0
+[sizes]
+cycle = 4
+law = 4
+own_law = 12
+phases = 2
+[[axes]]
+name = "Press"
+group = "One"
+phases = [
+  { start = 90.0, stop = 135.0, lift = 20.0, law = "MTP" },
+  { start = 305.0, stop = 350.0, lift = -20.0, law = "MTP" },
+]
+[[axes]]
+name = "Feed 2"
+group = "One"
+closes = "feed"
+phases = [ { start = 0.0, stop = 80.0, lift = 300.0, law = "CIC" } ]
+"""
+"""a small machine of two axes"""
+
 
 def handed(target: Target, axis: CamAxis = FOUR, x: np.ndarray | None = None) -> Handed:
     """What the writer of a target is given of an axis."""
-    places = x if x is not None else FIVE if target.points[0] > 4 else X
+    few = np.linspace(0.0, 360.0, target.counts[0]) if target.counts else FIVE if target.points[0] > 4 else X
+    places = few if x is None else x
     units = axis.x_unit, axis.y_unit
     return Handed(filled(target, axis.course, places, units), axis.name, ("an example",), units)
 

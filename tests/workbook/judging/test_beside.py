@@ -12,11 +12,12 @@ import pytest
 
 from workbook.build import build
 from workbook.errors import MotionbookError
+from workbook.judging.right import Variation
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses import beside
-from workbook.witnesses.beside import Asked, Beside, wanted
+from workbook.witnesses.beside import EVALUATED, Asked, Beside, Shared, wanted
 
 TEMPLATE = TEMPLATES["motion-composer"]
 
@@ -100,13 +101,43 @@ def test_killed_before_the_other_inputs_their_findings_are_not_lost(wrong, begun
         return values
 
     monkeypatch.setattr(Asked, "evaluate", then_killed)
-    monkeypatch.setattr(Asked, "_answer", patient(Asked._answer))
+    monkeypatch.setattr(Asked, "answer", patient(Asked.answer))
     assert verify(wrong, beside=helper) == verify(wrong)
 
 
 def patient(answer):
     """Return what passes on the first answer, and loses those that follow, as a process that ends in between would."""
-    return lambda asked, number: answer(asked, number) if number == 0 else None
+    return lambda asked, key: answer(asked, key) if key == EVALUATED else None
+
+
+@pytest.mark.parametrize("killed", [False, True])
+def test_a_turn_that_it_has_begun_is_left_to_it_and_not_lost(wrong, begun, monkeypatch, killed):
+    helper, take, declared = begun(wrong), Shared._take, []
+
+    def when_it_has_begun(shared):
+        last = len(shared._turns) - 1
+        assert shared._asked.answer(("begun", last))
+        if killed:
+            helper.process.kill()
+            helper.process.wait()
+        return take(shared)
+
+    monkeypatch.setattr(Shared, "_take", when_it_has_begun)
+    monkeypatch.setattr(Variation, "__call__", counted(Variation.__call__, declared))
+    report = verify(wrong, beside=helper)
+    shared = len(declared)
+    assert report == verify(wrong)
+    assert shared == 6 if killed else shared < 6
+
+
+def counted(call, calls):
+    """Return what calls, and notes that it did."""
+
+    def noting(variation):
+        calls.append(variation)
+        return call(variation)
+
+    return noting
 
 
 def test_a_file_that_was_replaced_meanwhile_is_read_by_the_judge_alone(good, wrong, tmp_path, begun):

@@ -129,7 +129,7 @@ def test_a_sheet_of_another_namespace_or_root_is_refused(book, tmp_path):
 
 
 def test_names_that_differ_in_case_are_refused(book, tmp_path):
-    name = b'<definedName name="Book_Template">About!$A$1</definedName>'
+    name = b'<definedName name="Book_Template">Summary!$A$1</definedName>'
     change = {WORKBOOK: sub(rb"(?=</definedNames>)", name)}
     assert "'book_template'" in refused(repacked(book.path, tmp_path / "a.xlsx", change))
     change = {WORKBOOK: lambda data: data.replace(b'name="Checks"', b'name="about"')}
@@ -137,12 +137,12 @@ def test_names_that_differ_in_case_are_refused(book, tmp_path):
 
 
 def test_a_name_twice_is_refused_and_one_of_a_sheet_of_its_own_is_not(book, tmp_path):
-    name = b'<definedName name="book_template"%s>About!$A$1</definedName>'
+    name = b'<definedName name="book_template"%s>Summary!$A$1</definedName>'
     change = {WORKBOOK: sub(rb"(?=</definedNames>)", name % b"")}
     assert "defines the name" in refused(repacked(book.path, tmp_path / "a.xlsx", change))
     local = {WORKBOOK: sub(rb"(?=</definedNames>)", name % b' localSheetId="1"')}
     path = repacked(book.path, tmp_path / "b.xlsx", local)
-    assert open_book(path).places["book_template"].sheet == "About"
+    assert open_book(path).places["book_template"].sheet == "Summary"
     assert [(f.kind, f.sheet, f.cell) for f in verify(path).findings] == [("name", "Motion", "book_template")]
 
 

@@ -185,7 +185,7 @@ def test_what_no_input_needs_keeps_no_evaluator_from_one_that_is_needed(known, t
         "A1": "=90",
         "A2": '=REPT("x",40000)',
         "A3": "=_xlfn.LET(_xlpm.x,1,_xlpm.x)",
-        "A4": "=SUM('About:Drive'!A1)",
+        "A4": "=SUM('Summary:Drive'!A1)",
     }
     path = fed(known, tmp_path, "=Mine!A1", cells)
     report = verify(path, present("pycel", "formualizer", "ironcalc"))
@@ -243,7 +243,7 @@ def test_a_declared_formula_with_a_foreign_or_volatile_function_is_still_a_findi
 EXTRAS = b"""<extLst><ext uri="{05C60535-1F16-4fd2-B633-F4F36F0B64E0}"
 xmlns:x14="http://schemas.microsoft.com/office/spreadsheetml/2009/9/main">
 <x14:sparklineGroups xmlns:xm="http://schemas.microsoft.com/office/excel/2006/main"><x14:sparklineGroup><x14:sparklines>
-<x14:sparkline><xm:f>About!A1:A4</xm:f><xm:sqref>AZ9</xm:sqref></x14:sparkline></x14:sparklines></x14:sparklineGroup>
+<x14:sparkline><xm:f>Summary!A1:A4</xm:f><xm:sqref>AZ9</xm:sqref></x14:sparkline></x14:sparklines></x14:sparklineGroup>
 </x14:sparklineGroups></ext></extLst>"""
 METADATA = b"""<metadata xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"
  xmlns:xda="http://schemas.microsoft.com/office/spreadsheetml/2017/dynamicarray"><metadataTypes count="1">

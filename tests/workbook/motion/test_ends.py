@@ -119,7 +119,10 @@ def test_a_velocity_that_is_entered_beside_a_dwell_or_where_a_law_has_none_fails
     reason = "row 2: its begin is entered otherwise than the straight line or dwell there has it"
     assert said(beside, "move_ok_passes") == ("FAIL", reason)
     pulses = of(composed([("MSN", 10.0, 100.0), ("PO5", -10.0, 260.0, {"acceleration": 0.1})]))
-    reason = "row 1: MSN cannot end with an acceleration: it takes a velocity only"
+    reason = (
+        "row 1: MSN cannot end with an acceleration: it takes a velocity only, accelerations follow from that, "
+        "its lift and its shares"
+    )
     assert said(pulses, "move_ok_meets") == ("FAIL", reason)
     agrees = of(composed([("PO5", 10.0, 100.0), ("LIN", 40.0, 100.0, {"velocity": 0.4}), ("PO5", -50.0, 160.0)]))
     assert agrees("overall") == "OK"
@@ -140,6 +143,16 @@ def test_a_velocity_that_is_entered_beside_a_dwell_or_where_a_law_has_none_fails
 def test_straight_lines_and_single_phases(phases, smooth):
     value = of(composed(phases))
     assert (value("move_ok_smooth"), value("move_ok_meets")) == (smooth, "OK")
+
+
+def test_a_jump_between_straight_lines_names_both_slopes():
+    value = of(composed([("LIN", 20.0, 100.0), ("LIN", -20.0, 260.0)]))
+    reason = "row 2 to 1 at 0 °: velocity jumps by 0.276923077 °/°: straight lines of -0.076923077 and 0.2"
+    assert said(value, "move_ok_smooth") == ("FAIL", reason)
+    beside = said(of(composed([("LIN", 20.0, 100.0), ("DWL", 0.0, 160.0), ("CIC", -20.0, 100.0)])), "move_ok_smooth")
+    assert beside[1].endswith(": straight lines of 0.2 and 0")
+    curved = said(of(composed([("CIC", 20.0, 100.0, {}), ("ACS", -20.0, 260.0)])), "move_ok_smooth")
+    assert "straight" not in curved[1]
 
 
 @pytest.mark.parametrize("seed", range(100, 103))

@@ -310,7 +310,7 @@ def test_a_dimension_that_claims_too_much_is_harmless(book):
 
 
 def test_a_million_names(book):
-    names = b"".join(b'<definedName name="n%d">About!$A$1</definedName>' % i for i in range(1_000_000))
+    names = b"".join(b'<definedName name="n%d">Summary!$A$1</definedName>' % i for i in range(1_000_000))
     assert "20,000 elements <definedName>" in refused(
         book({"xl/workbook.xml": sub(rb"(?=</definedNames>)", names)}, method=zipfile.ZIP_STORED)
     )
@@ -366,8 +366,9 @@ def test_macros_links_and_connections_are_noted(part, book):
 
 
 NOWHERE = (
-    "#REF!", "#REF!$A$1", "Gone!$A$1", "", "'", "1", "About!$A$1:$XFD$1048576", "About!$A:$A", "{1,2", "About!$A$0",
-    "About!$A$9999999", "[1]About!$A$1", "OFFSET(About!$A$1,1,1)", "&quot;", "About!", "!", "About!$B$2:$A$1",
+    "#REF!", "#REF!$A$1", "Gone!$A$1", "", "'", "1", "Summary!$A$1:$XFD$1048576", "Summary!$A:$A", "{1,2",
+    "Summary!$A$0", "Summary!$A$9999999", "[1]Summary!$A$1", "OFFSET(Summary!$A$1,1,1)", "&quot;",
+    "Summary!", "!", "Summary!$B$2:$A$1",
 )  # fmt: skip
 
 

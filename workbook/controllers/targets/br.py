@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 
 from engine.cams.course import Course, Stretch, course
 from engine.cams.segments import quintics_between
 from engine.laws.base import Array
-from workbook.controllers.number import DINT, DINT_IN_REAL, LREAL, REAL, literal
-from workbook.controllers.structured import NUMBER, comments, indexed, scalar
+from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, literal
+from workbook.controllers.structured import assigned, comments, indexed, scalar
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.units import counts, read_counts
+from workbook.controllers.units import counts, read_counts, read_stand, stands
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
 FIELDS = (*POWERS, "X")
-STANDS = re.compile(rf"the axis stands at ({NUMBER}) ")
 LIBRARY = "B&R library McAxis, McAxis.typ"
 ERRORS = "B&R ACOPOS error pages 5304, 37111"
 
@@ -70,10 +67,9 @@ def write(handed: Handed) -> str:
         values = [constant, *(float(c) * one for c, one in zip(row[1:], scales[1:], strict=True))]
         values += [0.0 for _ in range(len(POWERS) - len(values))]
         texts = [literal(REAL.text(value)) for value in (*values, round((end - made.edges[0]) / dx))]
-        fields = " ".join(f"{name}.PolynomialData[{k}].{field} := {text};"
-                          for field, text in zip(FIELDS, texts, strict=True))  # fmt: skip
-        lines.append(f"{fields} {name}.PolynomialData[{k}].Reserve := 0;")
-    told = f"the cam begins at y = 0; the axis stands at {LREAL.text(offset)} {handed.units[1]} there"
+        fields = dict(zip(FIELDS, texts, strict=True)) | {"Reserve": "0"}
+        lines.append(assigned(f"{name}.PolynomialData[{k}]", fields))
+    told = stands(offset, handed.units[1])
     return comments([*handed.header, told, counts(steps, handed.units), f"{name} : McCamDataType"]) + "".join(
         f"{one}\n" for one in lines
     )
@@ -85,9 +81,8 @@ def read(text: str) -> Table:
     period = scalar(text, "MasterPeriod")
     if period is not None and period != ends[-1]:
         raise TargetError(f"the last X is {ends[-1]:g}, MasterPeriod {period:g}; expected the same")
-    stands = STANDS.search(text)
     x = np.concatenate([[0.0], ends])
-    return table(REAL.rounded(np.array(powers).T), x, read_counts(text), float(stands[1]) if stands else 0.0)
+    return table(REAL.rounded(np.array(powers).T), x, read_counts(text), read_stand(text))
 
 
 TARGET = Target(

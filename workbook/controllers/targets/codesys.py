@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from workbook.controllers.number import LREAL, literal
-from workbook.controllers.structured import comments, counted, grouped, literals
+from workbook.controllers.structured import comments, grouped, points, rows
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
 
@@ -14,12 +14,10 @@ GENERATED = "CODESYS help, Display Generated Code"
 
 def write(handed: Handed) -> str:
     """Return a list of global variables: the points, and the cam that refers to them."""
-    columns = [literals(LREAL, values) for values in handed.table.columns.values()]
-    points = [", ".join(f"{name} := {value}" for name, value in zip(FIELDS, row, strict=True))
-              for row in zip(*columns, strict=True)]  # fmt: skip
-    name, n = f"Cam_{handed.name}", len(points)
+    initial = [", ".join(f"{name} := {value}" for name, value in row.items()) for row in rows(handed.table, FIELDS)]
+    name, n = f"Cam_{handed.name}", len(initial)
     start, end = (literal(LREAL.text(float(handed.table.x[k]))) for k in (0, -1))
-    body = ",\n".join(f"    ({point})" for point in points)
+    body = ",\n".join(f"    ({point})" for point in initial)
     return (
         f"{comments(handed.header)}{{attribute 'linkalways'}}\nVAR_GLOBAL\n"
         f"  {name}_A : ARRAY[0..{n - 1}] OF SMC_CAMXYVA := [\n{body}];\n"
@@ -30,9 +28,7 @@ def write(handed: Handed) -> str:
 
 def read(text: str) -> Table:
     """Return the points of a Structured Text."""
-    x, y, v, a = grouped(text, FIELDS)
-    counted(text, "nElements", len(x))
-    return Table(x, y, v, a)
+    return points(text, lambda one: grouped(one, FIELDS), "nElements")
 
 
 TARGET = Target(

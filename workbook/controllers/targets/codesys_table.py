@@ -8,7 +8,7 @@ import numpy as np
 
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
-from workbook.controllers.structured import comments, counted, literals, pairs
+from workbook.controllers.structured import comments, pairs, points, rows
 from workbook.controllers.table import LOCAL, SPLINES, Table
 from workbook.controllers.target import Claim, Handed, Target
 
@@ -20,16 +20,14 @@ def write(handed: Handed) -> str:
     """Return the type of the table, the table, and the cam that refers to it."""
     table, n, name = handed.table, len(handed.table.x), f"Cam_{handed.name}"
     kind = f"SMC_CAMTable_LREAL_{n}_2"
-    rows = ",\n".join(
-        f"    [{x}, {y}]" for x, y in zip(literals(LREAL, table.x), literals(LREAL, table.y), strict=True)
-    )
+    body = ",\n".join(f"    [{row['x']}, {row['y']}]" for row in rows(table, ("x", "y")))
     ends = dict(zip(EDGES, (span(table.x), span(table.y), span(table.x), span(table.y)), strict=True))
     limits = ", ".join(f"{edge}Min := {low}, {edge}Max := {high}" for edge, (low, high) in ends.items())
     start, end = (literal(LREAL.text(float(table.x[k]))) for k in (0, -1))
     declared = ", ".join(f"{edge}{which}" for edge in EDGES for which in ("Min", "Max"))
     return (
         f"{comments(handed.header)}TYPE {kind} : STRUCT\n  Table : ARRAY[0..{n - 1}] OF ARRAY[0..1] OF LREAL;\n"
-        f"  {declared} : REAL;\nEND_STRUCT END_TYPE\nVAR_GLOBAL\n  {name}_T : {kind} := (\n  Table := [\n{rows}],\n"
+        f"  {declared} : REAL;\nEND_STRUCT END_TYPE\nVAR_GLOBAL\n  {name}_T : {kind} := (\n  Table := [\n{body}],\n"
         f"  {limits});\n  {name} : MC_CAM_REF := (byType := 2, byVarType := 6, xStart := {start}, xEnd := {end}, "
         f"nElements := {n},\n    nTappets := 0, byInterpolationQuality := 3, strCAMName := '{name}', "
         f"pce := ADR({name}_T));\nEND_VAR\n"
@@ -45,9 +43,7 @@ def span(values: Array) -> tuple[str, str]:
 
 def read(text: str) -> Table:
     """Return the points of a Structured Text."""
-    x, y = pairs(text, "Table")
-    counted(text, "nElements", len(x))
-    return Table(x, y)
+    return points(text, lambda one: pairs(one, "Table"), "nElements")
 
 
 TARGET = Target(

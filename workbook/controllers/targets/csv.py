@@ -40,4 +40,5 @@ TARGET = Target(
         Claim("a controller makes polynomials of degree 5 of y, y' and y''", "untested", "no common standard"),
     ),
     plain=SPLINES,
+    signs=("separator", "decimal"),
 )  # fmt: skip

@@ -42,4 +42,5 @@ TARGET = Target(
         Claim("what is between the points, limits, the end of a cycle", "untested", "no document says it"),
     ),
     points=(4, 10_000),
+    signs=("decimal",),
 )

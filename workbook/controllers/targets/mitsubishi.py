@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from workbook.controllers.number import DINT
+from workbook.controllers.number import DINT, whole
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
 from workbook.controllers.text import joined, numbers
 from workbook.controllers.units import counts, read_counts
-from workbook.errors import TargetError
 
 MANUAL = "Mitsubishi RD77MS advanced synchronous control manual, p. 51"
 
@@ -27,10 +26,7 @@ def read(text: str) -> Table:
     """Return the coordinates, in the units that the comment names."""
     steps = read_counts(text)
     x, y = np.array(numbers(text, (2,))).T
-    for values in (x, y):
-        if not np.all((np.abs(values) <= DINT.largest) & (values == np.round(values))):
-            raise TargetError("a coordinate is no whole number of 32 bits; expected such")
-    return Table(*(np.round(values * step, 12) for values, step in zip((x, y), steps, strict=True)))
+    return Table(np.round(whole(x) * steps[0], 12), np.round(whole(y) * steps[1], 12))
 
 
 TARGET = Target(
@@ -50,5 +46,6 @@ TARGET = Target(
     ),
     number=DINT,
     points=(2, 16_384),
+    signs=("separator",),
     tolerance=("v", 0.01),
 )

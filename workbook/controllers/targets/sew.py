@@ -42,4 +42,5 @@ TARGET = Target(
         Claim("the slope that a cubic has at a point: taken from its neighbours", "untested", "no document says it"),
     ),
     points=(2, 1024),
+    signs=("separator", "decimal"),
 )

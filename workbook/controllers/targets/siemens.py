@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from workbook.controllers.number import LREAL
-from workbook.controllers.structured import comments, indexed, literals
+from workbook.controllers.structured import assigned, comments, indexed, points, rows
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
 
@@ -13,18 +12,15 @@ TYPES = "simatic-ax/lcamhdl, docs/types"
 
 def write(handed: Handed) -> str:
     """Return the assignments, a line a point."""
-    columns = [literals(LREAL, values) for values in handed.table.columns.values()]
-    name, lines = f"Cam_{handed.name}", []
-    for k, row in enumerate(zip(*columns, strict=True), 1):
-        lines.append(" ".join(f"{name}[{k}].{field} := {value};" for field, value in zip(FIELDS, row, strict=True)))
+    name = f"Cam_{handed.name}"
+    lines = [assigned(f"{name}[{k}]", row) for k, row in enumerate(rows(handed.table, FIELDS), 1)]
     declared = f"{name} : ARRAY[1..{len(lines)}] OF LCamHdl_typeBasicPoint, for CreateCamBasic"
     return comments([*handed.header, declared]) + "".join(f"{line}\n" for line in lines)
 
 
 def read(text: str) -> Table:
     """Return the points that are assigned."""
-    x, y, v, a = indexed(text, FIELDS)
-    return Table(x, y, v, a)
+    return points(text, lambda one: indexed(one, FIELDS))
 
 
 TARGET = Target(

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from workbook.controllers.number import LREAL
-from workbook.controllers.structured import comments, indexed, literals
+from workbook.controllers.structured import assigned, comments, indexed, points, rows
 from workbook.controllers.table import SPLINES, Table
 from workbook.controllers.target import Claim, Handed, Target
 
+FIELDS = ("x", "y")
 HELP = "Siemens TIA help, S7-1500/S7-1500T synchronous operation, tags of the cam"
 
 
 def write(handed: Handed) -> str:
     """Return the assignments of the points, and of how to go between them."""
-    table, name = handed.table, f"Cam_{handed.name}"
-    rows = zip(literals(LREAL, table.x), literals(LREAL, table.y), strict=True)
-    lines = [f"{name}.Point[{k}].x := {x}; {name}.Point[{k}].y := {y}; {name}.ValidPoint[{k}] := TRUE;"
-             for k, (x, y) in enumerate(rows, 1)]  # fmt: skip
+    name = f"Cam_{handed.name}"
+    lines = [f"{assigned(f'{name}.Point[{k}]', row)} {name}.ValidPoint[{k}] := TRUE;"
+             for k, row in enumerate(rows(handed.table, FIELDS), 1)]  # fmt: skip
     lines.append(f"{name}.InterpolationSettings.InterpolationMode := 1;")
     lines.append(f"{name}.InterpolationSettings.BoundaryConditions := {int(handed.repeats)};")
     declared = f"{name} : TO_Cam; MC_InterpolateCam comes before its use; points beyond these stay invalid"
@@ -24,8 +23,7 @@ def write(handed: Handed) -> str:
 
 def read(text: str) -> Table:
     """Return the points that are assigned."""
-    x, y = indexed(text, ("x", "y"))
-    return Table(x, y)
+    return points(text, lambda one: indexed(one, FIELDS))
 
 
 TARGET = Target(

@@ -8,7 +8,7 @@ from engine.cams.course import Course, Stretch, course
 from engine.cams.segments import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
-from workbook.controllers.structured import comments, indexed
+from workbook.controllers.structured import assigned, comments, indexed
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
 from workbook.errors import TargetError
@@ -35,8 +35,8 @@ def write(handed: Handed) -> str:
     for k, (low, high, c, sines) in enumerate(zip(made.edges, made.edges[1:], made.c, made.sines, strict=False), 1):
         values = [low, high, *c, *sines[0]]
         texts = (literal(LREAL.text(float(value))) for value in values)
-        fields = " ".join(f"{name}.Segment[{k}].{field} := {text};" for field, text in zip(FIELDS, texts, strict=True))
-        lines.append(f"{fields} {name}.ValidSegment[{k}] := TRUE;")
+        fields = dict(zip(FIELDS, texts, strict=True))
+        lines.append(f"{assigned(f'{name}.Segment[{k}]', fields)} {name}.ValidSegment[{k}] := TRUE;")
     declared = f"{name} : TO_Cam; MC_InterpolateCam comes before its use; segments beyond these stay invalid"
     return comments([*handed.header, declared]) + "".join(f"{line}\n" for line in lines)
 
@@ -72,6 +72,7 @@ TARGET = Target(
         Claim("sinePeriod holds b1, rad by x", "untested", "the help names it a length in rad"),
     ),
     points=(2, 51),
+    spacing="breaks",
     exact=simple,
     built=built,
 )  # fmt: skip

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from workbook.controllers.number import LREAL
-from workbook.controllers.structured import comments, counted, indexed, literals
+from workbook.controllers.structured import assigned, comments, indexed, points, rows
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
 
@@ -13,10 +12,8 @@ INFOSYS = "Beckhoff Infosys, TF5050 TC3 NC Camming"
 
 def write(handed: Handed) -> str:
     """Return the variables, and the assignments of each point and of the reference."""
-    columns = [literals(LREAL, values) for values in handed.table.columns.values()]
-    n, name = len(columns[0]), f"Cam_{handed.name}"
-    lines = []
-    for k, row in enumerate(zip(*columns, strict=True), 1):
+    n, name, lines = len(handed.table.x), f"Cam_{handed.name}", []
+    for k, row in enumerate(rows(handed.table, FIELDS), 1):
         kind = "ACTIVATION" if k == 1 else "MOTION"
         head = {
             "PointIndex": str(k),
@@ -24,8 +21,7 @@ def write(handed: Handed) -> str:
             "PointType": f"MOTIONPOINTTYPE_{kind}",
             "RelIndexNextPoint": str(int(k < n)),
         }
-        fields = head | dict(zip(FIELDS, row, strict=True)) | {"SlaveJerk": "0.0"}
-        lines.append(" ".join(f"{name}_P[{k}].{field} := {value};" for field, value in fields.items()))
+        lines.append(assigned(f"{name}_P[{k}]", head | row | {"SlaveJerk": "0.0"}))
     body = "\n".join(lines)
     last = {"pArray": f"ADR({name}_P)", "ArraySize": f"SIZEOF({name}_P)", "TableType": "MC_TABLETYPE_MOTIONFUNCTION",
             "NoOfRows": str(n), "NoOfColumns": "1"}  # fmt: skip
@@ -36,9 +32,7 @@ def write(handed: Handed) -> str:
 
 def read(text: str) -> Table:
     """Return the points that are assigned."""
-    x, y, v, a = indexed(text, FIELDS)
-    counted(text, "NoOfRows", len(x))
-    return Table(x, y, v, a)
+    return points(text, lambda one: indexed(one, FIELDS), "NoOfRows")
 
 
 TARGET = Target(

@@ -50,7 +50,7 @@ def printed_sheet(book: Book, machine: Sized) -> None:
     """Declare the sheet."""
     sheet = book.sheet("S4", "The figures that the document prints, its misprints, and this book's.")
     sheet.heading(
-        "What comes out",
+        "Results",
         "As delivered, one column of exact figures is this book's; with other inputs they part, as they should.",
     )
     engine = values(machine)

@@ -45,7 +45,7 @@ def rms_sheet(book: Book, machine: Sized, laws: Sequence[NamedLaw]) -> None:
     )
     with sheet.scoped("act_"):
         sheet.heading(
-            "What comes out",
+            "Results",
             "At the shaft that the motor is coupled to, without the motor: "
             "what a selection of motor and reducer asks for.",
         )

@@ -36,7 +36,7 @@ def actuator_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
         verdicts(sheet, machine, joints(machine, rows))
         draw(sheet)
         sheet.row = max(sheet.row, BELOW_CHARTS)
-        sheet.heading("What to enter, continued")
+        sheet.heading("Enter, continued")
         motion(sheet, machine, rows)
         gears_table(sheet, e.gears, sizes.gears, "actuator.gears")
         parts_table(sheet, e.parts, machine.parts, chain, e.method, sizes.rotors, "actuator.parts")
@@ -50,9 +50,7 @@ def entries(sheet: Sheet, machine: Sized) -> None:
     """Declare what the engineer enters; phases, gears and rotating parts follow in tables below."""
     e = machine.given
     out, load, motor = e.output, e.load, e.motor
-    sheet.heading(
-        "What to enter", "Phases of the motion, gears and rotating parts stand in the tables below the charts."
-    )
+    sheet.heading("Enter", "Phases of the motion, gears and rotating parts stand in the tables below the charts.")
     sheet.rows(
         given("@mechanism", "Mechanism", "", "",
               e.mechanism, "actuator.mechanism", source="entries that it does not use may stay as they are"),
@@ -106,7 +104,7 @@ def outcome(sheet: Sheet, machine: Sized) -> None:
     """Declare inertia, torque and speed."""
     m, s, sides, drive = machine.mechanism, machine.sizing, machine.sides, machine.drive
     inertia, torques = m.inertia(drive.method), [torque for row in machine.part_torques for torque in row]
-    sheet.heading("What comes out", "The document's own figures beside these, and its misprints: sheet S4.")
+    sheet.heading("Results", "The document's own figures beside these, and its misprints: sheet S4.")
     sheet.rows(
         result("@jmach", "Inertia of the machine at the motor", "J_machine", "kg m²",
                "=SUM([@parts.at_motor])+@jload+@jbelt", inertia, source="by S4's way of losses: over η"),

@@ -74,7 +74,7 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
         calc("begin", "begins at", "", "s",
              '=IF([kind]="spare",2*@time,IF([k]=1,0,[begin-1]+[span-1]))',
              filled(moved.edges[:-1], n, total + total), scale=total, source="spare rows: out of reach"),
-        calc("y0", "position at its begin", "x_0", "",
+        calc("y0", "start position", "x_0", "",
              "=IF([k]=1,0,[y0-1]+[h-1])", filled(moved.at(moved.edges[:-1]).y, n, moved.lifts_sum), scale=sides.lift,
              source="lifts before, in m or rad"),
         calc("per", "acceleration for a = 1", "h/t²", "",

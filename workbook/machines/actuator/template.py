@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from engine.choice import LoadSamples, Task
-from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.actuator.axes import axes
@@ -43,8 +43,9 @@ def declare(given: ActuatorSizing) -> Book:
     book = Book(given.template, given.title, limit=limits(type(given)))
     peak, fastest = view.sizing.peak_torque, view.sizing.max_speed
     torque, speed = view.sides.torque, view.sides.motor_speed
-    about_sheet(
+    summary_sheet(
         book,
+        given,
         "Sizing of an actuator: what a cycle of moves asks of the motor behind a mechanism.",
         [
             result("about_peak", "Peak torque of the motor", "T_max", "Nm", "=act_peak", peak, scale=torque),

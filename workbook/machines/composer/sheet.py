@@ -40,9 +40,9 @@ def handing(machine: Composition, rows: PieceRows) -> Ends | None:
 def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     """Declare the sheet: units and results at the top, the motion beside them, then phases, junctions, table."""
     sheet = book.sheet("Motion", "Phases joined over any abscissa: position, velocity and acceleration per unit of it.")
-    sheet.heading("What to enter: units and cycle here, the phases in the table below")
+    sheet.heading("Enter: units and cycle here, the phases in the table below")
     entries(sheet, machine)
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     results(sheet, machine)
     sheet.row += 1
     joints, ends = Joints(rows, machine.motion, asked(machine)), handing(machine, rows)
@@ -90,7 +90,7 @@ def entries(sheet: Sheet, machine: Composition) -> None:
               x, "motion.abscissa_unit", align="center", source="°, s, mm …: durations are in it"),
         given("move_y", "Unit of the lift", "y", "",
               y, "motion.lift_unit", align="center", source="mm, ° …: lifts are in it"),
-        given("move_start", "Position at the begin", "y_0", "lift", m.position, "motion.position", format="0.0####"),
+        given("move_start", "Start position", "y_0", "lift", m.position, "motion.position", format="0.0####"),
         given("move_cycle", "The cycle", "", "",
               m.cycle, "motion.cycle", align="center", source="closes: it repeats; open: it does not"),
         given("move_smooth", "Must be continuous", "", "",
@@ -120,7 +120,7 @@ def results(sheet: Sheet, machine: Composition) -> None:
                "=SUM([phases.h])", motion.lifts_sum, scale=h, source="sum of the lifts"),
         result("move_gap", "What the cycle does not close by", "", "lift",
                "=INDEX([phases.y1],move_count)-move_start", motion.gap, format="0.0000##", scale=h,
-               source="y(end) − y(begin)"),
+               source="y(end) − y(start)"),
         result("move_low", "Lowest position", "y_min", "lift", "=MIN([phases.low])", motion.reach[0], scale=h),
         result("move_high", "Highest position", "y_max", "lift", "=MAX([phases.high])", motion.reach[1], scale=h),
         result("move_v", "Greatest velocity", "|y'|_max", PER,
@@ -151,7 +151,7 @@ def checks(sheet: Sheet, machine: Composition, joints: Joints, ends: Ends | None
         room_check("move_ok_pieces", joints.rows.at),
         check("move_ok_velocity", "No jump of velocity",
               f"{greatest('junctions.jump_v')}<=check_zero*move_v", motion.smooth(machine.repeats),
-              "of a cycle that closes, also from its end to its begin",
+              "of a closed cycle, also from its end to its start",
               says=amount(greatest("junctions.jump_v"), jump, "y' jumps by ", ": see the junctions")),
         *(ends.checks("move_ok", "") if ends else []),
         joints.check("move_ok_smooth", "As smooth as asked"),
@@ -178,13 +178,13 @@ def junctions(sheet: Sheet, machine: Composition) -> None:
         return [getattr(found.get(k, NOTHING), name) for k in range(n)]
 
     sheet.table(
-        "junctions", "Behind each phase one; the wrap joins the end of a cycle that closes to its begin", n,
+        "junctions", "Behind each phase one; the wrap joins the end of a closed cycle to its start", n,
         calc("kind", "junction", "", "", KIND, kinds),
         result("x", "at", "", "x",
                "=INDEX([phases.end],[k])", filled(motion.edges[1:], n, motion.total), format="0.0####",
                scale=motion.total),
         result("jump_y", "jump of position", "Δy", "lift",
-               JUMP_Y, jump("jump_y"), format="0.0000##", scale=h, source="at the wrap: y(end) − y(begin)"),
+               JUMP_Y, jump("jump_y"), format="0.0000##", scale=h, source="at the wrap: y(end) − y(start)"),
         result("jump_v", "jump of velocity", "Δy'", PER, JUMP.format("v"), jump("jump_v"), format="0.0000##", scale=v),
         result("jump_a", "jump of acceleration", "Δy''", PER2,
                JUMP.format("a"), jump("jump_a"), format="0.0000##", scale=a, source="reported, no fault"),

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.composer.axes import axes
@@ -24,8 +24,9 @@ def declare(given: MotionComposer) -> Book:
     composed = Composition(given, shelf.laws)
     motion, (h, v, a, _) = composed.motion, composed.motion.sizes
     book = Book(given.template, given.title, limit=limits(type(given)))
-    about_sheet(
+    summary_sheet(
         book,
+        given,
         "A motion composed of phases: each a motion law over a lift and a duration, in any units.",
         [
             result("about_travel", "Travel", "Σh", "lift", "=move_travel", motion.lifts_sum, scale=h, source=UNIT),

@@ -34,12 +34,13 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
         table(sheet, machine)
         limits_table(sheet, machine.motor.corners(float(machine.samples.speed.min())), "MIN([drive.w])<0-@still")
     sheet.print_columns = 18
+    sheet.one_page = True
 
 
 def entries(sheet: Sheet, machine: Cutting) -> None:
     """Declare what the engineer enters; the rotating parts follow in a table."""
     d = machine.machine.drive
-    sheet.heading("What to enter")
+    sheet.heading("Enter")
     sheet.rows(
         given("@axis", "Axis that the drive moves", "", "",
               d.axis, "drive.axis", choices="=axis_name", source="its phases and laws come from Timing"),
@@ -50,13 +51,13 @@ def entries(sheet: Sheet, machine: Cutting) -> None:
         given("@resists", "The load resists", "", "",
               d.resists, "drive.resists", source="always, or only while moving and against the motion"),
         given("@jm", "Inertia of motor and reducer", "J_m", "kg m²",
-              d.motor.inertia, "drive.motor.inertia", source="ours: S1 leaves motor and ratio open"),
+              d.motor.inertia, "drive.motor.inertia", source="example value: S1 leaves motor and ratio open"),
         *limits_given(d.motor, "drive.motor"),
         given("@ratio", "Reduction of the reducer", "i", "",
-              d.motor.reduction, "drive.motor.reduction", format="0.0##", source="ours; ω_m / ω_r"),
+              d.motor.reduction, "drive.motor.reduction", format="0.0##", source="example value; ω_m / ω_r"),
         given("@eta", "Efficiency of the reducer", "η", "",
               d.motor.efficiency, "drive.motor.efficiency", format="0.0##",
-              source="ours; 1 for S1's equation as printed"),
+              source="example value; 1 for S1's equation as printed"),
     )  # fmt: skip
 
 
@@ -106,7 +107,7 @@ def workings(sheet: Sheet, machine: Cutting) -> None:
         calc("@jeff", "Inertia felt by the motor, per ω̇_r", "", "kg m²",
              "=@jm/@tau+@tau*@jtot", machine.drive.effective_inertia(ROLLERS), source="J_m/τ + τ J_tot"),
         losses.standstill(),
-        calc("@near", "A load that drives with less counts as resisting", "R_0", "Nm",
+        calc("@near", "Overhauling torque taken as resisting, up to", "R_0", "Nm",
              "=check_zero*MAX(1,MAX([drive.total]),0-MIN([drive.total]))", rounding_of(machine.samples.load),
              format="0E+00", source="rounding never decides the losses"),
     )  # fmt: skip
@@ -117,7 +118,7 @@ def outcome(sheet: Sheet, machine: Cutting) -> None:
     points, asked, drive = machine.samples.motor, machine.asked, machine.drive
     tau = machine.mechanism.stages[0].transmission
     power = max(points.highest_power, -points.lowest_power, 1e-3)
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(
         result("@tmax", "Largest torque of the motor", "C_m,max", "Nm",
                "=MAX([drive.torque])", points.highest_torque, source="driving"),

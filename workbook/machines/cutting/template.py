@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from engine.choice import LoadSamples, Task
-from workbook.book.about import about_sheet
+from engine.timing import Axis
 from workbook.book.declare import Book, result
+from workbook.book.summary import summary_sheet
+from workbook.drive.in_short import InShort, axes_in_short
 from workbook.entries.rules import limits
+from workbook.entries.units import MM, RPM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.cutting.axes import axes
 from workbook.machines.cutting.drive import drive_sheet
@@ -39,17 +42,22 @@ def declare(given: CuttingMachine) -> Book:
     shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
     reference = Cutting(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    movements = reference.diagram.movements(reference.rate)
-    names = [axis.name for axis in given.timing.axes]
-    greatest = [max((m.a_max for m in movements if m.axis == name), default=0.0) for name in names]
-    about_sheet(
+    points = reference.reserve
+    sheet = summary_sheet(
         book,
+        given,
         "A three-axis cutting machine: motion laws, timing diagram, and the drive of the feeding group.",
         [
-            result(f"about_a{i}", f"Greatest acceleration of axis {i}", "ÿ_max", "m/s²", f"=[axes.a.{i}]", a)
-            for i, a in enumerate(greatest, 1)
+            result("about_rate", "Production rate", "n", "pieces/min", "=timing_rate", given.timing.rate),
+            result("about_peak", "Peak torque of the drive's motor", "C_m,max", "Nm",
+                   "=MAX(drive_tmax,0-drive_tmin)", points.peak_torque.value),
+            result("about_rms", "RMS torque of the drive's motor", "C_m,rms", "Nm",
+                   "=drive_rms", points.rms_torque.value),
+            result("about_speed", "Largest speed of the drive's motor", "n_m", "rpm",
+                   "=drive_speed", shown(points.speed.value, RPM)),
         ],
     )  # fmt: skip
+    axes_in_short(sheet, [in_short(axis, reference.speed) for axis in reference.axes], "mm", "m")
     rooms = given.sizes.phases
     axes = enumerate(reference.axes, 1)
     timing_sheet(
@@ -63,6 +71,14 @@ def declare(given: CuttingMachine) -> Book:
     selection_sheet(book, LOAD, choosing(reference))
     shelf.sheets(book)
     return finish(book, "Cutting machine", ("S1", "S2", "S3", "S5"))
+
+
+def in_short(axis: Axis, speed: float) -> InShort:
+    """Return what the first sheet tells of an axis."""
+    low, high = shown(np.array(axis.motion.reach), MM).tolist()
+    moves = axis.movements(speed)
+    fastest, hardest = (max((getattr(m, which) for m in moves), default=0.0) for which in ("v_max", "a_max"))
+    return InShort(axis.name, high - low, fastest, hardest)
 
 
 def choosing(reference: Cutting) -> Choosing:

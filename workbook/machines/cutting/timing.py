@@ -58,7 +58,7 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     """Declare the sheet: what to enter at the top, the diagram beside it, the table over the cycle below."""
     timing = machine.machine.timing
     sheet = book.sheet("Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram.")
-    sheet.heading("What to enter")
+    sheet.heading("Enter")
     sheet.rows(
         given("timing_rate", "Production rate", "n", "pieces/min",
               timing.rate, "timing.rate", format="0.0##", source="one piece a turn of the master shaft"),
@@ -68,7 +68,7 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
              "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
         calc("timing_eps", "Tolerance of an angle", "ε", "°",
              "=360*break_tolerance", shown(machine.axes[0].motion.tolerance, DEGREE), format="0E+00",
-             source="an angle this near to a phase's begin counts as on it"),
+             source="an angle this close to a phase's start is taken as the start"),
         constant("timing_lane", "Height of an axis in the diagram", "", "",
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip
@@ -109,8 +109,8 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
         "axes", "Axes", len(axes),
         given("group", "group", "", "", [a.group for a in axes], "timing.axes.*.group"),
         given("name", "axis", "", "", [a.name for a in axes], "timing.axes.*.name"),
-        given("closes", "closes in", "", "",
-              [a.closes for a in axes], "timing.axes.*.closes", source="a feed does not come back"),
+        given("closes", "over a cycle", "", "",
+              [a.closes for a in axes], "timing.axes.*.closes", source="returns to its position, or feeds on"),
         given("smooth", "must be continuous", "", "",
               [a.smoothness for a in axes], "timing.axes.*.smoothness", source="velocity, acceleration, jerk"),
         calc("travel", "travel a cycle", "Σh", "mm",

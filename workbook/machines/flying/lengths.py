@@ -25,7 +25,7 @@ def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str)
         return [shown(getattr(cut, name), unit) for cut in cuts]
 
     waits = f'=IF(AND({IS_DRUM},{way}="standstill",{length}>fly_limit),1,0)'
-    does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps on"))'
+    does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps moving"))'
     return [
         result("does", "the tool", "", "", does, [what(cut) for cut in cuts]),
         result("low", "lowest speed", "v_min", "m/s",
@@ -62,14 +62,14 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
     """Declare the sheet: charts, then the table of product lengths."""
     sheet = book.sheet("Lengths", "Speeds, accelerations and load factor over the product length, at this line speed.")
     e, n = machine.given.lengths, machine.sizes.lengths
-    sheet.heading("What to enter", "Everything else is taken from the sheet Cutter.")
+    sheet.heading("Enter", "Everything else is taken from the sheet Cutter.")
     sheet.rows(
         given("fly_short", "Shortest product", "", "mm",
               e.shortest, "cutter.lengths.shortest", format="0.0##",
               source="longer than the tool length L_T: there everything becomes infinite"),
         given("fly_long", "Longest product", "", "mm", e.longest, "cutter.lengths.longest", format="0.0##"),
     )  # fmt: skip
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     charts = [
         ("Speed of the tool", "speed [m/s]", (("lowest", "low"), ("highest", "high")), "speed"),
         ("Acceleration of the tool", "acceleration [m/s²]", (("peak", "a"), ("RMS over the cycle", "a_rms")), "a"),

@@ -56,7 +56,7 @@ def parts_table(sheet: Sheet, machine: Flying, parts: tuple[Stretch, ...], rows:
              ["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"], [one.h for one in of], scale=scale(0)),
         calc("span", "time of the law", "t", "s",
              ["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"], [one.duration for one in of], scale=time),
-        calc("begin", "where its time counts from", "", "s",
+        calc("begin", "its time starts at", "", "s",
              ["=0", "=fly_stop", "=fly_wait", "=fly_tr"], [one.x for one in of], scale=time),
         calc("opens", "begins at", "", "s",
              ["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"], [part.opens for part in parts], scale=time),

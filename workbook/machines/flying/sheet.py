@@ -15,7 +15,7 @@ from workbook.motion.pieces import ROOM
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 DOES = (
     f'=IF(AND({IS_DRUM},fly_beyond="standstill",fly_length>fly_limit),"waits",'
-    'IF(fly_low<0-fly_near*fly_v,"reverses","keeps on"))'
+    'IF(fly_low<0-fly_near*fly_v,"reverses","keeps moving"))'
 )
 
 
@@ -23,7 +23,7 @@ def cutter_sheet(book: Book, machine: Flying) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Cutter", "The tool works at line speed, and makes up for the product's length in between.")
     entries(sheet, machine)
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     cycle(sheet, machine)
     kinematics(sheet, machine)
     load(sheet, machine)
@@ -42,9 +42,7 @@ def entries(sheet: Sheet, machine: Flying) -> None:
     e = machine.given
     drum, saw, moved, limits = e.drum, e.saw, e.load, e.limits
     plain = {"format": "0.0##"}
-    sheet.heading(
-        "What to enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft."
-    )
+    sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
     sheet.rows(
         given("fly_length", "Product length", "L_p", "mm",
               e.product_length, "cutter.product_length", **plain, source="one product a cycle"),
@@ -85,7 +83,7 @@ def cycle(sheet: Sheet, machine: Flying) -> None:
         result("fly_case", "The tool re-positions", "", "",
                case, CASES[cut.case], align="center", source="faster or slower than the line, by the sign of h"),
         result("fly_does", "While it does, it", "", "",
-               DOES, does(cut), align="center", source="keeps on, waits at standstill, or reverses"),
+               DOES, does(cut), align="center", source="keeps moving, waits at standstill, or reverses"),
         result("fly_h", "Dynamic displacement", "h", "mm",
                "=fly_l0-fly_length", shown(cut.displacement, MM), scale=scale,
                source="S5: h = L_0 − L_p; 0 of a product as long as L_0"),
@@ -294,7 +292,7 @@ def workings(sheet: Sheet, machine: Flying) -> None:
         calc("fly_peak", "Where the law is fastest", "ξ_v", "", "=INDEX([fastest.at],fly_no)", cut.fastest),
         calc("fly_stop", "When the drum comes to a standstill", "", "s",
              "=IF(fly_waits=1,fly_peak*fly_tm,fly_tr)", cut.wait[0], scale=cut.cycle_time, source="t_R: not at all"),
-        constant("fly_near", "What counts as the same", "ε", "",
+        constant("fly_near", "Equality tolerance", "ε", "",
                  SAME_LENGTH, format="0E+00", source="of a length, a speed, a share of the law"),
         constant("fly_longer", "Shortest product, in tool lengths", "", "", LONGER, format="0.000"),
         constant("fly_least_cv", "Least coefficient of velocity", "", "",

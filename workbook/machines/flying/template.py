@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from engine.choice import LoadSamples, Task
-from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.entries.units import PER_MINUTE, RPM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
@@ -43,8 +43,9 @@ def declare(given: FlyingCutter) -> Book:
     book = Book(given.template, given.title, limit=limits(type(given)))
     cut, scale = view.cut, view.scales
     fastest, dw, beta = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration, view.asked(cut).factor
-    about_sheet(
+    summary_sheet(
         book,
+        given,
         "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give.",
         [
             result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),

@@ -144,4 +144,4 @@ class Flying:
 
 def does(cut: Cut) -> str:
     """Return in a word what the tool does while it re-positions."""
-    return "waits" if cut.waits else "reverses" if cut.reverses else "keeps on"
+    return "waits" if cut.waits else "reverses" if cut.reverses else "keeps moving"

@@ -24,9 +24,9 @@ SPELLED = ",".join(f'"{word}"' for word in WORDS)
 def comparison_sheet(book: Book, view: Compared) -> None:
     """Declare the sheet: the laws to draw and their curves, the table of all laws, then samples and joints."""
     sheet = book.sheet("Comparison", "Every law of the book side by side: curves, coefficients, and what each costs.")
-    sheet.heading("What to enter: up to four laws, whose curves are drawn over one another")
+    sheet.heading("Enter: up to four laws, whose curves are drawn over one another")
     chosen(sheet, view)
-    sheet.heading("What comes out: the least, of laws whose acceleration does not jump")
+    sheet.heading("Results: the least, of laws whose acceleration does not jump")
     summary(sheet, view)
     draw(sheet)
     sheet.heading("The laws, for unit rise and unit time", COSTS)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from workbook.book.about import about_sheet
 from workbook.book.declare import Book, calc, result
+from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.laws.entries import MotionLaws
@@ -18,8 +18,9 @@ def declare(given: MotionLaws) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     view = Compared(given, shelf.named, shelf.stack)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    about_sheet(
+    summary_sheet(
         book,
+        given,
         "Motion laws side by side: coefficients, curves over one another, and what each costs.",
         [
             calc("about_laws", "Laws compared", "", "", "=COUNT([costs.no])", len(view.moving), format="0"),

@@ -28,7 +28,7 @@ MOTOR = (
 REDUCER = (
     ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
     ("efficiency", "efficiency", "η_1", "", "1 if empty"),
-    ("inertia", "inertia at the motor's shaft", "J_1", "kg m²", ""),
+    ("inertia", "inertia at the input", "J_1", "kg m²", ""),
     ("peak_torque", "largest torque behind it", "", "Nm", "empty: no limit"),
     ("mean_torque", "largest mean torque behind it", "", "Nm", "empty: no limit; the catalogue has none"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),

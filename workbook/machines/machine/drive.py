@@ -59,12 +59,13 @@ def drive_sheet(book: Book, one: AxisRows) -> None:
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
+    sheet.one_page = True
 
 
 def entries(sheet: Sheet, driven: Driven) -> None:
     """Declare what is entered of this mechanism, its load, reducer and motor."""
     m, key = driven.given, f"axes.{driven.number - 1}"
-    sheet.heading("What to enter")
+    sheet.heading("Enter")
     label, symbol = SIZES.get(m.kind, ("", ""))
     size = [given("@size", label, symbol, "mm", m.size, f"{key}.mechanism.size", format="0.0##")] if label else []
     sheet.rows(
@@ -119,7 +120,7 @@ def outcome(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
     found, m, motor = driven.demand, driven.mechanism, driven.reserve
     torque = max(found.torque.peak, 1e-3)
     fastest = shown(found.speed.peak, RPM)
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(
         result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", "=@j0-@jm+@j1/@i1^2+@m/@i^2",
                m.inertia(), source="Σ J/i², load and parts"),

@@ -105,7 +105,7 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
         calc("span", "duration", "δ", "rad", span, of(lambda _, p: p.duration, 0.0)),
         calc("no", "law number", "", "", each("=1", f"=[{t}.no.{{}}]"), list(one.pieces.numbers), format="0"),
         calc("h", "lift", "h", base, each("=0", f"=[{t}.h.{{}}]"), of(lambda _, p: p.lift, 0.0)),
-        calc("y0", "position at begin", "y_0", base,
+        calc("y0", "start position", "y_0", base,
              "=IF([k]=1,0,[y0-1]+[h-1])", carried(of(lambda k, _: ends[k].begin.y, None), motion.lifts_sum),
              source="lifts before", scale=motion.size(0)),
         calc("low", "lowest position", "", base, LOW.format(0), of(lambda k, _: motion.reaches[k][0], 0.0),

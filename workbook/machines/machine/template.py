@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from workbook.book.about import about_sheet
 from workbook.book.declare import Book, result
+from workbook.book.summary import summary_sheet
+from workbook.drive.in_short import InShort, axes_in_short
 from workbook.entries.rules import limits
+from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.axes import axes
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.cycle import cycle_sheet
 from workbook.machines.machine.drive import drive_sheet
+from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
-from workbook.machines.machine.timing import timing_sheet
+from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
-from workbook.machines.machine.view import Whole, fixed, laid_out
+from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
+from workbook.selection.entries import Products
 from workbook.template import Template, finish
 
 
@@ -25,21 +29,21 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    about_sheet(
+    driven = [one for one in rows if one.axis.given.mechanism and one.axis.given.motor]
+    sheet = summary_sheet(
         book,
+        given,
         "A machine: the motions of its axes over one master shaft, at one rate.",
         [
+            result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", given.master.rate),
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
-            *(
-                result(f"about_a{i}", f"Greatest acceleration of axis {i}", "ÿ_max", f"{axis.base}/s²",
-                       f"=[axes.a.{i}]", axis.hardest)
-                for i, axis in enumerate(machine.axes, 1)
-            ),
         ],
     )  # fmt: skip
+    axes_in_short(
+        sheet, [in_short(axis, given.selection) for axis in machine.axes], joined(machine, si=False), joined(machine)
+    )
     timing_sheet(book, machine, rows)
     book.name("axes", axis_name="name")
-    driven = [one for one in rows if one.axis.given.mechanism and one.axis.given.motor]
     for one in driven:
         drive_sheet(book, one)
     catalogue_sheet(book, given)
@@ -47,6 +51,18 @@ def declare(given: AnyMachine) -> Book:
     cycle_sheet(book, machine, rows)
     pieces_sheet(book, rows, bool(driven))
     return finish(book, "Machine", ("S1", "S3"))
+
+
+def in_short(axis: MovingAxis, products: Products) -> InShort:
+    """Return what the first sheet tells of an axis."""
+    low, high = (shown(end, axis.unit) for end in axis.motion.reach)
+    found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
+    motor = axis.given.mechanism and axis.given.motor
+    if not motor:
+        return found
+    driven = Driven(axis, products)
+    return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=motor.name,
+                          ratio=driven.reducer.ratio)  # fmt: skip
 
 
 TEMPLATE = Template(

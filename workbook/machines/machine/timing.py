@@ -16,7 +16,7 @@ CHART_COLUMN = 15
 def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
     sheet = book.sheet("Timing", "The axes over one turn of the master shaft: phases, movements, timing diagram.")
-    sheet.heading("What to enter")
+    sheet.heading("Enter")
     sheet.rows(
         given("timing_rate", "Production rate", "n", "cycles/min",
               machine.machine.master.rate, "master.rate", format="0.0##", source="one a turn of the master shaft"),
@@ -25,7 +25,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
              "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
         calc("timing_eps", "Tolerance of an angle", "ε", "°",
              "=360*break_tolerance", machine.near, format="0E+00",
-             source="an angle this near to a phase's begin counts as on it"),
+             source="an angle this close to a phase's start is taken as the start"),
         constant("timing_lane", "Height of an axis in the diagram", "", "",
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip
@@ -43,12 +43,13 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         axis_checks(sheet, one)
     draw_curves(sheet, machine)
     sheet.print_columns = 22
+    sheet.widths = {12: 14}
 
 
 def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
     """Return the units of all axes, of positions or, with an ending, of their rates."""
     units = dict.fromkeys((axis.base if si else axis.given.unit) + ending for axis in machine.axes)
-    return " or ".join(units)
+    return ", ".join(units)
 
 
 def axes_table(sheet: Sheet, machine: Whole) -> None:
@@ -67,8 +68,8 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
         "axes", "Axes", n,
         given("group", "group", "", "", [a.given.group for a in axes], "axes.*.group"),
         given("name", "axis", "", "", [a.given.name for a in axes], "axes.*.name"),
-        given("closes", "closes in", "", "", [a.given.closes for a in axes], "axes.*.closes",
-              source="a feed does not come back"),
+        given("closes", "over a cycle", "", "", [a.given.closes for a in axes], "axes.*.closes",
+              source="returns to its position, or feeds on"),
         given("smooth", "must be continuous", "", "", [a.given.smoothness for a in axes], "axes.*.smoothness",
               source="velocity, acceleration, jerk"),
         given("shift", "shift", "", "°", [a.given.shift for a in axes], "axes.*.shift", format="0.0##",
@@ -80,8 +81,8 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
              each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes]),
         calc("high", "highest position", "", unit,
              each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes]),
-        result("v", "greatest velocity", "ẏ_max", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
-        result("a", "greatest acceleration", "ÿ_max", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
+        result("v", "greatest velocity", "ẏ", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
+        result("a", "greatest acceleration", "ÿ", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
     )  # fmt: skip
 
 

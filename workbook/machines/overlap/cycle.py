@@ -181,7 +181,7 @@ def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
     """Declare the phases of the transfer and their pieces."""
     rows, parts = transfer_rows(machine, pieces), machine.transfer.parts
     phases(
-        sheet, "The transfer, from the begin of the cycle", ("movement", "dwell"), TRANSFER, parts, rows,
+        sheet, "The transfer, from the start of the cycle", ("movement", "dwell"), TRANSFER, parts, rows,
         no=["=[used.no.1]", "=1"], h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
         begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
     )  # fmt: skip
@@ -220,7 +220,7 @@ def phases(
         calc("angle", "duration", "δ", "°", formulas["angle"], degrees, scale=TURN),
         calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),
         calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts], scale=TURN),
-        calc("y0", "position at its begin", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
+        calc("y0", "start position", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
         *phase_columns(rows),
     )  # fmt: skip
     sheet.rows(pieces_in_all(rows))

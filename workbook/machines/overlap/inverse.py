@@ -29,7 +29,7 @@ NEAR = 1e-13  # of the rise: an s this near counts as reached, so that rounding 
 SLOW = 1e-6  # dimensionless velocity below which Newton's method is left out
 BEYOND = 2.0
 COEFFICIENTS = (
-    ("xk", "begin of the piece", "ξ_k", "xi"), ("d", "its duration", "d", "d"),
+    ("xk", "start of the piece", "ξ_k", "xi"), ("d", "its duration", "d", "d"),
     ("s0", "constant of position", "S0", "s0"), ("s1", "slope of position", "S1", "s1"),
     ("c0", "constant", "c0", "c0"), ("c1", "slope", "c1", "c1"), ("c2", "quadratic", "c2", "c2"),
     ("c3", "cubic", "c3", "c3"), ("c4", "quartic", "c4", "c4"), ("c5", "quintic", "c5", "c5"),
@@ -78,7 +78,7 @@ def inverse_sheet(book: Book, machine: Overlapping, rows: list[Row], second: boo
     sheet = book.sheet(
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
     )
-    sheet.heading("What comes out", "The tables below give ξ for s; this says how well s(ξ) meets the s wanted.")
+    sheet.heading("Results", "The tables below give ξ for s; this says how well s(ξ) meets the s wanted.")
     names = ["inverse_transfer", *(f"{s.scope}inverse_{way}" for s in machine.stations for way in ("in", "out"))]
     largest = ",".join(f"MAX([{name}.residual]),0-MIN([{name}.residual])" for name in names)
     sheet.rows(

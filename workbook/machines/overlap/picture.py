@@ -48,7 +48,7 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
     sheet = book.sheet(
         "Picture", "All parts at one angle of the master shaft: change the angle and both pictures move."
     )
-    sheet.heading("What to enter")
+    sheet.heading("Enter")
     sheet.rows(
         given(
             "overlap_view",
@@ -75,7 +75,7 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
     """Declare what stands where at this angle."""
     stations = machine.stations
     allowing = ALLOWED.replace("[theta]", "overlap_view")
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(result("view_t", "Travel of the transfer", "y_t", "mm", "=[view.yt]", shown(states.moved, MM)))
     sheet.row += 1
     sheet.table(

@@ -29,7 +29,7 @@ def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
     """Declare the sheet, and one for each of several tools."""
     sheet = book.sheet("Overlap", "How much longer a tool may take when it begins before the transfer has ended.")
     sheet.print_columns = 24 if machine.alone else 25
-    sheet.heading("What to enter", ONE if machine.alone else SEVERAL)
+    sheet.heading("Enter", ONE if machine.alone else SEVERAL)
     if not machine.alone:
         sheet.note(APART)
     entries(sheet, machine)
@@ -60,7 +60,7 @@ def all_of_one(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
 
 def sums(sheet: Sheet, machine: Overlapping) -> None:
     """Declare what several tools come to together."""
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(
         result("overlap_a0", "Largest peak acceleration one after the other", "a_max", "m/s²",
                "=MAX([tools.a0])", machine.peaks[0]),
@@ -115,7 +115,7 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
              "=3600/overlap_rate", movement_time(FULL_TURN, machine.rate), source="3600 / N"),
         calc("overlap_eps", "Tolerance of an angle", "ε", "°",
              "=360*break_tolerance", shown(ANGLE_TOLERANCE, DEGREE), format="0E+00",
-             source="an angle this near to an event counts as on it"),
+             source="an angle this close to an event is taken as the event"),
         calc("overlap_w", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()/overlap_tc", shaft_speed(machine.rate), source="2π/t_c"),
     )  # fmt: skip

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from workbook.book.about import about_sheet
 from workbook.book.declare import Book, Quantity, result
+from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.overlap.axes import axes
@@ -23,8 +23,9 @@ def declare(given: IndexingOverlap) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     view = Overlapping(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    about_sheet(
+    summary_sheet(
         book,
+        given,
         "Motions of one machine, one after the other and with overlap: how much the acceleration falls.",
         in_short(view),
     )

@@ -41,7 +41,7 @@ def tool_sheet(book: Book, station: Station, pieces: Pieces) -> None:
         f"Tool {station.number} and the transfer: how much longer its ways in and out may take.",
     )
     sheet.print_columns = 24
-    sheet.heading("What to enter", "The rate and the transfer are entered on the sheet Overlap.")
+    sheet.heading("Enter", "The rate and the transfer are entered on the sheet Overlap.")
     with sheet.scoped(station.scope):
         entries(sheet, station)
         outcome(sheet, station)
@@ -87,7 +87,7 @@ def entries(sheet: Sheet, station: Station) -> None:
         given("@stroke", "its stroke", "h_m", "mm", tool.stroke, f"{key}.stroke", format="0.0##", source="S2: 50 mm"),
         given("@dwell", "its dwell at the part", "", "°",
               tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
-        given("@remaining", "Share of the transfer's stroke that may remain", "r", "%",
+        given("@remaining", "Share of the transfer stroke that may remain", "r", "%",
               p.remaining, f"{key}.passage.remaining", format="0.0000",
               source="while the tool is in; S2: 0.65 %, at a tenth of the time"),
         given("@clearance", "Clearance between tool and transfer", "c", "mm",
@@ -112,7 +112,7 @@ def outcome(sheet: Sheet, station: Station) -> None:
     """Declare the results, in short."""
     before, _, after = station.peaks
     way_in, way_out = station.angles_set
-    sheet.heading("What comes out")
+    sheet.heading("Results")
     sheet.rows(*quoting(
         station,
         result("@new_in", "New angle of the tool's way in", "B_m", "°",

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from pycel.excelutil import AddressRange
 
-from workbook.book.address import Address
+from workbook.book.address import Address, Strip
 from workbook.book.columns import Moved, Moving, Pattern
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import entered
@@ -15,11 +15,12 @@ from workbook.witnesses.pycel.compiled import Compiled, compiled
 from workbook.witnesses.pycel.limits import Crossed
 from workbook.witnesses.pycel.numbering import Numbering
 from workbook.witnesses.pycel.order import ordered
-from workbook.witnesses.pycel.steps import FormulaStep, RangeStep, rows_of
-from workbook.witnesses.witness import Found
+from workbook.witnesses.pycel.steps import FormulaStep, RangeStep
 
 Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
 CYCLE = "#CYCLE!"
+PLAIN = frozenset((float, int, str, bool, type(None)))
+UNKNOWN = object()  # the value of a range that is not filled
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
 
 
@@ -42,6 +43,8 @@ class Calculation:
         self._areas: dict[int, Area] = {}
         self._followed: dict[int, list[Followed]] = {}  # of a pattern, by its identity
         self._range_cells = 0
+        self._strips: Sequence[Strip] | None = None  # those asked for last, and the numbers of their cells
+        self._strip_cells: list[int] = []
         for address, value in self._constants.items():
             self._numbers.cell(address, value)
         self._formulas = {self._numbers.cell(address): address for address in formulas}
@@ -68,36 +71,61 @@ class Calculation:
                 values[number] = self._result(number, values)
         return {address: values[number] for number, address in self._formulas.items()}
 
-    def each(self, wanted: Iterable[Address], found: Found) -> dict[Address, Any]:
-        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to."""
-        values: dict[int, Any] = {}
-        results = {}
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
+        """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
+
+        ``wanted`` are the numbers of the cells within ``strips``.
+        """
+        cells, known = self._within(strips), self._bare()
+        for number, value in zip(cells, values, strict=True):
+            known[number] = value if type(value) in PLAIN else entered(value)
         Crossed.cells = 0
-        for address in wanted:
-            number = self._numbers.cell(address)
-            step = self._steps.get(number)
-            if step is None:  # it could not be joined
-                results[address] = self._numbers.values[number]
-                continue
-            for source in step.sources:
-                if source not in values:
-                    values[source] = self._look(source, found)
-            try:
-                results[address] = step.compute(values)
-            except Exception as error:  # pycel's functions raise whatever Python raises
-                results[address] = fault(error)
-        return results
+        return [self._by_itself(cells[n], known) for n in wanted]
 
-    def _look(self, number: int, found: Found) -> Any:
-        """Return the value of a cell, a range or a text when formula cells are not computed but looked up."""
-        if number in self._areas:
-            area = self._areas[number]
-            return rows_of([self._held(cell, found) for cell in area.cells()], area.right - area.left + 1)
-        cell = self._numbers.cells.get(number)
-        return self._numbers.values[number] if cell is None else self._held(cell, found)
+    def _by_itself(self, number: int, values: list[Any]) -> Any:
+        """Return what a formula cell computes of the values known; ranges are entered among these."""
+        step = self._steps.get(number)
+        if step is None:  # it could not be joined
+            return self._numbers.values[number]
+        for source in step.sources:
+            if values[source] is UNKNOWN:
+                values[source] = self._steps[source].compute(values)
+        try:
+            return step.compute(values)
+        except Exception as error:  # pycel's functions raise whatever Python raises
+            return fault(error)
 
-    def _held(self, address: Address, found: Found) -> Any:
-        return entered(found(address, self._constants.get(address)))
+    def _bare(self) -> list[Any]:
+        """Return what all that has a number is without formulas; ranges are not known."""
+        values = list(self._numbers.values)
+        for number, address in self._formulas.items():
+            values[number] = self._constants.get(address)
+        for number in self._areas:
+            values[number] = UNKNOWN
+        return values
+
+    def _within(self, strips: Sequence[Strip]) -> list[int]:
+        """Return the numbers of the cells of strips; ranges that passed over one as empty now hold it."""
+        if strips is not self._strips:
+            columns = [(sheet, c, self._numbers.column(sheet, c), rows) for sheet, c, rows in strips]
+            cells = [
+                known.get(row) or self._numbers.cell(Address(sheet, row, column))
+                for sheet, column, known, rows in columns
+                for row in rows
+            ]
+            self._hold({number for number in cells if number >= self._occupied})
+            self._strips, self._strip_cells = strips, cells
+        return self._strip_cells
+
+    def _hold(self, numbers: Collection[int]) -> None:
+        """Let ranges hold cells of which they may not know."""
+        rows: dict[tuple[str, int], list[int]] = {}
+        for sheet, row, column in map(self._numbers.cells.__getitem__, numbers):
+            rows.setdefault((sheet, column), []).append(row)
+        for number, area in self._areas.items() if rows else ():
+            columns = (rows.get((area.sheet, column), ()) for column in range(area.left, area.right + 1))
+            if any(area.top <= row <= area.bottom for column in columns for row in column):
+                self._fill(number, area)
 
     def _join(self, number: int, address: Address, formula: Formula | Moved) -> None:
         """Connect a formula with what it refers to."""
@@ -167,9 +195,7 @@ class Calculation:
         """Return the number of a cell that is given a value; ranges that passed over it as empty now hold it."""
         number = self._numbers.cell(address)
         if number >= self._occupied:
-            for range_number, area in self._areas.items():
-                if area.holds(address):
-                    self._fill(range_number, area)
+            self._hold([number])
         return number
 
     def _note_cycles(self, cycles: Mapping[int, int]) -> set[int]:

@@ -7,15 +7,15 @@ recursion (:mod:`workbook.witnesses.pycel.calculation`). Every value is computed
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from openpyxl import Workbook
 
-from workbook.book.address import Address
+from workbook.book.address import Address, Strip
 from workbook.reading.contents import Cells, Contents
 from workbook.witnesses.pycel.calculation import Calculation
-from workbook.witnesses.witness import Found, Known
+from workbook.witnesses.witness import Answers, Turn
 
 
 class PycelModel:
@@ -40,18 +40,23 @@ class PycelModel:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold."""
         return self._failed | self._calculation.evaluate(inputs)
 
-    def each(self, wanted: Iterable[Address], found: Found) -> Cells:
-        """Return the value of each formula cell of ``wanted`` by itself, with ``found`` in the cells it refers to.
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
+        """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
 
-        ``found`` is asked with what the cell holds if it holds no formula. With the right values found, a fault
-        shows in its own cell only.
+        ``wanted`` are the numbers of the cells within ``strips``. With the right values around it, a fault shows in its
+        own cell only.
         """
-        return self._calculation.each(wanted, found)
+        return self._calculation.each(wanted, strips, values)
 
-    def later(self, wanted: Iterable[Address], known: Known) -> Callable[[], Cells]:
-        """Return what gives the result of :meth:`each`, which this process computes at once."""
-        results = self.each(wanted, known.get)
-        return lambda: results
+    def elsewhere(self, strips: Sequence[Strip], turns: Sequence[Turn]) -> Callable[[], Answers]:
+        """Return what yields, of each of ``turns``, the result of :meth:`each` and the values at which that is."""
+
+        def answers() -> Answers:
+            for turn in turns:
+                stated = turn.stated()
+                yield self.each(turn.wanted, strips, stated.values), stated
+
+        return answers
 
 
 def evaluate(workbook: Workbook, inputs: Mapping[Address, Any] | None = None) -> Cells:

@@ -9,13 +9,17 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Tuple, Union
 
-from .composed import Motion, Phase
+from .composed import Motion
+from .joined import Row, Rows, Via, joined
 from .law import Law
-from .library import DELIVERED, OWN_WIDTH, PARAMETERS, law
+from .library import OWN, OWN_WIDTH, PARAMETERS, law
 from .refused import NUM, VALUE, Refused
 
 Cell = Union[float, str]
 Cells = Union[Cell, Tuple[Tuple[Cell, ...], ...], None]
+TURNS = {"start": -1.0, "none": 0.0, "end": 1.0}
+VIA = "VIA"
+"""where a law turns round, as a number; what stands for the code in a row of what is prescribed between phases"""
 
 
 def number(cell: Cell) -> float:
@@ -36,15 +40,32 @@ def rows(cells: Cells) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(number(cell) for cell in row) for row in cells)
 
 
-def named(name: Cell, parameters: Cells) -> Law:
-    """Return the law of a code with the parameters in cells; those of a law that takes none are not looked at."""
+def worded(cells: Cells) -> Rows:
+    """Return the numbers of a law's parameters: words that say where it turns round count as one."""
+    if not isinstance(cells, tuple):
+        return ((number(turn(cells)),),) if cells is not None else rows(cells)
+    return tuple(tuple(number(turn(cell)) for cell in row) for row in cells)
+
+
+def turn(cell: Cell) -> Cell:
+    """Return a cell, the number of a word in place of it."""
+    return TURNS.get(cell.strip().lower(), cell) if isinstance(cell, str) else cell
+
+
+def parameters(code: str, given: Cells) -> Rows:
+    """Return the parameters of a law in cells; those of a law that takes none are not looked at."""
+    if PARAMETERS.get(code) == 0 or given is None:
+        return OWN if code == "OWN" else ((0.0,),)
+    if code != "OWN":
+        return worded(given)
+    found = rows(given)
+    return tuple(row for row in found if any(row)) or found[:1]  # blank rows are no pieces, and would fill the cache
+
+
+def named(name: Cell, given: Cells) -> Law:
+    """Return the law of a code with the parameters in cells."""
     code = str(name).strip().upper()
-    if parameters is None:
-        return law(code, DELIVERED.get(code, ()))
-    found = () if PARAMETERS.get(code) == 0 else rows(parameters)
-    if code == "OWN":  # blank rows are no pieces, and whole columns of them would fill the cache
-        found = tuple(row for row in found if any(row)) or found[:1]
-    return law(code, found)
+    return law(code, parameters(code, given))
 
 
 def motion(table: Cells) -> Motion:
@@ -54,23 +75,30 @@ def motion(table: Cells) -> Motion:
     count = len(table)
     while count and not any(cell != "" for cell in table[count - 1][:3]):
         count -= 1
-    return joined(table[:count])
+    return moved(table[:count])
 
 
 @lru_cache(maxsize=128)
-def joined(table: tuple[tuple[Cell, ...], ...]) -> Motion:
+def moved(table: tuple[tuple[Cell, ...], ...]) -> Motion:
     """Return the motion of a table without blank rows at its end."""
-    return Motion([phase(row) for row in table])
+    return joined([via(row) if str(row[0]).strip().upper() == VIA else phase(row) for row in table])
 
 
-def phase(row: tuple[Cell, ...]) -> Phase:
+def via(row: tuple[Cell, ...]) -> Via:
+    """Return velocity, acceleration and jerk that are prescribed between two phases."""
+    return Via(*(number(cell) for cell in (*row[1:4], 0.0)[:3]))
+
+
+def phase(row: tuple[Cell, ...]) -> Row:
     """Return the phase of a row."""
     code = str(row[0]).strip().upper()
     duration, lift = number(row[1]), number(row[2])
-    found = named(code, side_by_side(row[3:]) if code == "OWN" else (row[3 : 3 + PARAMETERS.get(code, 0)],))
+    given = side_by_side(row[3:]) if code == "OWN" else (row[3 : 3 + PARAMETERS.get(code, 0)] or (0.0,),)
+    found = parameters(code, given)
+    law(code, found)  # refuses a code and parameters before all else
     if duration <= 0.0 or (code == "DWL" and lift):
         raise Refused(NUM)
-    return Phase(found, duration, lift)
+    return Row(code, found, duration, lift)
 
 
 def side_by_side(cells: tuple[Cell, ...]) -> tuple[tuple[Cell, ...], ...]:

@@ -33,7 +33,7 @@ class Coefficients(NamedTuple):
 @lru_cache(maxsize=512)
 def coefficients(law: Law) -> Coefficients:
     """Return the coefficients of a law, for unit rise and time; refuses sines of more than 1,000 rad in a piece."""
-    if any(abs(stage.piece.omega) * stage.piece.duration > MOST for stage in law.stages):
+    if any(stage.piece.turned > MOST for stage in law.stages):
         raise Refused(NUM)
     v = [v for stage in law.stages for v in velocities(stage)]
     a = [abs(stage.piece.derivative(0, u)) for stage in law.stages for u in around(stage.piece, 1)]
@@ -70,8 +70,8 @@ def jumps(law: Law, least: float) -> bool:
 
 
 def squared(piece: Piece) -> float:
-    """Return ∫a² of a piece: exact for the polynomial, to rounding for steps of a quarter rad."""
-    parts = 1 + int(4 * abs(piece.omega) * piece.duration)
+    """Return ∫a² of a piece: to rounding for eight steps, and of a quarter rad."""
+    parts = 8 + int(4 * piece.turned)
     half = piece.duration / parts / 2
     return half * math.fsum(
         weight * piece.derivative(0, half * (2 * k + 1 + node)) ** 2 for k in range(parts) for node, weight in GAUSS

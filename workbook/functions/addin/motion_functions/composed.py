@@ -12,7 +12,7 @@ from .refused import NUM, VALUE, Refused
 
 
 class Phase(NamedTuple):
-    """A law carried out over a lift in a duration."""
+    """A law that has its lift in itself, and its duration."""
 
     law: Law
     duration: float
@@ -34,9 +34,9 @@ class Motion:
         if not -OUTSIDE * self.total <= x <= self.total * (1.0 + OUTSIDE):
             raise Refused(NUM)
         k = max(bisect_right(self.begins, x + TOLERANCE * self.total) - 1, 0)
-        law, duration, lift = self.phases[k]
+        law, duration, _ = self.phases[k]
         s, v, a, _ = law.at(min(max((x - self.begins[k]) / duration, 0.0), 1.0))
-        return self.positions[k] + lift * s, lift * v / duration, lift * a / duration / duration
+        return self.positions[k] + s, v / duration, a / duration / duration
 
 
 def reflected(inertias: Sequence[float], ratios: Sequence[float]) -> float:

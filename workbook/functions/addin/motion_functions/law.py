@@ -50,15 +50,21 @@ class Stage(NamedTuple):
 
 
 class Law:
-    """A law over ξ in [0, 1] from s = v = 0: pieces from its begin, then pieces as seen backwards from s = 1, v = 0."""
+    """A law over ξ in [0, 1] from s = 0: pieces from its begin, then pieces as seen backwards from its end.
 
-    def __init__(self, forward: Sequence[Piece], backward: Sequence[Piece] = ()) -> None:
+    ``lift`` is where it ends, ``begin`` and ``finish`` are the velocities at begin and end.
+    """
+
+    def __init__(
+        self, forward: Sequence[Piece], backward: Sequence[Piece] = (), lift: float = 1.0, begin: float = 0.0,
+        finish: float = 0.0,
+    ) -> None:  # fmt: skip
         ahead = [piece for piece in forward if piece.duration > 0.0]
         behind = [piece for piece in backward if piece.duration > 0.0]
         *self.begins, end = accumulate([0.0, *(piece.duration for piece in [*ahead, *behind[::-1]])])
         self.stages = [
-            *(Stage(p, 1, x, 0.0, s, v) for p, x, s, v in _carried(ahead)),
-            *(Stage(p, -1, end - x, 1.0, s, v) for p, x, s, v in _carried(behind)[::-1]),
+            *(Stage(p, 1, x, 0.0, s, v) for p, x, s, v in _carried(ahead, begin)),
+            *(Stage(p, -1, end - x, lift, s, v) for p, x, s, v in _carried(behind, finish)[::-1]),
         ]
         self.heights = [stage.at(begin)[0] for stage, begin in zip(self.stages, self.begins)]
         self.end = self.at(1.0)[0]
@@ -75,14 +81,14 @@ class Law:
         """Return the first ξ with the position s. The law must not move backwards. Refuses an s that it never has."""
         if not (self.end > 0.0 and -OUTSIDE <= s <= self.end + OUTSIDE):
             raise Refused(NUM)
-        if s <= 0.0 or s >= self.end:
+        if s <= 0.0 or s >= self.end * (1.0 - 4 * ROUNDING):
             return 0.0 if s <= 0.0 else 1.0
         return self.stages[max(bisect_left(self.heights, s) - 1, 0)].xi_at(s)
 
 
-def _carried(pieces: Sequence[Piece]) -> list[tuple[Piece, float, float, float]]:
-    """Return each piece with abscissa, position and velocity at its begin."""
-    found, (x, s, v) = [], (0.0, 0.0, 0.0)
+def _carried(pieces: Sequence[Piece], velocity: float) -> list[tuple[Piece, float, float, float]]:
+    """Return each piece with abscissa, position and velocity at its begin, the first with this velocity."""
+    found, (x, s, v) = [], (0.0, 0.0, velocity)
     for piece in pieces:
         found.append((piece, x, s, v))
         x, s, v = end_of(piece, x, s, v)

@@ -1,0 +1,72 @@
+"""The first sheet: what it tells of a machine and of its checks, and what of a book is printed."""
+
+import subprocess
+from datetime import date
+
+import pytest
+
+from workbook.book.summary import TO_MEND
+from workbook.build import inputs
+from workbook.judging.verify import verify
+from workbook.reading.entries import checked, parsed, read_machine
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
+from workbook.witnesses.libreoffice import convert
+
+PAGES = {"cutting-machine": 16, "machine": 20, "motion-composer": 13}
+"""sheets of A4 at most"""
+
+
+def described(name, change, **more):
+    """Return the committed machine of a template, its text changed, with some more entries."""
+    text = (FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+    for old, new in change.items():
+        assert old in text
+        text = text.replace(old, new)
+    data = parsed(text, FOLDER / f"{name}.toml") | more
+    return checked(TEMPLATES[name], data, lambda key: key)
+
+
+def mended(book):
+    """Return the rows that the first sheet has of checks that fail: what, on which sheet, and what these say."""
+    columns = [[c.expected for c in column] for column in book.blocks["mend"].by_column()]
+    return list(zip(columns[0], columns[2], columns[3], strict=True))
+
+
+def test_a_book_whose_checks_hold_has_nothing_to_mend():
+    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
+    assert book.sheets[0].title == "Summary"
+    assert mended(book) == [("", "", "")] * TO_MEND
+
+
+@pytest.mark.parametrize("rate", [300.0, 1000.0])
+def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate, tmp_path, build_book):
+    machine = described("machine", {"rate = 200.0": f"rate = {rate}"})
+    book = TEMPLATES["machine"].declare(machine)
+    failing = [(q.label, sheet.title) for sheet, q in book.checks if q.value != "OK"]
+    rows = mended(book)
+    assert failing
+    assert [row[:2] for row in rows] == (failing + [("", "")] * TO_MEND)[:TO_MEND]
+    assert all("too much" in says for what, _, says in rows if "within the motor's" in what)
+    result = verify(build_book(machine, tmp_path / "book.xlsx"))
+    assert result.findings == []
+
+
+@pytest.mark.parametrize("told", [date(2026, 11, 21), "2026-11-21", "November"])
+def test_what_identifies_a_machine_goes_out_and_in(told, tmp_path, build_book):
+    entries = {"number": "CM-0417", "revision": "B", "author": "A. Rossi", "date": told}
+    machine = described("motion-composer", {}, **entries)
+    found, notes = inputs(build_book(machine, tmp_path / "book.xlsx"))
+    assert notes == []
+    kept = {key: getattr(found, key) for key in entries}
+    assert kept == entries | {"date": str(told)}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_book_prints_on_few_pages(name, tmp_path):
+    pdf = convert(TEMPLATES[name].book, "pdf", tmp_path)
+    told = subprocess.run(["pdfinfo", pdf], capture_output=True, text=True, check=True).stdout
+    pages = int(next(line.split()[1] for line in told.splitlines() if line.startswith("Pages:")))
+    assert pages <= PAGES[name]
+    text = subprocess.run(["pdftotext", "-f", "2", "-l", "2", pdf, "-"], capture_output=True, text=True, check=True)
+    assert "Summary" not in text.stdout.splitlines()[-3:]  # the footer names the sheet: the summary is one page

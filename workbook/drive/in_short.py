@@ -1,0 +1,91 @@
+"""The axes of a machine in short, for its first sheet: travel, greatest rates, and what each drive is used to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from engine.drivetrain.motor import Reserve
+from workbook.book.declare import Quantity, Sheet, calc, result
+from workbook.entries.units import RPM, shown
+
+NO_DRIVE, ENTERED = "–", "as entered"
+NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
+
+
+class InShort(NamedTuple):
+    """An axis: its name, travel between its ends and greatest rates.
+
+    Of its drive: the motor's name, or none where its figures are entered, ratio, use, and the scope of the cells.
+    """
+
+    name: str
+    travel: float
+    fastest: float
+    hardest: float
+    reserve: Reserve | None = None
+    scope: str = ""
+    motor: str = ""
+    ratio: float = 1.0
+
+
+def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: str) -> None:
+    """Declare a row for each axis of the table ``axes``, its travel and rates in these units; drives where there are.
+
+    A drive's cells are those of :mod:`workbook.drive.motor`, in its scope.
+    """
+    driven = drives(axes) if any(axis.reserve for axis in axes) else []
+    sheet.row += 1
+    sheet.table(
+        "axes_short", "Axes", len(axes),
+        calc("axis", "axis", "", "", each(axes, "=[axes.name.{0}]"), [axis.name for axis in axes], align="left"),
+        result("travel", "travel", "h", travel, each(axes, "=[axes.high.{0}]-[axes.low.{0}]"),
+               [axis.travel for axis in axes], source="highest less lowest position"),
+        result("v", "greatest velocity", "ẏ", unit(rates, "/s"), each(axes, "=[axes.v.{0}]"),
+               [axis.fastest for axis in axes]),
+        result("a", "greatest acceleration", "ÿ", unit(rates, "/s²"), each(axes, "=[axes.a.{0}]"),
+               [axis.hardest for axis in axes]),
+        *driven,
+    )  # fmt: skip
+
+
+def unit(bases: str, ending: str) -> str:
+    """Return the units of rates, of ``m, rad`` both."""
+    return ", ".join(f"{base}{ending}" for base in bases.split(", "))
+
+
+def each(axes: Sequence[InShort], formula: str) -> list[str]:
+    """Return a formula for each axis, with its number."""
+    return [formula.format(i) for i in range(1, len(axes) + 1)]
+
+
+def drives(axes: Sequence[InShort]) -> list[Quantity]:
+    """Return the columns on the motors: name, ratio, torque and speed with the share of each limit that is used."""
+    peak = "MAX({0}tmax,0-{0}tmin)"
+
+    def column(
+        name: str, label: str, symbol: str, unit: str, formula: str, value: Callable[[InShort, Reserve], float | str],
+        look: str = "",
+    ) -> Quantity:  # fmt: skip
+        texts = [f"={formula.format(a.scope)}" if a.reserve else f'="{NO_DRIVE}"' for a in axes]
+        values = [value(a, a.reserve) if a.reserve else NO_DRIVE for a in axes]
+        return result(name, label, symbol, unit, texts, values, format=look, align="right")
+
+    return [
+        column("motor", "motor", "", "", NAMED, lambda axis, _: axis.motor or ENTERED),
+        column("ratio", "ratio of the reducer", "i", "", "{0}i1", lambda axis, _: axis.ratio),
+        column("peak", "peak torque", "T_max", "Nm", peak, lambda _, use: use.peak_torque.value),
+        column("of_peak", "of the motor's peak", "", "%", f"100*{peak}/{{0}}motor_peak",
+               lambda _, use: used(use.peak_torque.value, use.peak_torque.limit), "0"),
+        column("rms", "RMS torque", "T_rms", "Nm", "{0}rms", lambda _, use: use.rms_torque.value),
+        column("of_rated", "of the motor's rated", "", "%", "100*{0}rms/{0}motor_rated",
+               lambda _, use: used(use.rms_torque.value, use.rms_torque.limit), "0"),
+        column("speed", "speed", "n", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
+        column("of_speed", "of the motor's largest", "", "%", "100*{0}speed/{0}motor_nmax",
+               lambda _, use: used(use.speed.value, use.speed.limit), "0"),
+    ]  # fmt: skip
+
+
+def used(value: float, limit: float) -> float:
+    """Return the share of a limit in percent."""
+    return 100.0 * value / limit

@@ -1,0 +1,65 @@
+"""By how much an own law misses its rise and rest, and its entries scaled so that it does not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from engine import laws as engine
+from engine.laws import Law
+from engine.laws.mended import groups, misses, scaled_by
+from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.rows import filled
+
+EITHER = "=IF(OR(MAX([@mend.slow])>0,@v_up>@least),IF(ABS(@under)>0,{0}/@under,0),IF(@s_up>0,1/@s_up,0))"
+"""a factor: of two groups, or, where nothing slows down, of all"""
+WORTH = '=IF(MIN(@up,@down)>0,"yes","no: it should speed up, then slow down")'
+
+
+def missing(sheet: Sheet, law: Law, n: int) -> None:
+    """Declare by how much the law misses its rise and rest, and the entries scaled so that it does not."""
+    pieces = filled(law.as_pieces(), n, engine.Piece(0.0))
+    found, off = groups(pieces), misses(pieces)
+    up, down = found.factors
+    factors = [down if slow else up for slow in found.slows]
+    sheet.row += 1
+    sheet.heading("By how much it misses", "And its entries scaled so that it reaches 1 at rest.")
+    sheet.rows(
+        result("@miss_s", "It misses its rise by", "s(1) − 1", "", "=[@samples.s.last]-1", off.s, format="0.0000####"),
+        result("@miss_v", "and rest by", "v(1)", "", "=[@samples.v.last]", off.v, format="0.0000####"),
+        result("@mends", "Do two factors mend it?", "", "",
+               WORTH, "yes" if found.mends else "no: it should speed up, then slow down", align="center"),
+        result("@up", "Factor of the pieces that gain velocity", "α", "", EITHER.format("@v_down"), up),
+        result("@down", "Factor of those that lose it", "β", "", EITHER.format("(0-@v_up)"), down),
+        calc("@least", "A velocity below this is none", "", "",
+             "=1E-12*MAX([@mend.size])", found.least, format="0E+00"),
+        calc("@s_up", "Travel of those that gain", "S⁺", "",
+             "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_s])", found.s1),
+        calc("@v_up", "Velocity that they gain", "V⁺", "", "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_v])", found.v1),
+        calc("@s_down", "Travel of those that lose", "S⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_s])", found.s2),
+        calc("@v_down", "Velocity that they lose", "V⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_v])", found.v2),
+        calc("@under", "Determinant", "", "", "=@s_up*@v_down-@s_down*@v_up", found.under, source="S⁺V⁻ − S⁻V⁺"),
+    )  # fmt: skip
+    row, d = "@first+[k]-1", "INDEX([@pieces.d],[k])"
+
+    def scaled(name: str, label: str, symbol: str, values: Sequence[float]) -> Quantity:
+        formula = f"=[factor]*INDEX([@pieces.{name}],[k])"
+        return result(name, label, symbol, "", formula, scaled_by(factors, values), format="General")
+
+    sheet.table(
+        "@mend", "The entries scaled: durations, frequencies and phases stay", n,
+        constant("k", "piece", "k", "", list(range(1, n + 1))),
+        *(scaled(f"c{i}", f"scaled c{i}", f"c{i}", [piece.c[i] for piece in pieces]) for i in range(4)),
+        scaled("P", "scaled amplitude", "P", [piece.amplitude for piece in pieces]),
+        calc("factor", "factor", "", "", "=IF([slow]=1,@down,@up)", factors),
+        calc("gain_v", "adds to v(1)", "", "", f"=INDEX(piece_dv,{row})", [v for _, v in found.gained]),
+        calc("gain_s", "adds to s(1)", "", "",
+             f"=INDEX(piece_ds,{row})-INDEX(piece_v,{row})*INDEX(piece_d,{row})"
+             f"+[gain_v]*(SUM([@pieces.d])-INDEX(piece_xi,{row})-INDEX(piece_d,{row}))",
+             [s for s, _ in found.gained], source="∬a over it, and ∫a over the time that follows"),
+        calc("size", "size", "", "",
+             f"={d}*(ABS(INDEX([@pieces.c0],[k]))+{d}*(ABS(INDEX([@pieces.c1],[k]))+{d}*(ABS(INDEX([@pieces.c2],[k]))"
+             f"+{d}*ABS(INDEX([@pieces.c3],[k]))))+ABS(INDEX([@pieces.P],[k])))", found.sizes),
+        calc("slow", "loses velocity", "", "",
+             "=IF([gain_v]<0-@least,1,0)", [float(slow) for slow in found.slows], format="0"),
+        blank='INDEX([@pieces.d],[k])=""',
+    )  # fmt: skip
