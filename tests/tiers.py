@@ -11,6 +11,11 @@ def nights(runs):
     return [pytest.param(k, marks=pytest.mark.nightly, id=f"night {k}") for k in range(runs)]
 
 
+def by_day(names, *day):
+    """The names as parameters, those of ``day`` every day and the others for a night: each template has its share."""
+    return [pytest.param(name, marks=[] if name in day else pytest.mark.nightly) for name in names]
+
+
 def seed(number):
     """The seed of one thing drawn in this night: another one in every other night, and never one of a day's."""
     return f"{night}, {number}"

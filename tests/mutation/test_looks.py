@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 
 from tests.mutation.looks import Looks, Oracle, outcomes, redrawn
-from tests.tiers import seed
+from tests.tiers import by_day, seed
 from workbook.templates import TEMPLATES
 
 SEED, COUNT = 5, 80
 
-every_template = pytest.mark.parametrize("name", TEMPLATES)
+every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "cutting-machine", "motion-composer"))
 
 
 @every_template

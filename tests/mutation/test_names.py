@@ -7,12 +7,12 @@ import pytest
 
 from tests.mutation.bench import Bench, sized
 from tests.mutation.names import blocks, columns, outcome, shifted, swapped
-from tests.tiers import seed
+from tests.tiers import by_day, seed
 from workbook.templates import TEMPLATES
 
 COUNT, SEED = 4, 3
 
-every_template = pytest.mark.parametrize("name", TEMPLATES)
+every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "machine", "motion-composer"))
 
 
 @cache

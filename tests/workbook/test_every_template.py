@@ -10,7 +10,7 @@ from openpyxl.utils import get_column_letter
 
 from tests.mutation.bench import smaller
 from tests.mutation.machines import machine
-from tests.tiers import nights, seed
+from tests.tiers import by_day, nights, seed
 from tests.workbook import office
 from tests.workbook.cells import disagreeing, entered
 from tests.workbook.judging.test_real_edits import numbers
@@ -22,11 +22,14 @@ from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import program
 
+STATIONS = "indexing-overlap-stations"
 DAY, MACHINES = 7, 16  # random machines of each layout, the same every day
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 
 
-@pytest.fixture(scope="module", params=[*TEMPLATES, "indexing-overlap-stations"])
+@pytest.fixture(
+    scope="module", params=by_day([*TEMPLATES, STATIONS], "machine", "motion-composer", "actuator-sizing", STATIONS)
+)
 def layout(request):
     return smaller(read_machine(FOLDER / f"{request.param}.toml"))
 

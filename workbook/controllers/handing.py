@@ -34,7 +34,7 @@ BETTER = 0.95  # times the best so far: more points are worth it
 COARSE = 100
 DRAWN = 12
 IDLE = 3  # tries that were not: no more are made
-MOST_TRIED = 4000
+MOST_TRIED, MOST_EQUAL = 4000, 2000
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,9 @@ def tried(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Iter
     if target.counts:
         yield from (certified(target, tabulated(target, axis, n), axis.course) for n in target.counts)
         return
-    n, most = fewest(target, axis.course), min(target.points[1], MOST_TRIED)
+    equal_steps = target.spacing == "equal"
+    n, most = fewest(target, axis.course), min(target.points[1], MOST_EQUAL if equal_steps else MOST_TRIED)
+    n = max(n, min(len(axis.course.edges), most)) if equal_steps else n
     while n <= most:
         made = certified(target, tabulated(target, axis, n), axis.course)
         yield made
@@ -182,7 +184,7 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
         idle += 1
         if best is None or made.excess(tolerance) < BETTER * best.excess(tolerance):
             best, idle = made, 0
-        if idle == IDLE:
+        if idle == IDLE and target.spacing != "equal":  # equal steps miss the breaks by luck: each try may be better
             break
         before = made.points
     if best is None:

@@ -31,7 +31,8 @@ ARGUMENTS = {
     "ratios": "[shafts.ratio]", "values": "[profile.value]", "durations": "[profile.span]",
 }  # fmt: skip
 PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
-WORKS = '=IF(ISERROR(MOTION.S("CUB",0.5,0)),"no: they need Excel 365 or 2024, or LibreOffice with motion.oxt","yes")'
+PROBE = '=MOTION.S("CUB",0.5,0)'
+WORKS = '=IF(ISERROR([fn_probe.fn_probe]),"no: they need Excel 365 or 2024, or LibreOffice with motion.oxt","yes")'
 
 
 def declare(shown: Shown) -> Book:
@@ -63,7 +64,10 @@ def introduction(sheet: Sheet) -> None:
         "LibreOffice: install motion.oxt (Tools > Extension Manager), which computes the same file by the same names.",
     ):
         sheet.note(line)
-    sheet.rows(result("fn_works", "Do the functions compute here?", "", "", WORKS, "yes", align="center"))
+    sheet.rows(
+        result("fn_works", "Do the functions compute here?", "", "", WORKS, "yes", align="center"),
+        result("fn_probe", "One of them: the middle of a cubic", "", "", PROBE, 0.5, source="0.5"),
+    )
 
 
 def entries(sheet: Sheet, shown: Shown) -> None:

@@ -1,6 +1,7 @@
 """The command export: what it writes, what it refuses, and that nothing is written where it does."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import openpyxl
@@ -9,6 +10,7 @@ import pytest
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.commands.export import chosen
+from workbook.controllers.handing import automatic, certified, tabulated
 from workbook.controllers.registry import target
 from workbook.errors import TargetError
 
@@ -140,3 +142,11 @@ def test_points_at_equal_steps_where_they_are_asked_for(run, book, tmp_path) -> 
     assert target("twincat-table").read(text).x == pytest.approx(np.linspace(0.0, 360.0, 577))
     assert run("export", book, *asked, "-o", "breaks.st")[0] == 0
     assert "MC_TABLETYPE_NONEQUIDISTANT" in (tmp_path / "breaks.st").read_text("utf-8")
+
+
+@pytest.mark.parametrize("name", ["siemens-points", "rockwell", "br"])
+def test_at_equal_steps_the_best_is_not_the_first_that_was_tried(axes, name: str) -> None:
+    equal = replace(target(name), spacing="equal")
+    found, few = automatic(equal, axes[0], {"a": 0.01}), tabulated(equal, axes[0], 9)
+    assert found.share("a") < 0.1 * certified(equal, few, axes[0].course).share("a")
+    assert np.diff(found.table.x) == pytest.approx(360.0 / (found.points - 1), abs=1e-4)

@@ -7,6 +7,7 @@ import openpyxl
 import pytest
 
 from tests.mutation.bench import SMALL
+from tests.tiers import by_day
 from tests.workbook import own
 from tests.workbook.judging.hands import Known, repacked, sub
 from tests.workbook.judging.test_real_edits import numbers
@@ -25,9 +26,9 @@ from workbook.witnesses.registry import WITNESSES
 QUICK_WITNESSES = ("pycel", "formualizer", "ironcalc")
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 ALL_TEN = [path.stem for path in committed()]
-DAY = ("cutting-machine", "indexing-overlap-stations")
+DAY = ("cutting-machine",)
 """through LibreOffice and by every witness; the others by night"""
-TWO = [pytest.param(name, marks=[] if name in DAY else pytest.mark.nightly) for name in ALL_TEN]
+TWO = by_day(ALL_TEN, *DAY)
 
 
 def present(*names):
@@ -86,7 +87,7 @@ def silent(path, count, witnesses):
     return report
 
 
-@pytest.mark.parametrize("name", ALL_TEN)
+@pytest.mark.parametrize("name", by_day(ALL_TEN, "machine", "motion-composer", "flying-cutter"))
 def test_own_cells_are_no_finding(name, filled):
     book = filled(name)
     report = silent(book.path, book.count, present(*QUICK_WITNESSES))

@@ -36,7 +36,14 @@ def test_every_cell_of_every_family_computes_what_the_engine_has(turn):
     assert count > 300 * len(NAMED)
 
 
-@pytest.mark.parametrize("witness", ["formualizer", "formulon", pytest.param("libreoffice", marks=pytest.mark.nightly)])
+@pytest.mark.parametrize(
+    "witness",
+    [
+        "formualizer",
+        pytest.param("formulon", marks=pytest.mark.nightly),
+        pytest.param("libreoffice", marks=pytest.mark.nightly),
+    ],
+)
 def test_and_so_say_the_other_witnesses(witness, tmp_path):
     found = WITNESSES[witness]()
     if found.version() is None:

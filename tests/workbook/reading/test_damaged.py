@@ -15,7 +15,7 @@ from workbook.reading.entries import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
-DAY, NIGHT = 4, 2000
+DAY, NIGHT = 2, 2000
 KIB, GIB, SECONDS = 1024, 2**30, 20
 MEASURED = """
 import os, resource, subprocess, sys

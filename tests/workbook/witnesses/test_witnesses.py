@@ -6,6 +6,7 @@ import zipfile
 import pytest
 
 from tests.mutation.bench import sized
+from tests.tiers import by_day
 from workbook.build import build
 from workbook.build import inputs as read_inputs
 from workbook.errors import MotionbookError
@@ -16,7 +17,7 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 
 
-@pytest.fixture(scope="module", params=TEMPLATES)
+@pytest.fixture(scope="module", params=by_day(TEMPLATES, "machine", "motion-composer", "flying-cutter"))
 def book(request, tmp_path_factory):
     """A small book of each template."""
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
