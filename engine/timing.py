@@ -56,12 +56,6 @@ class Axis:
         """Whether the cycle comes back to where it began; a feed need not."""
         return self.feed or self.motion.closes
 
-    @property
-    def resting(self) -> float:
-        """Share of the cycle in which it stands."""
-        moving = math.fsum(phase.duration for phase in self.motion.phases if phase.lift != 0.0)
-        return 1.0 - moving / self.motion.total
-
     def movements(self, speed: float) -> tuple[Movement, ...]:
         """Return every phase that moves, where the abscissa advances at ``speed``."""
         found = enumerate(self.motion.phases)

@@ -6,20 +6,15 @@ B + A b; it bends twice, where the load begins to drive its stage and where the 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from engine.drivetrain.drive import Drive
-from engine.drivetrain.squares import hinge
-from engine.laws import Law
 from engine.laws.base import Array
-from engine.laws.sections import breaks, integral, roots
-from engine.motion import Phase
 
 STEP = 1.0
 """m/s² or rad/s² over which a slope is taken where the torque is straight"""
@@ -47,9 +42,11 @@ class Bends:
         """Return the torque of the motor (Nm) in the direction of motion."""
         return self.direction * float(self.drive.torque(self.direction * b, self.direction))
 
-    def signed(self, b: float) -> float:
-        """Return the torque of the motor (Nm), positive forward."""
-        return self.direction * self.torque(b)
+    def torques(self, b: Array, shaft: int = 0) -> Array:
+        """Return the torque of the motor (Nm), or behind a stage, in the direction of motion, at accelerations."""
+        drive, way = self.drive, self.direction
+        found = drive.torque(way * b, way) if shaft == 0 else drive.mechanism.torques(way * b, way, drive.method)[shaft]
+        return np.asarray(way * found)
 
     @property
     def resists(self) -> float:
@@ -115,82 +112,6 @@ def _zero(line: Callable[[float], float], other: float) -> float:
     return at_zero * other / (at_zero - at_other) if at_other != at_zero else 0.0
 
 
-def _above(law: Law, per: float, level: float, xi: Array) -> Array:
-    """Return by how much an acceleration is above a level."""
-    return np.asarray(per * law.a(xi) - level)
-
-
-@dataclass(frozen=True)
-class BentMove:
-    """A phase that lifts, over an abscissa that advances at ``speed``, with the bends of its direction."""
-
-    bends: Bends
-    phase: Phase
-    speed: float
-
-    @property
-    def time(self) -> float:
-        """Its duration (s)."""
-        return self.phase.duration / self.speed
-
-    @property
-    def per(self) -> float:
-        """b where the law's a is 1."""
-        return abs(self.phase.scale) / self.time**2
-
-    @property
-    def lowest(self) -> float:
-        """The lowest b."""
-        return self.per * self.phase.law.coefficients.ca_min
-
-    @property
-    def highest(self) -> float:
-        """The highest b."""
-        return self.per * self.phase.law.coefficients.ca_max
-
-    @property
-    def mean(self) -> float:
-        """⟨b⟩."""
-        return self.per * (self.phase.law.end.v - self.phase.law.start.v)
-
-    @property
-    def mean_square(self) -> float:
-        """⟨b²⟩."""
-        return (self.per * self.phase.law.coefficients.ca_rms) ** 2
-
-    @property
-    def against(self) -> float:
-        """The largest y."""
-        return -self.lowest if self.bends.sign > 0.0 else self.highest
-
-    def part_of(self, total: float) -> float:
-        """Return its duration as a share of a cycle so long."""
-        return self.phase.duration / total
-
-    def share(self, k: int) -> float:
-        """Return y_k as a share of the largest y, 1 where that is not reached."""
-        return min(1.0, self.bends.turns[k] / self.against) if self.against > 0.0 else 1.0
-
-    def angle(self, k: int) -> float:
-        """Return acos of the share (rad): where a quarter sine passes the bend."""
-        return math.acos(self.share(k))
-
-    def past(self, k: int, power: int) -> float:
-        """Return ⟨(y − y_k)+^power⟩, by the law's closed form and its roots."""
-        return hinge(self.phase.law, -self.bends.sign * self.per, self.bends.turns[k], power)
-
-    @property
-    def square(self) -> float:
-        """⟨T²⟩ (Nm²), by quadrature between the bends."""
-        law, per = self.phase.law, self.per
-        edges = breaks(law)
-        cuts = [edges]
-        for level in (-self.bends.sign * turn for turn in self.bends.turns):
-            cuts.append(roots(partial(_above, law, per, level), edges))
-        drive, way = self.bends.drive, self.bends.direction
-        return integral(lambda xi: drive.torque(way * per * law.a(xi), way) ** 2, np.unique(np.concatenate(cuts)))
-
-
 class Sizes(NamedTuple):
     """How large quantities of a drive grow: what deviations are measured by."""
 
@@ -201,12 +122,11 @@ class Sizes(NamedTuple):
     slope: float
 
 
-def sizes_of(both: Iterable[Bends], moves: Iterable[BentMove]) -> Sizes:
-    """Return the largest accelerations, forces, torques behind the first stage and of the motor, and slopes."""
-    ways, found = list(both), list(moves)
-    fastest = max((max(m.highest, -m.lowest) for m in found), default=STEP)
-    grown = [[abs(way.shaft(k, b)) for way in ways for b in (0.0, fastest, -fastest)] for k in (2, 1)]
-    torque = max(abs(way.torque(b)) for way in ways for b in (0.0, fastest, -fastest))
-    slope = max(max(way.slopes) for way in ways)
+def sizes_of(ways: Iterable[Bends], fastest: float) -> Sizes:
+    """Return the largest forces, torques behind the first stage and of the motor, and slopes, up to an acceleration."""
+    found, fastest = list(ways), fastest or STEP
+    grown = [[abs(way.shaft(k, b)) for way in found for b in (0.0, fastest, -fastest)] for k in (2, 1)]
+    torque = max(abs(way.torque(b)) for way in found for b in (0.0, fastest, -fastest))
+    slope = max(max(way.slopes) for way in found)
     force, behind = (max(max(one), LEAST) for one in grown)
     return Sizes(fastest, force, behind, max(torque, LEAST), max(slope, LEAST / fastest))

@@ -3,7 +3,8 @@
 import pytest
 
 from tests.workbook.cells import computed, entered
-from tests.workbook.machines.test_machine import TEMPLATE, described, driven
+from tests.workbook.machines.test_machine import TEMPLATE, driven
+from tests.workbook.machines.test_machine_forces import small
 from workbook.build import build, failing
 from workbook.judging.verify import verify
 from workbook.reading.entries import checked
@@ -22,9 +23,9 @@ def failed(machine):
 
 def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
     others = {"inertia": 9.0, "rated_torque": 1e-3, "peak_torque": 1e-3, "max_speed": 1.0}
-    named = described([driven(*PHASES, motor=others | {"name": MOTOR.name.upper()},
+    named = small([driven(*PHASES, motor=others | {"name": MOTOR.name.upper()},
                               reducer={"name": REDUCER.name, "ratio": 99.0})])  # fmt: skip
-    told = described([driven(*PHASES, motor=FIGURES,
+    told = small([driven(*PHASES, motor=FIGURES,
                              reducer={"ratio": REDUCER.reduction, "efficiency": REDUCER.efficiency,
                                       "inertia": REDUCER.inertia, "peak_torque": REDUCER.max_torque,
                                       "max_speed": REDUCER.max_speed})])  # fmt: skip
@@ -35,18 +36,18 @@ def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
 
 
 def test_a_motor_by_name_needs_no_figures():
-    machine = described([driven(*PHASES, motor={"name": MOTOR.name})])
+    machine = small([driven(*PHASES, motor={"name": MOTOR.name})])
     assert computed(TEMPLATE, machine)("drive1_jm") == MOTOR.inertia
     assert entered(TEMPLATE, machine) == (machine, [])
 
 
 def test_a_name_that_no_product_has_is_refused():
     with pytest.raises(ValueError, match="no motor of the catalogue is named 'HG-0'"):
-        described([driven(*PHASES, motor={"name": "HG-0"})])
+        small([driven(*PHASES, motor={"name": "HG-0"})])
 
 
 def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design(tmp_path):
-    data = described([driven(*PHASES)]).model_dump()
+    data = small([driven(*PHASES)]).model_dump()
     data["axes"][0]["motor"]["peak_torque"] = None
     machine = checked(TEMPLATE, data, str)
     assert [fault.key for fault in machine.design.faults] == ["axes.0.motor.peak_torque"]
@@ -57,14 +58,14 @@ def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design(tmp_path):
 @pytest.mark.parametrize(("limit", "value"), [("peak_torque", "drive1_smax"), ("max_speed", "drive1_speed")])
 def test_a_limit_of_the_reducer_is_held_up_to_what_it_is_and_no_further(limit, value):
     free = {"ratio": 3.0, "efficiency": 0.9}
-    reached = computed(TEMPLATE, described([driven(*PHASES, reducer=free)]))(value)
+    reached = computed(TEMPLATE, small([driven(*PHASES, reducer=free)]))(value)
     for share, holds in ((1.0 + 1e-9, True), (1.0 - 1e-9, False)):
-        machine = described([driven(*PHASES, reducer=free | {limit: reached * share})])
+        machine = small([driven(*PHASES, reducer=free | {limit: reached * share})])
         assert any("the reducer's" in line for line in failed(machine)) is not holds
 
 
 def test_the_torque_behind_a_reducer_without_losses_is_what_the_load_asks_for():
     """S = (m a)/i_2 of a screw of 10 mm lead: the motor's own inertia is before it."""
-    machine = described([driven((90.3, 95.8, 2.0, "CIC"), (180, 200, -2.0, "CIC"), reducer={"ratio": 3.0})])
+    machine = small([driven((90.3, 95.8, 2.0, "CIC"), (180, 200, -2.0, "CIC"), reducer={"ratio": 3.0})])
     value = computed(TEMPLATE, machine)
     assert value("drive1_smax") == pytest.approx(20.0 * value("axes", "a")[0] * 0.01 / 6.283185307179586, rel=1e-12)

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from workbook.drive.entries import Efficiency, RotatingParts
 from workbook.entries.texts import LOOKED_UP
-from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
+from workbook.entries.types import Angle, DesignError, Model, NotNegative, Number, Positive
 
 Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "feed rollers", "rotary table", "gear train"]
 TURNING = ("rotary table", "gear train")
@@ -33,6 +33,20 @@ class MechanismEntry(Model):
         return {"size": 1.0} | data if turning else data
 
 
+class ForceWindow(Model):
+    """A process force, N or Nm, from one angle of the cycle to another; one that ends before it begins runs across."""
+
+    start: Angle
+    stop: Angle
+    force: Number
+    resists: Literal["always", "moving"] = Field(
+        default="always", description="Against positive motion always, or against any motion"
+    )
+
+
+WINDOWS = 4
+
+
 class AxisLoad(Model):
     """What hangs on an axis: of one that travels a mass, of one that turns an inertia, and what resists."""
 
@@ -43,6 +57,7 @@ class AxisLoad(Model):
     inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg m²")
     torque: Number = Field(default=0.0, description="Torque against positive motion, in Nm; always, also at rest")
     friction_torque: NotNegative = Field(default=0.0, description="Friction torque, in Nm; it opposes the motion")
+    windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
 
 class AxisMotor(Model):
@@ -70,6 +85,7 @@ class Reducer(Model):
     efficiency: Efficiency = 1.0
     inertia: NotNegative = 0.0  # kg m², at the motor's shaft
     peak_torque: Positive | None = None  # Nm, behind it
+    mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed
     max_speed: Positive | None = None  # rpm, of the input
 
 

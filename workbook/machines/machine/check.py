@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from engine.laws import Law
+from engine.laws.piece_extremes import extremes_of
+from engine.machine.bent import LOST, plain
+from engine.motion.pieces import Scaled, pieces_of
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
 from workbook.laws.registry import RISING
@@ -14,5 +18,12 @@ def check(machine: AnyMachine) -> None:
     library = laws(machine.laws)
     for i, axis in enumerate(machine.axes):
         for k, phase in enumerate(axis.phases if axis.motor else []):
-            if phase.lift and library[phase.law].shapes() is None:
+            if phase.lift and not integrable(library[phase.law]):
                 raise DesignError(f"axes.{i}.phases.{k}.law", UNSHAPED, f"shaped{i + 1}", RISING[0])
+
+
+def integrable(law: Law) -> bool:
+    """Whether a drive's stretches know a law: its pieces, and that it never turns back."""
+    pieces = law.as_pieces()
+    rise = pieces_of(Scaled(law, 1.0, 1.0))
+    return all(plain(piece) for piece in rise) and extremes_of(pieces, law.start.v).v[0] >= -LOST

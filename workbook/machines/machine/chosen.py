@@ -30,15 +30,18 @@ REDUCER = (
     ("efficiency", "efficiency", "η_1", "", "1 if empty"),
     ("inertia", "inertia at the input", "J_1", "kg m²", ""),
     ("peak_torque", "largest torque behind it", "", "Nm", "empty: no limit"),
+    ("mean_torque", "largest mean torque behind it", "", "Nm", "empty: no limit; the catalogue has none"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
 )
 IN_USE = {"inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax"}
 GEARED = {
     "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
-    "peak_torque": ("@reducer_peak", "tmax"), "max_speed": ("@reducer_nmax", "nmax"),
+    "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", ""),
+    "max_speed": ("@reducer_nmax", "nmax"),
 }  # fmt: skip
 """of each entry of a reducer: the cell that is used, and the column of the catalogue"""
 COLUMNS = {"inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax"}
+LIMITS = ("peak_torque", "mean_torque", "max_speed")
 GENERAL = ("kg m²",)
 
 
@@ -71,6 +74,7 @@ class ReducerInUse(NamedTuple):
     efficiency: float
     inertia: float
     peak_torque: float
+    mean_torque: float
     max_speed: float
 
     @property
@@ -81,7 +85,9 @@ class ReducerInUse(NamedTuple):
     @property
     def limits(self) -> ReducerLimits:
         """Its limits."""
-        return ReducerLimits(self.peak_torque or math.inf, input_speed=si(self.max_speed or math.inf, RPM))
+        return ReducerLimits(
+            self.peak_torque or math.inf, self.mean_torque or math.inf, si(self.max_speed or math.inf, RPM)
+        )
 
 
 def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
@@ -97,10 +103,11 @@ def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
     """Return the reducer of an axis, one of ratio 1 where nothing is entered."""
     e, found = axis.reducer, named(products.reducers, axis.reducer.name)
     row = place_of(e.name, [one.name for one in products.reducers]) + 1
+    mean = e.mean_torque or 0.0
     if found:
-        return ReducerInUse(row, found.reduction, found.efficiency, found.inertia or 0.0, found.max_torque or 0.0,
+        return ReducerInUse(row, found.reduction, found.efficiency, found.inertia or 0.0, found.max_torque or 0.0, mean,
                             found.max_speed or 0.0)  # fmt: skip
-    return ReducerInUse(row, e.ratio, e.efficiency, e.inertia, e.peak_torque or 0.0, e.max_speed or 0.0)
+    return ReducerInUse(row, e.ratio, e.efficiency, e.inertia, e.peak_torque or 0.0, mean, e.max_speed or 0.0)
 
 
 def entries(axis: Axis, key: str) -> list[Quantity]:
@@ -141,10 +148,10 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse) -> list[Quantity]:
         cell, column = GEARED[name]
         own = f"@own_reducer_{name}"
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
+        listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)" if column else entered
         rows.append(
-            calc(cell, f"Reducer: {words}", symbol, unit,
-                 f"=IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)", getattr(reducer, name),
-                 source="0: no limit" if name in ("peak_torque", "max_speed") else "")
+            calc(cell, f"Reducer: {words}", symbol, unit, f"={listed}", getattr(reducer, name),
+                 source="0: no limit" if name in LIMITS else "")
         )  # fmt: skip
     rows += [
         calc(IN_USE[name], f"Motor: {words}", symbol, unit,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from engine.drivetrain.loads import GRAVITY
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
@@ -9,9 +11,17 @@ from workbook.book.sentence import exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen
-from workbook.machines.machine.bends import both_ways, moves_table
-from workbook.machines.machine.driven import SCREW, Driven, Samples
+from workbook.machines.machine.driven import SCREW, Driven
+from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.stretched import Stretched
+from workbook.machines.machine.stretches import (
+    ACTS,
+    breaks_table,
+    stretches_table,
+    turns_table,
+    windows_table,
+)
 from workbook.machines.machine.view import kind_name
 
 CHART_COLUMN = 10
@@ -23,26 +33,30 @@ SIZES = {
     "feed rollers": ("Radius of the rollers", "R"),
 }
 RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)"}
-UNSHAPED = "a phase has a law of other stages than constants, quarter sines and straight lines"
+UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
 
 def drive_sheet(book: Book, one: AxisRows) -> None:
     """Declare the sheet."""
     driven = Driven(one.axis, one.machine.machine.selection)
+    view = Stretched(one, driven)
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven)
         parts(sheet, driven, one.machine.machine.sizes.rotors)
-        outcome(sheet, driven)
+        windows_table(sheet, f"axes.{driven.number - 1}", view)
+        outcome(sheet, one, driven)
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
         workings(sheet, driven)
-        both_ways(sheet, driven)
-        moves_table(sheet, one, driven)
         cycle(sheet, one, driven)
-        backward = "MIN([@moves.dir])<0"
+        lines(sheet, driven)
+        turns_table(sheet, view)
+        breaks_table(sheet, view)
+        stretches_table(sheet, view)
+        backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
     sheet.one_page = True
@@ -101,7 +115,7 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     )  # fmt: skip
 
 
-def outcome(sheet: Sheet, driven: Driven) -> None:
+def outcome(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
     """Declare what the cycle asks of the motor, and the checks against its limits."""
     found, m, motor = driven.demand, driven.mechanism, driven.reserve
     torque = max(found.torque.peak, 1e-3)
@@ -113,16 +127,14 @@ def outcome(sheet: Sheet, driven: Driven) -> None:
         result("@inertias", "Inertia ratio", "", "",
                "=IF(@jm>0,@jtot/@jm,0)", driven.drive.inertia_ratio, source="load at the motor's shaft / motor"),
         result("@tmax", "Highest torque of the motor", "T_max", "Nm",
-               "=IF(SUM([@moves.share])=0,@rest,IF(@resting>check_zero,MAX(MAX([@moves.top]),@rest),"
-               "MAX([@moves.top])))",
+               "=MAX(MAX([@st.tyb]),MAX([@st.tye]))",
                found.torque.highest.value, scale=torque, source="exact: at the laws' extremes of acceleration"),
         result("@tmin", "Lowest torque of the motor", "T_min", "Nm",
-               "=IF(SUM([@moves.share])=0,@rest,IF(@resting>check_zero,MIN(MIN([@moves.bottom]),@rest),"
-               "MIN([@moves.bottom])))",
+               "=MIN(MIN([@st.tyb]),MIN([@st.tye]))",
                found.torque.lowest.value, scale=torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm",
-               "=SQRT(MAX(0,SUMPRODUCT([@moves.share],[@moves.square])+@resting*@rest^2))",
-               found.rms_torque, scale=torque, source="exact, from the laws' stages: not from samples"),
+               "=SQRT(MAX(0,SUM([@st.square])/(2*PI())))",
+               found.rms_torque, scale=torque, source="exact, from the motion's pieces: not from samples"),
         result("@speed", "Largest speed of the motor", "n", "rpm",
                f"=ABS(@i)*MAX([axis{driven.number}.v])*60/(2*PI())", fastest, source="C_v h/t, through the ratio"),
         result("@res_rms", "Reserve of RMS torque", "", "",
@@ -131,25 +143,47 @@ def outcome(sheet: Sheet, driven: Driven) -> None:
                "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
         result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
         result("@smax", "Largest torque behind the reducer", "", "Nm",
-               "=MAX(MAX([@moves.shaft]),IF(@resting>check_zero,ABS(@rest)*@eta1*@i1,0))",
+               "=MAX(MAX(MAX([@st.ryb]),MAX([@st.rye])),0-MIN(MIN([@st.ryb]),MIN([@st.rye])))",
                driven.reducer_checks[0].value, scale=driven.sizes.behind),
+        result("@smean", "Mean torque behind the reducer", "", "Nm",
+               "=IF(@way>0,(SUM([@st.cube])/@way)^(1/3),0)", driven.reducer_checks[1].value,
+               scale=driven.sizes.behind, source="³√(∫|ω||S|³ dt/∫|ω| dt)"),
+        result("@energy", "Energy that the motor drives with", "E", "J", "=SUM([@st.drives])",
+               found.energy.driving, scale=driven.scales.work, source="at its shaft, a cycle"),
+        result("@returned", "Energy that comes back to it", "", "J", "=SUM([@st.returns])",
+               found.energy.regenerated, scale=driven.scales.work),
+        result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle",
+               found.mean_power, scale=driven.scales.power),
     )  # fmt: skip
     sheet.checks(
         *limit_checks(motor, f"Drive {driven.number}"),
         *reducer_checks(driven),
         chosen.told(driven.number),
         check("@ok_laws", f"Drive {driven.number}: the laws are of stages that this sheet integrates",
-              "MIN([@moves.known])=1", True, "for the RMS torque", f":shaped{driven.number}", f'"{UNSHAPED}"'),
+              known(driven.number, one), True, "for the RMS torque", f":shaped{driven.number}", f'"{UNSHAPED}"'),
     )  # fmt: skip
+
+
+def known(number: int, one: AxisRows) -> str:
+    """Return the condition under which the stretches know all of the motion's pieces."""
+    table, powers = f"axis{number}_pieces", one.pieces.powers
+    curved = "+".join(f"([{table}.c{n}]<>0)" for n in range(3, powers))
+    beyond = [f"SUMPRODUCT(([{table}.c{n}]<>0)*1)" for n in range(6, powers)]
+    beyond += [f"SUMPRODUCT(([{table}.A{sine.mark}]<>0)*1)" for sine in one.pieces.sines[1:]]
+    mixed = f"SUMPRODUCT(([{table}.A]<>0)*({curved}))"
+    return "+".join([mixed, *beyond, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
 
 
 def reducer_checks(driven: Driven) -> list[Quantity]:
     """Return the checks of the reducer's limits."""
-    label, (torque, speed) = f"Drive {driven.number}: ", driven.reducer_checks
+    label, (torque, mean, speed) = f"Drive {driven.number}: ", driven.reducer_checks
     fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
     return [
         check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_peak=0,@smax<=@reducer_peak)",
               torque.ok, says=exceeding("@smax", "@reducer_peak", "Nm", torque.value, driven.reducer.peak_torque)),
+        check("@ok_reducer_mean", f"{label}mean torque within the reducer's",
+              "OR(@reducer_mean=0,@smean<=@reducer_mean)", mean.ok,
+              says=exceeding("@smean", "@reducer_mean", "Nm", mean.value, driven.reducer.mean_torque)),
         check("@ok_reducer_speed", f"{label}speed within the reducer's", "OR(@reducer_nmax=0,@speed<=@reducer_nmax)",
               speed.ok, says=exceeding("@speed", "@reducer_nmax", "rpm", fastest, limit)),
     ]  # fmt: skip
@@ -159,6 +193,7 @@ def workings(sheet: Sheet, driven: Driven) -> None:
     """Declare ratios, inertias and what resists."""
     m, load = driven.mechanism, driven.load
     travels = driven.kind.travels
+    way = f"[axis{driven.number}.h]"
     ratio = RATIOS.get(driven.given.kind, "=2/(@size/1000)") if travels else "=1"
     steady = "=@force+@m*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
     rubbing = "=@friction*@m*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
@@ -183,18 +218,21 @@ def workings(sheet: Sheet, driven: Driven) -> None:
              source="F + m g sin θ" if travels else ""),
         calc("@rub", "What opposes the motion", "", force, rubbing, load.friction, scale=driven.sizes.force,
              source="μ m g cos θ" if travels else ""),
-        calc("@rest", "Torque of the motor at rest", "", "Nm",
-             '=IF(@holding="brake",0,@steady/@eta2/@i2/@eta1/@i1)', driven.rest_torque, scale=driven.sizes.torque,
-             source="as if it drove; 0 behind a brake"),
-        calc("@resting", "Share of the cycle at rest", "", "", "=1-SUM([@moves.share])", driven.resting),
+        calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
+             driven.fastest),
+        calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]", driven.axis.hardest),
+        calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if travels else "rad",
+             f"=SUMPRODUCT({way}*(({way}>0)-({way}<0)))", driven.way),
     )  # fmt: skip
 
 
 def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
     """Declare speed and torque over the cycle, for the chart."""
     i, t = driven.number, one.name
-    speed, torque, behind, force = sampled(one, driven)
-    going = one.going(one.machine.samples)
+    at, near = one.machine.samples, one.axis.motion.tolerance
+    going, angles = one.going(at), np.minimum(at + near, one.axis.motion.total - near)
+    speed, torque, behind, force = driven.samples(one.axis.told(at).x, going, angles)
+    acts = ACTS.format(x="MIN(INDEX([cycle.theta],[k]+1)+timing_eps,360-timing_eps)")
     sheet.heading("Table over the cycle")
     sheet.table(
         "@cycle", "Speed and torque of the motor over the cycle", len(going),
@@ -206,16 +244,12 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
         calc("dir", "direction", "", "",
              f"=SIGN(INDEX([{t}_steps.h],INDEX([{t}_pieces.p],INDEX([cycle.q{i}],[k]+1))))", going, format="0",
              source="of the phase"),
+        calc("window", "process force", "", "", f"=SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
+             driven.forces(going, angles), scale=driven.sizes.force),
         calc("force", "at the load", "F", "",
-             f"=@steady+[dir]*@rub+@m*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
+             f"=@steady+[dir]*@rub+[window]+@m*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
         calc("behind", "torque of the mechanism's shaft", "T_1", "Nm",
              f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*INDEX([cycle.tt{i}],[k]+1)", behind,
              scale=driven.sizes.behind, source="f F/i_2 + J_1 i_2 ÿ"),
         constant("k", "sample", "k", "", list(range(len(going)))),
     )  # fmt: skip
-
-
-def sampled(one: AxisRows, driven: Driven) -> Samples:
-    """Return what the drive does at the samples of the cycle."""
-    at = one.machine.samples
-    return driven.samples(driven.axis.told(at).x, one.going(at))

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 from math import radians
 from typing import NamedTuple
 
+import numpy as np
+
 from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage
-from engine.drivetrain.bends import Bends, BentMove, Sizes, sizes_of
+from engine.drivetrain.bends import Bends, Sizes, sizes_of
 from engine.drivetrain.motor import LimitCheck, Reserve, reserve
 from engine.laws.base import Array
+from engine.machine.bent import Scales, scales
 from engine.machine.course import Course
 from engine.machine.demand import Demand
-from engine.machine.train import Train
-from workbook.entries.units import MM, shown, si
+from engine.machine.train import Train, Window
+from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.machines.machine.chosen import motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
 from workbook.selection.entries import Products
 
+RESISTING = {"resists": 1.0, "drives": -1.0}
 SHAFTS = ("motor", "mechanism")
 SCREW = "lead screw"
 
@@ -31,6 +36,7 @@ class Driven:
             raise ValueError(f"{axis.given.name} has no drive")
         self.given, self.holding = axis.given.mechanism, axis.given.motor.holding
         self.motor_used, self.reducer = motor_in_use(axis.given, products), reducer_in_use(axis.given, products)
+        self._under: dict[tuple[tuple[Window, ...], float], Bends] = {}
         self.kind = KINDS[self.given.kind]
         self.number = axis.number
 
@@ -67,7 +73,9 @@ class Driven:
     @cached_property
     def demand(self) -> Demand:
         """What a cycle asks of the motor, exact."""
-        return Demand(Course(Train(self.drive), self.axis.motion, self.axis.speed, self.axis.shifted.shift))
+        return Demand(
+            Course(Train(self.drive, windows=self.windows), self.axis.motion, self.axis.speed, self.axis.shifted.shift)
+        )
 
     @cached_property
     def motor(self) -> Motor:
@@ -81,72 +89,94 @@ class Driven:
         return reserve(self.motor, found.rms_torque, found.torque.peak, found.speed.peak)
 
     @cached_property
-    def reducer_checks(self) -> tuple[LimitCheck, LimitCheck]:
+    def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
         """The torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
         limits, found = self.reducer.limits, self.demand
         torque, speed = found.shaft_torque(1).peak, found.speed.peak
+        mean = found.mean_shaft_torque(1)
         return (LimitCheck("peak torque", torque, limits.peak_torque, torque <= limits.peak_torque),
+                LimitCheck("mean torque", mean, limits.mean_torque, mean <= limits.mean_torque),
                 LimitCheck("input speed", speed, limits.input_speed, speed <= limits.input_speed))  # fmt: skip
 
     @cached_property
-    def bends(self) -> dict[str, Bends]:
-        """Both directions of motion."""
-        return {"forward": Bends(self.drive, 1.0), "backward": Bends(self.drive, -1.0)}
+    def lines(self) -> dict[str, Bends]:
+        """The torque as a bent line where the load resists with 1, and where it drives with it: for their slopes."""
+        inertia = self.mechanism.load.inertia
+        made = {name: replace(self.mechanism, load=Load(inertia, force)) for name, force in RESISTING.items()}
+        return {name: Bends(replace(self.drive, mechanism=one), 1.0) for name, one in made.items()}
 
     @cached_property
-    def rest_torque(self) -> float:
-        """Torque of the motor (Nm) at rest."""
-        return self.drive.held_torque
+    def windows(self) -> tuple[Window, ...]:
+        """The process forces over the cycle, in rad of the master shaft."""
+        found = self.entered.load.windows
+        return tuple(Window(si(w.start, DEGREE), si(w.stop, DEGREE), w.force, w.resists) for w in found)
 
-    @property
-    def resting(self) -> float:
-        """Share of the cycle in which the axis rests."""
-        return self.axis.axis.resting
+    def acting(self, x: float) -> tuple[Window, ...]:
+        """Return the process forces at an angle of the master shaft (rad)."""
+        return tuple(window for window in self.windows if window.holds(x, self.axis.motion.total))
 
-    @cached_property
-    def moves(self) -> dict[int, BentMove]:
-        """The phases that lift, by their number as entered."""
-        found = {}
-        for k, move in self.axis.moves.items():
-            way = self.bends["forward" if move.lift > 0.0 else "backward"]
-            found[k] = BentMove(way, move.of, self.axis.speed)
-        return found
-
-    def shaft_peak(self, move: BentMove) -> float:
-        """Return the largest torque behind the reducer (Nm) in a phase."""
-        return max(abs(move.bends.shaft(1, b)) for b in (move.lowest, move.highest))
-
-    def torques(self, move: BentMove) -> tuple[float, float]:
-        """Return the lowest and the highest torque of the motor (Nm) in a phase."""
-        way = move.bends
-        low, high = sorted(way.signed(b) for b in (move.lowest, move.highest))
-        return low, high
+    def bends_under(self, windows: tuple[Window, ...], going: float) -> Bends:
+        """Return the torque as a bent line in a direction of motion, 1, −1 or 0 at rest, under process forces."""
+        key = windows, going
+        if key not in self._under:
+            self._under[key] = under(Bends(self.drive, going or 1.0), windows, going)
+        return self._under[key]
 
     @cached_property
     def sizes(self) -> Sizes:
-        """What deviations are measured by."""
-        return sizes_of(self.bends.values(), self.moves.values())
+        """How large its quantities grow."""
+        each = [(), *((window,) for window in self.windows), self.windows]
+        ways = [self.bends_under(some, going) for some in each for going in (1.0, -1.0)]
+        return sizes_of(ways, self.axis.hardest)
 
-    def shares(self, rows: int) -> list[float]:
-        """Return the share of the cycle that each phase as entered lifts in."""
-        total = self.axis.motion.total
-        return [self.moves[k].part_of(total) if k in self.moves else 0.0 for k in range(rows)]
+    @cached_property
+    def scales(self) -> Scales:
+        """What its integrals are measured by."""
+        return scales(self.sizes.torque, self.sizes.behind, self.mechanism.ratio, self.way, self.demand.course.time)
+
+    @property
+    def fastest(self) -> float:
+        """The greatest geometric velocity (m or rad, per rad)."""
+        return max(phase.y1_max for phase in self.axis.motion.phases)
+
+    @property
+    def way(self) -> float:
+        """How far the axis goes in a cycle, there and back (m or rad)."""
+        return sum(abs(phase.lift) for phase in self.axis.motion.phases)
 
     @property
     def lowest_direction(self) -> float:
         """−1 where the axis moves backward in any phase, else 0."""
-        return min((move.bends.direction for move in self.moves.values()), default=0.0)
+        return -1.0 if any(move.lift < 0.0 for move in self.axis.moves.values()) else 0.0
 
     @property
     def at_motor(self) -> float:
         """Inertia on the motor's shaft, with it (kg m²)."""
         return self.motor_used.inertia + self.mechanism.on_shaft(0)
 
-    def samples(self, at: Array, going: Array) -> Samples:
-        """Return what the drive does at places of the motion, in the direction of each phase."""
+    def samples(self, at: Array, going: Array, angles: Array) -> Samples:
+        """Return what the drive does at places of the motion, in the direction of each phase, at master angles."""
         _, v, a = self.axis.motion.at_speed(at, self.axis.speed)
-        _, behind, force = self.mechanism.torques(a, going)
-        return Samples(self.mechanism.turning(0, v), self.drive.torque(a, going), behind, force)
+        found = np.empty((3, len(a)))
+        for k, angle in enumerate(angles.tolist()):
+            drive = self.bends_under(self.acting(angle), 1.0).drive
+            torques = drive.mechanism.torques(a[k], going[k])
+            found[:, k] = drive.torque(a[k], going[k]), torques[1], torques[2]
+        return Samples(self.mechanism.turning(0, v), *found)
+
+    def forces(self, going: Array, angles: Array) -> list[float]:
+        """Return the process forces at master angles (N, or Nm), in the direction of positive motion."""
+        held = zip(going.tolist(), angles.tolist(), strict=True)
+        return [float(sum(w.load.resisting(way) for w in self.acting(angle))) for way, angle in held]
+
+
+def under(bends: Bends, windows: tuple[Window, ...], going: float) -> Bends:
+    """Return a direction of motion with process forces more; at rest, without what opposes a motion."""
+    drive = bends.drive
+    loads = [drive.mechanism.load, *(window.load for window in windows)]
+    friction = sum(load.friction for load in loads) if going else 0.0
+    load = Load(loads[0].inertia, sum(load.torque for load in loads), friction)
+    return replace(bends, drive=replace(drive, mechanism=replace(drive.mechanism, load=load)))
 
 
 class Samples(NamedTuple):

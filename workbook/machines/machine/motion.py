@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,14 +11,13 @@ from engine.laws.base import Array
 from engine.motion import Phase
 from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.book.rows import filled
-from workbook.laws.library import NamedLaw
 from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
-from workbook.laws.shapes import shapes_table
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.smooth import Asked, Joints
+from workbook.motion.turns import grids
 
 STEPS = "Steps of axis {}: its phases, and the rests between them"
 
@@ -61,7 +60,7 @@ class AxisRows:
         return np.sign([lifts[self.pieces.pieces[row - 1].phase] for row in rows.tolist()])
 
 
-def pieces_sheet(book: Book, axes: list[AxisRows], laws: Sequence[NamedLaw]) -> None:
+def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
     """Declare the sheet of the motions as pieces."""
     sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
     for one in axes:
@@ -71,9 +70,9 @@ def pieces_sheet(book: Book, axes: list[AxisRows], laws: Sequence[NamedLaw]) -> 
         room = one.machine.room
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
                      *one.joints.columns(room))  # fmt: skip
-    if laws:
-        sheet.heading("Stages of the laws", "Shares of a law's time on stages of each shape: what drives integrate.")
-        shapes_table(sheet, laws)
+    if driven:
+        sheet.heading("Grid and rule", "What drives find crossings and integrals with.")
+        grids(sheet)
     sheet.print_columns = 20
 
 

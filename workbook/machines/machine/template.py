@@ -49,7 +49,7 @@ def declare(given: AnyMachine) -> Book:
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
-    pieces_sheet(book, rows, shelf.named if driven else [])
+    pieces_sheet(book, rows, bool(driven))
     return finish(book, "Machine", ("S1", "S3"))
 
 

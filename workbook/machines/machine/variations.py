@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, page_of, variations, vary_laws
+from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.entries import AnyMachine
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
@@ -21,7 +22,7 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
 
 
 def shaped(laws: dict[str, Any]) -> list[str]:
-    """Return the laws of constants, quarter sines and straight lines, which drives integrate."""
+    """Return the laws that drives integrate whatever their parameters: constants, quarter sines, straight lines."""
     return [name for name, entry in laws.items() if page_of(name, entry).shapes is not None]
 
 
@@ -52,9 +53,10 @@ def drive(axis: dict[str, Any], i: int, k: int, room: int, products: dict[str, A
     axis["mechanism"] |= {"size": 7.0 + 11 * k if travels else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
     axis["load"] = {
         "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
-        "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k],
+        "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k], "windows": forces(i, k, 400.0),
     } if travels else {
         "inertia": 0.01 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
+        "windows": forces(i, k, 6.0),
     }  # fmt: skip
     axis["parts"] = [
         {
@@ -68,12 +70,22 @@ def drive(axis: dict[str, Any], i: int, k: int, room: int, products: dict[str, A
     axis["reducer"] = {
         "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
         "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1e-4 * k,
-        "peak_torque": (None, 1e-3, 1e6)[k % 3], "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
+        "peak_torque": (None, 1e-3, 1e6)[k % 3], "mean_torque": (1e-3, 1e6, None)[k % 3],
+        "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
     }  # fmt: skip
     limits = ("rated_torque", "peak_torque", "max_speed")
     axis["motor"] |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
     axis["motor"] |= {"inertia": 0.0 if k == 4 else 0.001 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor"}
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
+
+
+def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:
+    """Return process forces up to the table's last row: of both kinds and signs, one across the end of the cycle."""
+    told = ((20.0, 95.5, 1.0), (300.0, 40.0, -0.7), (0.0, 360.0, 0.3), (88.25, 88.25, 2.0))
+    return [
+        {"start": start, "stop": stop, "force": share * size, "resists": ("always", "moving")[(i + k + n) % 2]}
+        for n, (start, stop, share) in enumerate(told[: WINDOWS if k == 2 else (i + k) % 3])
+    ]
 
 
 def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[str, Any]]:

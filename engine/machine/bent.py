@@ -1,0 +1,267 @@
+"""A motion's pieces cut where its acceleration turns, and the torque of a motor on them as a bent line. SI units.
+
+It is how a table of cells finds peaks, RMS torque and energy; those of :mod:`engine.machine.demand` come another way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise, repeat
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drivetrain.bends import Bends
+from engine.laws.base import Array
+from engine.machine.searching import integral
+from engine.motion.pieces import MotionPiece
+from engine.motion.turning import GRID, PARTS, ROUNDS
+
+PLACES = 3
+"""in a piece, at most, at which its acceleration turns"""
+INSIDE = 1e-9
+"""of a piece: what is nearer to its ends is not inside"""
+LEAST = 1e-9
+"""J, and of ∫|S|³ |y'|: what is next to nothing"""
+LOST = 1e-9
+"""of the largest acceleration: what differs by less is equal"""
+
+
+def turning(piece: MotionPiece) -> list[float]:
+    """Return where y'' of a piece would be stationary, :data:`PLACES` of them, inside it or not.
+
+    Of a sine (kπ + π/2 − φ)/ω from its begin on; of a polynomial of up to the fifth degree the roots of its slope, the
+    one farther from 0 first, and 0. Source: W. H. Press et al., Numerical Recipes, 5.6, for roots in all digits.
+    """
+    a, omega, phi = piece.sines[0]
+    if not a:
+        return [*roots(*piece.c[3:6]), 0.0]
+    first = math.floor(phi / math.pi - 0.5 + INSIDE) + 1
+    return [((first + k + 0.5) * math.pi - phi) / omega for k in range(PLACES)]
+
+
+def inside(piece: MotionPiece, places: Iterable[float]) -> list[float]:
+    """Return places in a piece, its duration instead of those that are not inside."""
+    d = piece.duration
+    return [u if INSIDE * d < u < (1.0 - INSIDE) * d else d for u in places]
+
+
+def roots(c3: float, c4: float, c5: float) -> tuple[float, float]:
+    """Return the roots of c3 + 4 c4 u + 10 c5 u², the one farther from 0 first; 0 for one that is not there."""
+    w = root_term(c3, c4, c5)
+    return (w / (10.0 * c5) if c5 else 0.0), (c3 / w if w else 0.0)
+
+
+def root_term(c3: float, c4: float, c5: float) -> float:
+    """Return w, by which the roots are w/(10 c5) and c3/w; 0 where there is none."""
+    inside = 4.0 * c4**2 - 10.0 * c3 * c5
+    return -(2.0 * c4 + math.copysign(math.sqrt(inside), c4 or 1.0)) if inside > 0.0 else 0.0
+
+
+def plain(piece: MotionPiece) -> bool:
+    """Whether :func:`turns` knows all of a piece: y of up to the fifth degree, or of the second and one sine."""
+    sine, *others = (amplitude for amplitude, _, _ in piece.sines)
+    return not any(others) and not any(piece.c[3:] if sine else piece.c[6:])
+
+
+def stretches(cuts: Iterable[float], total: float, near: float) -> list[tuple[float, float]]:
+    """Return what lies between cuts from 0 to ``total``; cuts no farther apart than ``near`` are one."""
+    found = [0.0]
+    for cut in sorted(cuts):
+        if cut > found[-1] + near:
+            found.append(cut)
+    if total - found[-1] > near:
+        found.append(total)
+    return list(pairwise(found))
+
+
+def middle(span: tuple[float, float]) -> float:
+    """Return the middle of a stretch."""
+    return 0.5 * (span[0] + span[1])
+
+
+def turned(angle: float, late: float, cycle: float) -> float:
+    """Return the place in the cycle of a place in a motion that is so late."""
+    return (angle + late) % cycle
+
+
+def going(piece: MotionPiece, u: float, fastest: float) -> float:
+    """Return the direction of a motion, 1, −1, or 0 where it is next to nothing beside its largest |y'|."""
+    velocity = float(piece.at(np.array([u])).y1[0])
+    return float(np.sign(velocity)) if abs(velocity) > LOST * fastest else 0.0
+
+
+class Scales(NamedTuple):
+    """What the integrals of a cycle are measured by: ∫T² (Nm² rad), work (J), ∫|S|³ |y'|, mean power (W)."""
+
+    square: float
+    work: float
+    cube: float
+    power: float
+
+
+def scales(torque: float, behind: float, ratio: float, way: float, time: float) -> Scales:
+    """Return them from the largest torques of motor and reducer (Nm), the motor's ratio, the way and the time."""
+    work = max(torque * ratio * way, LEAST)
+    return Scales(torque**2, work, max(behind**3 * way, LEAST), work / time)
+
+
+@dataclass(frozen=True)
+class BentPart:
+    """A part of a piece in which the acceleration only rises or only falls, over an abscissa that advances at a speed.
+
+    ``going`` is 1, −1, or 0 at rest; y = −sign · b, b the acceleration in that direction. ``bends`` has the load that
+    acts there; ``largest`` and ``fastest`` are the largest acceleration and |y'| of the motion.
+    """
+
+    bends: Bends
+    piece: MotionPiece
+    low: float
+    high: float
+    speed: float
+    going: float
+    largest: float
+    fastest: float
+
+    @property
+    def factor(self) -> float:
+        """y where y'' is 1."""
+        return -self.bends.sign * self.going * self.speed**2
+
+    def y(self, u: float | Array) -> Array:
+        """Return the acceleration against what the load resists with (m/s² or rad/s²)."""
+        return np.asarray(self.factor * self.piece.at(np.asarray(u, dtype=np.float64)).y2)
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Y at the begin and at the end."""
+        first, last = self.y(np.array([self.low, self.high])).tolist()
+        return first, last
+
+    @property
+    def falls(self) -> bool:
+        """Whether y falls."""
+        return self.ends[0] - self.ends[1] > LOST * self.largest
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """The end (rad) from which y rises, and the other."""
+        return (self.high, self.low) if self.falls else (self.low, self.high)
+
+    @property
+    def levels(self) -> tuple[float, float, float]:
+        """The y at which power turns round in the motor, in the reducer and in the mechanism."""
+        slope = self.bends.slope
+        return (abs(self.bends.level) / slope if slope else 0.0, *self.bends.turns)
+
+    def crosses(self, level: float) -> bool:
+        """Whether y passes a level."""
+        lost = LOST * self.largest
+        return min(self.ends) < level - lost and max(self.ends) > level + lost
+
+    def besides(self, level: float) -> list[float]:
+        """Return the end (rad) up to which y is below a level that it does not pass, in place of each round."""
+        at, other = self.sides
+        return [*repeat(at, ROUNDS - 1), other if max(self.ends) <= level + LOST * self.largest else at]
+
+    def passed(self, level: float) -> list[float]:
+        """Return where y passes a level, round by round; an end where it does not."""
+        if not self.crosses(level):
+            return self.besides(level)
+        at, other = self.sides
+        width, lost, found = other - at, LOST * self.largest, []
+        for turn in range(1, ROUNDS + 1):
+            kept = int(np.count_nonzero(self.y(at + width * GRID) < level - lost))
+            at += width * (min(kept, PARTS - 1) + (0.5 if turn == ROUNDS else 0.0)) / PARTS
+            width /= PARTS
+            found.append(at)
+        return found
+
+    @cached_property
+    def places(self) -> list[float]:
+        """The begin of its rise, where it passes each level, and its end."""
+        first, last = self.sides
+        return [first, *(self.passed(level)[-1] for level in self.levels), last]
+
+    @property
+    def falling(self) -> float:
+        """The slope of the torque over y (Nm per m/s² or rad/s²) beside y = 0."""
+        return -self.bends.sign * self.bends.slope
+
+    @property
+    def turns_back(self) -> bool:
+        """Whether it moves against its direction at an end."""
+        v = self.going * self.piece.at(np.array([self.low, self.high])).y1
+        return bool(v.min() < -LOST * self.fastest)
+
+    @property
+    def first_factor(self) -> float:
+        """The reducer's factor before power turns round in it."""
+        return float(self.bends.drive.mechanism.stages[0].efficiency ** -self.bends.sign)
+
+    @property
+    def held_at_rest(self) -> float:
+        """The torque of the motor (Nm) if it rested under what resists."""
+        drive = self.bends.drive
+        if drive.holding == "brake":
+            return 0.0
+        return self.bends.resists / drive.mechanism.ratio / math.prod(one.efficiency for one in drive.mechanism.stages)
+
+    @property
+    def held(self) -> float:
+        """The torque of the motor (Nm) at rest."""
+        return self.bends.drive.held_torque
+
+    def torque_at(self, end: int) -> float:
+        """Return the torque of the motor (Nm) at its begin, 0, or its end, 1: the limit from inside."""
+        if not self.going:
+            return self.held
+        return self.going * self.bends.torque(float(-self.bends.sign * self.ends[end]))
+
+    def shaft_at(self, end: int) -> float:
+        """Return the torque behind the reducer (Nm) there."""
+        if not self.going:
+            return float(self.bends.drive.torques(0.0, 0.0)[1])
+        return self.going * self.bends.shaft(1, float(-self.bends.sign * self.ends[end]))
+
+    def over(self, function: Callable[[Array, Array], Array], part: tuple[int, int], scale: float) -> float:
+        """Return the integral over the abscissa of a function of b and |y'| between two places, by their numbers."""
+        low, high = sorted((self.places[part[0]], self.places[part[1]]))
+        if not self.going or high <= low:
+            return 0.0
+
+        def value(u: Array) -> Array:
+            _, v, a, _ = self.piece.at(u)
+            return function(self.going * self.speed**2 * a, np.abs(v))
+
+        return integral(value, low, high, scale)
+
+    def square(self, part: tuple[int, int], scale: float) -> float:
+        """Return ∫T² over the abscissa (Nm² rad)."""
+        way = self.bends
+        return self.over(lambda b, v: np.asarray(way.torques(b)) ** 2, part, scale)
+
+    def work(self, part: tuple[int, int], scale: float) -> float:
+        """Return ∫T dφ of the motor (J)."""
+        way, ratio = self.bends, self.bends.drive.mechanism.ratio
+        return self.over(lambda b, v: np.asarray(way.torques(b)) * ratio * v, part, scale)
+
+    def cube(self, part: tuple[int, int], scale: float) -> float:
+        """Return ∫|S|³ |y'| over the abscissa, S behind the reducer."""
+        way = self.bends
+        return self.over(lambda b, v: np.abs(way.torques(b, 1)) ** 3 * v, part, scale)
+
+    def square_in_all(self, scale: float) -> float:
+        """Return ∫T² over the abscissa, also at rest (Nm² rad)."""
+        return self.square((0, 4), scale) if self.going else (self.high - self.low) * self.held**2
+
+    def driven(self, scale: float) -> float:
+        """Return the work with which the motor drives (J)."""
+        return self.work((0, 1), scale) if self.bends.sign > 0.0 else self.work((1, 4), scale)
+
+    def regenerated(self, scale: float) -> float:
+        """Return the work that comes back to the motor (J)."""
+        return -(self.work((1, 4), scale) if self.bends.sign > 0.0 else self.work((0, 1), scale))

@@ -1,0 +1,147 @@
+"""The engine's view of a drive's motion, cut where its acceleration turns and at edges of process forces."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cached_property
+from itertools import chain, repeat
+from typing import Any
+
+import numpy as np
+
+from engine.drivetrain import Load
+from engine.drivetrain.bends import Bends
+from engine.machine.bent import PLACES, BentPart, going, inside, middle, stretches, turned, turning
+from engine.machine.train import Window
+from engine.motion.pieces import MotionPiece
+from workbook.book.rows import filled
+from workbook.entries.turn import TURN
+from workbook.entries.units import DEGREE, shown, si
+from workbook.machines.machine.chain import WINDOWS
+from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.motion import AxisRows
+
+
+class Stretched:
+    """A drive over the stretches of its axis' motion."""
+
+    def __init__(self, one: AxisRows, driven: Driven) -> None:
+        self.one, self.driven = one, driven
+        self.pieces = list(one.pieces.pieces)
+        self.room, self.near = one.machine.room, one.machine.near
+
+    @property
+    def rows(self) -> int:
+        """Rows of the table of stretches: for all pieces, two turns of each phase, edges of process forces."""
+        edges = WINDOWS + WINDOWS
+        phases = self.one.machine.machine.sizes.phases
+        return self.room + phases + phases + edges
+
+    @cached_property
+    def raw(self) -> list[list[float]]:
+        """Where the acceleration of each piece turns, inside it or not: u from its begin (rad)."""
+        return [turning(piece) for piece in self.pieces]
+
+    @cached_property
+    def places(self) -> list[list[float]]:
+        """The same, those that are not inside at its end."""
+        return [inside(piece, each) for piece, each in zip(self.pieces, self.raw, strict=True)]
+
+    @property
+    def begins(self) -> list[float]:
+        """Where each piece begins, in degrees; spare ones at the end of the turn."""
+        return filled([shown(piece.begin, DEGREE) for piece in self.pieces], self.room, TURN)
+
+    @cached_property
+    def turned(self) -> list[list[float]]:
+        """Where the accelerations turn, in degrees, each piece's first, second and third place; else at the end."""
+        found = []
+        for j in range(PLACES):
+            each = [
+                shown(piece.begin + places[j], DEGREE) if places[j] < piece.duration else TURN
+                for piece, places in zip(self.pieces, self.places, strict=True)
+            ]
+            found.append(filled(each, self.room, TURN))
+        return found
+
+    @cached_property
+    def edges(self) -> list[float]:
+        """The edges of process forces in degrees of the motion as it is told; spare ones at the end of the turn."""
+        late = self.driven.axis.given.shift
+        windows = self.driven.windows
+        found = [turned(shown(edge, DEGREE), -late, TURN) for w in windows for edge in (w.begin, w.end)]
+        return filled(found, WINDOWS + WINDOWS, TURN)
+
+    @cached_property
+    def spans(self) -> list[tuple[float, float]]:
+        """Begin and end of each stretch, in degrees."""
+        return stretches([*self.begins, *chain(*self.turned), *self.edges], TURN, self.near)
+
+    @cached_property
+    def parts(self) -> list[BentPart]:
+        """The stretches."""
+        return [self._part(span) for span in self.spans]
+
+    def _part(self, span: tuple[float, float]) -> BentPart:
+        axis, at = self.driven.axis, middle(span)
+        piece = self.pieces[self.piece_at(at)]
+        low, high = (si(angle, DEGREE) - piece.begin for angle in span)
+        way = going(piece, middle((low, high)), self.driven.fastest)
+        bends = self.driven.bends_under(self.driven.acting(si(at, DEGREE) + axis.shifted.shift), way)
+        return BentPart(bends, piece, low, high, axis.speed, way, axis.hardest, self.driven.fastest)
+
+    def piece_at(self, angle: float) -> int:
+        """Return the number of the piece, from 0, in which an angle of the motion lies."""
+        return int(np.searchsorted(self.begins[: len(self.pieces)], angle, side="right")) - 1
+
+    def of(self, figure: Callable[[BentPart], Any]) -> list[Any]:
+        """Return a figure of each stretch; spare rows repeat the last."""
+        return filled(map(figure, self.parts), self.rows, figure(self.parts[-1]))
+
+    def counted(self, figure: Callable[[BentPart], Any]) -> list[Any]:
+        """Return a figure of each stretch that is counted up: 0 in spare rows."""
+        return filled(map(figure, self.parts), self.rows)
+
+    def passing(self, index: int, turn: int) -> list[float]:
+        """Return where y passes one of the levels of each stretch, after some rounds; spare rows are not searched."""
+        last = self.parts[-1]
+        found = [part.passed(part.levels[index])[turn - 1] for part in self.parts]
+        return filled(found, self.rows, last.besides(last.levels[index])[turn - 1])
+
+    @property
+    def numbers(self) -> list[int]:
+        """The piece of each stretch, from 1."""
+        found = [self.piece_at(middle(span)) + 1 for span in self.spans]
+        return filled(found, self.rows, found[-1])
+
+    @property
+    def middles(self) -> list[float]:
+        """The angle of the master shaft in the middle of each stretch."""
+        late = self.driven.axis.given.shift
+        found = [turned(middle(span), late, TURN) for span in self.spans]
+        return filled(found, self.rows, found[-1])
+
+    @property
+    def used(self) -> list[int]:
+        """Which rows are no spare ones."""
+        return filled(repeat(1, len(self.parts)), self.rows, 0)
+
+    def piece_figures(self, figure: Callable[[MotionPiece], float]) -> list[float]:
+        """Return a figure of each stretch's piece."""
+        return [figure(self.pieces[number - 1]) for number in self.numbers]
+
+
+def acting(windows: tuple[Window, ...], going: float) -> Load:
+    """Return process forces together, as a load without mass; at rest, those that oppose a motion are none."""
+    loads = [window.load for window in windows]
+    friction = sum(load.friction for load in loads) if going else 0.0
+    return Load(0.0, sum(load.torque for load in loads), friction)
+
+
+def under(bends: Bends, more: Load, going: float) -> Bends:
+    """Return a direction of motion with a load more; at rest, without friction."""
+    drive = bends.drive
+    own = drive.mechanism.load
+    load = Load(own.inertia, own.torque + more.torque, own.friction + more.friction if going else 0.0)
+    return replace(bends, drive=replace(drive, mechanism=replace(drive.mechanism, load=load)))
