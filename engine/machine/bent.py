@@ -135,7 +135,7 @@ class BentPart:
         """Return the acceleration against what the load resists with (m/s² or rad/s²)."""
         return np.asarray(self.factor * self.piece.at(np.asarray(u, dtype=np.float64)).y2)
 
-    @property
+    @cached_property
     def ends(self) -> tuple[float, float]:
         """Y at the begin and at the end."""
         first, last = self.y(np.array([self.low, self.high])).tolist()
@@ -151,7 +151,7 @@ class BentPart:
         """The end (rad) from which y rises, and the other."""
         return (self.high, self.low) if self.falls else (self.low, self.high)
 
-    @property
+    @cached_property
     def levels(self) -> tuple[float, float, float]:
         """The y at which power turns round in the motor, in the reducer and in the mechanism."""
         slope = self.bends.slope
@@ -229,7 +229,10 @@ class BentPart:
 
     def over(self, function: Callable[[Array, Array], Array], part: tuple[int, int], scale: float) -> float:
         """Return the integral over the abscissa of a function of b and |y'| between two places, by their numbers."""
-        low, high = sorted((self.places[part[0]], self.places[part[1]]))
+        return sum(self._over(function, *both, scale) for both in pairwise(self.places[part[0] : part[1] + 1]))
+
+    def _over(self, function: Callable[[Array, Array], Array], one: float, other: float, scale: float) -> float:
+        low, high = sorted((one, other))
         if not self.going or high <= low:
             return 0.0
 

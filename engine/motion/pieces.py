@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import repeat
 from math import cos, sin
 from typing import NamedTuple
@@ -41,14 +42,23 @@ class MotionPiece:
     def at(self, u: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at u."""
         values = []
-        coefficients = np.array(self.c)
-        for order in range(4):
-            y = np.polynomial.polynomial.polyval(u, coefficients)
+        for order, coefficients in enumerate(self.derivatives):
+            y = np.zeros_like(u, dtype=np.float64)
+            for c in reversed(coefficients):
+                y = y * u + c
             for a, w, phi in self.sines:
-                y = y + a * w**order * np.sin(w * u + phi + order * np.pi / 2.0)
+                if a:
+                    y = y + a * w**order * np.sin(w * u + phi + order * np.pi / 2.0)
             values.append(y)
-            coefficients = np.polynomial.polynomial.polyder(coefficients)
         return MotionValues(*values)
+
+    @cached_property
+    def derivatives(self) -> list[tuple[float, ...]]:
+        """The coefficients of y and its first three derivatives, the lowest power first, without the highest that are 0."""
+        found = [self.c]
+        for _ in range(3):
+            found.append(tuple(k * c for k, c in enumerate(found[-1]))[1:])
+        return [c[: max((k for k, one in enumerate(c, 1) if one), default=0)] for c in found]
 
 
 class Scaled(NamedTuple):

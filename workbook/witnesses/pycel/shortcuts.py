@@ -17,8 +17,10 @@ from workbook.witnesses.pycel.limits import OPERATORS, build_operators, count_se
 
 Function = Callable[..., Any]
 NUMBERS = frozenset((float, int))  # not bool, whose kind counts in comparisons
+COUNTED = NUMBERS | {bool}  # 1 and 0 where they are added or multiplied
 NOTHING = frozenset(("", "–"))  # texts in the cells of our books, and surely no numbers
 SIMPLE = {name: OPERATORS[name] for name in ("Add", "Sub", "Mult", "Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}
+SUMS = frozenset(("Add", "Sub", "Mult"))
 DIVIDE = OPERATORS["Div"]
 
 
@@ -35,16 +37,32 @@ def operators() -> Callable[[Any, str, Any], Any]:
                 return DIVIDE(left, right)
         elif kind is tuple and other is tuple:
             if len(left) == len(right) and len(left[0]) == len(right[0]):
-                rows = zip(left, right, strict=True)
-                return tuple(tuple(map(operate, a, repeat(operator), b)) for a, b in rows)
+                return each(operator, flat(left), flat(right), len(left[0]))
             cross(left, right)
         elif kind is tuple and other in NUMBERS:
-            return tuple(tuple(map(operate, row, repeat(operator), repeat(right))) for row in left)
+            return each(operator, flat(left), repeat(right), len(left[0]))
         elif other is tuple and kind in NUMBERS:
-            return tuple(tuple(map(operate, repeat(left), repeat(operator), row)) for row in right)
+            return each(operator, repeat(left), flat(right), len(right[0]))
         return checked(left, operator, right)
 
+    def each(operator: str, left: Iterable[Any], right: Iterable[Any], columns: int) -> Any:
+        """Return what an operator makes of each pair, in rows: at once where its plain way takes all of them."""
+        kinds = {type(value) for side in (left, right) if isinstance(side, list) for value in side}
+        if operator in SIMPLE and kinds <= (COUNTED if operator in SUMS else NUMBERS):
+            return in_rows(map(SIMPLE[operator], left, right), columns)
+        return in_rows(map(operate, left, repeat(operator), right), columns)
+
     return operate
+
+
+def flat(array: Iterable[Iterable[Any]]) -> list[Any]:
+    """Return the cells of a range, row by row."""
+    return [value for row in array for value in row]
+
+
+def in_rows(values: Iterable[Any], columns: int) -> tuple[tuple[Any, ...], ...]:
+    """Return cells as a range of so many columns."""
+    return tuple(zip(*[iter(values)] * columns, strict=True))
 
 
 def index(checked: Function) -> Function:
@@ -75,8 +93,17 @@ def of_one(body: Callable[[float], float]) -> Callable[[Function], Function]:
                 except (ValueError, OverflowError):
                     pass
             elif kind is tuple:
-                return tuple(tuple(map(call, row)) for row in arguments[0])
+                return over_range(arguments[0])
             return checked(*arguments)
+
+        def over_range(array: Any) -> Any:
+            values = flat(array)
+            if NUMBERS.issuperset(map(type, values)):
+                try:
+                    return in_rows(map(body, values), len(array[0]))
+                except (ValueError, OverflowError):
+                    pass
+            return in_rows(map(call, values), len(array[0]))
 
         return call
 
@@ -149,7 +176,7 @@ def product_sum(checked: Function) -> Function:
 
 def numbers_of(array: Iterable[Iterable[Any]]) -> list[float]:
     """Return the cells of a range if all of them are numbers, else nothing."""
-    values = [value for row in array for value in row]
+    values = flat(array)
     return values if NUMBERS.issuperset(map(type, values)) else []
 
 
