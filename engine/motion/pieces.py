@@ -54,7 +54,7 @@ class MotionPiece:
 
     @cached_property
     def derivatives(self) -> list[tuple[float, ...]]:
-        """The coefficients of y and its first three derivatives from the lowest power, without the highest that are 0."""
+        """The coefficients of y and its first three derivatives, from the lowest power; without the highest zeros."""
         found = [self.c]
         for _ in range(3):
             found.append(tuple(k * c for k, c in enumerate(found[-1]))[1:])
