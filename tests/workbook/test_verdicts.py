@@ -20,7 +20,7 @@ VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those 
     "flying-cutter-saw": (40, []),
     "indexing-overlap": (30, []),
     "indexing-overlap-stations": (44, []),
-    "machine": (61, []),
+    "machine": (73, []),
     "motion-composer": (26, []),
     "motion-composer-example-1": (26, []),
     "motion-composer-example-2": (26, []),
