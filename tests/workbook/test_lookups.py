@@ -42,7 +42,14 @@ def either(condition, then, otherwise):
     return then if condition else otherwise
 
 
-FUNCTIONS = {"MIN": min, "MAX": max, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either}
+def index(values, row):
+    return values[int(row) - 1]
+
+
+FUNCTIONS = {
+    "MIN": min, "MAX": max, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either, "INDEX": index,
+    "PI": lambda: math.pi,
+}  # fmt: skip
 
 
 def calls(text):
