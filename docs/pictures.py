@@ -20,9 +20,10 @@ HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch
 FUNCTIONS = "motion-functions"  # computed by the add-in
 PICTURES = (  # file, workbook, page of the printed book, left, top, width, height in dots
+    ("summary.png", "machine", 1, 75, 85, 1010, 665),
     ("timing.png", "cutting-machine", 2, 75, 85, 1000, 650),
-    ("drive.png", "cutting-machine", 12, 75, 85, 1010, 665),
-    ("selection.png", "flying-cutter", 12, 75, 85, 1010, 640),
+    ("drive.png", "cutting-machine", 5, 75, 85, 1010, 665),
+    ("selection.png", "flying-cutter", 6, 75, 85, 1010, 640),
     ("motion.png", "motion-composer", 2, 75, 85, 1010, 610),
     ("overlap.png", "indexing-overlap", 2, 75, 85, 1010, 640),
     ("actuator.png", "actuator-sizing", 2, 75, 85, 1010, 665),
