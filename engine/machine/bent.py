@@ -153,9 +153,13 @@ class BentPart:
 
     @cached_property
     def levels(self) -> tuple[float, float, float]:
-        """The y at which power turns round in the motor, in the reducer and in the mechanism."""
-        slope = self.bends.slope
-        return (abs(self.bends.level) / slope if slope else 0.0, *self.bends.turns)
+        """The y at which power turns round in the motor, in the reducer and in the mechanism.
+
+        It never does where nothing behind has inertia: then they are beyond any acceleration.
+        """
+        slope, far, behind = self.bends.slope, 2.0 * self.largest, self.bends.drive.mechanism.on_shaft
+        turns = self.bends.turns if behind(1) + behind(2) > 0.0 else (far, far)
+        return (abs(self.bends.level) / slope if slope else far, *turns)
 
     def crosses(self, level: float) -> bool:
         """Whether y passes a level."""

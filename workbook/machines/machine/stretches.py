@@ -214,11 +214,11 @@ def lined(view: Stretched) -> list[Quantity]:
              scale=sizes.slope),
         calc("s2", "change at y_2", "ΔA_2", "Nm/y", f"={way('s2')}", of(lambda p: p.bends.steps[1]),
              scale=sizes.slope),
-        calc("y1", "turns in the reducer at", "y_1", "", f"=ABS([r])*{way('y')}", of(lambda p: p.levels[1]),
-             scale=sizes.acceleration),
+        calc("y1", "turns in the reducer at", "y_1", "", f"=IF(@j1+@m>0,ABS([r])*{way('y')},2*@hard)",
+             of(lambda p: p.levels[1]), scale=sizes.acceleration),
         calc("y2", "in the mechanism at", "y_2", "", "=IF(@m>0,ABS([r])/@m,[y1])", of(lambda p: p.levels[2]),
              scale=sizes.acceleration),
-        calc("y3", "in the motor at", "y_3", "", "=IF([g1]=0,0,ABS([b0]/[g1]))", of(lambda p: p.levels[0]),
+        calc("y3", "in the motor at", "y_3", "", "=IF([g1]=0,2*@hard,ABS([b0]/[g1]))", of(lambda p: p.levels[0]),
              scale=sizes.acceleration),
     ]  # fmt: skip
 
