@@ -79,12 +79,12 @@ def counted(book: Book) -> list[int | None]:
 def mended(book: Book, most: int) -> dict[str, list[str | None]]:
     """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.what``."""
     found = summary(book)
-    failing = [
+    told = [
         (q.label, sheet.title, said)
         for (sheet, q), verdict, said in zip(book.checks, found.verdicts, found.sentences, strict=True)
         if verdict != "OK"
     ][:most]
-    rows = filled(failing, most, ("", "", ""))
+    rows = filled(told, most, ("", "", ""))
     known = found.holding is not None
     columns = zip(*rows, strict=True)
     return {f"mend.{name}": list(column) if known else filled([], most, None)
