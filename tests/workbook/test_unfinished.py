@@ -20,7 +20,7 @@ from workbook.writing.same import same_book
 AXIS = ("timing", "axes", 1, "phases")
 MOVED = ("axes", 1, "phases")
 TOOL = ("overlap", "tools", 0)
-ROTORS = "Drive, Rotating parts (S1, slide 'Feeding group layout'): entries within limits"
+ROTORS = "Drive, Rotating parts: entries within limits"
 PHASES = "Timing, Phases of axis 2: entries within limits"
 MOTION = "Motion, Fill one row each, in order: entries within limits"
 UNEQUAL = [0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]

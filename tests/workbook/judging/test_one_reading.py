@@ -132,8 +132,8 @@ def test_names_that_differ_in_case_are_refused(book, tmp_path):
     name = b'<definedName name="Book_Template">Summary!$A$1</definedName>'
     change = {WORKBOOK: sub(rb"(?=</definedNames>)", name)}
     assert "'book_template'" in refused(repacked(book.path, tmp_path / "a.xlsx", change))
-    change = {WORKBOOK: lambda data: data.replace(b'name="Checks"', b'name="about"')}
-    assert "two sheets named 'about'" in refused(repacked(book.path, tmp_path / "b.xlsx", change))
+    change = {WORKBOOK: lambda data: data.replace(b'name="Checks"', b'name="summary"')}
+    assert "two sheets named 'summary'" in refused(repacked(book.path, tmp_path / "b.xlsx", change))
 
 
 def test_a_name_twice_is_refused_and_one_of_a_sheet_of_its_own_is_not(book, tmp_path):

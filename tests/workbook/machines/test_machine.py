@@ -154,8 +154,17 @@ def test_parts_of_a_drive_have_their_room_whichever_axis_it_moves():
     assert entered(TEMPLATE, machine) == (machine, [])
 
 
-def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(tmp_path):
-    data = described([driven((0, 90, 2.0, "OWN"), (180, 200, -2.0, "CIC"))]).model_dump()
+@pytest.mark.parametrize(
+    "law",
+    [
+        {"family": "OWN", "pieces": [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]},
+        {"family": "PO7"},
+    ],
+    ids=["one that turns back", "one of the seventh degree"],
+)
+def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(law, tmp_path):
+    data = described([driven((0, 90, 2.0, "mine"), (180, 200, -2.0, "CIC"))]).model_dump()
+    data["laws"] |= {"mine": law}
     machine = checked(TEMPLATE, data, str)
     assert [fault.key for fault in machine.design.faults] == ["axes.0.phases.0.law"]
     build(machine, tmp_path / "book.xlsx")
