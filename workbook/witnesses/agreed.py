@@ -52,8 +52,8 @@ class Evaluation:
             known = {name: value for name, value in said.items() if value not in UNABLE.get(name, UNKNOWN)}
             alike = len(said) == ENOUGH and not {*said.values()} & {*UNKNOWN} and len({*said.values()}) == 1
             if len(known) == ENOUGH or alike:
-                return self._undisputed(address, known if len(known) == ENOUGH else said)
-        why = [*(f"{name} has {found(value)}" for name, value in said.items()), *self._failed.values()]
+                return self._undisputed(address, known if len(known) == ENOUGH else said, said)
+        why = [*self._told(address, said), *self._failed.values()]
         raise DisputedError(f"it cannot be computed by {ENOUGH} evaluators ({'; '.join(why)})")
 
     def _require_one_cell(self, address: Address) -> None:
@@ -69,14 +69,19 @@ class Evaluation:
                 where = "it" if cell == address else f"{cell}"
                 raise DisputedError(f"{where} computes with a range where Excel takes one cell of it")
 
-    def _undisputed(self, address: Address, said: dict[str, Any]) -> Any:
-        """Return the value that all have; raise DisputedError where one differs."""
+    def _undisputed(self, address: Address, known: dict[str, Any], said: dict[str, Any]) -> Any:
+        """Return the value that all of ``known`` have; raise DisputedError, with all that was said, where one differs."""
+        saved = self._file.saved.get(address)
+        first, *others = (*known.values(), *([] if saved is None else [saved]))
+        if not all(same(first, value) for value in others):
+            raise DisputedError(", ".join(self._told(address, said)))
+        return first
+
+    def _told(self, address: Address, said: dict[str, Any]) -> list[str]:
+        """Return what each has, and the file as it was saved."""
         saved = self._file.saved.get(address)
         all_said = said if saved is None else said | {"the file as it was saved": saved}
-        first = next(iter(said.values()))
-        if not all(same(first, value) for value in all_said.values()):
-            raise DisputedError(", ".join(f"{name} has {found(value)}" for name, value in all_said.items()))
-        return first
+        return [f"{name} has {found(value)}" for name, value in all_said.items()]
 
     def _witnesses(self, address: Address) -> Iterator[tuple[str, Cells]]:
         """Yield the witnesses that evaluate, with the values of formula cells."""
