@@ -16,6 +16,7 @@ from spreadsheet_auditor.audit import main as audit
 
 from engine.laws.points import FLAT, WIDEST
 from engine.motion.turning import PARTS
+from tests.tiers import by_day
 from workbook.book.limits import COLUMN
 from workbook.book.quantity import SAYS
 from workbook.book.sentence import LARGEST
@@ -39,15 +40,16 @@ BETWEEN = pytest.param(FileFormat.OFFICE_2019, marks=pytest.mark.nightly)
 BUILD = """
 import sys
 from pathlib import Path
+from tests.tiers import by_day
 from workbook.build import build
 from workbook.reading.entries import read_machine, write_machine
 build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
 """
 
 
-@pytest.fixture(scope="module", params=TEMPLATES.values(), ids=TEMPLATES.keys())
+@pytest.fixture(scope="module", params=by_day(TEMPLATES, "machine", "motion-composer", "actuator-sizing"))
 def template(request):
-    return request.param
+    return TEMPLATES[request.param]
 
 
 @pytest.fixture(scope="module")
