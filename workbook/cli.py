@@ -161,9 +161,7 @@ def verify(
 
 Scheduler = Annotated[
     str | None,
-    typer.Option(
-        metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."
-    ),
+    typer.Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
 ]
 Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")]
 
@@ -172,7 +170,8 @@ Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at
 def study(
     path: Annotated[Path, typer.Argument(metavar="STUDY.toml", help="What varies, what must hold, what is best.")],
     output: Annotated[
-        Path | None, to("RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study.")
+        Path | None,
+        to("RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study."),
     ] = None,
     scheduler: Scheduler = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on with a study that was interrupted.")] = False,

@@ -21,12 +21,7 @@ class Column(NamedTuple):
     """An entry in many designs: its different values, and which of them each design has."""
 
     values: Sequence[Any]
-    index: NDArray[np.intp]
-
-    def of(self, figure: Callable[[Any], float | None]) -> Values:
-        """Return a figure of its value in each design; NaN where there is none."""
-        found = [figure(value) for value in self.values]
-        return np.array([np.nan if one is None else one for one in found])[self.index]
+    places: NDArray[np.intp]
 
 
 Results = Mapping[str, Callable[[], Any]]

@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.drivetrain.chain import Mechanism, Stage
 from engine.drivetrain.losses import gives_back
@@ -109,9 +110,9 @@ class Geared:
         return tuple(part for stretch in self.course.stretches for part in parts_of(stretch))
 
     @cached_property
-    def points(self) -> tuple[Array, Array, Array]:
+    def points(self) -> tuple[Array, Array, NDArray[np.bool_]]:
         """α, S, and whether the load drives, where a torque can be largest or lowest: no other lies outside them."""
-        found = set()
+        found: set[tuple[float, float, bool]] = set()
         for part in self.parts:
             u = np.array([part.low, part.high])
             pairs = zip(part.alpha(u).tolist(), part.stretch.torque(u, 1).tolist(), strict=True)

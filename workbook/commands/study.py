@@ -22,7 +22,7 @@ from workbook.reports.terminal import ERR, OUT, say
 from workbook.studies import tables
 from workbook.studies.folder import Parts, read
 from workbook.studies.judged import Judged, picked
-from workbook.studies.named import require_names
+from workbook.studies.named import Named, require_names
 from workbook.studies.plan import Plan, read_study
 from workbook.studies.run import pieces, run
 from workbook.studies.summary import Summary
@@ -60,7 +60,7 @@ def study(
 
 
 def ran(
-    plan: Plan, results: Path, named: page.Named, scheduler: str | None, jobs: int | None, resume: bool,
+    plan: Plan, results: Path, named: Named, scheduler: str | None, jobs: int | None, resume: bool,
     unverified: bool, force: bool,
 ) -> Summary:  # fmt: skip
     """Run a study to its end, write results, what is known of them, and the page."""
@@ -128,7 +128,10 @@ def progress(total: int) -> Iterator[Callable[[int, bool], None]]:
 
 def show(plan: Plan, found: Summary, results: Path, seconds: float) -> None:
     """Print what came of a study in a few lines."""
-    say(OUT, f"{found.designs:,} designs in {seconds:.1f} s: {found.feasible:,} feasible, {found.impossible:,} impossible")
+    say(
+        OUT,
+        f"{found.designs:,} designs in {seconds:.1f} s: {found.feasible:,} feasible, {found.impossible:,} impossible",
+    )
     for line in page.exclusions(plan.study, found):
         say(OUT, line, "" if found.feasible else "yellow")
     if not found.feasible:

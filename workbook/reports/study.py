@@ -37,7 +37,10 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
     if judged:
         body.append(e("p", judged_line(judged), css="agrees" if judged.holds else "disagrees"))
     body += best(plan, found, named)
-    body += [e("h2", "What varied"), table(("entry", "values", "room"), [varied(one) for one in plan.space.dimensions], ())]
+    body += [
+        e("h2", "What varied"),
+        table(("entry", "values", "room"), [varied(one) for one in plan.space.dimensions], ()),
+    ]
     if study.constraints:
         rows = [[name, bounds(bound)] for name, bound in study.constraints.items()]
         body += [e("h2", "What must hold"), table(("result", "bounds"), rows, ())]

@@ -20,6 +20,8 @@ from workbook.studies.plan import Plan
 from workbook.studies.space import Dimension
 
 Values = NDArray[Any]
+ENDLESS = "∞"
+"""what a book shows of a jerk where the acceleration jumps"""
 NOTHING = "this result has no value"
 
 
@@ -59,11 +61,11 @@ class Evaluator:
 
     def table(self, begin: int, columns: Sequence[Column]) -> Table:
         """Return the results of designs that are numbered from ``begin``."""
-        count = len(columns[0].index)
+        count = len(columns[0].places)
         found: dict[str, list[Values]] = {name: [] for name in self.names}
         reasons: list[Values] = []
         for first, last in groups(columns, self._outer, count):
-            some = [Column(one.values, one.index[first:last]) for one in columns]
+            some = [Column(one.values, one.places[first:last]) for one in columns]
             values, reason = self._group(some, last - first)
             reasons.append(np.full(last - first, reason, dtype=object))
             for name in self.names:
@@ -79,7 +81,7 @@ class Evaluator:
     def _group(self, columns: Sequence[Column], count: int) -> tuple[dict[str, Any], str]:
         """Return results of designs that are worked out together, or why there are none."""
         dimensions = self.plan.space.dimensions
-        chosen = {dimensions[k]: columns[k].values[columns[k].index[0]] for k in self._outer}
+        chosen = {dimensions[k]: columns[k].values[columns[k].places[0]] for k in self._outer}
         machine = self._machine(chosen)
         if isinstance(machine, str):
             return {}, machine
@@ -106,7 +108,7 @@ def groups(columns: Sequence[Column], outer: Sequence[int], count: int) -> Itera
     if not outer:
         yield 0, count
         return
-    indices = np.array([columns[k].index for k in outer])
+    indices = np.array([columns[k].places for k in outer])
     cuts = np.flatnonzero((indices[:, 1:] != indices[:, :-1]).any(axis=0)) + 1
     yield from pairwise([0, *cuts.tolist(), count])
 
@@ -128,7 +130,7 @@ def of_book(book: Book, name: str) -> Any:
     value = as_rows(quantity.value, found.size, name)[int(row or 1) - 1]
     if value is None:
         raise ValueError(f"{name}: {NOTHING}")
-    return value
+    return np.inf if value == ENDLESS else value
 
 
 def keeps(bound: Bound | str, values: Values) -> NDArray[np.bool_]:

@@ -60,4 +60,6 @@ def deviation(one: Any, other: Any) -> float:
     """Return by which share two results differ; texts by all or nothing."""
     if isinstance(one, str) or isinstance(other, str):
         return float(one != other)
-    return abs(one - other) / max(abs(one), abs(other), 1e-12)
+    if one == other:
+        return 0.0
+    return float(abs(one - other) / max(abs(one), abs(other), 1e-12))

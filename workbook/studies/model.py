@@ -33,11 +33,15 @@ class Vary(Model):
     def _one_way(self) -> Self:
         ranged = self.low is not None or self.high is not None
         if [self.values is not None, ranged, self.all is not None].count(True) != 1:
-            raise EntryError("", 'expected one of values = [...], from = ... with to = ..., all = "laws" or "catalogue"')
+            raise EntryError(
+                "", 'expected one of values = [...], from = ... with to = ..., all = "laws" or "catalogue"'
+            )
         if ranged and (self.low is None or self.high is None):
             raise EntryError("to" if self.high is None else "from", "empty; a range has both ends")
         if self.low is not None and self.high is not None and not self.low < self.high:
-            raise EntryError("to", f"the range from {self.low:g} to {self.high:g} is empty; expected more than its begin")
+            raise EntryError(
+                "to", f"the range from {self.low:g} to {self.high:g} is empty; expected more than its begin"
+            )
         if self.steps is not None and not ranged:
             raise EntryError("steps", "only a range has steps; expected none")
         return self

@@ -10,12 +10,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 import workbook
+from engine.laws import Law
 from workbook.book.declare import Book
 from workbook.build import described
-from engine.laws import Law
 from workbook.entries.design import RefusedError, attempted
 from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import EntryError
@@ -23,7 +23,7 @@ from workbook.errors import InputError
 from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
-from workbook.reading.entries import parsed, write_machine
+from workbook.reading.entries import counted, parsed, write_machine
 from workbook.studies.model import Study, Vary
 from workbook.studies.paths import below, changed, held, nearest, path_of, table_of
 from workbook.studies.space import Dimension, Space, arranged
@@ -70,7 +70,7 @@ class Plan:
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
-        data = self.data
+        data: dict[str, Any] = self.data
         for one, value in chosen.items():
             data = with_value(data, one, value)
         try:
@@ -80,8 +80,13 @@ class Plan:
         except RefusedError as error:
             return Wrong("; ".join(refusal(fault) for fault in error.faults))
         if machine is None:
-            return "; ".join(dict.fromkeys(fault.said for fault in faults))
+            return "; ".join(dict.fromkeys(said_of(fault) for fault in faults))
         return machine
+
+
+def said_of(fault: Fault) -> str:
+    """Return what is wrong with a design's numbers: the sentence of a rule, or the entry and its limits."""
+    return fault.said if fault.rule else f"{counted(fault.key)}: {fault.said}"
 
 
 def refusal(fault: Any) -> str:
@@ -95,9 +100,9 @@ def with_value(data: dict[str, Any], one: Dimension, value: Any) -> dict[str, An
         before = held(data, one.paths[0])
         data = given_room(data, one, value - before)
     for path in one.paths:
-        data = changed(data, path, value)
+        data = dict(changed(data, path, value))
     if isinstance(value, str) and value in ENTRIES and one.paths[0][-1] == "law" and value not in data["laws"]:
-        data = changed(data, ("laws", value), {"family": value})
+        data = dict(changed(data, ("laws", value), {"family": value}))
     return data
 
 
@@ -109,7 +114,7 @@ def given_room(data: dict[str, Any], one: Dimension, more: float) -> dict[str, A
     """Return a description whose phase ``takes`` has so much less room at its side, or more."""
     entry, way = EDGES[one.paths[0][-1]]
     path = (*one.takes, entry)
-    return changed(data, path, held(data, path) + way * more)
+    return dict(changed(data, path, held(data, path) + way * more))
 
 
 def read_study(path: Path) -> Plan:
@@ -134,14 +139,15 @@ def line_of(fault: Any, where: str) -> str:
     if isinstance(cause, EntryError):
         return f"{where}: {'.'.join([*place, *filter(None, [cause.field])])}: {cause}"
     if fault["type"] == "extra_forbidden":
-        known = {1: Study, 3: Vary}.get(len(place))
+        models: dict[int, type[BaseModel]] = {1: Study, 3: Vary}
+        known = models.get(len(place))
         expected = f"; expected one of {nearest(place[-1], keys_of(known))}" if known else ""
         return f"{where}: {'.'.join(place)}: unknown entry{expected}"
     what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
     return f"{where}: {'.'.join(place)}: {what}; {fault['msg'][:1].lower()}{fault['msg'][1:]}"
 
 
-def keys_of(model: type[Study] | type[Vary]) -> list[str]:
+def keys_of(model: type[BaseModel]) -> list[str]:
     """Return the keys of a table as they are written."""
     return [field.alias or name for name, field in model.model_fields.items()]
 
@@ -150,8 +156,8 @@ def planned(study: Study, base: Path, where: str) -> Plan:
     """Make a study of the machine that a file describes ready; raise InputError, ReadError."""
     machine = described(base)
     if machine.design.faults:
-        said = machine.design.faults[0]
-        raise InputError([f"{base}: {said.key}: {said.said}; a study expects a finished design"])
+        fault = machine.design.faults[0]
+        raise InputError([f"{base}: {fault.key}: {fault.said}; a study expects a finished design"])
     roomy = "motion_pieces" in parsed(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
     draft = Plan(study, machine, Space((), study.way), roomy)
     dimensions = [dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
@@ -205,7 +211,9 @@ def values_of(plan: Plan, vary: Vary, path: tuple[str, ...], where: str) -> list
         products = next((PRODUCTS[part] for part in reversed(path) if part in PRODUCTS), "")
         rows = getattr(getattr(plan.base, "selection", None), products, None) if products else None
         if not rows:
-            raise InputError([f"{where}: {vary.keys[0]!r} is none of a catalogue; expected the name of a motor or reducer"])
+            raise InputError(
+                [f"{where}: {vary.keys[0]!r} is none of a catalogue; expected the name of a motor or reducer"]
+            )
         return [row.name for row in rows]
     return list(vary.values or [])
 

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from workbook.pool import Died, Pool
 from workbook.errors import MotionbookError
+from workbook.pool import Died, Pool
 from workbook.studies import tables
 from workbook.studies.evaluate import Evaluator
 from workbook.studies.folder import Parts
@@ -45,7 +45,7 @@ class Done:
 @lru_cache(maxsize=2)
 def evaluator(plan: bytes) -> Evaluator:
     """Return what works a plan out, once in a process."""
-    return Evaluator(pickle.loads(plan))  # noqa: S301 - from the process that began the study
+    return Evaluator(pickle.loads(plan))
 
 
 def work(piece: Piece, plan: bytes, suffix: str) -> Done:
@@ -89,12 +89,22 @@ class Running:
         self.there = parts.complete()
 
     def do(self, wanted: Iterable[Piece]) -> None:
-        """Work out and keep what is not there yet."""
-        for piece, done in self.pool.each(work, self._missing(wanted), self.sent, self.parts.suffix):
+        """Work out and keep what is not there yet; what a worker died of is tried again, a piece at a time."""
+        again = self._kept(self._missing(wanted))
+        for piece in again:
+            if self._kept([piece]):
+                raise MotionbookError(f"designs {piece.begin + 1:,} to {piece.end:,}: {DIED}")
+
+    def _kept(self, wanted: Iterable[Piece]) -> list[Piece]:
+        """Work out and keep pieces; return those whose worker died."""
+        died = []
+        for piece, done in self.pool.each(work, wanted, self.sent, self.parts.suffix):
             if isinstance(done, Died):
-                raise MotionbookError(f"designs {piece.begin + 1} to {piece.end}: {DIED}")
+                died.append(piece)
+                continue
             self.parts.keep(piece.number, done.rows, done.summary)
             self.told(piece.end - piece.begin, False)
+        return died
 
     def _missing(self, wanted: Iterable[Piece]) -> Iterator[Piece]:
         for piece in wanted:

@@ -101,12 +101,14 @@ def scores(study: Study, table: Table, feasible: NDArray[np.bool_]) -> NDArray[n
     over = np.zeros(len(table))
     for name, bound in study.constraints.items():
         over += ~keeps(bound, table.results[name])
-    return np.where(feasible & np.isfinite(objective), objective, np.where(table.possible, WORST * (0.5 + over), np.inf))
+    return np.where(
+        feasible & np.isfinite(objective), objective, np.where(table.possible, WORST * (0.5 + over), np.inf)
+    )
 
 
 def design(table: Table, labels: list[str], row: int) -> Design:
     """Return a design of a table."""
-    entries = {label: plain(one.values[one.index[row]]) for label, one in zip(labels, table.entries, strict=True)}
+    entries = {label: plain(one.values[one.places[row]]) for label, one in zip(labels, table.entries, strict=True)}
     return Design(table.begin + row, entries, {name: plain(values[row]) for name, values in table.results.items()})
 
 

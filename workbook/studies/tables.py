@@ -34,10 +34,10 @@ def columns(study: Study, labels: list[str], table: Table) -> dict[str, list[Any
     """Return the columns of a table: number, entries, results, whether it is feasible, why it is impossible."""
     found: dict[str, list[Any]] = {"design": list(range(table.begin + 1, table.begin + len(table) + 1))}
     for label, one in zip(labels, table.entries, strict=True):
-        found[label] = np.array(list(one.values), dtype=object)[one.index].tolist()
+        found[label] = np.array(list(one.values), dtype=object)[one.places].tolist()
     feasible = table.possible
     for name, values in table.results.items():
-        found[name] = np.where(values == values, values, None).tolist() if values.dtype.kind == "f" else values.tolist()
+        found[name] = [None if value != value else value for value in values.tolist()]
     for name, bound in study.constraints.items():
         feasible = feasible & keeps(bound, table.results[name])
     return found | {"feasible": np.where(feasible, "yes", "no").tolist(), "impossible": table.reasons.tolist()}

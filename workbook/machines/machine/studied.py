@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
-from functools import cached_property
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -16,10 +16,11 @@ from engine.motion.smoothness import shortfalls
 from workbook.entries.units import RPM, shown
 from workbook.laws.library import laws
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
-from workbook.machines.machine.driven import SHAFTS, Driven
+from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling
+from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Products
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+")
@@ -51,13 +52,23 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
 def of_axis(axis: MovingAxis) -> Results:
     """Return the results of an axis alone."""
     i, given = axis.number, axis.given
-    return {
+    phases = {
+        f"axis{i}.{name}.{k}": partial(of_move, axis, k - 1, figure)
+        for k in range(1, len(given.phases) + 1)
+        for name, figure in (("v", "v_max"), ("a", "a_max"), ("j", "j_max"), ("rms", "a_rms"))
+    }
+    return phases | {
         f"axes.v.{i}": lambda: axis.fastest,
         f"axes.a.{i}": lambda: axis.hardest,
         f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit),
         f"axis{i}_smooth": lambda: told(not shortfalls(axis.motion, given.smoothness)),
         f"axis{i}_closes": lambda: told(axis.axis.closes),
     }
+
+
+def of_move(axis: MovingAxis, k: int, figure: str) -> float:
+    """Return a figure of a phase, from 0; 0 of one that does not lift."""
+    return float(getattr(axis.moves[k], figure)) if k in axis.moves else 0.0
 
 
 def told(ok: Any) -> Any:
@@ -85,20 +96,14 @@ class Studied:
     @cached_property
     def motors_used(self) -> dict[str, Array]:
         """The figures of the motor in each design."""
-        used = Column([self.motor(value) for value in self.motors.values], self.motors.index)
-        rows = [None, *self.products.motors]
-        return {name: used.of(lambda one, name=name: getattr(one, name)) for name in MotorInUse._fields} | {
-            name: used.of(lambda one, name=name: getattr(rows[one.row], name, None)) for name in WEIGHED
-        }
+        used = [self.motor(value) for value in self.motors.values]
+        return figures(used, self.motors, self.products.motors)
 
     @cached_property
     def reducers_used(self) -> dict[str, Array]:
         """The figures of the reducer in each design."""
-        used = Column([self.reducer(value) for value in self.reducers.values], self.reducers.index)
-        rows = [None, *self.products.reducers]
-        return {name: used.of(lambda one, name=name: getattr(one, name)) for name in ReducerInUse._fields} | {
-            name: used.of(lambda one, name=name: getattr(rows[one.row], name, None)) for name in WEIGHED
-        }
+        used = [self.reducer(value) for value in self.reducers.values]
+        return figures(used, self.reducers, self.products.reducers)
 
     @cached_property
     def geared(self) -> Geared:
@@ -158,10 +163,14 @@ class Studied:
         limits = self.reducers_used[limit]
         return told((limits == 0.0) | (value <= limits))
 
+    def pair(self, figure: str) -> Array:
+        """Return mass or cost of motor and reducer together."""
+        return self.motors_used[figure] + self.reducers_used[figure]
+
     @property
     def results(self) -> dict[str, Callable[[], Any]]:
         """All of them by name, each worked out when it is called."""
-        
+
         def motor(figure: str) -> Array:
             return self.motors_used[figure]
 
@@ -193,11 +202,22 @@ class Studied:
         }
         for figure in WEIGHED:
             each |= {
-                f"motor_{figure}": lambda figure=figure: motor(figure),
-                f"reducer_{figure}": lambda figure=figure: reducer(figure),
-                f"pair_{figure}": lambda figure=figure: motor(figure) + reducer(figure),
+                f"motor_{figure}": partial(motor, figure),
+                f"reducer_{figure}": partial(reducer, figure),
+                f"pair_{figure}": partial(self.pair, figure),
             }
         return {f"drive{self.axis.number}_{name}": value for name, value in each.items()}
+
+
+def figures(
+    used: Sequence[MotorInUse] | Sequence[ReducerInUse], column: Column, products: Sequence[MotorRow | ReducerRow]
+) -> dict[str, Array]:
+    """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
+    rows = [None, *products]
+    names = used[0]._fields
+    own = {name: np.array([getattr(one, name) for one in used], dtype=np.float64) for name in names}
+    more = {name: np.array([getattr(rows[one.row], name, None) for one in used], dtype=np.float64) for name in WEIGHED}
+    return {name: values[column.places] for name, values in (own | more).items()}
 
 
 def only(columns: Mapping[str, Column], place: str) -> tuple[str, Column]:
