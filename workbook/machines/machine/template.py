@@ -16,11 +16,8 @@ from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
-<<<<<<< HEAD
 from workbook.machines.machine.studied import SCALING
-=======
 from workbook.machines.machine.switches import switches_sheet
->>>>>>> int
 from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
@@ -86,9 +83,6 @@ TEMPLATE = Template(
     laid_out=laid_out,
     fixed=fixed,
     axes=axes,
-<<<<<<< HEAD
     scaling=SCALING,
-=======
     switches=switches,
->>>>>>> int
 )
