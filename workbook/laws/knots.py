@@ -6,7 +6,6 @@ Back substitution goes from the last point to the first, so that each row refers
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from engine.laws.knots import EQUAL, STILL, Interval, Knots
 from engine.laws.spline import NARROWEST
