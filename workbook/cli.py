@@ -188,7 +188,10 @@ def export(
     book: Book,
     to_target: Annotated[str, typer.Option("--to", metavar="TARGET", help=f"One of {', '.join(TARGETS)}.")],
     axis: Annotated[str | None, typer.Option(metavar="NAME", help="The axis to export.")] = None,
-    everything: Annotated[bool, typer.Option("--all", help="Export every axis; -o then names a folder.")] = False,
+    everything: Annotated[
+        bool, typer.Option("--all", help="Export every axis, and the switches; -o then names a folder.")
+    ] = False,
+    switches: Annotated[bool, typer.Option("--switches", help="Export the machine's switches.")] = False,
     output: Annotated[Path | None, to("FILE", "Where to write; else here, named like book and axis.")] = None,
     points: Annotated[
         str, typer.Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
@@ -221,14 +224,14 @@ def export(
 
     The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
     engine over the whole cycle. docs/controllers.md says which layout comes from which document, and what is untested;
-    no controller was run.
+    no controller was run. Switches go out where a document says how.
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """
     from workbook.commands import export as exporting
 
     asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified, equidistant)
-    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report))
+    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report, switches))
 
 
 Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]

@@ -74,6 +74,16 @@ class Machine(Model):
     sizes: Sizes = Sizes()
     _design: Design = PrivateAttr(default_factory=lambda: Design({}))
 
+    @classmethod
+    def spelled(cls, data: Any) -> Any:
+        """Return a description with the keys of all that it may tell without."""
+        return data
+
+    @model_validator(mode="before")
+    @classmethod
+    def _spelled(cls, data: Any) -> Any:
+        return cls.spelled(data)
+
     @property
     def design(self) -> Design:
         """What was entered in place of this machine's entries, where they do not do."""
