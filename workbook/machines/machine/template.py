@@ -8,7 +8,7 @@ from workbook.drive.in_short import InShort, axes_in_short
 from workbook.entries.rules import limits
 from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.machine.axes import axes
+from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.cycle import cycle_sheet
@@ -16,6 +16,8 @@ from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
+from workbook.machines.machine.studied import SCALING
+from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
@@ -46,6 +48,7 @@ def declare(given: AnyMachine) -> Book:
         joined(machine),
     )
     timing_sheet(book, machine, rows)
+    switches_sheet(book, machine)
     book.name("axes", axis_name="name")
     for one in rows:
         if one.axis.number in drives:
@@ -80,4 +83,6 @@ TEMPLATE = Template(
     laid_out=laid_out,
     fixed=fixed,
     axes=axes,
+    scaling=SCALING,
+    switches=switches,
 )
