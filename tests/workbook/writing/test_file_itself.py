@@ -40,7 +40,6 @@ BETWEEN = pytest.param(FileFormat.OFFICE_2019, marks=pytest.mark.nightly)
 BUILD = """
 import sys
 from pathlib import Path
-from tests.tiers import by_day
 from workbook.build import build
 from workbook.reading.entries import read_machine, write_machine
 build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))

@@ -12,6 +12,7 @@ import openpyxl
 import pytest
 
 from tests.mutation.bench import smaller
+from tests.tiers import by_day
 from workbook.build import build, committed
 from workbook.functions import publish
 from workbook.functions.page import declare
