@@ -28,12 +28,16 @@ sines, and their difference is enclosed by Bernstein coefficients until the larg
 Where several rules are named, each is tried, and the worst is a bound. Jumps of acceleration have a point on either
 side. `--equidistant` puts the points at equal steps instead.
 
+`--switches`, and `--all`, write the switches of a machine where a document says how: tracks that are on from one angle
+to another. That file is read back too, and each edge compared.
+
 `motionbook read FILE --from TARGET` and `motionbook compare BOOK FILE --axis NAME --from TARGET` use the same
 readers; those of `rockwell` take calculated `CAM_PROFILE` tags too.
 
 """
 TABLE = (
-    "| target | for | points | numbers | between points | asked unless told otherwise |\n|---|---|---|---|---|---|\n"
+    "| target | for | points | numbers | between points | asked unless told otherwise | switches |\n"
+    "|---|---|---|---|---|---|---|\n"
 )
 
 
@@ -42,14 +46,16 @@ def row(one: Target) -> str:
     least, most = one.points
     order, share = one.tolerance
     cells = [f"[`{one.name}`](#{one.name})", one.title, f"{least:,} to {most:,}", one.number.name, "; ".join(one.rules)]
-    return f"| {' | '.join([*cells, f'{order} {share:.0%}'])} |\n"
+    switches = one.tappets.title if one.tappets else "–"
+    return f"| {' | '.join([*cells, f'{order} {share:.0%}', switches])} |\n"
 
 
 def section(one: Target) -> str:
     """Return what is claimed of a target."""
     lines = [f"\n## {one.name}\n", f"{one.title}. A point has {', '.join(one.columns)}. Suffix `{one.suffix}`.\n",
              "| what | certainty | by |", "|---|---|---|"]  # fmt: skip
-    lines += [f"| {claim.what} | {claim.certainty} | {claim.source} |" for claim in one.claims]
+    claims = (*one.claims, *(one.tappets.claims if one.tappets else ()))
+    lines += [f"| {claim.what} | {claim.certainty} | {claim.source} |" for claim in claims]
     return "\n".join(lines) + "\n"
 
 

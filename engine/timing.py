@@ -194,7 +194,28 @@ class Switch:
     @property
     def share(self) -> float:
         """Share of the cycle in which it is on."""
-        return math.fsum(self._time(begin, end) for begin, end in self.on) / self.cycle
+        return self.total / self.cycle
+
+    @property
+    def total(self) -> float:
+        """What it is on for, in units of the cycle."""
+        return math.fsum(self.spans)
+
+    def seconds(self, speed: float) -> float:
+        """Return how long it is on in a cycle (s), the abscissa of which advances at ``speed``."""
+        return self.total / speed
+
+    @property
+    def spans(self) -> list[float]:
+        """How long each time of being on lasts."""
+        return [self._time(begin, end) for begin, end in self.on]
+
+    @property
+    def bars(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+        """From where to where each time of being on shows in the cycle: up to its end, and on from its begin."""
+        ends = [begin + span for (begin, _), span in zip(self.on, self.spans, strict=True)]
+        return [((begin, min(end, self.cycle)), (0.0, max(0.0, end - self.cycle)))
+                for (begin, _), end in zip(self.on, ends, strict=True)]  # fmt: skip
 
     def _time(self, begin: float, end: float) -> float:
         return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle

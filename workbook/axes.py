@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from engine.cams.course import Course
+from engine.timing import Switch
 
 
 @dataclass(frozen=True)
@@ -25,3 +26,12 @@ class CamAxis:
         """Units of y, y', y'' and y'''."""
         x, y = self.x_unit, self.y_unit
         return y, f"{y}/{x}", f"{y}/{x}²", f"{y}/{x}³"
+
+
+@dataclass(frozen=True)
+class CamSwitch:
+    """A switch over a cycle of the master, in the unit of its angles."""
+
+    name: str
+    switch: Switch
+    x_unit: str

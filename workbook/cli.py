@@ -159,6 +159,41 @@ def verify(
         raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper))
 
 
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
+]
+Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")]
+
+
+@app.command()
+def study(
+    path: Annotated[Path, typer.Argument(metavar="STUDY.toml", help="What varies, what must hold, what is best.")],
+    output: Annotated[
+        Path | None,
+        to("RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study."),
+    ] = None,
+    scheduler: Scheduler = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on with a study that was interrupted.")] = False,
+    pick: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="Build and verify the book of the N-th best design.")
+    ] = None,
+    jobs: Jobs = None,
+    unverified: Annotated[bool, typer.Option("--unverified", help="Do not verify the book of the best.")] = False,
+    force: Force = False,
+) -> None:
+    """Work out many designs of a machine: laws, angles, motors, reducers, any entry; find the best.
+
+    Writes the designs with their results, a page with the front, and what --pick needs. The engine works them out
+    without books; the best one is built and verified.
+
+    Exit code 0: there are feasible designs. 1: a design's book disagrees. 2: it cannot be done. 3: none is feasible.
+    """
+    from workbook.commands import study as studying
+
+    raise typer.Exit(studying.study(path, output, scheduler, jobs, resume, pick, unverified, force))
+
+
 @app.command()
 def inputs(
     book: Book,
@@ -188,7 +223,10 @@ def export(
     book: Book,
     to_target: Annotated[str, typer.Option("--to", metavar="TARGET", help=f"One of {', '.join(TARGETS)}.")],
     axis: Annotated[str | None, typer.Option(metavar="NAME", help="The axis to export.")] = None,
-    everything: Annotated[bool, typer.Option("--all", help="Export every axis; -o then names a folder.")] = False,
+    everything: Annotated[
+        bool, typer.Option("--all", help="Export every axis, and the switches; -o then names a folder.")
+    ] = False,
+    switches: Annotated[bool, typer.Option("--switches", help="Export the machine's switches.")] = False,
     output: Annotated[Path | None, to("FILE", "Where to write; else here, named like book and axis.")] = None,
     points: Annotated[
         str, typer.Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
@@ -221,14 +259,14 @@ def export(
 
     The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
     engine over the whole cycle. docs/controllers.md says which layout comes from which document, and what is untested;
-    no controller was run.
+    no controller was run. Switches go out where a document says how.
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """
     from workbook.commands import export as exporting
 
     asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified, equidistant)
-    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report))
+    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report, switches))
 
 
 Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]

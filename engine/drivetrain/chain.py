@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -216,11 +217,16 @@ class Mechanism:
         T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f by the rule of losses.
         """
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
-        found = [self.load.resisting(sign) + self.on_shaft(self.last) * a]
+        found = [self.load.resisting(sign) + self.carried[self.last] * a]
         for k in reversed(range(self.last)):
             driven = self.stages[k].before(found[0], sign, method)
-            found.insert(0, driven + self.on_shaft(k) * self.ratio_from(k) * a)
+            found.insert(0, driven + self.carried[k] * a)
         return found
+
+    @cached_property
+    def carried(self) -> tuple[float, ...]:
+        """J_k ω_k/v of each shaft: its torque (Nm, or N) per unit of the load's acceleration, of what it carries."""
+        return tuple(self.on_shaft(k) * self.ratio_from(k) for k in range(self.last + 1))
 
 
 def require_positive(where: str, **quantities: float) -> None:

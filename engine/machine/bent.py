@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise, repeat
 from typing import NamedTuple
@@ -90,7 +90,7 @@ def turned(angle: float, late: float, cycle: float) -> float:
 
 def going(piece: MotionPiece, u: float, fastest: float) -> float:
     """Return the direction of a motion, 1, −1, or 0 where it is next to nothing beside its largest |y'|."""
-    velocity = float(piece.at(np.array([u])).y1[0])
+    velocity = float(piece.derivative(1, np.array([u]))[0])
     return float(np.sign(velocity)) if abs(velocity) > LOST * fastest else 0.0
 
 
@@ -125,6 +125,7 @@ class BentPart:
     going: float
     largest: float
     fastest: float
+    _found: dict[tuple[str, int, float], float] = field(default_factory=dict, init=False, compare=False, repr=False)
 
     @property
     def factor(self) -> float:
@@ -133,7 +134,7 @@ class BentPart:
 
     def y(self, u: float | Array) -> Array:
         """Return the acceleration against what the load resists with (m/s² or rad/s²)."""
-        return np.asarray(self.factor * self.piece.at(np.asarray(u, dtype=np.float64)).y2)
+        return np.asarray(self.factor * self.piece.derivative(2, np.asarray(u, dtype=np.float64)))
 
     @cached_property
     def ends(self) -> tuple[float, float]:
@@ -198,7 +199,7 @@ class BentPart:
     @property
     def turns_back(self) -> bool:
         """Whether it moves against its direction at an end."""
-        v = self.going * self.piece.at(np.array([self.low, self.high])).y1
+        v = self.going * self.piece.derivative(1, np.array([self.low, self.high]))
         return bool(v.min() < -LOST * self.fastest)
 
     @property
@@ -231,35 +232,17 @@ class BentPart:
             return float(self.bends.drive.torques(0.0, 0.0)[1])
         return self.going * self.bends.shaft(1, float(-self.bends.sign * self.ends[end]))
 
-    def over(self, function: Callable[[Array, Array], Array], part: tuple[int, int], scale: float) -> float:
-        """Return the integral over the abscissa of a function of b and |y'| between two places, by their numbers."""
-        return sum(self._over(function, *both, scale) for both in pairwise(self.places[part[0] : part[1] + 1]))
-
-    def _over(self, function: Callable[[Array, Array], Array], one: float, other: float, scale: float) -> float:
-        low, high = sorted((one, other))
-        if not self.going or high <= low:
-            return 0.0
-
-        def value(u: Array) -> Array:
-            _, v, a, _ = self.piece.at(u)
-            return function(self.going * self.speed**2 * a, np.abs(v))
-
-        return integral(value, low, high, scale)
-
     def square(self, part: tuple[int, int], scale: float) -> float:
-        """Return ∫T² over the abscissa (Nm² rad)."""
-        way = self.bends
-        return self.over(lambda b, v: np.asarray(way.torques(b)) ** 2, part, scale)
+        """Return ∫T² over the abscissa (Nm² rad) between two places, by their numbers."""
+        return self._over("square", part, scale)
 
     def work(self, part: tuple[int, int], scale: float) -> float:
-        """Return ∫T dφ of the motor (J)."""
-        way, ratio = self.bends, self.bends.drive.mechanism.ratio
-        return self.over(lambda b, v: np.asarray(way.torques(b)) * ratio * v, part, scale)
+        """Return ∫T dφ of the motor (J) between two places."""
+        return self._over("work", part, scale)
 
     def cube(self, part: tuple[int, int], scale: float) -> float:
-        """Return ∫|S|³ |y'| over the abscissa, S behind the reducer."""
-        way = self.bends
-        return self.over(lambda b, v: np.abs(way.torques(b, 1)) ** 3 * v, part, scale)
+        """Return ∫|S|³ |y'| over the abscissa between two places, S behind the reducer."""
+        return self._over("cube", part, scale)
 
     def square_in_all(self, scale: float) -> float:
         """Return ∫T² over the abscissa, also at rest (Nm² rad)."""
@@ -272,3 +255,36 @@ class BentPart:
     def regenerated(self, scale: float) -> float:
         """Return the work that comes back to the motor (J)."""
         return -(self.work((1, 4), scale) if self.bends.sign > 0.0 else self.work((0, 1), scale))
+
+    def _over(self, figure: str, part: tuple[int, int], scale: float) -> float:
+        for k in range(*part):
+            if (figure, k, scale) not in self._found:
+                self._found[figure, k, scale] = self._between(figure, k, scale)
+        return sum(self._found[figure, k, scale] for k in range(*part))
+
+    def _between(self, figure: str, k: int, scale: float) -> float:
+        """Return an integral from a place to the next one, between which no torque bends."""
+        low, high = sorted(self.places[k : k + 2])
+        if not self.going or high <= low:
+            return 0.0
+        torque, ratio = self._line(low, high, 1 if figure == "cube" else 0), self.bends.drive.mechanism.ratio
+
+        def value(u: Array) -> Array:
+            if figure == "square":
+                return torque(u) ** 2
+            way = np.abs(self.piece.derivative(1, u))
+            return np.asarray(np.abs(torque(u)) ** 3 * way if figure == "cube" else torque(u) * ratio * way)
+
+        return integral(value, low, high, scale)
+
+    def _line(self, low: float, high: float, shaft: int) -> Callable[[Array], Array]:
+        """Return a torque in the direction of motion between two places, where it is straight over the acceleration.
+
+        Taken from well inside: a place is only known to some digits, and beside it the torque may have bent.
+        """
+        turn = self.going * self.speed**2
+        one, other = self.piece.derivative(2, np.array([low, high]))
+        begin, grown = 0.75 * one + 0.25 * other, 0.5 * (other - one)
+        first, last = self.bends.torques(turn * np.array([begin, begin + grown]), shaft).tolist()
+        slope = (last - first) / grown if grown else 0.0
+        return lambda u: np.asarray(first + slope * (self.piece.derivative(2, u) - begin))

@@ -41,16 +41,17 @@ class MotionPiece:
 
     def at(self, u: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at u."""
-        values = []
-        for order, coefficients in enumerate(self.derivatives):
-            y = np.zeros_like(u, dtype=np.float64)
-            for c in reversed(coefficients):
-                y = y * u + c
-            for a, w, phi in self.sines:
-                if a:
-                    y = y + a * w**order * np.sin(w * u + phi + order * np.pi / 2.0)
-            values.append(y)
-        return MotionValues(*values)
+        return MotionValues(*(self.derivative(order, u) for order in range(4)))
+
+    def derivative(self, order: int, u: Array) -> Array:
+        """Return the derivative of an order, 0 to 3, at u."""
+        y = np.zeros_like(u, dtype=np.float64)
+        for c in reversed(self.derivatives[order]):
+            y = y * u + c
+        for a, w, phi in self.sines:
+            if a:
+                y = y + a * w**order * np.sin(w * u + phi + order * np.pi / 2.0)
+        return y
 
     @cached_property
     def derivatives(self) -> list[tuple[float, ...]]:

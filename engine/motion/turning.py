@@ -101,11 +101,11 @@ class Turn(NamedTuple):
 
 def turn_of(piece: MotionPiece, lost: float) -> Turn:
     """Return where y' of a piece, monotone on it, loses its sign; ``lost`` is what counts as no sign."""
-    found = narrowed(lambda u: piece.at(u).y1, 0.0, piece.duration, lost)
-    return Turn(found, float(piece.at(np.array([found.place])).y[0]))
+    found = narrowed(lambda u: piece.derivative(1, u), 0.0, piece.duration, lost)
+    return Turn(found, float(piece.derivative(0, np.array([found.place]))[0]))
 
 
 def square_of(piece: MotionPiece) -> float:
     """Return ∫y''² over a piece, by Gauss's rule."""
     u = piece.duration * (NODES + 1.0) / 2.0
-    return float(WEIGHTS @ piece.at(u).y2 ** 2) * piece.duration / 2.0
+    return float(WEIGHTS @ piece.derivative(2, u) ** 2) * piece.duration / 2.0

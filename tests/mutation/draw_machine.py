@@ -7,6 +7,7 @@ from typing import Any, get_args
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
+from workbook.machines.machine.switching import TIMES
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
@@ -28,7 +29,20 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         )  # fmt: skip
         if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"])
+    for switch in data["switches"]:
+        switch["on"] = times(drawn)
     return data
+
+
+def times(drawn: random.Random) -> list[dict[str, Any]]:
+    """Return times of being on, the last of them at times across the end of the cycle; some are not entered."""
+    edges = sorted(drawn.uniform(0, 360) for _ in range(2 * drawn.randint(0, TIMES)))
+    if drawn.random() < 0.5:
+        edges = [*edges[1:], *edges[:1]]
+    found = [{"start": a, "stop": b} for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    if len(found) > 2 and drawn.random() < 0.5:
+        found[1] = {"start": None, "stop": None}
+    return found
 
 
 def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import repeat
 from typing import NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
@@ -73,6 +74,11 @@ class Place(NamedTuple):
         if self.rows_at:
             return [Address(sheet, self.row + offset, column) for offset in self.rows_at]
         return [Address(sheet, row, column) for row in range(first, first + self.rows)]
+
+    def plain(self, j: int) -> Iterator[tuple[str, int, int]]:
+        """Yield what is equal to the cells of a column, and made faster than addresses are."""
+        sheet, column, rows = self.strip(j, self.rows)
+        return zip(repeat(sheet), rows, repeat(column))
 
     def strip(self, j: int, rows: int) -> Strip:
         """Return so many cells of a column, from its first."""

@@ -8,11 +8,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as replaced
 from pathlib import Path
+from typing import Any
 
 from workbook import __version__
 from workbook import build as making
-from workbook.axes import CamAxis
+from workbook.axes import CamAxis, CamSwitch
 from workbook.build import write_text
+from workbook.commands import switching
+from workbook.commands.switching import Switched, switched, takes
 from workbook.controllers import certificates, files
 from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
@@ -91,11 +94,11 @@ def tolerated(text: str) -> tuple[str, float]:
 
 def export(
     book: Path, axis: str | None, asked: Asked, output: Path | None, everything: bool, force: bool, as_json: bool,
-    report: Path | None = None,
+    report: Path | None = None, switches: bool = False,
 ) -> int:  # fmt: skip
-    """Write an axis of a book, or every one, as a target's file; return the exit code."""
-    if (axis is None) != everything:
-        raise TargetError("expected either --axis NAME or --all")
+    """Write an axis of a book, its switches, or all of it as a target's files; return the exit code."""
+    if [axis is not None, everything, switches].count(True) != 1:
+        raise TargetError("expected either --axis NAME, --switches or --all")
     page.ready(report, (".html", ".htm"), force)
     if output is not None and not everything:
         refuse_itself(output, book)
@@ -104,34 +107,70 @@ def export(
     machine, mark = trusted(book, asked.unverified)
     if machine is None:
         return DISAGREES
-    axes = chosen(TEMPLATES[machine.template].axes(machine), axis, machine.template)
-    paths = places(book, axes, asked.target, output, everything)
+    template = TEMPLATES[machine.template]
+    axes = [] if switches else chosen(template.axes(machine), axis, machine.template)
+    lanes = asked_lanes(asked.target, template.switches(machine), switches, everything)
+    paths = places(book, [*(one.name for one in axes), *(["switches"] if lanes else [])], asked, output, everything)
     for path in paths:
         refuse_existing(path, force)
     refuse_one_for_two(*paths, report)
     with ERR.status("Exporting …"):
-        found = [exported(machine, one, asked, mark, path) for one, path in zip(axes, paths, strict=True)]
-    beyond = [one for one in found if asked.held and one.made.excess(asked.tolerance) > 1.0]
+        found = [exported(machine, one, asked, mark, path) for one, path in zip(axes, paths, strict=False)]
+        signs = asked.separator, asked.decimal
+        turned = switched(machine, lanes, asked.target, signs, mark, paths[-1]) if lanes else None
+    tell(found, turned, asked, as_json)
+    if missed(found, turned, asked):
+        return DISAGREES
+    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target,
+                                         turned.rows if turned else []), force)  # fmt: skip
+    files = [(one.path, one.text) for one in found] + ([(turned.path, turned.text)] if turned else [])
+    for path, text in files:
+        replace(path, lambda draft, text=text: write_text(draft, text), force)  # type: ignore[misc]
+        say(ERR if as_json else OUT, f"Wrote {path.absolute()}")
+    return AGREES
+
+
+def asked_lanes(target: Target, lanes: Sequence[CamSwitch], only: bool, everything: bool) -> Sequence[CamSwitch]:
+    """Return the switches to export: those asked for, and with every axis where the target takes some."""
+    if only:
+        takes(target, lanes)
+        return lanes
+    if not everything or not lanes:
+        return []
+    if target.tappets is None:
+        names = ", ".join(visible(one.name) for one in lanes)
+        say(ERR, f"{target.name} takes no switches: {names} stay in the book", "yellow")
+        return []
+    return lanes
+
+
+def tell(found: Sequence[Exported], turned: Switched | None, asked: Asked, as_json: bool) -> None:
+    """Print the certificates, what is untested, and what misses a tolerance that nobody asked for."""
+    target = asked.target
     if as_json:
-        told = [certificates.told(one.axis, one.made, asked.target, str(one.path)) for one in found]
+        told: list[Any] = [certificates.told(one.axis, one.made, target, str(one.path)) for one in found]
+        told += [switching.told(turned, target)] if turned else []
         say_data(f"{json.dumps(told, ensure_ascii=False, indent=1)}\n")
     else:
         for one in found:
-            certificates.show(OUT, one.axis, one.made, asked.target)
-    for claim in asked.target.untested:
+            certificates.show(OUT, one.axis, one.made, target)
+        if turned:
+            switching.show(OUT, turned, target)
+    for claim in (*(target.untested if found else ()), *(turned.tappets.untested if turned else ())):
         say(ERR, f"Untested: {claim.what} ({claim.source})")
     for one in found:
         if asked.points is None and not asked.held and one.made.excess(asked.tolerance) > 1.0:
             say(ERR, f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}: the best there is", "yellow")
-    for one in beyond:
-        say(ERR, f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}; nothing is written", "red")
-    if beyond:
-        return DISAGREES
-    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target), force)
-    for one in found:
-        replace(one.path, lambda draft, text=one.text: write_text(draft, text), force)  # type: ignore[misc]
-        say(ERR if as_json else OUT, f"Wrote {one.path.absolute()}")
-    return AGREES
+
+
+def missed(found: Sequence[Exported], turned: Switched | None, asked: Asked) -> bool:
+    """Tell what is beyond the tolerance that was asked for; whether anything is."""
+    lines = [f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}"
+             for one in found if asked.held and one.made.excess(asked.tolerance) > 1.0]  # fmt: skip
+    lines += turned.beyond if turned else []
+    for line in lines:
+        say(ERR, f"{line}; nothing is written", "red")
+    return bool(lines)
 
 
 def trusted(book: Path, unverified: bool) -> tuple[Machine | None, tuple[str, ...]]:
@@ -175,12 +214,13 @@ def chosen(axes: Sequence[CamAxis], name: str | None, template: str) -> list[Cam
     return found
 
 
-def places(book: Path, axes: Sequence[CamAxis], target: Target, output: Path | None, everything: bool) -> list[Path]:
+def places(book: Path, what: Sequence[str], asked: Asked, output: Path | None, everything: bool) -> list[Path]:
     """Return where each axis is written: the file that is named, or beside one another in the folder that is."""
     if output is not None and not everything:
         return [output]
-    names = [f"{book.stem}-{slug(one.name)}{target.suffix}" for one in axes]
-    twice = next((name for name in names if names.count(name) > 1), None)
+    names = [f"{book.stem}-{slug(name)}{asked.target.suffix}" for name in what]
+    like = [name.casefold() for name in names]
+    twice = next((name for name in names if like.count(name.casefold()) > 1), None)
     if twice:
         raise TargetError(f"two axes would be written to {twice}; expected --axis NAME -o FILE for each")
     return [(output or Path()) / name for name in names]

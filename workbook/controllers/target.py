@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,9 @@ from engine.cams.course import Course
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, Number
 from workbook.controllers.table import Table
+
+if TYPE_CHECKING:
+    from workbook.controllers.tappets import Tappets
 
 Certainty = Literal["documented", "probable", "untested"]
 Spacing = Literal["free", "equal", "breaks"]
@@ -73,6 +76,8 @@ class Target:
     tolerance: tuple[str, float] = ("a", 0.01)
     exact: Callable[[Course], NDArray[np.bool_]] | None = None
     built: Callable[[Course, Array, tuple[float, float]], Table] | None = None
+    tappets: Tappets | None = None
+    """how it takes switches; None where its format has none, or no document at hand tells how"""
 
     @property
     def untested(self) -> tuple[Claim, ...]:

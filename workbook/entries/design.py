@@ -42,7 +42,7 @@ def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], e
     """
     replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []
-    tried = data
+    tried = data = model.spelled(data)
     for turn in range(MOST_ROUNDS):
         machine, found = attempted(model, check, tried)
         if machine is not None:

@@ -87,6 +87,14 @@ class Match:
                 self.columns.append(Column(block.name, j, len(pairs)))
                 self.strips.append(place.strip(j, len(pairs)))
 
+    def by_column(self) -> Iterator[list[Pair]]:
+        """Yield the pairs of each of ``columns`` that has any."""
+        begin = 0
+        for column in self.columns:
+            if column.rows:
+                yield self.pairs[begin : begin + column.rows]
+            begin += column.rows
+
     @cached_property
     def numbers(self) -> dict[Address, int]:
         """The place of each declared cell among ``pairs``."""
@@ -140,9 +148,11 @@ class Match:
 
     def strays(self) -> set[Address]:
         """Return the cells outside of all blocks, and no heading of theirs, to which some formula refers."""
-        contents = self.file.contents
-        held = (*contents.constants, *contents.formula_cells)
-        return contents.read([address for address in held if address not in self._held_index])
+        contents, places = self.file.contents, self._places
+        covered = {cell for place in places.values() for j in range(place.columns) for cell in place.plain(j)}
+        heads = [(place, -self._header_above(name)) for name, place in places.items()]
+        covered |= {place.cell(up, j) for place, up in heads for j in range(place.columns)}
+        return contents.read([a for a in (*contents.constants, *contents.formula_cells) if a not in covered])
 
     def declared_shape(self, pair: Pair) -> str:
         """Return the shape of the formula that is declared for a cell."""
@@ -184,22 +194,23 @@ class Match:
 
     @cached_property
     def _held_index(self) -> dict[Address, tuple[str, int, int]]:
-        places = {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
-        return cell_index(places, self._header_above)
+        return cell_index(self._places, self._header_above)
+
+    @cached_property
+    def _places(self) -> dict[str, Place]:
+        return {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
 
     def _header_above(self, name: str) -> int:
         """Return how many rows above a block of the file its header stands: rows may lie between."""
         block, place = self.declared.blocks[name], self.file.places[name]
         line = [self._texts.get((block.sheet.title, block.row - 1, column)) for column in block.columns.values()]
-        rows = {up: [self.file.value(place.cell(-up, j)) for j in range(place.columns)]
-                for up in range(1, min(MOST_BETWEEN, place.row))}  # fmt: skip
-        own = (
-            up
-            for up, held in rows.items()
-            if any(text and text == other for text, other in zip(line, held, strict=True))
-        )
-        any_text = (up for up, held in rows.items() if any(isinstance(value, str) for value in held))
-        return next(own, next(any_text, 1))
+        any_text = 0
+        for up in range(1, min(MOST_BETWEEN, place.row)):
+            held = [self.file.value(place.cell(-up, j)) for j in range(place.columns)]
+            if any(text and text == other for text, other in zip(line, held, strict=True)):
+                return up
+            any_text = any_text or (up if any(isinstance(value, str) for value in held) else 0)
+        return any_text or 1
 
     @cached_property
     def headless(self) -> set[str]:

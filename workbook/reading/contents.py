@@ -5,7 +5,8 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from datetime import date, datetime, time, timedelta
-from typing import Any
+from functools import cached_property
+from typing import Any, NamedTuple
 
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
@@ -18,6 +19,13 @@ from workbook.book.columns import Formulas, Moved, Moving, Pattern
 from workbook.book.formula import REFERENCE, Area, Formula, FormulaError, anchored, reference
 
 Cells = dict[Address, Any]
+
+
+class Patterns(NamedTuple):
+    """Formulas by their patterns, each with the rows in which it stands, and those that have none."""
+
+    patterns: list[tuple[Pattern, list[int]]]
+    others: list[Formula]
 
 
 class Contents:
@@ -51,8 +59,13 @@ class Contents:
         wanted: dict[tuple[str, int], list[int]] = {}
         for sheet, row, column in sorted(cells):
             wanted.setdefault((sheet, column), []).append(row)
-        formulas = self.formulas.values() if by is None else [self.formulas[a] for a in by if a in self.formulas]
-        return set(cells_of(formulas, wanted))
+        told = self.patterns if by is None else by_pattern(self.formulas[a] for a in by if a in self.formulas)
+        return set(cells_of(told, wanted))
+
+    @cached_property
+    def patterns(self) -> Patterns:
+        """The patterns of all formulas."""
+        return by_pattern(self.formulas.values())
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
         """Return those of ``cells``, all of them formulas, on which the formulas in the cells ``by`` depend.
@@ -112,10 +125,10 @@ class Contents:
         self.arrays |= dict.fromkeys(area.cells(), text)
 
 
-def cells_of(formulas: Iterable[Formula | Moved], wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
     """Yield the cells that formulas refer to among ``wanted``, the sorted rows of each column of a sheet."""
     areas: set[Area] = set()
-    patterns, others = by_pattern(formulas)
+    patterns, others = formulas
     for formula in others:
         areas |= {a for a in formula.arguments if isinstance(a, Area)}
     for pattern, rows in patterns:
@@ -130,7 +143,7 @@ def cells_of(formulas: Iterable[Formula | Moved], wanted: Mapping[tuple[str, int
         yield from within(area, wanted)
 
 
-def by_pattern(formulas: Iterable[Formula | Moved]) -> tuple[list[tuple[Pattern, list[int]]], list[Formula]]:
+def by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
     """Return each pattern of formulas with the rows in which it stands, and the formulas that have none."""
     patterns: dict[int, tuple[Pattern, list[int]]] = {}
     others = []
@@ -141,7 +154,7 @@ def by_pattern(formulas: Iterable[Formula | Moved]) -> tuple[list[tuple[Pattern,
             known[1].append(row)
         else:
             others.append(formula)
-    return list(patterns.values()), others
+    return Patterns(list(patterns.values()), others)
 
 
 def met(

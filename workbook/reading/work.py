@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
-from workbook.book.columns import Moved, Moving, Pattern
-from workbook.book.formula import Area, Formula
+from workbook.book.columns import Moving, Pattern
+from workbook.book.formula import Area
 from workbook.errors import ReadError
-from workbook.reading.contents import by_pattern
+from workbook.reading.contents import Patterns
 from workbook.reading.files import BookFile
 
 MOST = 500_000_000
@@ -17,15 +15,15 @@ intervals with 60 rows in each table of entries"""
 
 def require_little_work(file: BookFile) -> None:
     """Raise ReadError, in one line, where the formulas of a file read more cells than any book's."""
-    read = cells_read(file.contents.formulas.values())
+    read = cells_read(file.contents.patterns)
     if read > MOST:
         raise ReadError(f"{file.path}: its formulas read {read:,} cells together; at most {MOST:,} are expected: "
                         "shorten their ranges")  # fmt: skip
 
 
-def cells_read(formulas: Iterable[Formula | Moved]) -> int:
+def cells_read(formulas: Patterns) -> int:
     """Return how many cells formulas read together, a cell counted as often as it is read."""
-    patterns, others = by_pattern(formulas)
+    patterns, others = formulas
     read = sum(a.size for formula in others for a in formula.arguments if isinstance(a, Area))
     for pattern, rows in patterns:
         fixed, growing = parted(pattern)

@@ -17,20 +17,24 @@ from workbook.reports.plot import Line, plot
 
 FLOOR = 1e-12  # of the peak: what is less is drawn there
 SAMPLES = 1441  # of a picture
+SWITCHED = ("switch", "edges", "an edge is off by", "at", "state differs for")
 HEADINGS = ("", "largest error", "unit", "of the peak", "at x", "added jump")
 
 
-def page(found: Sequence[tuple[CamAxis, Made]], target: Target) -> str:
-    """Return the page of the axes that were exported to a target."""
+def page(found: Sequence[tuple[CamAxis, Made]], target: Target, switches: Sequence[Sequence[str]] = ()) -> str:
+    """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
     title = f"Cam tables for {target.title}"
     how = (
         f"motionbook {workbook.__version__}. Each file was read back by an independent reader, the motion rebuilt by "
         "the target's rule and compared with the engine over the whole cycle. No controller was run."
     )
     body = [e("h1", title), e("p", how, css="quiet")]
-    body += [e("p", f"{claim.certainty}: {claim.what} ({claim.source})") for claim in target.claims]
+    claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
+    body += [e("p", f"{claim.certainty}: {claim.what} ({claim.source})") for claim in claims]
     for axis, made in found:
         body += section(axis, made, target)
+    if switches:
+        body += [e("h2", "Switches"), table(SWITCHED, switches, (1, 2, 3, 4))]
     return document(title, body)
 
 

@@ -6,6 +6,7 @@ from workbook.controllers.number import LREAL, literal
 from workbook.controllers.structured import comments, grouped, points, rows
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.tracks.codesys import TAPPETS
 
 FIELDS = ("dX", "dY", "dV", "dA")
 HELP = "CODESYS help, SM3_Basic, MC_CAM_REF"
@@ -48,4 +49,5 @@ TARGET = Target(
         Claim("the members of SMC_CAMXYVA are LREAL", "probable", "no document at hand says it"),
     ),
     points=(2, 32_767),
+    tappets=TAPPETS,
 )  # fmt: skip

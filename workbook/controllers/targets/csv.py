@@ -8,6 +8,7 @@ from workbook.controllers.number import LREAL
 from workbook.controllers.table import SPLINES, Table
 from workbook.controllers.target import Claim, Handed, Target
 from workbook.controllers.text import joined, numbers
+from workbook.controllers.tracks.csv import TAPPETS
 
 WIDTHS = (2, 3, 4, 5)
 
@@ -41,4 +42,5 @@ TARGET = Target(
     ),
     plain=SPLINES,
     signs=("separator", "decimal"),
+    tappets=TAPPETS,
 )  # fmt: skip

@@ -14,6 +14,7 @@ from engine.cams.segments import straight
 from workbook.controllers.number import REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.tracks.rockwell import TAPPETS
 from workbook.controllers.xml import parsed
 from workbook.errors import TargetError
 
@@ -170,4 +171,5 @@ TARGET = Target(
     number=REAL,
     points=(2, 10_000),
     exact=straight,
+    tappets=TAPPETS,
 )  # fmt: skip

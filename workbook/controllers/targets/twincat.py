@@ -5,6 +5,7 @@ from __future__ import annotations
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.tracks.twincat import TAPPETS
 
 FIELDS = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
 INFOSYS = "Beckhoff Infosys, TF5050 TC3 NC Camming"
@@ -52,4 +53,5 @@ TARGET = Target(
               "as one public generator writes them"),
     ),
     points=(2, 65_535),
+    tappets=TAPPETS,
 )  # fmt: skip

@@ -26,10 +26,12 @@ class Blanks:
     def __init__(self, match: Match, rules: dict[str, Rules], torn: bool = False) -> None:
         self._match, self._torn = match, torn
         self._declared: dict[str, list[Placed]] = {}
+        self._ruled: dict[str, set[str]] = {}
         self.known: set[int] = set()
         """the rules that are declared ones, by their identity"""
         for block in match.declared.blocks.values():
             place = match.file.places.get(block.name)
+            self._ruled[block.name] = {q.name for q in block.blanked}
             if block.blanked and place is not None and place.sheet in rules:
                 found = list(self._found(block, rules))
                 self._declared[block.name] = found
@@ -50,7 +52,7 @@ class Blanks:
 
     def allow(self, block: Block, quantity: str, at: Address, code: str) -> bool:
         """Whether a number format that a rule gives to a cell of a table is that of the table's declared rule."""
-        ruled = any(q.name == quantity for q in block.blanked)
+        ruled = quantity in self._ruled[block.name]
         if self._torn:
             return ruled and hides(code)
         return ruled and any(one.covers(at.row, at.column) and code_of(one.rule) == code

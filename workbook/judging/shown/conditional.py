@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -35,6 +35,8 @@ ALWAYS = {"notContainsBlanks": True, "containsBlanks": False, "containsErrors": 
           "timePeriod": False, "top10": False, "aboveAverage": False, "colorScale": False, "dataBar": False,
           "iconSet": False}  # fmt: skip
 """of a text"""
+NOTHING = ";;;"
+"""a number format that shows nothing of anything"""
 
 
 @dataclass(frozen=True)
@@ -73,13 +75,14 @@ class Rules:
         self._sheet, self._known = sheet.title, known
         self._placed = sorted(placed(sheet), key=lambda p: p.rule.priority or 0)
         self.formats = [(p, code) for p in self._placed if (code := code_of(p.rule))]
-        self._formats: dict[int, list[tuple[Placed, str]]] = {}  # of a column
 
-    def formats_of(self, at: Address, value: Any) -> Iterator[str]:
-        """Yield the number formats that rules give to a cell, those included of which that cannot be told."""
-        formats = self._formats.get(at.column)
-        if formats is None:
-            formats = self._formats[at.column] = [(p, code) for p, code in self.formats if p.within(at.column)]
+    def formats_within(self, column: int, top: int, bottom: int) -> list[tuple[Placed, str]]:
+        """Return the rules that give number formats to some of the rows of a column."""
+        return [(one, code) for one, code in self.formats
+                if any(low <= bottom and top <= high for low, high in one.within(column))]  # fmt: skip
+
+    def formats_of(self, formats: Iterable[tuple[Placed, str]], at: Address, value: Any) -> Iterator[str]:
+        """Yield the number formats that rules of ``formats`` give to a cell, or may."""
         for one, code in formats:
             if one.covers(at.row, at.column) and self.applies(one, at, value) is not False:
                 yield code
@@ -147,7 +150,9 @@ class Rules:
 
 
 def code_of(rule: Rule) -> str:
-    """Return the number format that a rule gives, if it gives any."""
+    """Return the number format that a rule gives, if it gives any; of bars or icons alone, one that shows nothing."""
+    if any(sign is not None and sign.showValue is False for sign in (rule.dataBar, rule.iconSet)):
+        return NOTHING
     form = rule.dxf.numFmt if rule.dxf is not None else None
     return str(form.formatCode or "") if form is not None else ""
 

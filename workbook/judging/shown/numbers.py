@@ -20,26 +20,27 @@ def numbers(match: Match, values: Cells, rules: dict[str, Rules], report: Report
     blanks.gone(report)
     zeros = {title for title, sheet in sheets.items() if sheet.sheet_view.showZeros is False}
     codes: dict[int, str] = {}
-    for pair in match.pairs:
-        cell = match.file.cell(pair.address)
-        if cell is None:
-            continue
-        key = getattr(cell, "_style").numFmtId  # noqa: B009 - the stubs hide it; number_format looks it up each time
-        code = codes.get(key)
-        if code is None:
-            code = codes[key] = cell.number_format
-        title = pair.address.sheet
-        conditional = rules[title].formats
-        if plain(code) and title not in zeros and not conditional:
-            continue
-        value = values.get(pair.address, pair.held)
-        said = "hidden with all zeros" if value == 0 and value is not False and title in zeros else ""
-        said = said or wrong(pair, value, code)
-        for held in rules[title].formats_of(pair.address, value):
-            if not blanks.allow(pair.cell.block, pair.cell.quantity.name, pair.address, held):
-                said = said or wrong(pair, value, held)
-        if said:
-            report.say(pair.address, "shown", f"{shown(value)}, {said}", shown(value), pair.what)
+    for pairs in match.by_column():
+        title, number = pairs[0].address.sheet, pairs[0].address.column
+        formats = rules[title].formats_within(number, pairs[0].address.row, pairs[-1].address.row)
+        for pair in pairs:
+            cell = match.file.cell(pair.address)
+            if cell is None:
+                continue
+            key = getattr(cell, "_style").numFmtId  # noqa: B009 - the stubs hide it; number_format looks it up anew
+            code = codes.get(key)
+            if code is None:
+                code = codes[key] = cell.number_format
+            if not formats and plain(code) and title not in zeros:
+                continue
+            value = values.get(pair.address, pair.held)
+            said = "hidden with all zeros" if value == 0 and value is not False and title in zeros else ""
+            said = said or wrong(pair, value, code)
+            for held in rules[title].formats_of(formats, pair.address, value):
+                if not blanks.allow(pair.cell.block, pair.cell.quantity.name, pair.address, held):
+                    said = said or wrong(pair, value, held)
+            if said:
+                report.say(pair.address, "shown", f"{shown(value)}, {said}", shown(value), pair.what)
 
 
 def wrong(pair: Pair, value: Any, code: str) -> str:

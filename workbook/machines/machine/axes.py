@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from engine.cams.course import course_of_motion, turned
-from workbook.axes import CamAxis
+from engine.timing import Switch
+from workbook.axes import CamAxis, CamSwitch
+from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown
 from workbook.laws.library import laws
 from workbook.machines.machine.entries import AnyMachine
@@ -19,3 +21,12 @@ def cam(one: MovingAxis) -> CamAxis:
     """Return an axis as a controller can be given it."""
     told = course_of_motion(one.motion, shown(1.0, DEGREE), shown(1.0, one.unit))
     return CamAxis(one.given.name, turned(told, one.given.shift), "°", one.given.unit, one.axis.closes)
+
+
+def switches(machine: AnyMachine) -> list[CamSwitch]:
+    """Return the switches of a machine, over the degrees of its master shaft."""
+    found = []
+    for one in machine.switches:
+        on = tuple((time.start, time.stop) for time in one.on if time.start is not None and time.stop is not None)
+        found.append(CamSwitch(one.name, Switch(one.name, on, TURN), "°"))
+    return found

@@ -19,7 +19,7 @@ def cycle_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     sheet = book.sheet("Cycle", "Every axis over one turn of the master shaft, sample by sample; what charts show.")
     samples = len(machine.angles)
     columns = [column for one in axes for column in results(one)]
-    lanes = [in_lane(one, len(axes)) for one in axes]
+    lanes = [in_lane(one, len(axes) + len(machine.lanes)) for one in axes]
     workings = [column for one in axes for column in found(one)]
     sheet.table(
         "cycle", "The axes over the master angle", samples,

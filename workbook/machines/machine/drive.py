@@ -36,9 +36,8 @@ RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)
 UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
 
-def drive_sheet(book: Book, one: AxisRows) -> None:
+def drive_sheet(book: Book, one: AxisRows, driven: Driven) -> None:
     """Declare the sheet."""
-    driven = Driven(one.axis, one.machine.machine.selection)
     view = Stretched(one, driven)
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Annotated, Literal, Self
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -30,6 +30,7 @@ from workbook.machines.machine.chain import (
     MechanismEntry,
     Reducer,
 )
+from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
 from workbook.selection.entries import Products, SelectionSizes, require_room
@@ -94,12 +95,20 @@ class AnyMachine(Machine):
     template: Literal["machine"] = "machine"
     master: Master
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
+    switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
     selection: Products = Products()
     sizes: SelectionSizes = SelectionSizes()
+
+    @classmethod
+    def spelled(cls, data: Any) -> Any:
+        """Return a description whose switches tell the keys of their times."""
+        known = isinstance(data, Mapping) and "switches" in data
+        return {**data, "switches": spelled(data["switches"])} if known else data
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         require_distinct((axis.name for axis in self.axes), "axis", "axes.{}.name")
+        require_distinct((switch.name for switch in self.switches), "switch", "switches.{}.name")
         require_room(self.selection, self.sizes)
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):

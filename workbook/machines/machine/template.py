@@ -8,7 +8,7 @@ from workbook.drive.in_short import InShort, axes_in_short
 from workbook.entries.rules import limits
 from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.machine.axes import axes
+from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.cycle import cycle_sheet
@@ -16,10 +16,11 @@ from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
+from workbook.machines.machine.studied import SCALING
+from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
-from workbook.selection.entries import Products
 from workbook.template import Template, finish
 
 
@@ -29,7 +30,8 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    driven = [one for one in rows if one.axis.given.mechanism and one.axis.given.motor]
+    drives = {axis.number: Driven(axis, given.selection)
+              for axis in machine.axes if axis.given.mechanism and axis.given.motor}  # fmt: skip
     sheet = summary_sheet(
         book,
         given,
@@ -40,28 +42,32 @@ def declare(given: AnyMachine) -> Book:
         ],
     )  # fmt: skip
     axes_in_short(
-        sheet, [in_short(axis, given.selection) for axis in machine.axes], joined(machine, si=False), joined(machine)
+        sheet,
+        [in_short(axis, drives.get(axis.number)) for axis in machine.axes],
+        joined(machine, si=False),
+        joined(machine),
     )
     timing_sheet(book, machine, rows)
+    switches_sheet(book, machine)
     book.name("axes", axis_name="name")
-    for one in driven:
-        drive_sheet(book, one)
+    for one in rows:
+        if one.axis.number in drives:
+            drive_sheet(book, one, drives[one.axis.number])
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
-    pieces_sheet(book, rows, bool(driven))
+    pieces_sheet(book, rows, bool(drives))
     return finish(book, "Machine", ("S1", "S3"))
 
 
-def in_short(axis: MovingAxis, products: Products) -> InShort:
-    """Return what the first sheet tells of an axis."""
+def in_short(axis: MovingAxis, driven: Driven | None) -> InShort:
+    """Return what the first sheet tells of an axis, and of its drive if it has one."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
-    motor = axis.given.mechanism and axis.given.motor
-    if not motor:
+    if driven is None:
         return found
-    driven = Driven(axis, products)
-    return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=motor.name,
+    name = axis.given.motor.name if axis.given.motor else ""
+    return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=name,
                           ratio=driven.reducer.ratio)  # fmt: skip
 
 
@@ -77,4 +83,6 @@ TEMPLATE = Template(
     laid_out=laid_out,
     fixed=fixed,
     axes=axes,
+    scaling=SCALING,
+    switches=switches,
 )

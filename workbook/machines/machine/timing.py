@@ -5,6 +5,7 @@ from __future__ import annotations
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.units import shown
+from workbook.machines.machine.lanes import named
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.phases import axis_checks, phases_table
 from workbook.machines.machine.view import MovingAxis, Whole, unit_name
@@ -93,11 +94,16 @@ def outward(axis: MovingAxis, formula: str) -> str:
 
 def draw_diagram(sheet: Sheet, machine: Whole) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
-    n = len(machine.axes)
-    lines = tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.lane{i}]") for i in range(1, n + 1))
+    n = len(machine.axes) + len(machine.lanes)
+    lines = [Series(f"=axis{a.number}_name", "[cycle.theta]", f"[cycle.lane{a.number}]") for a in machine.axes]
+    lines += [
+        Series(f"={named(one.number)}", f"[switch_lanes.x{one.number}]", f"[switch_lanes.y{one.number}]")
+        for one in machine.lanes
+    ]
+    switches, bars = (", then switches", ", bars where a switch is on") if machine.lanes else ("", "")
     chart = Chart(
-        "Timing diagram", "master angle θ [°]", "axes, the first at the top", lines,
-        "Timing diagram: rises, rests and returns of each axis over one turn of the master shaft",
+        "Timing diagram", "master angle θ [°]", f"axes{switches}, the first at the top", tuple(lines),
+        f"Timing diagram: rises, rests and returns of each axis over one turn of the master shaft{bars}",
         (0, 360, 30), (0, n, 1), hide_y=True,
     )  # fmt: skip
     sheet.chart(chart, column=CHART_COLUMN, row=5, width=8, height=max(21, 6 + n + n))

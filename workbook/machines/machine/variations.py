@@ -8,6 +8,7 @@ from typing import Any
 from workbook.laws.variations import SIX, factors, law_for, page_of, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.switching import TIMES
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
@@ -43,7 +44,25 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
         if driven:
             drive(axis, i, k, sizes["rotors"], data["selection"])
+    for i, switch in enumerate(data["switches"]):
+        switch["on"] = times(i, k)
     return data
+
+
+def times(i: int, k: int) -> list[dict[str, float | None]]:
+    """Return times of being on: up to the table's last, one across the end, one not entered; always on, and never."""
+    if (i + k) % SIX in (1, 4):
+        return [{"start": 0.0, "stop": 360.0}] if (i + k) % SIX == 1 else []
+    found: list[dict[str, float | None]] = [
+        {
+            "start": (60.0 * t + 17.0 * k + 3.5 * i + 40.0) % 360,
+            "stop": (60.0 * t + 17.0 * k + 3.5 * i + 71.25 + k) % 360,
+        }
+        for t in range(TIMES if k == 0 else 1 + (i + k) % 4)
+    ]
+    if len(found) > 2:
+        found[1] = {"start": None, "stop": None}
+    return found
 
 
 def drive(axis: dict[str, Any], i: int, k: int, room: int, products: dict[str, Any]) -> None:

@@ -17,6 +17,8 @@ from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, shown, si
 from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
+from workbook.machines.machine.lanes import Lane, named
+from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry
 
 UNITS = {"mm": MM, "°": DEGREE}
 MARKS = {"mm": "mm", "°": "deg"}
@@ -120,6 +122,7 @@ class Whole:
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
         self.machine = machine
         self.axes = [MovingAxis(a, i, library, self.speed) for i, a in enumerate(machine.axes, 1)]
+        self.lanes = [Lane(one, i) for i, one in enumerate(machine.switches, 1)]
 
     @property
     def time(self) -> float:
@@ -166,7 +169,13 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
         if units:
             drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
             axes.append(machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": []} | drive))
-    return machine.model_copy(update={"axes": axes or machine.axes})
+    told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
+    return machine.model_copy(update={"axes": axes or machine.axes, "switches": told})
+
+
+def switch_names(names: Container[str]) -> list[str]:
+    """Return the names of the cells that tell what each switch of a file is called."""
+    return [name for name in map(named, range(1, MOST_SWITCHES + 1)) if name in names]
 
 
 LEAST = chain.AxisLoad()
@@ -187,6 +196,7 @@ def kind_name(number: int, kind: str) -> str:
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
     found: dict[str, Any] = {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
+    found |= {f"switches.{i}.on": [] for i in range(len(machine.switches))}
     for i, axis in enumerate(machine.axes):
         if axis.mechanism:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}

@@ -1,0 +1,75 @@
+"""How far a switch is from the one that is meant: its edges, and for how much of the cycle their states differ."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.timing import Switch
+
+SAME = 1e-12
+"""of the cycle: edges so near to each other are one"""
+
+
+class Differing(NamedTuple):
+    """The edges of the switch that is meant, how far an edge is off at most, and where; for how long states differ.
+
+    Without an edge of its kind on the other side, an edge is off by infinity. All in units of the cycle.
+    """
+
+    edges: int
+    largest: float
+    x: float
+    apart: float
+
+
+def differing(meant: Switch, found: Switch) -> Differing:
+    """Return how a switch differs from the one that is meant, of the same cycle.
+
+    A time that goes on where another ends has no edge there, nor one that is always on. Raises ValueError for cycles
+    that differ.
+    """
+    if not math.isclose(meant.cycle, found.cycle):
+        raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
+    cycle, here, there = meant.cycle, edges(meant), edges(found)
+    off = [Differing(0, *each, 0.0) for one, other in zip(here, there, strict=True)
+           for each in [*farthest(one, other, cycle), *farthest(other, one, cycle)]]  # fmt: skip
+    worst = max(off, key=lambda one: one.largest, default=Differing(0, 0.0, 0.0, 0.0))
+    marks = np.unique([0.0, cycle, *(x for each in (*here, *there) for x in each)])
+    middles = 0.5 * (marks[1:] + marks[:-1])
+    apart = float(np.sum(np.diff(marks)[meant.at(middles) != found.at(middles)]))
+    return worst._replace(edges=sum(map(len, here)), apart=apart)
+
+
+def edges(of: Switch) -> tuple[list[float], list[float]]:
+    """Return where a switch goes on, and where it goes off, each in rising order."""
+    begins = sorted(begin % of.cycle for begin, _ in of.on)
+    ends = sorted((begin + span) % of.cycle for (begin, _), span in zip(of.on, of.spans, strict=True))
+    for begin in list(begins):
+        for end in ends:
+            if apart(begin, end, of.cycle) <= SAME * of.cycle:
+                begins.remove(begin)
+                ends.remove(end)
+                break
+    return begins, ends
+
+
+def apart(one: float, other: float, cycle: float) -> float:
+    """Return the distance of two places of a cycle."""
+    way = abs(one - other) % cycle
+    return min(way, cycle - way)
+
+
+def farthest(of: list[float], to: list[float], cycle: float) -> list[tuple[float, float]]:
+    """Return by how much each place is off from the nearest of others, and the place."""
+    return [(min((apart(x, other, cycle) for other in to), default=math.inf), x) for x in of]
+
+
+def together(on: list[tuple[float, float]], cycle: float) -> list[tuple[float, float]]:
+    """Return times in rising order, of which one that ends with the cycle goes on with the one that begins with it."""
+    times = sorted(on)
+    if len(times) > 1 and times[0][0] == 0.0 and times[-1][1] == cycle:
+        times = [*times[1:-1], (times[-1][0], times[0][1])]
+    return times

@@ -1,0 +1,229 @@
+"""Switches to controllers: golden files, parsers that share nothing with the readers, damaged files, the command."""
+
+import json
+import re
+from itertools import pairwise
+from pathlib import Path
+from xml.dom import minidom
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from engine.cams.switched import differing
+from engine.timing import Switch
+from tests.workbook.controllers.examples import TEXT
+from workbook.axes import CamSwitch
+from workbook.build import build
+from workbook.controllers.names import TARGETS
+from workbook.controllers.registry import target
+from workbook.controllers.tappets import MOST_OFF, HandedTracks, certified, tracks
+from workbook.errors import TargetError
+from workbook.reading.entries import read_machine
+
+GOLDEN = Path(__file__).parent / "golden"
+TAKING = [name for name in TARGETS if target(name).tappets]
+NUMBER = r"(-?\d+\.?\d*(?:[eE]-?\d+)?)"
+
+
+def switch(name, *on):
+    return CamSwitch(name, Switch(name, on, 360.0), "°")
+
+
+LANES = (
+    switch("Valve 3", (20.0, 95.0), (200.1, 215.0)), switch("Film -- sensor", (345.0, 15.0)), switch("Never"),
+    switch("On", (0.0, 360.0)), switch("From 360", (360.0, 10.0)), switch("To 0", (350.0, 0.0)),
+)  # fmt: skip
+MEANT = {
+    1: [(20.0, 95.0), (200.1, 215.0)],
+    2: [(345.0, 15.0)],
+    4: [(0.0, 360.0)],
+    5: [(0.0, 10.0)],
+    6: [(350.0, 360.0)],
+}
+
+
+def written(name, lanes=LANES):
+    one = target(name).tappets
+    return one.write(HandedTracks(tracks(lanes, one), "Switches", ("an example",)))
+
+
+def by_dom(text):
+    """The elements of an OUTPUT_CAM tag, by another parser; two that meet at the end of the turn are one."""
+    found = {}
+    for one in minidom.parseString(text).getElementsByTagName("Structure"):
+        held = {m.getAttribute("Name"): m.getAttribute("Value") for m in one.getElementsByTagName("DataValueMember")}
+        ends = round(float(held["Left"]), 4), round(float(held["Right"]), 4)
+        found.setdefault(int(held["OutputBit"]) + 1, []).append(ends)
+    found[2] = [(found[2][0][0], found[2][1][1])]
+    return found
+
+
+def by_pattern(pattern):
+    def parser(text):
+        found = {}
+        for number, *ends in re.findall(pattern, text):
+            found.setdefault(int(float(number)), []).append(tuple(map(float, ends)))
+        return found
+
+    return parser
+
+
+PARSERS = {
+    "csv": by_pattern(rf"(?m)^(\d+);{NUMBER};{NUMBER}\r$"),
+    "codesys": by_pattern(rf"TrackNumber := (\d+), FirstOnPosition := {NUMBER}, LastOnPosition := {NUMBER}, Axis"),
+    "twincat": by_pattern(rf"_(\d+)_S\[\d+\]\.FirstOnPosition := {NUMBER}; \S+LastOnPosition := {NUMBER};"),
+    "rockwell": by_dom,
+}
+
+
+@pytest.mark.parametrize("name", TAKING)
+def test_a_file_is_what_it_was(name):
+    found = written(name).encode()
+    assert found == (GOLDEN / f"{name}-switches{target(name).suffix}").read_bytes()
+    assert found == written(name).encode()
+
+
+@pytest.mark.parametrize("name", TAKING)
+def test_another_parser_finds_the_times(name):
+    assert PARSERS[name](written(name)) == MEANT
+
+
+@pytest.mark.parametrize("name", TAKING)
+def test_what_is_read_back_is_what_was_meant(name):
+    one = target(name).tappets
+    back = one.read(written(name))
+    assert [track.name for track in back][:3] == ["Valve 3", "Film - - sensor" if name == "rockwell" else LANES[1].name,
+                                                  "Never"]  # fmt: skip
+    off = certified(LANES, back)
+    assert [each.edges for each in off] == [4, 2, 0, 0, 2, 2]
+    assert max(each.largest for each in off) == pytest.approx(6.1e-6 if name == "rockwell" else 0.0, abs=1e-7)
+
+
+@given(edges=st.lists(st.floats(0.0, 359.9), min_size=2, max_size=12, unique=True), across=st.booleans())
+def test_random_switches_are_read_back(edges, across):
+    edges = sorted(np.round(edges, 3).tolist())
+    assume(all(b - a > 0.01 for a, b in pairwise(edges)))
+    order = [*edges[1:], *edges[:1]] if across else edges
+    on = list(zip(order[::2], order[1::2], strict=False))
+    lanes = [switch("A", *on), switch("B", *on[:1])]
+    for name in TAKING:
+        one = target(name).tappets
+        off = certified(lanes, one.read(written(name, lanes)))
+        assert max(each.largest for each in off) <= (1e-4 if name == "rockwell" else 0.0)
+        assert max(each.apart for each in off) <= (1e-3 if name == "rockwell" else 0.0)
+
+
+def test_a_switch_that_differs_is_told_by_edge_and_share():
+    meant = Switch("V", ((20.0, 95.0),), 360.0)
+    assert differing(meant, Switch("V", ((20.0, 95.5),), 360.0)) == (2, 0.5, 95.0, 0.5)
+    assert differing(meant, Switch("V", ((350.0, 95.0),), 360.0)) == (2, 30.0, 20.0, 30.0)
+    assert differing(meant, Switch("V", (), 360.0)).largest == np.inf
+    assert differing(meant, Switch("V", ((20.0, 50.0), (50.0, 95.0)), 360.0)) == (2, 0.0, 20.0, 0.0)
+    with pytest.raises(ValueError, match="expected the same"):
+        differing(meant, Switch("V", (), 1.0))
+
+
+def outcome(text, one):
+    """The line that refuses a text; empty where it is none."""
+    try:
+        certified(LANES, one.read(text))
+    except TargetError as error:
+        return str(error)
+    return ""
+
+
+@pytest.mark.parametrize("name", TAKING)
+def test_a_damaged_file_is_refused_in_a_line_or_says_so(name):
+    one, text = target(name).tappets, written(name)
+    for cut in range(0, len(text), max(5, len(text) // 80)):
+        assert "\n" not in outcome(text[:cut], one)
+    for wrong in ("nan", "1e999", "abc", "--1", "-5.0", "400.0"):
+        with pytest.raises(TargetError) as said:
+            one.read(re.sub(r"(?<![\d.])95\.0(?!\d)", wrong, text, count=1))
+        assert "\n" not in str(said.value)
+    with pytest.raises(TargetError, match="overlap"):
+        one.read(re.sub(r"(?<![\d.])95\.0(?!\d)", "210.0", text, count=1))
+
+
+def test_limits_are_refused():
+    codesys, rockwell = target("codesys").tappets, target("rockwell").tappets
+    many = [switch(f"S{k}", (1.0, 2.0)) for k in range(33)]
+    for one in (codesys, rockwell):
+        with pytest.raises(TargetError, match="33 switches; expected at most 32"):
+            tracks(many, one)
+    with pytest.raises(TargetError, match="0 times of being on"):
+        tracks([switch("Never")], codesys)
+    with pytest.raises(TargetError, match="is no time in REAL"):
+        tracks([switch("Short", (200.0, 200.000001))], rockwell)
+    with pytest.raises(TargetError, match=r"tracks 1; expected 1 to 2"):
+        certified(LANES[:2], codesys.read(written("codesys", LANES[:1])))
+
+
+# The command
+
+LANED = TEXT + '[[switches]]\nname = "Valve 3"\non = [ [20.0, 95.0], [345.0, 15.0] ]\n'
+
+
+@pytest.fixture(scope="module")
+def laned(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("laned")
+    (folder / "laned.toml").write_text(LANED, encoding="utf-8")
+    build(read_machine(folder / "laned.toml"), folder / "laned.xlsx")
+    return folder / "laned.xlsx"
+
+
+def test_all_writes_the_switches_too_where_the_target_takes_them(run, laned, tmp_path):
+    code, out, _ = run("export", laned, "--all", "--to", "codesys", "-o", "cams", "--json", "--report", "c.html")
+    assert code == 0
+    assert {path.name for path in (tmp_path / "cams").iterdir()} == {
+        "laned-Press.st", "laned-Feed_2.st", "laned-switches.st",
+    }  # fmt: skip
+    told = json.loads(out)[-1]
+    assert told["switches"] == [
+        {"switch": "Valve 3", "unit": "°", "edges": 4, "largest": 0.0, "at": 20.0, "apart": 0.0}
+    ]
+    text = (tmp_path / "cams" / "laned-switches.st").read_text("utf-8")
+    assert "track 1: Valve 3" in text
+    assert "SHA-256" in text
+    assert "Valve 3" in (tmp_path / "c.html").read_text("utf-8")
+
+
+def test_a_target_without_them_says_that_they_stay(run, laned, tmp_path):
+    code, _, err = run("export", laned, "--all", "--to", "sew", "-o", "cams", "--unverified")
+    assert code == 0
+    assert "sew takes no switches: Valve 3 stay in the book" in " ".join(err.split())
+    assert len([*(tmp_path / "cams").iterdir()]) == 2
+
+
+def test_switches_alone(run, laned, tmp_path):
+    code, out, _ = run("export", laned, "--switches", "--to", "rockwell", "-o", "s.xml", "--unverified")
+    assert code == 0
+    assert "Valve 3" in out
+    assert target("rockwell").tappets.read((tmp_path / "s.xml").read_text("utf-8"))[0].on == (
+        (20.0, 95.0),
+        (345.0, 15.0),
+    )
+    for more, said in (
+        (("--to", "sew"), "sew takes no switches; expected one of csv, codesys, twincat, rockwell"),
+        (("--to", "csv", "--axis", "Press"), "either --axis NAME, --switches or --all"),
+    ):
+        code, _, err = run("export", laned, "--switches", *more, "--unverified")
+        assert code == 2
+        assert said in " ".join(err.split())
+
+
+def test_a_machine_without_switches_says_so(run, book):
+    code, _, err = run("export", book, "--switches", "--to", "csv", "--unverified")
+    assert code == 2
+    assert "the machine has no switches" in err
+
+
+def test_an_edge_that_is_too_far_off_is_not_written(run, laned, tmp_path, monkeypatch):
+    monkeypatch.setattr("workbook.commands.switching.MOST_OFF", -1.0)
+    assert MOST_OFF > 0.0
+    code, _, err = run("export", laned, "--switches", "--to", "csv", "--unverified")
+    assert code == 1
+    assert "nothing is written" in err
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,117 @@
+"""Switches of a machine: lanes of the timing diagram that are on or off, past the end of the turn too."""
+
+from itertools import pairwise
+
+import pytest
+
+from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from workbook.build import build, inputs
+from workbook.entries.design import as_entered
+from workbook.errors import InputError
+from workbook.judging.verify import verify
+from workbook.reading.entries import checked, read_machine, write_machine
+
+ONE = [axis(1, (30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))]
+SPARE = {"start": None, "stop": None}
+
+
+def switched(*switches, **sizes):
+    """A machine with one axis and switches (name, times)."""
+    data = described(ONE, phases=2, **sizes).model_dump()
+    return checked(TEMPLATE, data | {"switches": [{"name": name, "on": on} for name, on in switches]}, str)
+
+
+VALVES = (("Valve 3", [[20.0, 95.0], [200.0, 215.0]]), ("Sensor", [[345.0, 15.0]]), ("Never", []), ("On", [[0, 360]]))
+
+
+def test_switches_agree_and_come_back():
+    machine = switched(*VALVES)
+    wrong, cells = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert cells > 4_000
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+def test_they_are_on_as_long_as_they_say():
+    value = computed(TEMPLATE, switched(*VALVES))
+    assert value("switches", "on") == pytest.approx([90.0, 30.0, 0.0, 360.0])
+    assert value("switches", "time") == pytest.approx([0.075, 0.025, 0.0, 0.3])  # a turn takes 0.3 s
+
+
+def lane(value, i):
+    """The bars of a switch, as corners tell them: from, to."""
+    x, y = value("switch_lanes", f"x{i}"), value("switch_lanes", f"y{i}")
+    tops = [(a, b) for (a, b), up in zip(pairwise(x), pairwise(y), strict=True) if min(up) % 1 > 0.7]
+    return sorted((round(a, 9), round(b, 9)) for a, b in tops if b > a)
+
+
+def test_a_bar_stands_where_a_switch_is_on_and_one_past_the_end_is_two():
+    value = computed(TEMPLATE, switched(*VALVES))
+    assert lane(value, 1) == [(20.0, 95.0), (200.0, 215.0)]
+    assert lane(value, 2) == [(0.0, 15.0), (345.0, 360.0)]
+    assert lane(value, 3) == []
+    assert lane(value, 4) == [(0.0, 360.0)]
+    floors = [min(value("switch_lanes", f"y{i}")) for i in (1, 2, 3, 4)]
+    assert floors == [3.0, 2.0, 1.0, 0.0]
+    assert min(value("cycle", "lane1")) == pytest.approx(4.0)
+
+
+def test_without_switches_there_is_no_sheet():
+    book = TEMPLATE.declare(switched())
+    assert "Switches" not in [sheet.title for sheet in book.sheets]
+    assert "switches" not in book.blocks
+
+
+def test_times_are_told_as_from_and_to_or_by_their_keys():
+    machine = switched(("V", [[20.0, 95.0]]))
+    assert machine.switches == switched(("V", [{"start": 20.0, "stop": 95.0}])).switches
+
+
+FAULTS = [
+    ([[20.0, 95.0], [350.0, 30.5]], "Valve time 2 is on 10.5° beyond the begin of another"),
+    ([[20.0, 95.0], {"stop": 120.0}], "a time on without its begin, or without its end, row 1: empty"),
+    ([[20.0, 95.0], [90.0, 100.0]], "Valve time 1 is on 5° beyond the begin of another"),
+    ([[20.0, 95.0], [20.0, 40.0]], "Valve time 1 is on 75° beyond the begin of another"),
+    ([[0.0, 360.0], [20.0, 40.0]], "Valve time 1 is on 340° beyond the begin of another"),
+    ([[50.0, 60.0], [40.0, 40.0]], "Valve time 2 does not last"),
+    ([[360.0, 0.0]], "Valve time 1 does not last"),
+    ([[20.0, 400.0]], "to (1), row 1: 400; expected a number of at least 0 and at most 360"),
+    ([[-1.0, 40.0]], "on from (1), row 1: -1; expected a number of at least 0 and at most 360"),
+    ([{"start": 20.0}], "a time on without its begin, or without its end, row 1: empty"),
+]
+DAILY = 2
+
+
+@pytest.mark.parametrize(
+    ("on", "said"), [*FAULTS[:DAILY], *(pytest.param(*one, marks=pytest.mark.nightly) for one in FAULTS[DAILY:])]
+)
+def test_times_that_do_not_do_fail_by_row_and_amount(on, said, tmp_path):
+    machine = switched(("Valve", on), ("Sensor", [[345.0, 15.0]]))
+    assert machine.design.faults
+    build(machine, tmp_path / "book.xlsx")
+    report = verify(tmp_path / "book.xlsx")
+    assert report.findings == []
+    assert [line for line in (check.line for check in report.failing) if said in line] != []
+    back, _ = inputs(tmp_path / "book.xlsx")
+    assert as_entered(back) == as_entered(machine)
+    (tmp_path / "again.toml").write_text(write_machine(back), encoding="utf-8")
+    assert as_entered(read_machine(tmp_path / "again.toml")) == as_entered(machine)
+
+
+@pytest.mark.parametrize(
+    ("switches", "said"),
+    [
+        ([("V", [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0], [7.0, 8.0], [9.0, 10.0], [11.0, 12.0], [13.0, 14.0]])], "6"),
+        ([("V", []), ("v", [])], "a second switch is named 'v'"),
+        ([("V", [[1.0]])], "on"),
+        ([("V", [[1.0, 2.0, 3.0]])], "on"),
+        ([("V", "always")], "on"),
+        ([(f"V{k}", []) for k in range(25)], "24"),
+        ([("", [])], "name"),
+    ],
+)
+def test_what_is_no_switch_is_refused_in_a_line(switches, said):
+    with pytest.raises(InputError, match=said) as refused:
+        switched(*switches)
+    assert "\n" not in str(refused.value)

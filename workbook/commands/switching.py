@@ -1,0 +1,101 @@
+"""The switches of a book as a controller's file, certified by what an independent reader finds in it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table as Grid
+from rich.text import Text
+
+from engine.cams.switched import Differing
+from workbook.axes import CamSwitch
+from workbook.controllers.names import TARGETS
+from workbook.controllers.registry import target as target_named
+from workbook.controllers.tappets import MOST_OFF, HandedTracks, Tappets, certified, tracks
+from workbook.controllers.target import Target
+from workbook.entries.machine import Machine
+from workbook.errors import TargetError
+from workbook.reports.cams import SWITCHED
+from workbook.visible import visible
+
+NAME = "Switches"
+
+
+@dataclass(frozen=True)
+class Switched:
+    """The switches of a machine with their file's text, and how each differs when that is read back."""
+
+    switches: Sequence[CamSwitch]
+    text: str
+    found: Sequence[Differing]
+    tappets: Tappets
+    path: Path
+
+    @property
+    def beyond(self) -> list[str]:
+        """In a line each, what is farther off than numbers of 32 bits hold."""
+        pairs = zip(self.switches, self.found, strict=True)
+        return [f"{one.name}: an edge is off by {differs.largest:.3g} {one.x_unit}"
+                for one, differs in pairs if differs.largest > MOST_OFF]  # fmt: skip
+
+    @property
+    def rows(self) -> list[list[str]]:
+        """A row of texts for each switch."""
+        return [[visible(one.name), str(differs.edges), f"{differs.largest:.3g} {one.x_unit}",
+                 f"{differs.x:.6g} {one.x_unit}" if differs.largest else "", f"{differs.apart:.3g} {one.x_unit}"]
+                for one, differs in zip(self.switches, self.found, strict=True)]  # fmt: skip
+
+
+def takes(target: Target, switches: Sequence[CamSwitch]) -> Tappets:
+    """Return how a target takes switches; raise TargetError where it does not, or there are none."""
+    if not switches:
+        raise TargetError("the machine has no switches; expected some, or --axis NAME")
+    if target.tappets is None:
+        others = ", ".join(name for name in TARGETS if target_named(name).tappets)
+        raise TargetError(f"{target.name} takes no switches; expected one of {others}")
+    return target.tappets
+
+
+def switched(
+    machine: Machine, switches: Sequence[CamSwitch], target: Target, signs: tuple[str, str], mark: Sequence[str],
+    path: Path,
+) -> Switched:  # fmt: skip
+    """Return the file of a machine's switches, read back."""
+    tappets = takes(target, switches)
+    header = (f"Switches of {machine.title}: {tappets.title}", "angles in °; on from one to the other", *mark,
+              *(f"untested: {claim.what} ({claim.source})" for claim in tappets.untested))  # fmt: skip
+    handed = HandedTracks(
+        tracks(switches, tappets), NAME, tuple(map(visible, header)), switches[0].switch.cycle, *signs
+    )
+    text = tappets.write(handed)
+    return Switched(switches, text, certified(switches, tappets.read(text)), tappets, path)
+
+
+def show(console: Console, found: Switched, target: Target) -> None:
+    """Print how each switch differs when its file is read back."""
+    grid = Grid(title=Text(f"Switches to {target.name}: {found.tappets.title}"), title_justify="left")
+    for heading in SWITCHED:
+        grid.add_column(Text(heading), justify="left" if heading == SWITCHED[0] else "right")
+    for row in found.rows:
+        grid.add_row(*map(Text, row))
+    console.print(grid)
+
+
+def told(found: Switched, target: Target) -> Mapping[str, Any]:
+    """Return the same as data."""
+    return {
+        "switches": [
+            {"switch": one.name, "unit": one.x_unit, "edges": differs.edges,
+             "largest": differs.largest if math.isfinite(differs.largest) else None, "at": differs.x,
+             "apart": differs.apart}
+            for one, differs in zip(found.switches, found.found, strict=True)
+        ],
+        "target": target.name,
+        "file": str(found.path),
+        "untested": [claim.what for claim in found.tappets.untested],
+    }  # fmt: skip

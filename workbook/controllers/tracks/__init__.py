@@ -1,0 +1,1 @@
+"""Writers and readers of switches, a file for each target that takes them."""

@@ -1,0 +1,107 @@
+"""Switches that are on or off over the cycle, as an engineer enters them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import Field, GetJsonSchemaHandler, field_validator
+from pydantic.json_schema import JsonSchemaValue
+
+from workbook.book.limits import RowRule
+from workbook.book.sentence import figure
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA
+from workbook.entries.turn import TURN
+from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, Model
+
+TIMES = 6
+"""of being on, that a switch has room for"""
+MOST_SWITCHES = 24
+KEYS = ("start", "stop")
+HALF = RowRule(
+    "paired", "AND({})".format(",".join(f'([start{t}]="")=([stop{t}]="")' for t in range(1, TIMES + 1))), "name",
+    "a time on without its begin, or without its end",
+)  # fmt: skip
+"""a row of switches of which a time has but one of its ends"""
+UNUSED = dict.fromkeys(KEYS)
+
+
+class TimeOn(Model):
+    """One time of being on, in degrees of the master shaft; one that ends before it begins runs across the end."""
+
+    start: Angle | None = Field(default=None, description="From where it is on")
+    stop: Angle | None = Field(default=None, description="To where it is on")
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Take [from, to] too, as editors see it."""
+        pair = {"type": "array", "items": {"type": "number"}, "minItems": len(KEYS), "maxItems": len(KEYS)}
+        return {"anyOf": [pair, handler(core)]}
+
+    @property
+    def told(self) -> bool:
+        """Whether both ends are entered."""
+        return self.start is not None and self.stop is not None
+
+    @property
+    def span(self) -> float:
+        """How long it is on (degrees)."""
+        if self.start is None or self.stop is None:
+            return 0.0
+        return self.stop - self.start + (TURN if self.stop < self.start else 0.0)
+
+
+class SwitchEntry(Model):
+    """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch."""
+
+    name: Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
+    on: Annotated[list[TimeOn], Field(max_length=TIMES)] = Field(
+        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less"
+    )
+
+    @field_validator("on", mode="before")
+    @classmethod
+    def _used(cls, on: Any) -> Any:
+        rows = list(on) if isinstance(on, list) else on
+        while isinstance(rows, list) and rows and rows[-1] == {}:  # as empty cells are read
+            rows.pop()
+        return rows
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a time with one end, and the first that does not last or is not over where another begins."""
+        for k, time in enumerate(self.on):
+            if not time.told and time != TimeOn():
+                yield DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED)
+                break
+        said = self._fault()
+        if said:
+            yield DesignError("on", f"{self.name} {said}", "apart", [UNUSED for _ in self.on])
+
+    def _fault(self) -> str:
+        told = [(k, time) for k, time in enumerate(self.on, 1) if time.told]
+        for k, time in told:
+            if time.span <= ANGLE_TOLERANCE:
+                return f"time {k} does not last"
+        for k, time in told:
+            over = max((beyond(time, other) for j, other in told if j != k), default=0.0)
+            if over > ANGLE_TOLERANCE:
+                return f"time {k} is on {figure(over)}° beyond the begin of another"
+        return ""
+
+
+def beyond(time: TimeOn, other: TimeOn) -> float:
+    """Return by how much a time goes on beyond the begin of another (degrees)."""
+    return time.span - ((other.start or 0.0) - (time.start or 0.0)) % TURN
+
+
+def spelled(switches: Any) -> Any:
+    """Return the switches of a description with the keys of times that are told as [from, to]."""
+    if not isinstance(switches, list):
+        return switches
+    return [{**one, "on": [*map(keyed, one["on"])]} if isinstance(one, Mapping) and isinstance(one.get("on"), list)
+            else one for one in switches]  # fmt: skip
+
+
+def keyed(time: Any) -> Any:
+    """Return a time with its keys."""
+    return dict(zip(KEYS, time, strict=True)) if isinstance(time, list) and len(time) == len(KEYS) else time
