@@ -70,7 +70,7 @@ class Evaluation:
                 raise DisputedError(f"{where} computes with a range where Excel takes one cell of it")
 
     def _undisputed(self, address: Address, known: dict[str, Any], said: dict[str, Any]) -> Any:
-        """Return the value that all of ``known`` have; raise DisputedError, with all that was said, where one differs."""
+        """Return the value of all that are known; raise DisputedError, with all that was said, where one differs."""
         saved = self._file.saved.get(address)
         first, *others = (*known.values(), *([] if saved is None else [saved]))
         if not all(same(first, value) for value in others):
