@@ -171,7 +171,9 @@ class Joints:
         head = f"{asked.of[1]} " if asked.of[1] else ""
         what = ORDERS[joint.order - 1]
         jump = f"{what} jumps by {figure(abs(joint.size))} {unit}"
-        slopes = [slope(self.motion.phases[k]) for k in (joint.before, piece.phase)] if self.rows.at.ends else []
+        used = sorted({one.phase for one in self.rows.pieces})
+        beside = [self.motion.phases[used.index(row)] for row in (joint.before, piece.phase)]
+        slopes = [slope(one) for one in beside] if self.rows.at.ends else []
         straight = [figure(one) for one in slopes if one is not None]
         why = f": straight lines of {' and '.join(straight)}" if len(straight) > 1 else ""
         return f"{head}{rows}at {x}{asked.place[1]}: {jump}{why}"

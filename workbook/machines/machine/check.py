@@ -5,12 +5,15 @@ from __future__ import annotations
 from engine.laws import Law
 from engine.laws.piece_extremes import extremes_of
 from engine.machine.bent import LOST, plain
+from engine.motion import Phase
+from engine.motion.joining import EndedPhase
 from engine.motion.pieces import Scaled, pieces_of
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.machine.drive import UNSHAPED
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.view import Whole
 
 
 def check(machine: AnyMachine) -> None:
@@ -20,6 +23,19 @@ def check(machine: AnyMachine) -> None:
         for k, phase in enumerate(axis.phases if axis.motor else []):
             if phase.lift and not integrable(library[phase.law]):
                 raise DesignError(f"axes.{i}.phases.{k}.law", UNSHAPED, f"shaped{i + 1}", RISING[0])
+    for axis in Whole(machine, library).axes:
+        turning = axis.given.motor and next((k for k, phase in enumerate(axis.phases) if turns_round(phase)), None)
+        if turning is not None:
+            rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
+            fits = [phase.model_dump() | rest for phase in axis.given.phases]
+            raise DesignError(f"axes.{axis.number - 1}.phases", UNSHAPED, f"shaped{axis.number}", fits)
+
+
+def turns_round(phase: Phase) -> bool:
+    """Whether a phase that its neighbours hand velocity over to moves there and back."""
+    low, high = extremes_of(phase.law.as_pieces(), phase.law.start.v).v
+    least = LOST * max(abs(low), abs(high))
+    return isinstance(phase, EndedPhase) and low < -least and high > least
 
 
 def integrable(law: Law) -> bool:
