@@ -5,8 +5,7 @@ from __future__ import annotations
 from engine.laws import Law
 from engine.laws.piece_extremes import extremes_of
 from engine.machine.bent import LOST, plain
-from engine.motion import Phase
-from engine.motion.joining import EndedPhase
+from engine.motion.joining import turns_round
 from engine.motion.pieces import Scaled, pieces_of
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
@@ -23,19 +22,11 @@ def check(machine: AnyMachine) -> None:
         for k, phase in enumerate(axis.phases if axis.motor else []):
             if phase.lift and not integrable(library[phase.law]):
                 raise DesignError(f"axes.{i}.phases.{k}.law", UNSHAPED, f"shaped{i + 1}", RISING[0])
-    for axis in Whole(machine, library).axes:
-        turning = axis.given.motor and next((k for k, phase in enumerate(axis.phases) if turns_round(phase)), None)
-        if turning is not None:
+    for one in Whole(machine, library).axes:
+        if one.given.motor and any(map(turns_round, one.phases)):
             rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
-            fits = [phase.model_dump() | rest for phase in axis.given.phases]
-            raise DesignError(f"axes.{axis.number - 1}.phases", UNSHAPED, f"shaped{axis.number}", fits)
-
-
-def turns_round(phase: Phase) -> bool:
-    """Whether a phase that its neighbours hand velocity over to moves there and back."""
-    low, high = extremes_of(phase.law.as_pieces(), phase.law.start.v).v
-    least = LOST * max(abs(low), abs(high))
-    return isinstance(phase, EndedPhase) and low < -least and high > least
+            fits = [phase.model_dump() | rest for phase in one.given.phases]
+            raise DesignError(f"axes.{one.number - 1}.phases", UNSHAPED, f"shaped{one.number}", fits)
 
 
 def integrable(law: Law) -> bool:

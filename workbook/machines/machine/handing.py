@@ -59,7 +59,10 @@ class StepEnds(Ends):
             self.set_by(f"[{self.name_of_phases}.velocity.{row}]", f"[{self.name_of_phases}.acceleration.{row}]")
             for row in range(1, self.axis_room + 1)
         ]
-        return tuple([none, *(text for one in each for text in (one[i], none))] for i in range(3))  # type: ignore[return-value]
+        whether, velocity, acceleration = (
+            [none, *(text for formula in column for text in (formula, none))] for column in zip(*each, strict=True)
+        )
+        return whether, velocity, acceleration
 
     @property
     def axis_room(self) -> int:
