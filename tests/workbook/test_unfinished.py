@@ -150,7 +150,9 @@ CASES = {
             "bore, not less than the diameter, row 1: 3"),
     },
 }  # fmt: skip
-TRIED = [(name, case) for name, cases in CASES.items() for case in cases]
+TRIED = [pytest.param(name, case, marks=[pytest.mark.nightly] if n % 3 else [])
+         for name, cases in CASES.items() for n, case in enumerate(cases)]  # fmt: skip
+"""every third by day, and all by night"""
 SMALL = {"cycle": 12, "law": 10, "own_law": 20}
 
 
