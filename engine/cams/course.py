@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
+V = TypeVar("V", float, Array)
 SAME = 1e-12
 """of the cycle: breaks so near to each other are one"""
 
@@ -112,6 +113,11 @@ def course_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: floa
 def course_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> Course:
     """Return a motion as a course in other units, x and y of them a unit of its own."""
     return course_of(motion_pieces(motion), float(motion.edges[-1]), x, y)
+
+
+def in_units(values: MotionValues[V], x: float, y: float) -> MotionValues[V]:
+    """Return a motion's values in other units, of which a unit of x and of y has so many."""
+    return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
 
 
 def _stretch(piece: MotionPiece, x: float, y: float) -> Stretch:
