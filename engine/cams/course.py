@@ -131,11 +131,15 @@ def _stretch(piece: MotionPiece, x: float, y: float) -> Stretch:
 def turned(of: Course, by: float) -> Course:
     """Return the course that a master sees which is ``by`` further on where it begins, over the same range.
 
-    What runs over the end of the cycle is parted there, and goes on from the cycle before by its travel.
+    What runs over the end of the cycle is parted there, and goes on from the cycle before by its travel; of more than
+    a cycle, each whole one is a travel less.
     """
     begin, end, total, travel = float(of.edges[0]), float(of.edges[-1]), of.total, of.travel
-    by %= total
-    if by <= SAME * total or total - by <= SAME * total:
+    whole = math.floor(by / total + SAME)
+    by -= whole * total
+    of = replace(of, c=of.c.copy())
+    of.c[:, 0] -= whole * travel
+    if by <= SAME * total:
         return of
     cut = end - by
     first = int(of.index(np.array([cut]))[0])

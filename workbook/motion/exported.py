@@ -63,9 +63,10 @@ def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> No
         calc("export_axis", "Axis", "", "", axis.called, axis.name, align="left"),
         constant(named(number), "Number of the axis", "", "", number, source="as the description says"),
     )
+    sheet.row += 1
     sheet.not_printed_below()
     sheet.table("export", f"At {n} equal steps, both ends among them", n + 1, *columns(axis, n))
-    sheet.print_columns = 6
+    sheet.print_columns = 8
 
 
 def columns(axis: Exportable, n: int) -> list[Quantity]:

@@ -94,9 +94,9 @@ def test_beyond_a_tolerance_nothing_is_written(run, book, tmp_path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--to", "csv"], "either --axis NAME or --all"),
+        (["--to", "csv"], "either --axis NAME, --switches or --all"),
         (["--to", "csv", "--axis", "MC09"], "no axis is named 'MC09'; expected one of Press, Feed 2"),
-        (["--to", "csv", "--all", "--axis", "Press"], "either --axis NAME or --all"),
+        (["--to", "csv", "--all", "--axis", "Press"], "either --axis NAME, --switches or --all"),
         (["--to", "plc", "--all"], "no target is named 'plc'"),
         (["--to", "csv", "--axis", "Press", "--points", "many"], "expected a number of points, or auto"),
         (["--to", "csv", "--axis", "Press", "--points", "3"], "at least 16"),
