@@ -159,6 +159,41 @@ def verify(
         raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper))
 
 
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
+]
+Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")]
+
+
+@app.command()
+def study(
+    path: Annotated[Path, typer.Argument(metavar="STUDY.toml", help="What varies, what must hold, what is best.")],
+    output: Annotated[
+        Path | None,
+        to("RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study."),
+    ] = None,
+    scheduler: Scheduler = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Go on with a study that was interrupted.")] = False,
+    pick: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="Build and verify the book of the N-th best design.")
+    ] = None,
+    jobs: Jobs = None,
+    unverified: Annotated[bool, typer.Option("--unverified", help="Do not verify the book of the best.")] = False,
+    force: Force = False,
+) -> None:
+    """Work out many designs of a machine: laws, angles, motors, reducers, any entry; find the best.
+
+    Writes the designs with their results, a page with the front, and what --pick needs. The engine works them out
+    without books; the best one is built and verified.
+
+    Exit code 0: there are feasible designs. 1: a design's book disagrees. 2: it cannot be done. 3: none is feasible.
+    """
+    from workbook.commands import study as studying
+
+    raise typer.Exit(studying.study(path, output, scheduler, jobs, resume, pick, unverified, force))
+
+
 @app.command()
 def inputs(
     book: Book,

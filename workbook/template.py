@@ -13,6 +13,7 @@ from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, close
 from workbook.entries.machine import Machine
+from workbook.scaling import Scaling
 from workbook.unfinished import with_entries
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
@@ -34,7 +35,8 @@ class Template(Generic[M]):
     entries that only the engine can refuse; what the entries refuse by themselves, the model does. ``laid_out`` gives a
     machine the layout that a file has by its defined names, where the number of sheets depends on the description;
     ``fixed`` returns by key the entries that such a layout tells and no cell holds. ``axes`` are the motions that a
-    controller can be given, ``switches`` what it is to turn on and off meanwhile.
+    controller can be given, ``switches`` what it is to turn on and off meanwhile. ``scaling`` gives results without a
+    book, of many designs at once.
     """
 
     name: str
@@ -46,6 +48,7 @@ class Template(Generic[M]):
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
     axes: Callable[[M], list[CamAxis]] = lambda machine: []
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []
+    scaling: Scaling[M] | None = None
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
 
     def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:

@@ -73,6 +73,11 @@ class EndedLaw(Law):
     def own_acceleration(self) -> tuple[bool, bool]:
         """Whether it begins, and whether it ends, with an acceleration of its own."""
 
+    @property
+    def keeps(self) -> bool:
+        """Whether it keeps the velocities that it has at its ends, whatever is beside it."""
+        return False
+
     def between(self, ends: Ends) -> EndedLaw:
         """Return the law between these ends, with their stroke; raise EndError, with the reason, if it has none."""
         require_ends(self, ends, self.takes)

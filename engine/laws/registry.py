@@ -35,6 +35,7 @@ MODULES = (
     "sine_straight_sine",
     "sine_ramps",
     "s_curve",
+    "spline",
 )
 
 

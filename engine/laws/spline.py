@@ -7,13 +7,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, require_finite
 from engine.laws.ends import REST, EndedLaw, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import coefficients_of
 
@@ -23,6 +24,7 @@ CELLS = 16  # an interval on average, of which each knows the points within it
 
 Point = tuple[float, float]
 Slopes = tuple[float | None, float | None]
+EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1.0, 1.0))
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class Spline(EndedLaw):
     code = "SPL"
     name = "Cubic spline"
 
-    points: tuple[Point, ...]
+    points: tuple[Point, ...] = EXAMPLE
     slopes: Slopes = (None, None)
     natural: tuple[bool, bool] = (False, False)
     ends: Ends = REST
@@ -61,14 +63,24 @@ class Spline(EndedLaw):
         """Whether an end is not natural: it then begins with what the points ask for."""
         return not self.natural[0], not self.natural[1]
 
+    @property
+    def keeps(self) -> bool:
+        """Whether both ends are settled by itself: by an entered slope, or as natural ones."""
+        return all(free or slope is not None for free, slope in zip(self.natural, self.slopes, strict=True))
+
     @cached_property
     def moments(self) -> Array:
-        """a at each point: with the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points,
+        """a at each point."""
+        return tridiagonal(*self.system)
+
+    @cached_property
+    def system(self) -> System:
+        """The equations of the moments: with the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points,
 
         d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k + d_k a_{k+1} = 6(m_k − m_{k−1}),
         and at an end with the slope v, 2 d_0 a_0 + d_0 a_1 = 6(m_0 − v).
         """
-        xi, s = self._knots
+        xi, s = self.knots
         d = np.diff(xi)
         m = np.concatenate([[self._slope(0)], np.diff(s) / d, [self._slope(1)]])
         d = np.concatenate([[0.0], d, [0.0]])
@@ -78,21 +90,22 @@ class Spline(EndedLaw):
             if free:
                 diagonal[end], right[end] = 1.0, 0.0
                 (above if end == 0 else below)[end] = 0.0
-        return tridiagonal(below, diagonal, above, right)
+        return System(below, diagonal, above, right)
 
     def _slope(self, end: int) -> float:
         entered = self.slopes[end]
         return (self.ends.v0, self.ends.v1)[end] if entered is None else entered * self.ends.stroke
 
     @cached_property
-    def _knots(self) -> tuple[Array, Array]:
+    def knots(self) -> tuple[Array, Array]:
+        """ξ and s of the points, with the stroke."""
         xi, s = np.array(self.points).T
         return xi, s * self.ends.stroke
 
     @cached_property
-    def _table(self) -> Array:
+    def table(self) -> Array:
         """ξ, s, v, a and j at the begin of each interval, in columns."""
-        (xi, s), a = self._knots, self.moments
+        (xi, s), a = self.knots, self.moments
         d = np.diff(xi)
         v = np.diff(s) / d - d * (2.0 * a[:-1] + a[1:]) / 6.0
         return np.array([xi[:-1], s[:-1], v, a[:-1], np.diff(a) / d])
@@ -100,7 +113,7 @@ class Spline(EndedLaw):
     @cached_property
     def _cells(self) -> tuple[NDArray[np.intp], float, int]:
         """The interval in which each of many equal cells begins, cells in all, and points in one cell at most."""
-        xi = self._knots[0][:-1] - BREAK_TOLERANCE
+        xi = self.knots[0][:-1] - BREAK_TOLERANCE
         cells = CELLS * xi.size
         at = np.arange(cells + 1) / cells
         first = np.searchsorted(xi, at, side="right") - 1
@@ -109,16 +122,16 @@ class Spline(EndedLaw):
     def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
         first, cells, most = self._cells
         k = first.take((xi * cells).astype(np.intp))
-        starts = np.append(self._table[0] - BREAK_TOLERANCE, np.inf)
+        starts = np.append(self.table[0] - BREAK_TOLERANCE, np.inf)
         for _ in range(most):
             k += xi >= starts.take(k + 1)
-        start, s, v, a, j = self._table.take(k, axis=1)
+        start, s, v, a, j = self.table.take(k, axis=1)
         u = xi - start
         bend = u * j
         return s + u * (v + u * (a / 2.0 + bend / 6.0)), v + u * (a + bend / 2.0), a + bend, j
 
     def _coefficients(self) -> Coefficients:
-        return coefficients_of(self.as_pieces(), float(self._table[2, 0]))
+        return coefficients_of(self.as_pieces(), float(self.table[2, 0]))
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -127,9 +140,9 @@ class Spline(EndedLaw):
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one cubic an interval."""
-        d = np.diff(self._knots[0])
+        d = np.diff(self.knots[0])
         return tuple(
-            Piece(float(t), (float(a), float(j), 0.0, 0.0)) for t, a, j in zip(d, *self._table[3:], strict=True)
+            Piece(float(t), (float(a), float(j), 0.0, 0.0)) for t, a, j in zip(d, *self.table[3:], strict=True)
         )
 
     def shapes(self) -> None:
@@ -149,29 +162,50 @@ def _require(points: Sequence[Point]) -> None:
             raise ValueError(f"point {k} is at {after:g}, the one before at {before:g}; expected them to rise")
 
 
-def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
-    """Return x of a tridiagonal system whose diagonal dominates: forward elimination, then back substitution.
+class System(NamedTuple):
+    """A tridiagonal system whose diagonal dominates; ``below`` and ``above`` have one number less than the others."""
 
-    ``diagonal`` and ``right`` are of shape (n,), ``below`` and ``above`` of shape (n − 1,).
-    """
-    d, x = diagonal.tolist(), right.tolist()
+    below: Array
+    diagonal: Array
+    above: Array
+    right: Array
+
+
+class Eliminated(NamedTuple):
+    """What forward elimination leaves of a tridiagonal system: shares of the row before, pivots, right sides."""
+
+    shares: list[float]
+    pivots: list[float]
+    rights: list[float]
+
+
+def eliminated(below: Array, diagonal: Array, above: Array, right: Array) -> Eliminated:
+    """Return what forward elimination leaves of a :class:`System`."""
+    d, x, shares = diagonal.tolist(), right.tolist(), [0.0]
     for k, (low, high) in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
         share = low / d[k]
         d[k + 1] -= share * high
         x[k + 1] -= share * x[k]
+        shares.append(share)
+    return Eliminated(shares, d, x)
+
+
+def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
+    """Return x of a :class:`System`: forward elimination, then back substitution."""
+    _, d, x = eliminated(below, diagonal, above, right)
     x[-1] /= d[-1]
     for k in range(len(d) - 2, -1, -1):
         x[k] = (x[k] - float(above[k]) * x[k + 1]) / d[k]
     return np.array(x)
 
 
-EXAMPLE = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1.0, 1.0))
 WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
 
 ENTRY = Entry(
     law=Spline,
     aliases=("points", "spline"),
     source="the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline",
+    vendors=Vendors(twincat="CubicSpline (MC3: 11)"),
     claims=Claims(
         order_ends=1,
         order_inside=2,
@@ -186,7 +220,7 @@ ENTRY = Entry(
             "va_min": "-va_max",
         },
     ),
-    example=lambda: Spline(EXAMPLE),
+    example=Spline,
     others=(Spline(WAVE),),
     beyond=(Spline(EXAMPLE, (0.5, None), (False, True)), Spline(WAVE, ends=Ends(2.0, 1.0, -3.0))),
 )

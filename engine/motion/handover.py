@@ -9,21 +9,24 @@ from math import perm
 
 from engine.laws import Law
 from engine.laws.ended_polynomial import EndedPolynomial
-from engine.laws.ends import Ends
+from engine.laws.ends import EndedLaw, Ends
 from engine.laws.piece import POWERS
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.pulse_law import PulseLaw
 from engine.motion.joining import EndedPhase, Joined, Rates, Side, agrees, slope
 from engine.motion.phase import Phase
 
-STRAIGHT, NEVER, PULSES, SEPTIC = -1, 0, 1, 7
-"""ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses"""
+STRAIGHT, NEVER, PULSES, KEEPS, SEPTIC = -1, 0, 1, 2, 7
+"""ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses;
+keep the velocities that they have at their ends"""
 
 
 def way(law: Law) -> int:
     """Return how a law meets its neighbours: as :data:`STRAIGHT` and so on, or by a polynomial of degree 3, 5 or 7."""
     if slope(Phase(law, 0.0, 1.0)) is not None:
         return STRAIGHT
+    if isinstance(law, EndedLaw) and law.keeps:
+        return KEEPS
     if isinstance(law, HalvedPolynomial):
         return 1 + 2 * len(law.takes) if law.takes else NEVER
     return PULSES if isinstance(law, PulseLaw) else NEVER

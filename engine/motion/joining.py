@@ -136,14 +136,22 @@ def _side(neighbour: Phase | None, entered: Rates | None) -> Side:
 def _between(phase: Phase, begin: Side, end: Side, shares: bool) -> Phase:
     """Return a curved phase between its ends; raise EndError if its law cannot have them."""
     d, law = phase.duration, phase.law
+    one, other = begin.asked, end.asked
+    if isinstance(law, EndedLaw) and law.keeps:
+        return _kept(phase, law, one, other)
     if isinstance(law, EndedLaw):
         law = law.opened(begin.open, end.open)
-    one, other = begin.asked, end.asked
     ends = Ends(phase.lift, one.v * d, other.v * d, one.a * d**2, other.a * d**2, one.j * d**3, other.j * d**3)
     if not shares:
         require_ends(law, ends, law.takes if isinstance(law, EndedLaw) else "")
     made, _ = between(law, ends)
     return Phase(made, phase.lift, d) if ends.at_rest else EndedPhase(made, phase.lift, d, phase.law)
+
+
+def _kept(phase: Phase, law: EndedLaw, begin: Rates, end: Rates) -> Phase:
+    """Return a phase whose law keeps its ends; raise EndError if an acceleration or jerk is asked for there."""
+    require_ends(law, Ends(a0=begin.a, a1=end.a, j0=begin.j, j1=end.j), "")
+    return Phase(law, phase.lift, phase.duration)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:

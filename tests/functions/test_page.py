@@ -1,6 +1,7 @@
 """The workbook motion-functions: what it shows is right in Excel's way and in LibreOffice's, and Excel can read it."""
 
 import re
+import subprocess
 import zipfile
 
 import openpyxl
@@ -10,6 +11,7 @@ from openxml_audit import FileFormat, OpenXmlValidator
 from typer.testing import CliRunner
 
 from tests.functions import lambdas
+from tests.workbook.office import TIMEOUT, profile, started
 from workbook.cli import app
 from workbook.functions import publish
 from workbook.functions.declared import FUNCTIONS
@@ -80,7 +82,33 @@ def test_libreoffice_computes_it_with_the_add_in(book, calc):
 def test_it_is_saved_with_its_results(book):
     sheet = openpyxl.load_workbook(book, data_only=True).active
     values = expected(EXAMPLE)
-    assert wrong({place: sheet.cell(*place).value for place in values}, values) == []
+    found = {place: sheet.cell(*place).value for place in values}
+    ((_, saved, computed),) = wrong(found, values)
+    assert (saved, computed) == (None, "yes")  # whether they compute here, each program is to find out
+
+
+def test_without_the_add_in_libreoffice_says_so(book, tmp_path):
+    """As the book is opened: what is saved is not computed anew."""
+    command = [*started(profile("en-US").name), "--convert-to", "pdf", "--outdir", tmp_path, book]
+    subprocess.run(command, capture_output=True, timeout=TIMEOUT, check=True)
+    pdf = tmp_path / "motion-functions.pdf"
+    text = subprocess.run(["pdftotext", "-layout", pdf, "-"], capture_output=True, text=True, check=True).stdout
+    assert re.search(r"Do the functions compute here\? +no: they need Excel 365 or 2024", text)
+
+
+def test_and_the_errors_of_the_examples_are_not_shown(book):
+    """The ink of each is the paper's where the probe, the one error that is left, is one."""
+    sheet = openpyxl.load_workbook(book).active
+    calling = {
+        (row, column): cell.coordinate
+        for (row, column), cell in sheet._cells.items()
+        if str(getattr(cell.value, "text", "")).startswith("=MOTION.")
+    }
+    probe = min(calling)
+    rules = [(cells.cells, rule) for cells in sheet.conditional_formatting for rule in cells.rules]
+    hidden = [area for area, rule in rules if rule.formula == [f"ISERROR($D${probe[0]})"]]
+    assert all(rule.dxf.font.color.rgb.endswith("FFFFFF") for area, rule in rules if area in hidden)
+    assert [cell for cell in calling.values() if not any(cell in area for area in hidden)] == [calling[probe]]
 
 
 def test_every_function_stands_on_the_page_in_the_very_text_that_both_programs_read(book):

@@ -65,6 +65,8 @@ class Block:
     is_table: bool = True
     blank: str = ""
     """of a table: the condition under which a row is not used, and shows nothing but its inputs"""
+    quiet: str = ""
+    """of a table: the condition under which its results are errors, and are not shown"""
 
     @cached_property
     def columns(self) -> dict[str, int]:
@@ -92,7 +94,11 @@ class Block:
 
     def unused(self, row: int) -> str:
         """Return the condition of :attr:`blank` in a row of the sheet, as a formula."""
-        return self.sheet.book.resolve(f"={self.blank}", self).format(row, row - 1)
+        return f"={self.when(self.blank, row)}"
+
+    def when(self, condition: str, row: int) -> str:
+        """Return a condition in a row of the sheet, as a formula without its sign of equality."""
+        return self.sheet.book.resolve(f"={condition}", self).format(row, row - 1).removeprefix("=")
 
     def cells(self) -> Iterator[Cell]:
         """Yield the declared cells, column by column, with contents and the engine's values."""

@@ -35,6 +35,7 @@ WORDS = {
     "sizes.phases": "Rows for phases of an axis or a motion",
     "sizes.rotors": "Rows for rotating parts",
     "sizes.pieces": "Rows for pieces of the own law",
+    "sizes.points": "Rows for points of a spline",
     "sizes.motion_pieces": "Rows for pieces of a motion; without it a few more than the motion has",
     "sizes.motors": "Rows for motors",
     "sizes.reducers": "Rows for reducers",

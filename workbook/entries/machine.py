@@ -10,6 +10,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr, model_
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model
 from workbook.laws.entries import Laws, key_of, resolve
+from workbook.laws.pages.spline import ROOM
 from workbook.laws.tops import LEAST_POINTS
 
 
@@ -23,6 +24,7 @@ class Sizes(Model):
     phases: Annotated[int, Field(ge=2, le=60)] = 8
     rotors: Annotated[int, Field(ge=2, le=60)] = 6
     pieces: Annotated[int, Field(ge=2, le=60)] = 8
+    points: Annotated[int, Field(ge=8, le=ROOM)] = 12
     motion_pieces: Annotated[int, Field(ge=10, le=800)] | None = None  # None: a few more than the motion has
 
 
@@ -91,8 +93,11 @@ class Machine(Model):
     @model_validator(mode="after")
     def _named(self) -> Self:
         resolve(self, self.laws)
-        for name, own in self.laws.of("OWN").items():
-            if len(own.pieces) > self.sizes.pieces:
-                key = f"laws.{key_of(name)}.pieces"
-                raise EntryError(key, f"{len(own.pieces)} rows do not fit into {self.sizes.pieces}; raise sizes.pieces")
+        for family, field in (("OWN", "pieces"), ("SPL", "points")):
+            room = getattr(self.sizes, field)
+            for name, entry in self.laws.of(family).items():
+                if (rows := len(getattr(entry, field))) > room:
+                    raise EntryError(
+                        f"laws.{key_of(name)}.{field}", f"{rows} rows do not fit into {room}; raise sizes.{field}"
+                    )
         return self

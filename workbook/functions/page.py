@@ -32,6 +32,8 @@ ARGUMENTS = {
 }  # fmt: skip
 PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
 PROBE = '=MOTION.S("CUB",0.5,0)'
+QUIET = "ISERROR([fn_probe.fn_probe])"
+"""where the functions do not compute, the examples show nothing in place of their errors"""
 WORKS = '=IF(ISERROR([fn_probe.fn_probe]),"no: they need Excel 365 or 2024, or LibreOffice with motion.oxt","yes")'
 
 
@@ -112,7 +114,7 @@ def functions(sheet: Sheet, shown: Shown) -> None:
         constant("call", "function", "", "", calls, align="left"),
         result("gives", "result", "", "", formulas, results(shown), format="0.000000"),
         constant("about", "what it gives", "", "", [f.help.en for f in FUNCTIONS], align="left"),
-    )  # fmt: skip
+    ).quiet = QUIET  # fmt: skip
 
 
 def results(shown: Shown) -> list[Any]:
@@ -200,11 +202,11 @@ def samples(sheet: Sheet, shown: Shown) -> None:
         *(result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
           for name, words, values in zip("svaj", ("position", "velocity", "acceleration", "jerk"), shown.samples,
                                          strict=True)),
-        constant("k", "sample", "k", "", list(range(LAW_STEPS + 1))))  # fmt: skip
+        constant("k", "sample", "k", "", list(range(LAW_STEPS + 1)))).quiet = QUIET  # fmt: skip
     sheet.table("motion", "The motion", MOTION_STEPS + 1,
         calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", shown.xs),
         *(result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
           for name, words, symbol, key, values in zip(
               ("y", "y1", "y2"), ("position", "velocity", "acceleration"), ("y", "y'", "y''"), ("POS", "VEL", "ACC"),
               shown.moved[:3], strict=True)),
-        constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1))))  # fmt: skip
+        constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1)))).quiet = QUIET  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -17,6 +18,8 @@ from workbook.writing import dynamic
 from workbook.writing.same import same_book
 from workbook.writing.write import pack, parts
 
+SHEET = "xl/worksheets/sheet1.xml"
+WHETHER = re.compile(rb'(<c r="\w+" s="\d+") t="str"(><f>IF\(ISERROR\([^<]*</f>)<v>[^<]*</v>')
 NOTE = 255  # characters of the comment that Excel shows beside a name
 HEAD = """\
 The motion functions as names of Excel 365, Excel 2024 and Excel for the web (English; comma between arguments).
@@ -30,7 +33,16 @@ The names that begin with _ are called by the others: take them all.
 
 def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
     """Write the workbook with the names and the page that shows them, replacing what is there."""
-    pack(dynamic.completed(parts(declare(shown), Shown, names(), f"{NAMESPACE}.")), path, overwrite=True)
+    made = parts(declare(shown), Shown, names(), f"{NAMESPACE}.")
+    pack(dynamic.completed(made | {SHEET: unsaved(made[SHEET])}), path, overwrite=True)
+
+
+def unsaved(sheet: bytes) -> bytes:
+    """Return the sheet without the saved value of the cell that says whether the functions compute.
+
+    A program shows what is saved and does not ask: what is not saved it has to compute.
+    """
+    return WHETHER.sub(rb"\1\2", sheet)
 
 
 def names() -> Iterator[DefinedName]:

@@ -19,8 +19,8 @@ class Text(NamedTuple):
 
 LANGUAGES: tuple[str, ...] = Text._fields
 OWN_WIDTH = len(OWN_ENTRIES)
-CODES: tuple[str, ...] = tuple(family.code for family in FAMILIES)
-"""codes of the laws that the functions know: of every family"""
+CODES: tuple[str, ...] = tuple(family.code for family in FAMILIES if family.page.functions)
+"""codes of the laws that the functions know: of every family but points, which are a table of their own"""
 SHARE = Text(
     "share λ of the time that accelerates", "quota λ del tempo in accelerazione", "Anteil λ der Beschleunigung"
 )
@@ -48,7 +48,7 @@ TAKES = {
     ),
 }  # fmt: skip
 """What a law takes, of those that take anything."""
-PARAMETERS = {family.code: len(family.page.parameters) for family in FAMILIES if family.code != "OWN"}
+PARAMETERS = {one.code: len(one.page.parameters) for one in FAMILIES if one.code in CODES and one.code != "OWN"}
 """Codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of OWN_WIDTH."""
 if wrong := [code for code in CODES if (code in TAKES) != bool(PARAMETERS.get(code, OWN_WIDTH))]:
     raise IncompleteError(f"TAKES should have words for the parameters of {', '.join(wrong)}, or should not")

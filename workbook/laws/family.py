@@ -154,6 +154,8 @@ class Page:
     """pieces of its first pulse, of a law of two pulses"""
     has_sheet: bool = True
     """whether its formulas stand in cells of its own, which other sheets refer to"""
+    functions: bool = True
+    """whether the functions MOTION.* take it"""
     samples: str = "@samples"
     """the table of its samples; a law without stands still"""
 
@@ -225,7 +227,7 @@ class Page:
         """Return the formula of s, v or a at an end of the law: at its ``first`` or ``last`` sample."""
         return f"=[{self.samples}.{derivative}.{at}]" if self.samples else "=0"
 
-    def stacked(self, law: Law, room: int) -> list[Stacked]:
+    def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack for a law of the family."""
         return [
             Stacked(piece, {name: self._entry(name, k) for name in ENTRIES})

@@ -97,7 +97,7 @@ def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
     return [
         calc("way", "meets its neighbours' velocity", "", "",
              [one.own(one.page.way) for one in laws], [way(one.law) for one in laws], format="0",
-             source="−1 has one, 0 cannot, 1 by two pulses, 3, 5, 7 by a polynomial"),
+             source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial"),
         constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws]),
     ]  # fmt: skip
 

@@ -54,7 +54,7 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     """Return the rows of the stack: the pieces of each law in the order of their numbers."""
     rows = []
     for one in laws:
-        found = one.page.stacked(one.law, sizes.pieces)
+        found = one.page.stacked(one.law, sizes)
         places = carried(one.law, [each.piece for each in found])
         for k, (each, place) in enumerate(zip(found, places, strict=True), 1):
             formulas = {name: one.own(text) for name, text in each.formulas.items()}

@@ -13,7 +13,7 @@ from functools import cached_property
 from math import perm
 from typing import Any
 
-from engine.motion.handover import NEVER, PULSES, Handover
+from engine.motion.handover import KEEPS, NEVER, PULSES, Handover
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import filled
@@ -44,6 +44,7 @@ HERMITE = {
 VELOCITY = " with a velocity: it begins and ends at rest"
 ACCELERATION = " with an acceleration: it begins and ends at rest"
 ONLY = " with an acceleration: it takes a velocity only, accelerations follow from that, its lift and its shares"
+KEPT = " with an acceleration: what it has there follows from its points"
 BESIDE = ": its begin is entered otherwise than the straight line or dwell there has it"
 
 
@@ -102,7 +103,8 @@ class Ends(Neighbours):
         moving = f"{at('w0')}+{at('w1')}>0"
         never = f"INDEX([{table}.way],{row})=0"
         begins = f'IF(IF(AND({never},{moving}),{at("w0")},{at("q0")})>0,"begin","end")'
-        what = f'IF({never},IF({moving},"{VELOCITY}","{ACCELERATION}"),"{ONLY}")'
+        kept = f"INDEX([{table}.way],{row})={KEEPS}"
+        what = f'IF({never},IF({moving},"{VELOCITY}","{ACCELERATION}"),IF({kept},"{KEPT}","{ONLY}"))'
         says = f'{head}{row}&": "&INDEX([{phases}.law],{row})&" cannot "&{begins}&{what}'
         against = f"MATCH(1,[{table}.contrary],0)"
         return [
@@ -121,7 +123,7 @@ class Ends(Neighbours):
         begin, end = one.begin.asked, one.end.asked
         moving, never = bool(begin.v or end.v), one.way == NEVER
         verb = "begin" if (begin.v if never and moving else begin.a) else "end"
-        what = (VELOCITY if moving else ACCELERATION) if never else ONLY
+        what = (VELOCITY if moving else ACCELERATION) if never else KEPT if one.way == KEEPS else ONLY
         return f"{self._row(k)}: {self.phases[k - 1].law} cannot {verb}{what}"
 
     def _contrary(self) -> str:

@@ -75,7 +75,7 @@ class Neighbours:
         return [
             calc("way", "meets its neighbours' velocity", "", "",
                  f"=IF([span]>0,INDEX(law_way,INDEX([{at.phases}.no],[k])),-1)", self.of(lambda one: one.way, STRAIGHT),
-                 format="0", source="−1 has one, 0 cannot, 1 by two pulses, 3, 5, 7 by a polynomial"),
+                 format="0", source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial"),
             calc("slope", "its own velocity", "h/δ", velocity,
                  "=IF(AND([way]=-1,[span]>0),[h]/[span],0)", self.of(lambda one: one.slope), scale=size(1),
                  source="of a straight line"),
@@ -108,10 +108,10 @@ class Neighbours:
                  self.of(lambda one: int(one.contrary)), format="0;;", source="than a straight line there has it"),
             calc("cannot", "cannot have such ends", "", "",
                  "=IF(OR(AND([way]=0,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])>0),"
-                 "AND(OR([way]=1,[way]=3),ABS([q0])+ABS([q1])>0)),1,0)",
+                 "AND(OR([way]=1,[way]=2,[way]=3),ABS([q0])+ABS([q1])>0)),1,0)",
                  self.of(lambda one: int(bool(one.fault))), format="0;;", source="1 where it cannot"),
             calc("mode", "is carried out", "", "",
-                 "=IF(OR([way]=-1,[cannot]=1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,[way])",
+                 "=IF(OR([way]=-1,[way]=2,[cannot]=1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,[way])",
                  self.of(lambda one: one.mode), format="0",
                  source="0 between rests, 1 as two pulses, 3, 5, 7 as a polynomial"),
         ]  # fmt: skip

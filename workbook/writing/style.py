@@ -19,6 +19,7 @@ from workbook.book.declare import Block, Quantity
 
 INK, GREY, RULE, GRID = "1F2937", "6B7280", "D1D5DB", "E5E7EB"
 ENTRY, FIGURE, DOTS = "FFF8E1", "0B57A4", "D9B65C"
+PAPER = "FFFFFF"
 NOTHING, NOTHING_ID = ";;;", 900  # a number format that shows nothing; its number is beyond those that programs give
 VERDICTS = (("OK", "166534", "DCFCE7"), ("FAIL", "991B1B", "FEE2E2"))
 
@@ -119,6 +120,16 @@ def mark_checks(sheet: Worksheet, cells: str) -> None:
         look = DifferentialStyle(font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid"))
         rule = Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look)
         sheet.conditional_formatting.add(cells, rule)
+
+
+def hide_errors(sheet: Worksheet, block: Block) -> None:
+    """Let the results of a table show nothing where they are errors: these have no number format, so it is the ink."""
+    cells = " ".join(block.reference(q.name).replace("$", "") for q in block.quantities if q.role == "result")
+    if block.quiet:
+        look = DifferentialStyle(font=Font(color=PAPER))
+        sheet.conditional_formatting.add(
+            cells, Rule(type="expression", formula=[block.when(block.quiet, block.row)], dxf=look)
+        )
 
 
 def blank_unused(sheet: Worksheet, block: Block) -> None:

@@ -123,6 +123,7 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
         if q.role == "check":
             style.mark_checks(page, block.reference(q.name).replace("$", ""))
     style.blank_unused(page, block)
+    style.hide_errors(page, block)
 
 
 def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:

@@ -137,8 +137,8 @@ def test_no_name_means_two_laws():
 
 
 def test_an_unknown_name_is_met_with_the_known_ones():
-    with pytest.raises(UnknownLawError, match=r"'spline'.*DWL \(Dwell\), ACS .*OWN"):
-        law("spline")
+    with pytest.raises(UnknownLawError, match=r"'splint'.*DWL \(Dwell\), ACS .*OWN"):
+        law("splint")
 
 
 def test_parameters_reach_the_law():

@@ -201,8 +201,8 @@ def test_motionlaw_says_what_does_not_go_together(arguments, message):
 
 
 def test_motionlaw_refuses_an_unknown_law():
-    with pytest.raises(UnknownLawError, match="'SPL'"):
-        motionlaw(["Dwell", "SPL"], [0, 1], [1, 1], 10)
+    with pytest.raises(UnknownLawError, match="'SPI'"):
+        motionlaw(["Dwell", "SPI"], [0, 1], [1, 1], 10)
 
 
 THROWN = PieceLaw([Piece(1.0, (2.0, 0.0, 0.0, 0.0))])  # from rest to v = 2

@@ -27,7 +27,7 @@ def numbers(match: Match, values: Cells, rules: dict[str, Rules], report: Report
             cell = match.file.cell(pair.address)
             if cell is None:
                 continue
-            key = getattr(cell, "_style").numFmtId  # noqa: B009 - the stubs hide it; number_format looks it up each time
+            key = getattr(cell, "_style").numFmtId  # noqa: B009 - the stubs hide it; number_format looks it up anew
             code = codes.get(key)
             if code is None:
                 code = codes[key] = cell.number_format

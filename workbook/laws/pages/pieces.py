@@ -142,9 +142,9 @@ class OwnPage(Page):
         """Return the formula of the lowest or the highest s: of its extremes."""
         return {"MIN": "=@s_least", "MAX": "=@s_most"}[end]
 
-    def stacked(self, law: Law, room: int) -> list[Stacked]:
+    def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack: the table of the own law, spare rows and all."""
-        pieces = filled(law.as_pieces(), room, engine.Piece(0.0))
+        pieces = filled(law.as_pieces(), sizes.pieces, engine.Piece(0.0))
         return [
             Stacked(piece, {name: f"=[@pieces.{name}.{k}]" if name in OWN_ENTRIES else "=0" for name in ENTRIES})
             for k, piece in enumerate(pieces, 1)

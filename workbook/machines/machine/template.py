@@ -16,6 +16,7 @@ from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
+from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
@@ -84,5 +85,6 @@ TEMPLATE = Template(
     laid_out=laid_out,
     fixed=fixed,
     axes=axes,
+    scaling=SCALING,
     switches=switches,
 )

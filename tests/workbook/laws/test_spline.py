@@ -1,0 +1,164 @@
+"""Points joined by a cubic spline in a workbook: solution and extremes in cells, what is refused, lines beside them."""
+
+import itertools
+import random
+
+import pytest
+
+from engine.laws.spline import Spline
+from tests.workbook.cells import computed, disagreeing, entered
+from workbook.errors import InputError
+from workbook.laws.pages.spline import VARIATIONS
+from workbook.reading.entries import checked, counted, read_machine
+from workbook.templates import TEMPLATES
+
+COMPOSER = TEMPLATES["motion-composer"]
+REST = {"law": "DWL", "lift": 0.0, "duration": 5.0}
+
+
+def points(*pairs):
+    return [{"at": at, "s": s} for at, s in pairs]
+
+
+def machine(laws, phases=None, **sizes):
+    data = read_machine(COMPOSER.description).model_dump()
+    data["sizes"] |= {"cycle": 12, "law": 6, "motion_pieces": 120} | sizes
+    for name, entry in laws.items():
+        data["laws"][name] = {"family": "SPL"} | entry
+    data["motion"]["phases"] = phases or [
+        *({"law": name, "lift": (-1) ** k * 10.0, "duration": 20.0 + k} for k, name in enumerate(laws)),
+        REST,
+    ]
+    return checked(COMPOSER, data, counted)
+
+
+def test_every_cell_computes_what_the_engine_has():
+    wrong, count = disagreeing(COMPOSER, machine({f"Points {k}": one for k, one in enumerate(({}, *VARIATIONS))}))
+    assert wrong == []
+    assert count > 2000
+
+
+def drawn(dice, n):
+    """Points at random, some close together; slopes and ends at random."""
+    places = sorted(dice.random() for _ in range(n - 2))
+    near = dice.random() < 0.3 and n > 3
+    if near:
+        places[1] = places[0] + 1e-3 * (1.0 - places[0])
+    at = [0.0, *sorted(places), 1.0]
+    if min(b - a for a, b in itertools.pairwise(at)) < 1e-4:
+        return drawn(dice, n)
+    s = [0.0, *(round(dice.uniform(-0.3, 1.3), 3) for _ in places), 1.0]
+    return {
+        "points": points(*zip(at, s, strict=True)),
+        "first_slope": dice.choice((None, 0.0, dice.uniform(-2.0, 2.0))),
+        "last_slope": dice.choice((None, 0.0, dice.uniform(-2.0, 2.0))),
+        "natural": dice.choice(("none", "begin", "end", "both")),
+    }
+
+
+@pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.nightly) for k in range(1, 12))])
+def test_so_it_is_for_points_at_random(seed):
+    dice = random.Random(seed)
+    laws = {f"Points {k}": drawn(dice, n) for k, n in enumerate((2, 3, 5, dice.randint(6, 12), 12))}
+    assert disagreeing(COMPOSER, machine(laws))[0] == []
+
+
+@pytest.mark.nightly
+def test_so_it_is_for_a_hundred_points():
+    laws = {"Points": drawn(random.Random(3), 100), "Few": {}}
+    assert disagreeing(COMPOSER, machine(laws, points=100, motion_pieces=240))[0] == []
+
+
+SYMMETRIC = {"points": points((0, 0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1, 1))}
+ON_A_LINE = points((0, 0), (0.3, 0.3), (0.7, 0.7), (1, 1))
+AT_THE_EDGE = {
+    "two points, clamped: the cubic": {"points": points((0, 0), (1, 1))},
+    "a line": {"points": points((0, 0), (1, 1)), "natural": "both"},
+    "points on a line": {"points": ON_A_LINE, "natural": "both"},
+    "points on a line, with its slope": {"points": ON_A_LINE, "first_slope": 1.0, "last_slope": 1.0},
+    "a parabola": {"points": points((0, 0), (0.5, 0.25), (1, 1)), "first_slope": 0.0, "last_slope": 2.0},
+    "natural, symmetric": SYMMETRIC | {"natural": "both"},
+    "flat between points": {"points": points((0, 0), (0.3, 0.5), (0.6, 0.5), (1, 1))},
+    "points as near as may be": {"points": points((0, 0), (0.5, 0.5), (0.500001, 0.500001), (1, 1))},
+}
+
+
+def test_so_it_is_at_the_edge():
+    assert disagreeing(COMPOSER, machine(AT_THE_EDGE))[0] == []
+
+
+def test_two_points_are_the_cubic():
+    value = computed(COMPOSER, machine(AT_THE_EDGE))
+    assert [value(f"SPL8_{name}") for name in ("cv", "ca_max", "ca_min")] == pytest.approx([1.5, 6.0, -6.0], rel=1e-12)
+    assert value("SPL8_ca_rms") == pytest.approx(12**0.5, rel=1e-12)
+    assert value("SPL8_va_max") == pytest.approx(12**0.5, rel=1e-12)
+
+
+def test_what_is_entered_comes_back():
+    given = machine({"Points": VARIATIONS[1], "Others": VARIATIONS[0]})
+    back, lost = entered(COMPOSER, given)
+    assert back == given
+    assert not lost
+
+
+BAD = {
+    "not to one": (points((0, 0), (0.5, 0.5), (1, 0.9)), "lead", "they lead from (0, 0) to (1, 0.9); expected"),
+    "not from zero": (points((0.1, 0), (1, 1)), "lead", "they lead from (0.1, 0) to (1, 1); expected"),
+    "back": (points((0, 0), (0.6, 0.5), (0.4, 0.7), (1, 1)), "rise", "point 3 is at 0.4, the one before at 0.6"),
+    "twice": (points((0, 0), (0.6, 0.5), (0.6, 0.5), (1, 1)), "rise", "point 3 is at 0.6, the one before at 0.6"),
+    "one": (points((0, 0)), "enough", "1 points are given; expected 2 or more"),
+}
+
+
+def test_points_that_make_no_law_fail_by_row_and_are_built():
+    one = machine({what: {"points": given} for what, (given, _, _) in BAD.items()})
+    assert len(one.design.faults) == len(BAD)
+    value = computed(COMPOSER, one)
+    for number, (_, rule, says) in enumerate(BAD.values(), 8):
+        assert value(f"SPL{number}_{rule}") == "FAIL"
+        assert value(f"SPL{number}_{rule}_says").startswith(says)
+
+
+def test_more_points_than_room_are_refused():
+    many = points(*((k / 12, k / 12) for k in range(13)))
+    with pytest.raises(InputError, match=r'laws\."My points"\.points: 13 rows do not fit into 12; raise sizes\.points'):
+        machine({"My points": {"points": many}})
+
+
+def beside_a_line(slope):
+    laws = {"Points": {"points": points((0, 0), (0.4, 0.2), (1, 1)), "last_slope": slope}}
+    data = machine(laws).model_dump()
+    data["laws"]["LIN"] = {"family": "LIN"}
+    data["motion"] |= {"cycle": "open"}
+    data["motion"]["phases"] = [
+        {"law": "Points", "lift": 30.0, "duration": 60.0},
+        {"law": "LIN", "lift": 20.0, "duration": 40.0},
+    ]
+    return checked(COMPOSER, data, counted)
+
+
+@pytest.mark.parametrize(("slope", "verdict"), [(1.0, "OK"), (0.9, "FAIL"), (None, "FAIL")])
+def test_beside_a_straight_line_the_slope_that_is_entered_meets_it_or_the_joint_is_told(slope, verdict):
+    """0.5 mm/° of the line are the slope 0.5 · 60/30 = 1 of the spline."""
+    one = beside_a_line(slope)
+    value = computed(COMPOSER, one)
+    assert value("move_ok_velocity") == verdict
+    assert value("move_ok_meets") == "OK"
+    if verdict == "FAIL":
+        assert value("move_ok_smooth_says").startswith("row 1 to 2 at 60 °: velocity jumps by")
+    assert disagreeing(COMPOSER, one)[0] == []
+
+
+def test_an_acceleration_that_is_entered_beside_points_is_told():
+    data = beside_a_line(1.0).model_dump()
+    data["motion"]["phases"].insert(1, {"law": "PO5", "lift": 5.0, "duration": 10.0, "acceleration": 0.01})
+    data["laws"]["PO5"] = {"family": "PO5"}
+    value = computed(COMPOSER, one := checked(COMPOSER, data, counted))
+    assert value("move_ok_meets") == "FAIL"
+    assert "row 1: Points cannot end with an acceleration: what it has there" in value("move_ok_meets_says")
+    assert disagreeing(COMPOSER, one)[0] == []
+
+
+def test_the_engines_spline_is_that_of_the_description():
+    law = machine({"Points": VARIATIONS[1]}).laws["Points"].exact
+    assert law == Spline(((0, 0), (0.4, 0.1), (0.55, 0.8), (1, 1)), (0.25, None), (False, True))

@@ -1,0 +1,149 @@
+"""A study from its description to its results: what is evaluated without a book is what the book says."""
+
+import csv
+import os
+import random
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.workbook.studies.studied import FEED, MOTORS, REDUCERS, base, laws, planned, stops, written
+from workbook.errors import InputError
+from workbook.studies.evaluate import Evaluator, of_book
+from workbook.studies.judged import deviation
+from workbook.studies.named import require_names
+from workbook.studies.plan import read_study
+
+
+def run(*arguments, **options):
+    command = [sys.executable, "-m", "workbook", "study", *map(str, arguments)]
+    env = os.environ | {"COLUMNS": "200"}
+    return subprocess.run(command, capture_output=True, text=True, check=False, encoding="utf-8", env=env, **options)
+
+
+def rows(path):
+    with Path(path).open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def chosen(plan, number):
+    columns = plan.space.columns(number, number + 1)
+    return {one: column.values[0] for one, column in zip(plan.space.dimensions, columns, strict=True)}
+
+
+def test_every_result_without_a_book_is_what_the_book_says(tmp_path):
+    windows = [{"start": 20.0, "stop": 60.0, "force": -4000.0}, {"start": 70.0, "stop": 90.0, "force": 900.0}]
+    base(tmp_path, load={"force": 300.0, "friction": 0.1, "mass": 30.0, "windows": windows})
+    plan = planned(tmp_path, laws("MTP", "PO5", "ACS"), stops(70, 100, 3), MOTORS, REDUCERS, results=["drive1_rms"])
+    scaling = plan.template.scaling
+    rng = random.Random(1)
+    for number in rng.sample(range(plan.space.size), 3):
+        here = chosen(plan, number)
+        book = plan.template.declare(plan.machine(here))
+        outer = plan.machine({one: value for one, value in here.items() if not one.part})
+        columns = zip(plan.space.dimensions, plan.space.columns(number, number + 1), strict=True)
+        found = scaling.results(outer, {one.key: column for one, column in columns if one.part})
+        told = {name: np.ravel(value())[0] for name, value in found.items() if name.partition(".")[0] in book.blocks}
+        assert len(told) > 25
+        apart = {name: deviation(value, of_book(book, name)) for name, value in told.items()}
+        assert max(apart.values()) < 1e-11, apart
+
+
+def test_what_scales_is_worked_out_together_and_gives_what_each_gives_alone(tmp_path):
+    plan = planned(tmp_path, laws("MTP", "CUB"), MOTORS, REDUCERS, results=["drive1_rms", "drive1_ok_peak"])
+    assert [one.part for one in plan.space.dimensions] == ["", "axes.0.motor", "axes.0.reducer"]
+    together = Evaluator(plan).table(0, plan.space.columns(0, plan.space.size))
+    for number in (0, 5, plan.space.inner, plan.space.size - 1):
+        alone = Evaluator(plan).table(number, plan.space.columns(number, number + 1))
+        for name, values in together.results.items():
+            assert values[number] == alone.results[name][0]
+
+
+def test_the_command_writes_results_a_page_and_the_picked_book(tmp_path):
+    study = written(
+        tmp_path, laws("MTP", "CUB", "CIC"), stops(80, 120, 2), MOTORS, REDUCERS,
+        results=["drive1_energy"], minimise=["drive1_rms", "drive1_pair_mass"],
+        constraints={"drive1_res_rms": {"min": 1.0}, "drive1_ok_speed": "OK"},
+    )  # fmt: skip
+    done = run(study, "--pick", 1, "-o", "best.xlsx", "--jobs", 1, "--unverified", cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "formula cells agree" in done.stdout
+    found = rows(tmp_path / "study.csv")
+    assert len(found) == 3 * 2 * 19 * 16
+    assert (tmp_path / "best.xlsx").exists()
+    assert not (tmp_path / "study.csv.parts").exists()
+    page = (tmp_path / "study.html").read_text(encoding="utf-8")
+    assert "<svg" in page
+    assert "seed 1" in page
+    feasible = [row for row in found if row["feasible"] == "yes" and row["drive1_pair_mass"]]
+    best = min(feasible, key=lambda row: float(row["drive1_rms"]))
+    assert f"1. design {best['design']}:" in done.stdout
+    again = run(study, cwd=tmp_path)
+    assert again.returncode == 2
+    assert "study.csv: the file exists" in again.stderr
+
+
+def test_an_impossible_design_is_a_row_with_its_reason(tmp_path):
+    plan = planned(tmp_path, stops(-10, 80, 2), results=["drive1_rms"])
+    table = Evaluator(plan).table(0, plan.space.columns(0, 2))
+    assert table.possible.tolist() == [False, True]
+    assert "axes[1].phases[1].stop" in table.reasons[0]
+    assert "at least 0" in table.reasons[0]
+    assert np.isnan(table.results["drive1_rms"][0])
+
+
+def test_a_phase_that_grows_takes_its_room_from_the_phase_that_is_named(tmp_path):
+    phases = [
+        {"start": 0.0, "stop": 90.0, "lift": 200.0, "law": "MTP"},
+        {"start": 90.0, "stop": 200.0, "lift": 100.0, "law": "CUB"},
+    ]
+    base(tmp_path, phases=phases)
+    plan = planned(tmp_path, stops(80, 110, 2, takes="axes.MC01.phases[2]"), results=["drive1_rms"])
+    for number, stop in enumerate((80.0, 110.0)):
+        first, second = plan.machine(chosen(plan, number)).axes[0].phases
+        assert (first.stop, second.start, second.stop) == (stop, stop, 200.0)
+
+
+def test_all_laws_are_those_with_the_same_ends_that_the_machine_takes(tmp_path):
+    (law,) = planned(tmp_path, {"key": f"{FEED}.law", "all": "laws"}, results=["drive1_rms"]).space.dimensions
+    assert {"CUB", "MTP", "SHM", "PO5"} <= set(law.values)
+    assert not {"DWL", "LIN"} & set(law.values)
+
+
+def test_a_result_that_only_the_book_has_comes_from_it(tmp_path):
+    plan = planned(tmp_path, laws("MTP", "CUB"), results=["MTP_cj", "drive1_rms"])
+    one = Evaluator(plan)
+    assert not one.swift
+    table = one.table(0, plan.space.columns(0, 2))
+    assert table.results["MTP_cj"].tolist() == pytest.approx([61.43, 61.43], abs=0.01)
+    assert table.results["drive1_rms"][0] != table.results["drive1_rms"][1]
+
+
+@pytest.mark.parametrize(
+    ("vary", "more", "said"),
+    [
+        ([{"key": f"{FEED}.lw", "values": ["MTP"]}], {}, "has no 'lw'; expected law"),
+        ([{"key": "axes.MC1.shift", "values": [1.0]}], {}, "has no 'MC1'; expected MC01"),
+        ([{"key": FEED, "values": [1.0]}], {}, "is a table of entries"),
+        ([laws("MTTP")], {}, "MTTP"),
+        ([laws("MTP")], {"results": ["drive1_rsm"]}, "no result is named 'drive1_rsm'; expected drive1_rms"),
+        ([stops(90, 80, 3)], {}, "the range from 90 to 80 is empty"),
+        ([{"key": f"{FEED}.law", "values": []}], {}, "values"),
+        ([stops(60, 90)], {}, "expects steps of each range"),
+        ([stops(60, 90, 1_000_000_000)], {}, "1,000,000,000 designs in full; expected at most"),
+        ([laws("MTP"), laws("CUB")], {}, "varies twice"),
+        ([laws("MTP")], {"constraints": {"drive1_ok_rms": {"min": 1.0}}}, 'expected drive1_ok_rms = "OK"'),
+        ([laws("MTP")], {"minimise": ["drive1_ok_rms"]}, "is a text, 'OK'; expected a number"),
+        ([{"key": "axes.MC01.motor.name", "values": ["No such"]}], {}, "no motor of the catalogue is named"),
+        ([laws("MTP")], {"way": {"kind": "sobol"}}, "how many designs"),
+        ([laws("MTP")], {"minimize": []}, "minimize: unknown entry; expected one of minimise"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_asked_is_told_in_a_line_with_what_is_near(tmp_path, vary, more, said):
+    with pytest.raises(InputError) as told:
+        require_names(read_study(written(tmp_path, *vary, **({"results": ["drive1_rms"]} | more))), "study.toml")
+    assert said in str(told.value)
+    assert len(str(told.value).splitlines()) == 1

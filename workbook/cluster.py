@@ -1,0 +1,168 @@
+"""A pool of Dask workers: processes of this machine, or a cluster by the address of its scheduler.
+
+Dask is imported only where there is more than one piece of work, or a cluster is named.
+"""
+
+from __future__ import annotations
+
+import logging
+import operator
+import os
+import signal
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
+from typing import Any, TypeVar
+
+import workbook
+from workbook.errors import MotionbookError
+from workbook.pool import Died, Here, Pool
+
+T = TypeVar("T")
+R = TypeVar("R")
+MOST_JOBS = 61  # Windows waits for no more processes at once
+WAIT = "10s"  # for a scheduler
+LOCAL = {
+    "distributed.scheduler.allowed-failures": 0,  # a task whose worker died comes back, and is tried alone
+    "distributed.worker.memory.terminate": False,
+    "distributed.worker.memory.pause": False,
+    "distributed.worker.memory.spill": False,
+    "distributed.worker.memory.target": False,
+    "distributed.comm.timeouts.connect": WAIT,
+}
+FEWER = {"distributed.comm.retry.count": 0, "distributed.comm.timeouts.connect": WAIT}
+
+
+class ClusterError(MotionbookError):
+    """A cluster that cannot be reached, that has nobody to work, or that is gone."""
+
+
+def cores() -> int:
+    """Return how many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextmanager
+def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
+    """Give who works: this process alone for one job, processes for more, a cluster where a scheduler is named.
+
+    Raises ClusterError, in a line, where that cannot be reached or its workers have another version.
+    """
+    wanted = min(jobs or cores(), MOST_JOBS)
+    if scheduler is None and wanted <= 1:
+        yield Here()
+        return
+    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    with local(wanted) if scheduler is None else remote(scheduler) as client:
+        yield Workers(client, scheduler or "")
+
+
+@contextmanager
+def local(jobs: int) -> Iterator[Any]:
+    """Give a client of processes of this machine; they end with the block."""
+    import dask
+    from distributed import Client, LocalCluster
+
+    with (
+        dask.config.set(LOCAL),
+        LocalCluster(
+            n_workers=jobs, threads_per_worker=1, processes=True, dashboard_address=None, memory_limit=0,
+            silence_logs=logging.CRITICAL, preload="workbook.cluster",
+        ) as cluster,
+        Client(cluster) as client,
+    ):  # fmt: skip
+        yield client
+
+
+@contextmanager
+def remote(scheduler: str) -> Iterator[Any]:
+    """Give a client of a scheduler; raise ClusterError."""
+    import dask
+    from distributed import Client
+
+    with dask.config.set(FEWER):
+        try:
+            client = Client(scheduler, timeout=WAIT, set_as_default=False)
+        except (OSError, ValueError, TypeError, ImportError) as error:
+            said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
+            raise ClusterError(f"--scheduler {scheduler}: {said}") from error
+        try:
+            require_workers(client, scheduler)
+            yield client
+        finally:
+            with suppress(Exception):  # of one that is gone
+                client.close(timeout=1)
+
+
+def require_workers(client: Any, scheduler: str) -> None:
+    """Raise ClusterError unless there are workers, all with this version of motionbook."""
+    if not client.scheduler_info()["workers"]:
+        raise ClusterError(f"--scheduler {scheduler}: it has no workers; expected one or more")
+    said = client.run(operator.attrgetter("__version__"), workbook, on_error="return")
+    for address, version in sorted(said.items()):
+        if version != workbook.__version__:
+            there = f"motionbook {version}" if isinstance(version, str) else "no motionbook"
+            expected = f"expected {workbook.__version__}, as here"
+            raise ClusterError(f"--scheduler {scheduler}: the worker {address} has {there}; {expected}")
+
+
+class Workers:
+    """The workers of a client."""
+
+    def __init__(self, client: Any, scheduler: str) -> None:
+        self.client, self.scheduler = client, scheduler
+
+    @property
+    def width(self) -> int:
+        """How many pieces are worked on at once."""
+        info = self.client.scheduler_info(n_workers=-1)["workers"]
+        return max(1, sum(int(one["nthreads"]) for one in info.values()))
+
+    def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | Died]]:
+        """Yield each task with what the function gives; one more than there are workers are handed out."""
+        from distributed import as_completed
+
+        waiting, running, most = iter(tasks), dict[str, T](), self.width + 1
+        finished = as_completed([], raise_errors=False)
+
+        def hand_out() -> None:
+            while len(running) < most and (task := next(waiting, None)) is not None:
+                future = self.client.submit(function, task, *shared, pure=False)
+                running[future.key] = task
+                finished.add(future)
+
+        try:
+            hand_out()
+            while running:
+                future = next(finished)
+                task, came = running.pop(future.key), self._came(future)
+                future.release()
+                del future
+                hand_out()
+                yield task, came
+        finally:
+            finished.clear()
+
+    def _came(self, future: Any) -> Any:
+        """Return what came of a task; raise ClusterError where the scheduler is gone."""
+        from concurrent.futures import CancelledError
+
+        from distributed import KilledWorker
+
+        try:
+            return future.result()
+        except KilledWorker:
+            return Died()
+        except (CancelledError, TimeoutError, OSError) as error:
+            if future.status == "error":
+                raise
+            where = f" {self.scheduler}" if self.scheduler else ""
+            raise ClusterError(f"the scheduler{where} is gone, or it was told to stop") from error
+
+    def on_each(self, function: Callable[..., Any], *arguments: Any) -> dict[str, Any]:
+        """Return what a function gives on each worker, or the exception that it raises there."""
+        return dict(self.client.run(function, *arguments, on_error="return"))
+
+
+def dask_setup(_: Any) -> None:
+    """Begin a worker of ours: Ctrl-C, which reaches every process of a terminal, is left to the first of them."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)

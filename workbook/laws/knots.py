@@ -1,0 +1,154 @@
+"""A cubic spline in cells: its moments by forward elimination and back substitution, its extremes in closed form.
+
+Back substitution goes from the last point to the first, so that each row refers to the one above it only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from engine.laws.knots import EQUAL, STILL, Interval, Knots
+from engine.laws.spline import NARROWEST
+from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.rows import filled
+
+ROOT, THIRD = "SQRT([w])", "SQRT(MAX(0,[w])/3)"
+SPEEDS = "={0}([v],[v1],IF([a]*[a1]<0,[v]+[a]^2*[d]/(2*([a]-[a1])),[v]))"
+POWERS = (
+    f"={{0}}([v]*[a],[v1]*[a1],IF(([a]-{THIRD})*([a1]-{THIRD})<0,0-[w]*{THIRD}/(3*[j]),[v]*[a]),"
+    f"IF(([a]+{THIRD})*([a1]+{THIRD})<0,[w]*{THIRD}/(3*[j]),[v]*[a]))"
+)
+RISES = (
+    "=IF(OR(AND([v]<0-@still,[v_high]>@still),AND([v1]>@still,[v_low]<0-@still)),"
+    f"IF([a]<0,({ROOT}-[a])/[j],0-2*[v]/({ROOT}+[a])),0)"
+)
+FALLS = (
+    "=IF(OR(AND([v]>@still,[v_low]<0-@still),AND([v1]<0-@still,[v_high]>@still)),"
+    f"IF([a]>0,0-({ROOT}+[a])/[j],2*[v]/({ROOT}-[a])),0)"
+)
+REACH = "={0}([y],[y1],[y]+[{1}]*(4*[v]+[a]*[{1}])/6)"
+FASTEST = (
+    "=IF(OR([d]=0,[v_high]<@v_most-{0}*ABS(@v_most)),1,IF([v]>=@v_most-{0}*ABS(@v_most),[xi],"
+    "IF(AND([a]>0,[a1]<0),[xi]+[d]*[a]/([a]-[a1]),[xi]+[d])))"
+).format(f"{EQUAL:.0E}")
+WRONG = (
+    "=IF([d]=0,0,IF([xi]+[d]<=@v_at+check_zero,MAX(0,[v]-[v_low],[v_high]-[v1]),"
+    "IF([xi]>=@v_at-check_zero,MAX(0,[v_high]-[v],[v1]-[v_low]),0)))"
+)
+UNIT = 1.0  # rise and time: what rounding of accelerations is measured by
+
+
+def worked_out() -> dict[str, tuple[str, str]]:
+    """Return the formula of each coefficient."""
+    return {
+        "cv": ("=MAX(@v_most,0-MIN([@points.v_low]))", "at a point, or where a = 0"),
+        "ca_max": ("=MAX([@points.a])", "at a point: a is linear between two"),
+        "ca_min": ("=MIN([@points.a])", "at a point"),
+        "ca_rms": ("=SQRT(SUM([@points.square]))", "√∫a² of the intervals"),
+        "cj": (
+            '=IF(MAX(ABS([@points.a.first]),ABS([@points.a.last]))>check_zero*MAX(@ca_max,0-@ca_min),"∞",'
+            "MAX(MAX([@points.j]),0-MIN([@points.j])))",
+            "∞ where the acceleration jumps at an end",
+        ),
+        "va_max": ("=MAX([@points.va_high])", "at a point, or where a² = W/3"),
+        "va_min": ("=MIN([@points.va_low])", "at a point, or where a² = W/3"),
+    }
+
+
+def solution(at: Knots) -> list[Quantity]:
+    """Return the rows that the table of points refers to."""
+    first, last = at.slopes
+    free = at.law.natural
+    count = "@used-1"
+    end = f"=INDEX([@points.m],{count})+INDEX([@points.d],{count})*(INDEX([@points.a],{count})+2*[@points.a.last])/6"
+    natural = '=IF(AND(@{0}_slope="",OR(@natural="{1}",@natural="both")),1,0)'
+    return [
+        calc("@used", "Points", "", "", "=COUNT([@points.xi])", at.used, format="0"),
+        calc("@v0", "Velocity entered at its begin", "v(0)", "", "=IF(ISNUMBER(@first_slope),@first_slope,0)", first),
+        calc("@v1", "and at its end", "v(1)", "", "=IF(ISNUMBER(@last_slope),@last_slope,0)", last),
+        calc("@free0", "Its begin is natural", "", "", natural.format("first", "begin"), int(free[0]), format="0"),
+        calc("@free1", "Its end is natural", "", "", natural.format("last", "end"), int(free[1]), format="0"),
+        calc("@v_end", "Velocity at its end", "v(1)", "", end, at.law.end.v, source="m + d(a_k + 2a_{k+1})/6"),
+        calc("@still", "A velocity below this is none", "", "", f"={STILL:.0E}*@cv", at.still, format="0E+00"),
+        calc("@v_most", "Largest velocity", "", "", "=MAX([@points.v_high])", at.speeds[1]),
+        calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@points.fast])", at.peak),
+    ]  # fmt: skip
+
+
+def points_table(sheet: Sheet, at: Knots, entered: Sequence[Quantity]) -> None:
+    """Declare the table of points: what is entered, the solution, and what comes of each interval."""
+    sheet.table(
+        "@points", "Fill one row each, in order; from (0, 0) to (1, 1); leave spare rows empty", at.rows,
+        constant("k", "point", "k", "", list(range(1, at.rows + 1))),
+        *entered,
+        *elimination(at),
+        *intervals(at),
+    )  # fmt: skip
+
+
+def elimination(at: Knots) -> list[Quantity]:
+    """Return the columns of the tridiagonal system, of its forward elimination, and of its back substitution."""
+    following, last = "INDEX([@points.{0}],[k]+1)", "@used+1-[k]"
+    before = "IF([k]=1,{1},INDEX([@points.{0}],MAX([k]-1,1)))"
+
+    def column(name: str, label: str, symbol: str, formula: str, source: str = "", scale: float = 0.0) -> Quantity:
+        values = [getattr(row, name) for row in at.solved]
+        return calc(name, label, symbol, "", formula, values, source=source, scale=scale)
+
+    return [
+        column("d", "duration", "d", f"=IF([k]<@used,{following.format('xi')}-[xi],0)", "to the next point"),
+        calc("narrow", "not after the one before", "", "",
+             f"=IF(AND([k]<@used,[d]<{NARROWEST:.0E}),1,0)", filled([], at.rows, 0), format="0;;"),
+        column("m", "mean slope", "m", f"=IF([d]>0,({following.format('s')}-[s])/[d],@v1)", "Δs/d; behind it v(1)"),
+        column("before", "duration before", "", f"={before.format('d', '0')}"),
+        column("held", "has no equation", "", "=IF(OR([k]>@used,AND([k]=1,@free0=1),AND([k]=@used,@free1=1)),1,0)",
+               "natural, or spare: a = 0"),
+        column("low", "factor of a_{k−1}", "", "=IF([held]=1,0,[before])", "d_{k−1}"),
+        column("high", "factor of a_{k+1}", "", "=IF([held]=1,0,[d])", "d_k"),
+        column("rhs", "right side", "", f"=IF([held]=1,0,6*([m]-{before.format('m', '@v0')}))", "6(m_k − m_{k−1})",
+               UNIT),
+        column("share", "of the row before", "", "=IF([k]=1,0,[low]/[pivot-1])"),
+        column("pivot", "pivot", "", "=IF([held]=1,1,2*([before]+[d])-[share]*IF([k]=1,0,[high-1]))",
+               "2(d_{k−1} + d_k), eliminated"),
+        column("right", "right side left", "", "=[rhs]-[share]*IF([k]=1,0,[right-1])", "", UNIT),
+        column("back", "a, from the last point", "",
+               (f"=IF([k]>@used,0,(INDEX([@points.right],{last})-INDEX([@points.high],{last})"
+                f"*IF([k]=1,0,[back-1]))/INDEX([@points.pivot],{last}))"), "back substitution", UNIT),
+    ]  # fmt: skip
+
+
+def intervals(at: Knots) -> list[Quantity]:
+    """Return the columns of the intervals: rates at both ends, and extremes."""
+    found, still, moment = at.intervals, at.still, "INDEX([@points.back],MAX(1,@used{0}-[k]))"
+    place = "INDEX([@points.s],MIN([k]{0},@used))"
+
+    def column(
+        name: str, label: str, symbol: str, formula: str, value: Callable[[Interval], float], source: str = "",
+        scale: float = 0.0, role: Callable[..., Quantity] = calc,
+    ) -> Quantity:  # fmt: skip
+        return role(name, label, symbol, "", formula, [value(one) for one in found], source=source, scale=scale)
+
+    return [
+        column("a", "acceleration", "a", f"={moment.format('+1')}", lambda one: one.a, "the moment", UNIT, result),
+        column("a1", "and at its end", "", f"={moment.format('')}", lambda one: one.a1, "", UNIT),
+        column("j", "jerk", "j", "=IF([d]>0,([a1]-[a])/[d],0)", lambda one: one.j, "Δa/d", UNIT, result),
+        column("v", "velocity", "v", "=IF([d]>0,[m]-[d]*(2*[a]+[a1])/6,@v_end)", lambda one: one.v,
+               "m − d(2a_k + a_{k+1})/6", UNIT, result),
+        column("v1", "and at its end", "", "=[v]+[d]*([a]+[a1])/2", lambda one: one.v1, "", UNIT),
+        column("y", "position", "", f"={place.format('')}", lambda one: one.s),
+        column("y1", "and at its end", "", f"={place.format('+1')}", lambda one: one.s1),
+        column("w", "invariant", "W", "=[a]^2-2*[j]*[v]", lambda one: one.w, "a² − 2jv", UNIT),
+        column("v_low", "lowest v", "", SPEEDS.format("MIN"), lambda one: one.speeds[0], "", UNIT),
+        column("v_high", "largest v", "", SPEEDS.format("MAX"), lambda one: one.speeds[1], "at an end, or where a = 0",
+               UNIT),
+        column("va_low", "lowest v·a", "", POWERS.format("MIN"), lambda one: one.powers[0], "", UNIT),
+        column("va_high", "largest v·a", "", POWERS.format("MAX"), lambda one: one.powers[1],
+               "at an end, or where a² = W/3", UNIT),
+        column("rises", "v rises through 0 at", "u", RISES, lambda one: one.rises(still), "where a = √W", UNIT),
+        column("falls", "v falls through 0 at", "u", FALLS, lambda one: one.falls(still), "where a = −√W", UNIT),
+        column("s_low", "lowest s", "", REACH.format("MIN", "rises"), lambda one: one.reach(still)[0]),
+        column("s_high", "highest s", "", REACH.format("MAX", "falls"), lambda one: one.reach(still)[1]),
+        column("square", "∫a² dξ", "", "=[d]*([a]^2+[a]*[a1]+[a1]^2)/3", lambda one: one.square, "", UNIT),
+        column("fast", "first place of the largest v", "", FASTEST, lambda one: one.fastest(at.top)),
+        column("wrong", "step of v the wrong way", "", WRONG, lambda one: one.wrong_way(at.peak), "", UNIT),
+    ]  # fmt: skip

@@ -1,0 +1,201 @@
+"""Points joined by a cubic spline: entered point by point, solved in the rows of one table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Literal
+
+from pydantic import Field
+
+from engine.laws import Entry, Law, Piece
+from engine.laws.knots import Knots, given_rows
+from engine.laws.spline import EXAMPLE, MOST, NARROWEST, Spline
+from workbook.book.declare import Quantity, Sheet, check, given
+from workbook.book.sentence import Said, figure, figure_of
+from workbook.entries.types import DesignError, Model, Number, Share
+from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
+from workbook.laws.knots import points_table, solution, worked_out
+
+ENDS = ("begin", "end")
+
+
+class Point(Model):
+    """A point that the law passes through."""
+
+    at: Share = Field(description="The share of the time, ξ, of the point")
+    s: Number = Field(description="The share of the rise that is reached there")
+
+
+ORIGINAL = [Point(at=at, s=s) for at, s in EXAMPLE]
+
+
+class Points(LawSheet):
+    """Points that a cubic spline passes through, and what it does at its ends."""
+
+    points: list[Point] = Field(default=ORIGINAL, description="The points, from (0, 0) to (1, 1), in order")
+    first_slope: Number | None = Field(
+        default=None, description="The velocity that it begins with, per unit rise and time; without it 0"
+    )
+    last_slope: Number | None = Field(
+        default=None, description="The velocity that it ends with, per unit rise and time; without it 0"
+    )
+    natural: Literal["none", "begin", "end", "both"] = Field(
+        default="none", description="The ends that are natural, without acceleration, where no slope is entered"
+    )
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield points that do not lead from (0, 0) to (1, 1), or do not follow each other."""
+        fits = [point.model_dump() for point in ORIGINAL]
+        if len(self.points) < 2:
+            yield DesignError("points", FEW.format(len(self.points)), "enough", fits)
+            return
+        first, last = self.points[0], self.points[-1]
+        if (first.at, first.s, last.at, last.s) != (0.0, 0.0, 1.0, 1.0):
+            ends = (figure(value) for value in (first.at, first.s, last.at, last.s))
+            yield DesignError("points", LEAD.format(*ends), "lead", fits)
+        for k, (one, other) in enumerate(pairwise(self.points), 2):
+            if not other.at - one.at >= NARROWEST:
+                yield DesignError("points", RISE.format(k, figure(other.at), figure(one.at)), "rise", fits)
+                return
+
+    @property
+    def exact(self) -> Spline:
+        """The engine's law: its ends are settled here, whatever is beside it."""
+        natural = [self._natural(end) for end in ENDS]
+        entered = (self.first_slope, self.last_slope)
+        slopes = [None if free else slope or 0.0 for free, slope in zip(natural, entered, strict=True)]
+        points = tuple((point.at, point.s) for point in self.points)
+        return Spline(points, (slopes[0], slopes[1]), (natural[0], natural[1]))
+
+    def _natural(self, end: str) -> bool:
+        entered = self.first_slope if end == ENDS[0] else self.last_slope
+        return entered is None and self.natural in (end, "both")
+
+
+FEW = "{} points are given; expected 2 or more"
+LEAD = "they lead from ({}, {}) to ({}, {}); expected from (0, 0) to (1, 1)"
+RISE = "point {} is at {}, the one before at {}"
+
+ROOM = MOST
+"""points that a table may have"""
+WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
+
+
+def entered(*points: tuple[float, float]) -> list[dict[str, float]]:
+    """Return points as a description has them."""
+    return [{"at": at, "s": s} for at, s in points]
+
+
+VARIATIONS = (
+    {"points": entered(*WAVE), "first_slope": None, "last_slope": None, "natural": "none"},
+    {"points": entered((0, 0), (0.4, 0.1), (0.55, 0.8), (1, 1)), "first_slope": 0.25, "last_slope": None,
+     "natural": "both"},
+    {"points": entered((0, 0), (1, 1)), "first_slope": None, "last_slope": 0.5, "natural": "begin"},
+    {"points": entered((0, 0), (0.2, 0.05), (0.6, 0.7), (0.61, 0.72), (1, 1)), "first_slope": 0.0,
+     "last_slope": -0.3, "natural": "both"},
+)  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class SplinePage(Page):
+    """The page of a spline: any number of points, entered one by one."""
+
+    def reached(self, end: str) -> str:
+        """Return the formula of the lowest or the highest s: of its extremes."""
+        return {"MIN": "=MIN([@points.s_low])", "MAX": "=MAX([@points.s_high])"}[end]
+
+    def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
+        """Return the rows of the stack: an interval each, spare ones and all."""
+        pieces = law.as_pieces()
+        rows = range(1, sizes.points)
+        shown = {"d": "=[@points.d.{}]", "c0": "=[@points.a.{}]", "c1": "=[@points.j.{}]"}
+        return [
+            Stacked(
+                pieces[k - 1] if k <= len(pieces) else Piece(0.0, _after(law)),
+                {name: shown.get(name, "=0").format(k) for name in ENTRIES},
+            )
+            for k in rows
+        ]
+
+    def require_complete(self, entry: Entry) -> None:
+        """Accept it: its pieces are what is entered."""
+
+    def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
+        """Declare slopes and ends, and the table of points."""
+        points, slope = one.entered, "empty: 0, or natural"
+        sheet.rows(
+            given("@first_slope", "Velocity at its begin", "v(0)", "", points.first_slope, f"{one.key}.first_slope",
+                  format="0.0####", source=slope),
+            given("@last_slope", "Velocity at its end", "v(1)", "", points.last_slope, f"{one.key}.last_slope",
+                  format="0.0####", source=slope),
+            given("@natural", "Natural, without acceleration", "", "", points.natural, f"{one.key}.natural",
+                  align="center", source="none, begin, end or both: of ends without a slope"),
+        )  # fmt: skip
+        at = Knots(one.law, sizes.points)
+        rows = (
+            given("xi", "place", "ξ", "", given_rows([p.at for p in points.points], sizes.points),
+                  f"{one.key}.points.*.at", format="0.0####", source="share of the time"),
+            given("s", "position", "s", "", given_rows([p.s for p in points.points], sizes.points),
+                  f"{one.key}.points.*.s", format="0.0####", source="share of the rise"),
+        )  # fmt: skip
+        points_table(sheet, at, rows)
+
+    def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+        """Declare what the table of points is worked out from."""
+        sheet.rows(*solution(Knots(one.law, sizes.points)))
+
+    def stepping(self, law: Law, sizes: Any) -> float:
+        """Return the greatest step of v the wrong way, interval by interval."""
+        return max(Knots(law, sizes.points).steps_wrong) if isinstance(law, Spline) else 0.0
+
+    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
+        """Return the checks of the points."""
+        name, narrow = one.called, "MATCH(1,[@points.narrow],0)"
+        ends = ("[@points.xi.1]", "[@points.s.1]", "INDEX([@points.xi],@used)", "INDEX([@points.s],@used)")
+        lead = "AND(" + ",".join(f"{cell}={value}" for cell, value in zip(ends, "0011", strict=True)) + ")"
+        return [
+            check("@enough", f"{name}: there are points", "@used>1", True, "", f"{one.key}:enough",
+                  spelled(FEW, "@used")),
+            check("@lead", f"{name}: the points lead from 0 to 1", lead, True, "", f"{one.key}:lead",
+                  spelled(LEAD, *ends)),
+            check("@rise", f"{name}: the points follow each other", "SUM([@points.narrow])=0", True, "",
+                  f"{one.key}:rise", spelled(RISE, f"({narrow}+1)", f"INDEX([@points.xi],{narrow}+1)",
+                                            f"INDEX([@points.xi],{narrow})")),
+            check("@ends", f"{name} ends at s = 1", "ABS([@samples.s.last]-1)<check_zero", True,
+                  says=Said('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")),
+        ]  # fmt: skip
+
+
+def _after(law: Law) -> tuple[float, ...]:
+    return (law.end.a, 0.0, 0.0, 0.0)
+
+
+def spelled(text: str, *cells: str) -> str:
+    """Return a sentence as a formula, with the figures of cells in it."""
+    first, *others = text.split("{}")
+    parts = [f'"{first}"'] if first else []
+    for cell, words in zip(cells, others, strict=True):
+        parts += [figure_of(cell), *([f'"{words}"'] if words else [])]
+    return "&".join(parts)
+
+
+PAGE = SplinePage(
+    title="Cubic spline through points",
+    source="the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline",
+    entries=Points,
+    made=lambda entered: entered.exact,
+    pieces=(),
+    coefficients=worked_out(),
+    fastest="=@v_at",
+    lowest="=MIN([@points.v_low])",
+    start="=[@points.v.1]",
+    wrong="=MAX([@points.wrong])",
+    way="=2",
+    rests=False,
+    single=False,
+    shapes=None,
+    variations=VARIATIONS,
+    functions=False,
+)

@@ -1,0 +1,146 @@
+"""A study as one page of HTML: the front, the best designs, what was fixed, what excludes the others."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Mapping
+from datetime import datetime
+from typing import Any
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+import workbook
+from workbook.reports.front import Point, front_picture
+from workbook.reports.page import document, e, table
+from workbook.studies.judged import Judged
+from workbook.studies.model import Bound, Study
+from workbook.studies.named import Label, Named
+from workbook.studies.plan import Plan
+from workbook.studies.space import Dimension
+from workbook.studies.summary import Design, Summary
+
+MOST = 200  # designs that the page lists
+MOST_NAMED = 12  # points that have a whole name beside them
+
+
+def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: datetime) -> str:
+    """Return the page."""
+    study = plan.study
+    versions = (
+        f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
+        f"NumPy {np.__version__}; {study.way.kind}, seed {study.way.seed}"
+    )
+    counts = f"{found.designs:,} designs, {found.feasible:,} feasible, {found.impossible:,} impossible."
+    body = [e("h1", study.title), e("p", versions, css="quiet"), e("p", counts)]
+    body += [e("p", line) for line in exclusions(study, found)]
+    if judged:
+        body.append(e("p", judged_line(judged), css="agrees" if judged.holds else "disagrees"))
+    body += best(plan, found, named)
+    body += [
+        e("h2", "What varied"),
+        table(("entry", "values", "room"), [varied(one) for one in plan.space.dimensions], ()),
+    ]
+    if study.constraints:
+        rows = [[name, bounds(bound)] for name, bound in study.constraints.items()]
+        body += [e("h2", "What must hold"), table(("result", "bounds"), rows, ())]
+    if found.reasons:
+        rows = [[reason, f"{count:,}"] for reason, count in found.reasons.items()]
+        body += [e("h2", "Why designs are impossible"), table(("reason", "designs"), rows, (1,))]
+    body += [e("h2", "What was fixed"), table(("entry", "value"), [[*pair] for pair in fixed(plan)], ())]
+    return document(study.title, body)
+
+
+def best(plan: Plan, found: Summary, named: Named) -> list[Element]:
+    """Return picture and table of the best designs."""
+    if not found.best:
+        return [e("p", "No design is feasible." if not found.feasible else "No objective was told.")]
+    shown = found.best[:MOST]
+    said = [e("h2", "The best" if len(plan.study.goals) == 1 else "The front: no other design beats these")]
+    if len(plan.study.goals) > 1:
+        said.append(picture(plan.study, shown, named))
+    entries = [one.label for one in plan.space.dimensions]
+    heads = ("", "design", *entries, *(heading(name, named) for name in plan.study.names))
+    rows = [
+        [str(place), f"{one.number + 1}", *(figure(one.entries[name]) for name in entries),
+         *(figure(one.results[name]) for name in plan.study.names)]
+        for place, one in enumerate(shown, 1)
+    ]  # fmt: skip
+    return [*said, table(heads, rows, tuple(range(2, len(heads))))]
+
+
+def picture(study: Study, designs: list[Design], named: Named) -> Element:
+    """Return the front by the first two objectives."""
+    first, second = list(study.goals)[:2]
+    points = [
+        Point(name_of(one, place, len(designs)), one.results[first], one.results[second])
+        for place, one in enumerate(designs, 1)
+    ]
+    return front_picture(study.title, (heading(first, named), heading(second, named)), points)
+
+
+def name_of(design: Design, place: int, count: int) -> str:
+    """Return what stands beside a point: its place in the table; of a few points also what was chosen."""
+    words = [str(value) for value in design.entries.values() if isinstance(value, str)]
+    return f"{place}  {', '.join(words)}" if words and count <= MOST_NAMED else str(place)
+
+
+def heading(name: str, named: Mapping[str, Label]) -> str:
+    """Return a result's name with what it is called and its unit."""
+    label = named[name]
+    return f"{name}: {label.words}" + (f" [{label.unit}]" if label.unit else "")
+
+
+def varied(one: Dimension) -> list[Element | str]:
+    """Return what is said of something that varied."""
+    if one.values:
+        said = ", ".join(map(figure, one.values[:MOST]))
+    else:
+        said = f"{one.low:g} to {one.high:g}" + (f" in {one.steps} values" if one.steps else "")
+    return [", ".join(".".join(path) for path in one.paths), said, ".".join(one.takes)]
+
+
+def fixed(plan: Plan) -> list[tuple[str, str]]:
+    """Return the entries of the base by their keys, but those that vary and the catalogues."""
+    varied = {".".join(path) for one in plan.space.dimensions for path in one.paths}
+    data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
+    return [(key, figure(value)) for key, value in leaves(data, "") if key not in varied]
+
+
+def leaves(data: Any, key: str) -> list[tuple[str, Any]]:
+    """Return what is below an entry, by keys."""
+    below = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else None
+    if below is None:
+        return [(key, data)]
+    return [leaf for name, value in below for leaf in leaves(value, f"{key}.{name}".strip("."))]
+
+
+def bounds(bound: Bound | str) -> str:
+    """Return a bound in words."""
+    if isinstance(bound, str):
+        return bound
+    ends = [("at least", bound.min), ("at most", bound.max)]
+    return ", ".join(f"{word} {end:g}" for word, end in ends if end is not None)
+
+
+def exclusions(study: Study, found: Summary) -> list[str]:
+    """Return in a line each how many designs a constraint excludes."""
+    return [
+        f"{name} ({bounds(study.constraints[name])}) excludes {count:,}, {found.alone.get(name, 0):,} of them alone"
+        for name, count in found.excluded.items()
+    ]
+
+
+def judged_line(judged: Judged) -> str:
+    """Return whether the book of a design says what the study said."""
+    if judged.differing:
+        return f"The book of the design differs from the study: {', '.join(judged.differing)}."
+    cells = f"{judged.cells:,} formula cells {'agree' if judged.agrees else 'DISAGREE'}"
+    return f"The book of the best design: {cells}; its results are the study's to {judged.deviation:.1e}."
+
+
+def figure(value: Any) -> str:
+    """Return a value as it is shown."""
+    if isinstance(value, float):
+        return "–" if value != value else f"{value:.6g}"
+    return str(value)

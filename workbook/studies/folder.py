@@ -1,0 +1,124 @@
+"""The parts of a study on the way: a folder beside the results, one study in it, each part whole or not there."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from workbook.errors import WriteError
+from workbook.studies.summary import Summary
+from workbook.writing.place import unwritten
+
+LOCK, TOLD = "lock", "study.json"
+
+
+class Parts:
+    """The folder of a study's parts."""
+
+    def __init__(self, results: Path, digest: str, size: int) -> None:
+        self.results, self.digest, self.size = results, digest, size
+        self.folder = results.with_name(f"{results.name}.parts")
+        self.suffix = results.suffix.lower()
+
+    @contextmanager
+    def opened(self, resume: bool, force: bool) -> Iterator[None]:
+        """Hold the folder for this study alone; raise WriteError where another one is at work in it, or was."""
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise unwritten(self.folder, error) from error
+        with locked(self.folder / LOCK):
+            self._begin(resume, force)
+            yield
+
+    def _begin(self, resume: bool, force: bool) -> None:
+        """See what lies in the folder: nothing, parts of this study, or of another."""
+        told = self.folder / TOLD
+        mine = {"digest": self.digest, "size": self.size, "suffix": self.suffix}
+        if told.exists() and not force:
+            same = read(told) == json.dumps(mine)
+            if not same:
+                said = "holds parts of another study, or of this one before it was changed"
+                raise WriteError(f"{self.folder}: {said}; --force begins anew, -o names other results")
+            if not resume:
+                said = f"holds {len(self.complete())} complete parts of this study"
+                raise WriteError(f"{self.folder}: {said}; --resume goes on with them, --force begins anew")
+        elif told.exists():
+            for one in self.folder.glob("part-*"):
+                one.unlink()
+        self.place(told, json.dumps(mine).encode())
+
+    def complete(self) -> set[int]:
+        """Return the numbers of the parts that are whole."""
+        return {int(one.stem.removeprefix("part-")) for one in self.folder.glob("part-*.json")}
+
+    def rows(self, number: int) -> Path:
+        """Return the file of a part's rows."""
+        return self.folder / f"part-{number:08}{self.suffix}"
+
+    def summary(self, number: int) -> Summary:
+        """Return what is known of a complete part."""
+        return Summary.of_json((self.folder / f"part-{number:08}.json").read_text(encoding="utf-8"))
+
+    def keep(self, number: int, rows: bytes, summary: Summary) -> None:
+        """Keep a part: its rows, and then what tells that it is whole."""
+        self.place(self.rows(number), rows)
+        self.place(self.folder / f"part-{number:08}.json", summary.json().encode())
+
+    def place(self, path: Path, data: bytes) -> None:
+        """Write a file beside and rename it; raise WriteError where there is no room."""
+        draft = path.with_name(f".{path.name}")
+        try:
+            draft.write_bytes(data)
+            draft.replace(path)
+        except OSError as error:
+            draft.unlink(missing_ok=True)
+            said = f"{unwritten(path, error)}; --resume goes on when that is mended"
+            raise WriteError(said) from error
+
+    def remove(self) -> None:
+        """Remove the folder."""
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def read(path: Path) -> str:
+    """Return a text, empty where there is none."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Hold a file against all other processes; the system lets go of it when this one ends, however it does."""
+    try:
+        file = path.open("a+b")
+    except OSError as error:
+        raise unwritten(path, error) from error
+    with file:
+        try:
+            hold(file.fileno())
+        except OSError as error:
+            said = "another study is at work in this folder; expected one at a time"
+            raise WriteError(f"{path.parent}: {said}") from error
+        yield
+
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def hold(descriptor: int) -> None:
+        """Hold an open file, or raise OSError at once."""
+        msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
+
+else:
+    import fcntl
+
+    def hold(descriptor: int) -> None:
+        """Hold an open file, or raise OSError at once."""
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -1,0 +1,65 @@
+"""A picked design as a book: built, its results compared with the study's, and verified."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from workbook.build import build
+from workbook.errors import InputError
+from workbook.judging.compare import TOLERANCE
+from workbook.judging.verify import verify
+from workbook.studies.evaluate import of_book
+from workbook.studies.plan import Plan
+from workbook.studies.summary import Design
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A design's book: its largest deviation from the study's results, what differs, whether every cell agrees."""
+
+    deviation: float
+    differing: tuple[str, ...]
+    cells: int
+    agrees: bool
+
+    @property
+    def holds(self) -> bool:
+        """Whether the book says what the study said."""
+        return self.agrees and not self.differing
+
+
+def machine_of(plan: Plan, design: Design) -> Any:
+    """Return the machine of a design."""
+    chosen = {one: design.entries[one.label] for one in plan.space.dimensions}
+    machine = plan.machine(chosen)
+    if isinstance(machine, str):
+        raise InputError([f"design {design.number + 1}: {machine}"])
+    return machine
+
+
+def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
+    """Build the book of a design, verify it, and compare it with the study's results."""
+    machine = machine_of(plan, design)
+    build(machine, path, overwrite)
+    book = plan.template.declare(machine)
+    pairs = {name: (value, of_book(book, name)) for name, value in design.results.items() if in_book(book, name)}
+    apart = {name: deviation(*both) for name, both in pairs.items()}
+    report = verify(path)
+    differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
+    return Judged(max(apart.values(), default=0.0), differing, report.compared, report.agrees)
+
+
+def in_book(book: Any, name: str) -> bool:
+    """Whether a result stands in a book; mass and cost of a motor do not."""
+    return name.partition(".")[0] in book.blocks
+
+
+def deviation(one: Any, other: Any) -> float:
+    """Return by which share two results differ; texts by all or nothing."""
+    if isinstance(one, str) or isinstance(other, str):
+        return float(one != other)
+    if one == other:
+        return 0.0
+    return float(abs(one - other) / max(abs(one), abs(other), 1e-12))

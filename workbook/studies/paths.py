@@ -1,0 +1,105 @@
+"""Entries of a description by their paths: ``axes.MC01.phases[1].law``, rows counted from 1 or by their names."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+from typing import Any
+
+from pydantic import BaseModel, RootModel
+
+from workbook.entries.machine import Machine
+from workbook.errors import InputError
+
+PART = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
+MOST = 12
+"""names that a message lists"""
+
+
+def nearest(given: str, known: Iterable[str]) -> str:
+    """Return in words what may be meant: the names most alike, else some of all."""
+    names = list(known)
+    alike = get_close_matches(given, names, n=3, cutoff=0.5)
+    more = f" and {len(names) - MOST} more" if len(names) > MOST and not alike else ""
+    return ", ".join(alike or names[:MOST]) + more
+
+
+def path_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
+    """Return the names and numbers (from 0) on the way to an entry; raise InputError where there is none such."""
+    entry: Any = machine
+    path: list[str] = []
+    for quoted, number, plain in PART.findall(key):
+        entry, part = step(entry, quoted or number or plain, bool(number), f"{where}: {key!r}")
+        path.append(part)
+    if not path or isinstance(entry, BaseModel | list):
+        raise InputError([f"{where}: {key!r} is a table of entries; expected one of {nearest('', below(entry))} in it"])
+    return tuple(path)
+
+
+def table_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
+    """Return the way to a table of entries, such as a phase; raise InputError where there is none."""
+    entry: Any = machine
+    path: list[str] = []
+    for quoted, number, plain in PART.findall(key):
+        entry, part = step(entry, quoted or number or plain, bool(number), f"{where}: {key!r}")
+        path.append(part)
+    if not isinstance(entry, BaseModel):
+        raise InputError([f"{where}: {key!r} is no table of entries; expected a phase"])
+    return tuple(path)
+
+
+def below(entry: Any) -> list[str]:
+    """Return the names of what is below an entry."""
+    if isinstance(entry, RootModel):
+        return list(entry.root)
+    if isinstance(entry, BaseModel):
+        return list(type(entry).model_fields)
+    if isinstance(entry, list):
+        names = [getattr(one, "name", None) for one in entry]
+        return [str(name) for name in names if name] or [f"[{i}]" for i in range(1, len(entry) + 1)]
+    return []
+
+
+def step(entry: Any, part: str, numbered: bool, where: str) -> tuple[Any, str]:
+    """Return what is below an entry by a part of a path, and that part as it stands in a description."""
+    if isinstance(entry, list):
+        names = [getattr(one, "name", None) for one in entry]
+        at = int(part) - 1 if numbered else names.index(part) if part in names else -1
+        if 0 <= at < len(entry):
+            return entry[at], str(at)
+    elif isinstance(entry, RootModel) and part in entry.root:
+        return entry.root[part], part
+    elif isinstance(entry, BaseModel) and not numbered and part in type(entry).model_fields:
+        return getattr(entry, part), part
+    known = below(entry)
+    said = f"has no {part!r}" if known else f"is empty before {part!r}"
+    raise InputError([f"{where} {said}" + (f"; expected {nearest(part, known)}" if known else "")])
+
+
+def changed(entry: Any, path: Sequence[str], value: Any) -> Any:
+    """Return an entry with another value at a path: tables on the way as dictionaries, all others as they are."""
+    if not path:
+        return value
+    first, *rest = path
+    if isinstance(entry, list):
+        at = int(first)
+        return [*entry[:at], changed(entry[at], rest, value), *entry[at + 1 :]]
+    fields = opened(entry)
+    return fields | {first: changed(fields.get(first), rest, value)}
+
+
+def opened(entry: Any) -> dict[str, Any]:
+    """Return the entries of a table by name, what is below them as it is."""
+    if isinstance(entry, RootModel):
+        return dict(entry.root)
+    if isinstance(entry, BaseModel):
+        return {name: getattr(entry, name) for name in type(entry).model_fields if getattr(entry, name) is not None}
+    return dict(entry or {})
+
+
+def held(entry: Any, path: Sequence[str]) -> Any:
+    """Return what is at a path."""
+    for part in path:
+        entry = entry[int(part)] if isinstance(entry, list) else opened(entry).get(part)
+    return entry

@@ -1,0 +1,266 @@
+"""A study made ready: its base machine, what varies in it and how, the results that are asked for by known names."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+import workbook
+from engine.laws import Law
+from workbook.book.declare import Book
+from workbook.build import described
+from workbook.entries.design import RefusedError, attempted
+from workbook.entries.machine import Fault, Machine
+from workbook.entries.types import EntryError
+from workbook.errors import InputError
+from workbook.intake import read_text
+from workbook.laws.entries import ENTRIES, references
+from workbook.laws.library import laws
+from workbook.reading.entries import counted, parsed, write_machine
+from workbook.studies.model import Study, Vary
+from workbook.studies.paths import below, changed, held, nearest, path_of, table_of
+from workbook.studies.space import Dimension, Space, arranged
+from workbook.templates import TEMPLATES, AnyTemplate
+from workbook.visible import found
+
+MOST_IN_FULL = 100_000_000
+MOST_TRIED = 1000  # values of a list, each by itself before the study begins
+PRODUCTS = {"motor": "motors", "reducer": "reducers"}
+
+
+class Wrong(str):
+    """Why there is no such machine whatever else varies: an entry of a wrong type, or an unknown name."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A study, its base machine, and all that varies."""
+
+    study: Study
+    base: Machine
+    space: Space
+    roomy: bool
+    """whether the base says how many pieces of a motion there is room for"""
+
+    @property
+    def template(self) -> AnyTemplate:
+        """The kind of machine."""
+        return TEMPLATES[self.base.template]
+
+    @cached_property
+    def digest(self) -> str:
+        """What tells a study from another: its own words, the machine's, the version."""
+        said = [workbook.__version__, self.study.model_dump_json(), write_machine(self.base)]
+        return hashlib.sha256(json.dumps(said).encode()).hexdigest()
+
+    @cached_property
+    def data(self) -> dict[str, Any]:
+        """The base as a description, all below its first level as it is."""
+        fields = {name: getattr(self.base, name) for name in type(self.base).model_fields}
+        if not self.roomy:
+            fields["sizes"] = self.base.sizes.model_dump(exclude={"motion_pieces"})
+        return {name: value for name, value in fields.items() if value is not None}
+
+    def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
+        """Return the machine with these values, or why there is none such."""
+        data: dict[str, Any] = self.data
+        for one, value in chosen.items():
+            data = with_value(data, one, value)
+        try:
+            machine, faults = attempted(self.template.model, self.template.check, data)
+        except EntryError as error:
+            return Wrong(f"{error.field}: {error}")
+        except RefusedError as error:
+            return Wrong("; ".join(refusal(fault) for fault in error.faults))
+        if machine is None:
+            return "; ".join(dict.fromkeys(said_of(fault) for fault in faults))
+        return machine
+
+
+def said_of(fault: Fault) -> str:
+    """Return what is wrong with a design's numbers: the sentence of a rule, or the entry and its limits."""
+    return fault.said if fault.rule else f"{counted(fault.key)}: {fault.said}"
+
+
+def refusal(fault: Any) -> str:
+    """Return in a line why an entry is refused."""
+    return fault.said if isinstance(fault, Fault) else str(fault["msg"]).removeprefix("Value error, ")
+
+
+def with_value(data: dict[str, Any], one: Dimension, value: Any) -> dict[str, Any]:
+    """Return a description with a value of a dimension; a law of a family that the book lacks comes along."""
+    if one.takes:
+        before = held(data, one.paths[0])
+        data = given_room(data, one, value - before)
+    for path in one.paths:
+        data = dict(changed(data, path, value))
+    if isinstance(value, str) and value in ENTRIES and one.paths[0][-1] == "law" and value not in data["laws"]:
+        data = dict(changed(data, ("laws", value), {"family": value}))
+    return data
+
+
+EDGES = {"stop": ("start", 1.0), "start": ("stop", 1.0), "duration": ("duration", -1.0)}
+"""of an entry of a phase: the neighbour's that moves along, and which way"""
+
+
+def given_room(data: dict[str, Any], one: Dimension, more: float) -> dict[str, Any]:
+    """Return a description whose phase ``takes`` has so much less room at its side, or more."""
+    entry, way = EDGES[one.paths[0][-1]]
+    path = (*one.takes, entry)
+    return dict(changed(data, path, held(data, path) + way * more))
+
+
+def read_study(path: Path) -> Plan:
+    """Read a study; raise ReadError or InputError with a line for each fault."""
+    data = parsed(read_text(path, "a study, a .toml file"), path)
+    if "template" in data:
+        raise InputError([f"{path}: this describes a machine; a study names it as base and says what varies"])
+    try:
+        study = Study.model_validate(data)
+    except ValidationError as error:
+        raise InputError([line_of(fault, str(path)) for fault in error.errors(include_url=False)]) from None
+    if study.base is None:
+        raise InputError([f"{path}: base: empty; expected the name of a machine description"])
+    return planned(study, path.parent / study.base, str(path))
+
+
+def line_of(fault: Any, where: str) -> str:
+    """Return the line of one of pydantic's faults."""
+    cause = fault.get("ctx", {}).get("error")
+    place = [str(part + 1) if isinstance(part, int) else str(part) for part in fault["loc"]]
+    place = [part for part in place if part not in ("str", "list[constrained-str]", "Bound", "constrained-str")]
+    if isinstance(cause, EntryError):
+        return f"{where}: {'.'.join([*place, *filter(None, [cause.field])])}: {cause}"
+    if fault["type"] == "extra_forbidden":
+        models: dict[int, type[BaseModel]] = {1: Study, 3: Vary}
+        known = models.get(len(place))
+        expected = f"; expected one of {nearest(place[-1], keys_of(known))}" if known else ""
+        return f"{where}: {'.'.join(place)}: unknown entry{expected}"
+    what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
+    return f"{where}: {'.'.join(place)}: {what}; {fault['msg'][:1].lower()}{fault['msg'][1:]}"
+
+
+def keys_of(model: type[BaseModel]) -> list[str]:
+    """Return the keys of a table as they are written."""
+    return [field.alias or name for name, field in model.model_fields.items()]
+
+
+def planned(study: Study, base: Path, where: str) -> Plan:
+    """Make a study of the machine that a file describes ready; raise InputError, ReadError."""
+    machine = described(base)
+    if machine.design.faults:
+        fault = machine.design.faults[0]
+        raise InputError([f"{base}: {fault.key}: {fault.said}; a study expects a finished design"])
+    roomy = "motion_pieces" in parsed(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
+    draft = Plan(study, machine, Space((), study.way), roomy)
+    dimensions = [dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
+    space = arranged(dimensions, study.way)
+    require_distinct_entries(space, where)
+    if study.way.kind == "full" and space.size > MOST_IN_FULL:
+        said = f"{space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
+        raise InputError([f'{where}: {said}: take fewer steps, or way.kind = "sobol" with way.designs'])
+    return Plan(study, machine, space, roomy)
+
+
+def require_distinct_entries(space: Space, where: str) -> None:
+    """Raise InputError for an entry that varies twice."""
+    paths = [path for one in space.dimensions for path in one.paths]
+    twice = next((path for path in paths if paths.count(path) > 1), None)
+    if twice is not None:
+        raise InputError([f"{where}: {'.'.join(twice)} varies twice (rows counted from 0 here)"])
+
+
+def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
+    """Return what an entry of a study varies; raise InputError."""
+    paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
+    takes = taken(plan, vary, paths, where)
+    values = tuple(values_of(plan, vary, paths[0], where))
+    scaling = plan.template.scaling
+    part = scaling.part(".".join(paths[0])) if scaling else ""
+    label = vary.keys[0]
+    made = Dimension(label, paths, values, vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
+    require_possible(plan, made, where)
+    return made
+
+
+def taken(plan: Plan, vary: Vary, paths: tuple[tuple[str, ...], ...], where: str) -> tuple[str, ...]:
+    """Return the way to the phase that gives room; raise InputError where none can."""
+    if vary.takes is None:
+        return ()
+    entry = paths[0][-1]
+    if len(paths) > 1 or entry not in EDGES:
+        raise InputError([f"{where}, takes: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
+    path = table_of(plan.base, vary.takes, f"{where}, takes")
+    if path == paths[0][:-1] or EDGES[entry][0] not in below(held(plan.data, path)):
+        raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
+    return path
+
+
+def values_of(plan: Plan, vary: Vary, path: tuple[str, ...], where: str) -> list[Any]:
+    """Return the values of a list, of all laws, or of a catalogue; none of a range."""
+    if vary.all == "laws":
+        return alike(plan, path, where)
+    if vary.all == "catalogue":
+        products = next((PRODUCTS[part] for part in reversed(path) if part in PRODUCTS), "")
+        rows = getattr(getattr(plan.base, "selection", None), products, None) if products else None
+        if not rows:
+            raise InputError(
+                [f"{where}: {vary.keys[0]!r} is none of a catalogue; expected the name of a motor or reducer"]
+            )
+        return [row.name for row in rows]
+    return list(vary.values or [])
+
+
+def alike(plan: Plan, path: tuple[str, ...], where: str) -> list[str]:
+    """Return the laws with the ends of the one that is entered, of the book and of all families; those that do not fit
+    elsewhere are left out by trying."""
+    given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == path), None)
+    if given is None:
+        raise InputError([f"{where}: {'.'.join(path)} names no law; expected the law of a phase"])
+    trial = Dimension("", (path,))
+    now = laws(plan.base.laws)[given.name]
+    names = dict.fromkeys([*plan.base.laws.names, *ENTRIES])
+    kept = []
+    for name in names:
+        machine = plan.machine({trial: name})
+        if isinstance(machine, str):
+            continue
+        law = laws(machine.laws)[name]
+        both = zip(ends_of(law), ends_of(now), strict=True)
+        if all(abs(one - other) < ENDS for one, other in both):
+            kept.append(name)
+    return kept
+
+
+def ends_of(law: Law) -> tuple[float, float, float, float]:
+    """Return s and v at both ends of a law."""
+    return law.start.s, law.start.v, law.end.s, law.end.v
+
+
+ENDS = 1e-9
+"""of the rise: ends of laws that differ by less are the same"""
+
+
+def require_possible(plan: Plan, one: Dimension, where: str) -> None:
+    """Raise InputError for a value of a wrong type or name, or what only scales and is beyond its limits."""
+    for value in one.values[:MOST_TRIED] or (one.low, one.high):
+        said = plan.machine({one: value})
+        if isinstance(said, Wrong) or (isinstance(said, str) and one.part):
+            raise InputError([f"{where}: {one.label} = {found(value)}: {said}"])
+
+
+def book_names(book: Book) -> Iterator[str]:
+    """Yield the names of all that a book computes: cells, and ``table.column.row``."""
+    for block in book.blocks.values():
+        for q in block.quantities:
+            if block.is_table:
+                yield from (f"{block.name}.{q.name}.{i}" for i in range(1, block.size + 1))
+            else:
+                yield block.name

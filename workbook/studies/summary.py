@@ -1,0 +1,139 @@
+"""What is known of designs without keeping them: how many, what excludes them, the best of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.choice.front import front
+from workbook.studies.evaluate import Table, keeps
+from workbook.studies.model import Study
+
+BEST = 20  # designs that are kept for one objective
+WORST = 1e300
+"""the score of a design that is none"""
+
+
+@dataclass(frozen=True)
+class Design:
+    """A design by its number: what varies, and its results."""
+
+    number: int
+    entries: dict[str, Any]
+    results: dict[str, Any]
+
+
+@dataclass
+class Summary:
+    """Sums over designs; ``scores`` of each only where a search asks for them."""
+
+    designs: int = 0
+    impossible: int = 0
+    feasible: int = 0
+    excluded: dict[str, int] = field(default_factory=dict)
+    alone: dict[str, int] = field(default_factory=dict)
+    """how many designs a constraint excludes that keep to all others"""
+    reasons: dict[str, int] = field(default_factory=dict)
+    best: list[Design] = field(default_factory=list)
+    scores: list[float] = field(default_factory=list)
+
+    def json(self) -> str:
+        """Return it as a text."""
+        return json.dumps(asdict(self), ensure_ascii=False)
+
+    @classmethod
+    def of_json(cls, text: str) -> Summary:
+        """Return what a text tells; raise ValueError, TypeError or KeyError for another one."""
+        data = json.loads(text)
+        best = [Design(**one) for one in data.pop("best")]
+        return cls(**data, best=best)
+
+
+MOST_REASONS = 20
+
+
+def summed(study: Study, labels: list[str], table: Table, scored: bool = False) -> Summary:
+    """Return what is known of the designs of a table."""
+    possible = table.possible
+    kept = {name: keeps(bound, table.results[name]) for name, bound in study.constraints.items()}
+    feasible = possible & np.logical_and.reduce([*kept.values(), possible])
+    misses = np.sum([~one for one in kept.values()], axis=0) if kept else np.zeros(len(table))
+    reasons, counts = np.unique(table.reasons[~possible].astype(str), return_counts=True)
+    found = Summary(
+        len(table), int((~possible).sum()), int(feasible.sum()),
+        {name: int((possible & ~one).sum()) for name, one in kept.items()},
+        {name: int((possible & ~one & (misses == 1)).sum()) for name, one in kept.items()},
+        dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
+    )  # fmt: skip
+    rows = np.flatnonzero(feasible)
+    points = goals(study, table.results, rows)
+    best = leading(points)
+    found.best = [design(table, labels, int(rows[k])) for k in best]
+    if scored:
+        found.scores = scores(study, table, feasible).tolist()
+    return found
+
+
+def goals(study: Study, results: Mapping[str, NDArray[Any]], rows: NDArray[np.intp]) -> NDArray[np.float64]:
+    """Return the objectives of designs, a row each, less being better; what has none is worse than all."""
+    columns = [way * results[name][rows].astype(np.float64) for name, way in study.goals.items()]
+    found = np.column_stack(columns) if columns else np.empty((len(rows), 0))
+    return np.where(np.isnan(found), np.inf, found)
+
+
+def leading(points: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Return the best points: of one objective :data:`BEST` of them, of several those that none beats."""
+    if points.shape[1] == 1:
+        order = np.argsort(points[:, 0], kind="stable")[:BEST]
+        return np.asarray(order[np.isfinite(points[order, 0])])
+    some = np.flatnonzero(np.isfinite(points).all(axis=1))
+    return np.asarray(some[front(points[some])]) if points.shape[1] else np.zeros(0, dtype=np.intp)
+
+
+def scores(study: Study, table: Table, feasible: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Return by what a search goes: the objective, or how much is overstepped, worse than any objective."""
+    (objective,) = goals(study, table.results, np.arange(len(table))).T
+    over = np.zeros(len(table))
+    for name, bound in study.constraints.items():
+        over += ~keeps(bound, table.results[name])
+    return np.where(
+        feasible & np.isfinite(objective), objective, np.where(table.possible, WORST * (0.5 + over), np.inf)
+    )
+
+
+def design(table: Table, labels: list[str], row: int) -> Design:
+    """Return a design of a table."""
+    entries = {label: plain(one.values[one.places[row]]) for label, one in zip(labels, table.entries, strict=True)}
+    return Design(table.begin + row, entries, {name: plain(values[row]) for name, values in table.results.items()})
+
+
+def plain(value: Any) -> Any:
+    """Return a value as JSON has it."""
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def merged(study: Study, found: Iterable[Summary]) -> Summary:
+    """Return what is known of several tables together."""
+    whole = Summary()
+    for one in found:
+        whole.designs += one.designs
+        whole.impossible += one.impossible
+        whole.feasible += one.feasible
+        for sums, more in ((whole.excluded, one.excluded), (whole.alone, one.alone), (whole.reasons, one.reasons)):
+            for name, count in more.items():
+                sums[name] = sums.get(name, 0) + count
+        whole.reasons = dict(sorted(whole.reasons.items(), key=lambda each: -each[1])[:MOST_REASONS])
+        whole.best = best_of(study, [*whole.best, *one.best])
+    return whole
+
+
+def best_of(study: Study, designs: list[Design]) -> list[Design]:
+    """Return the best of designs, equals by their numbers."""
+    ranked = sorted(designs, key=lambda one: one.number)
+    points = np.array([[way * one.results[name] for name, way in study.goals.items()] for one in ranked], dtype=float)
+    return [ranked[k] for k in leading(points.reshape(len(ranked), len(study.goals)))]
