@@ -9,7 +9,7 @@ import pytest
 
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
-from workbook.commands.export import chosen
+from workbook.commands.export import chosen, slugs
 from workbook.controllers.handing import automatic, certified, tabulated
 from workbook.controllers.registry import target
 from workbook.errors import TargetError
@@ -150,3 +150,18 @@ def test_at_equal_steps_the_best_is_not_the_first_that_was_tried(axes, name: str
     found, few = automatic(equal, axes[0], {"a": 0.01}), tabulated(equal, axes[0], 9)
     assert found.share("a") < 0.1 * certified(equal, few, axes[0].course).share("a")
     assert np.diff(found.table.x) == pytest.approx(360.0 / (found.points - 1), abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("names", "called"),
+    [
+        (["MC01", "Feed 2"], ["MC01", "Feed_2"]),
+        (["Ось", "轴", "Press"], ["Axis_1", "Axis_2", "Press"]),
+        (["A-1", "a 1", "a__1"], ["A_1_1", "a_1_2", "a_1_3"]),
+        (["1 up", "<x>'; DROP", "END_VAR", "é"], ["Axis_1_up", "x_DROP", "END_VAR", "Axis"]),
+    ],
+)
+def test_every_axis_has_a_name_that_controllers_take(names, called):
+    assert slugs(names) == called
+    assert all(name.replace("_", "a").isalnum() and name.isascii() and "__" not in name for name in called)
+    assert len({name.casefold() for name in called}) == len(names)
