@@ -116,11 +116,11 @@ def export(
         found = [exported(machine, one, called[one.name], asked, mark, path)
                  for one, path in zip(axes, paths, strict=False)]  # fmt: skip
         signs = asked.separator, asked.decimal
-        turned = switched(machine, lanes, asked.target, signs, mark, paths[-1]) if lanes else None
+        turned = switched(identified(machine), lanes, asked.target, signs, mark, paths[-1]) if lanes else None
     tell(found, turned, asked, as_json)
     if missed(found, turned, asked):
         return DISAGREES
-    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target,
+    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
     files = [(one.path, one.text) for one in found] + ([(turned.path, turned.text)] if turned else [])
     for path, text in files:
@@ -220,6 +220,12 @@ def places(book: Path, what: Sequence[str], asked: Asked, output: Path | None, e
     return [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in what]
 
 
+def identified(machine: Machine) -> str:
+    """Return what tells a machine, and one state of its design, from others."""
+    told = [f"{label} {text}" for label, text in (("number", machine.number), ("revision", machine.revision)) if text]
+    return ", ".join([machine.title, *told])
+
+
 def slugs(names: Sequence[str]) -> list[str]:
     """Return names as controllers and files take them, each once: behind those that would be alike stands a number."""
     plain = [slug(name) for name in names]
@@ -245,7 +251,7 @@ def exported(
         made = certified(target, tabulated(target, axis, asked.points), axis.course)
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     header = tuple(visible(line) for line in (
-        f"{machine.title}, axis {axis.name}: {target.title}",
+        f"{identified(machine)}, axis {axis.name}: {target.title}",
         files.header(made.points, " or ".join(made.certificates), equal, units),
         *mark,
         *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),

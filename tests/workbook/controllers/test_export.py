@@ -1,6 +1,7 @@
 """The command export: what it writes, what it refuses, and that nothing is written where it does."""
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -128,6 +129,8 @@ def test_a_report_has_the_figures_and_two_pictures_an_axis(run, book, tmp_path) 
     assert text.count("<svg") == 4
     assert all(word in text for word in ("Press", "Feed 2", "acceleration", "untested", "clamped cubic spline"))
     assert "script" not in text
+    assert text.count("Recommended: ") == 2
+    assert re.search(r"Recommended: \d+ points, the fewest that keep to acceleration 1 % of its peak", text)
     code, _, err = run("export", book, "--all", "--to", "rockwell", "--unverified", "--report", "cams.html", "-o", "b")
     assert code == 2
     assert "exists" in err
@@ -165,3 +168,15 @@ def test_every_axis_has_a_name_that_controllers_take(names, called):
     assert slugs(names) == called
     assert all(name.replace("_", "a").isalnum() and name.isascii() and "__" not in name for name in called)
     assert len({name.casefold() for name in called}) == len(names)
+
+
+def test_the_header_tells_number_and_revision_and_the_help_what_is_untested(run, tmp_path):
+    (tmp_path / "told.toml").write_text(
+        TEXT.replace("[master]", 'number = "CM-7"\nrevision = "C"\n[master]', 1), "utf-8"
+    )
+    assert run("build", "told.toml")[0] == 0
+    assert run("export", "told.xlsx", "--axis", "Press", "--to", "codesys", "--unverified")[0] == 0
+    head = (tmp_path / "told-Press.st").read_text("utf-8").splitlines()[0]
+    assert head.startswith("// Two axes, number CM-7, revision C, axis Press: CODESYS")
+    _, out, _ = run("export", "--help")
+    assert "untested" in out
