@@ -10,7 +10,9 @@ import tomli_w
 from workbook.build import build, described, inputs
 from workbook.entries.design import designed
 from workbook.errors import InputError
-from workbook.judging.many import FAILS, Target, exit_code, verify_one
+from workbook.exits import FAILS
+from workbook.judging.many import exit_code
+from workbook.judging.one import Target, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine, write_machine
 from workbook.reading.files import open_book
@@ -148,7 +150,9 @@ CASES = {
             "bore, not less than the diameter, row 1: 3"),
     },
 }  # fmt: skip
-TRIED = [(name, case) for name, cases in CASES.items() for case in cases]
+TRIED = [pytest.param(name, case, marks=[pytest.mark.nightly] if n % 3 else [])
+         for name, cases in CASES.items() for n, case in enumerate(cases)]  # fmt: skip
+"""every third by day, and all by night"""
 SMALL = {"cycle": 12, "law": 10, "own_law": 20}
 
 

@@ -23,7 +23,7 @@ from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine
 from workbook.errors import TargetError
 from workbook.exits import AGREES, DISAGREES
-from workbook.judging.many import digest, state
+from workbook.judging.one import digest, state
 from workbook.judging.verify import verify
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -23,6 +23,7 @@ from workbook.errors import ReadError
 from workbook.intake import require_file
 from workbook.reading.cells import fill
 from workbook.reading.contents import Cells, Contents, entered
+from workbook.reading.drawings import Anchor
 from workbook.reading.guard import Inspected, guard
 from workbook.reading.points import Bare
 from workbook.reading.refusal import SAVE_AS
@@ -49,8 +50,9 @@ class BookFile:
     """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside.
 
     ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that. ``fits`` are
-    the tables whose rows or columns are not those of their names, as whoever knows the tables finds them; and
-    ``mended`` is one in which cells were put back into their tables, so that it is not as the file is.
+    the tables whose rows or columns are not those of their names, as whoever knows the tables finds them;
+    ``mended`` is one in which cells were put back into their tables, so that it is not as the file is; and
+    ``drawings`` are where drawings lie on each sheet.
     """
 
     path: Path
@@ -60,6 +62,7 @@ class BookFile:
     saved: Cells = field(default_factory=dict)
     fits: dict[str, Fit] = field(default_factory=dict)
     mended: bool = False
+    drawings: Mapping[str, list[Anchor]] = field(default_factory=dict)
 
     def value(self, address: Address) -> Any:
         """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty.
@@ -125,7 +128,7 @@ def open_book(path: Path, shown: bool = True) -> BookFile:
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
     saved = saved_values(path, inspected) if shown else {}
-    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved)
+    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved, drawings=inspected.drawings)
 
 
 def parsed(path: Path, inspected: Inspected, drawn: bool = True) -> Workbook:

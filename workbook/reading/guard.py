@@ -17,6 +17,7 @@ from typing import IO
 
 from workbook.errors import ReadError
 from workbook.reading.count import Count
+from workbook.reading.drawings import Anchor, anchored
 from workbook.reading.package import needed, package
 from workbook.reading.points import without_points
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
@@ -42,14 +43,15 @@ NOTES = {
 class Inspected:
     """What is known of a file before it is parsed.
 
-    That is what an engineer should know of it, the rows of each sheet by its title, those of each part, and the part
-    with the texts that several cells share.
+    That is what an engineer should know of it, the rows of each sheet by its title, those of each part, the part
+    with the texts that several cells share, and where drawings lie on each sheet.
     """
 
     notes: list[str]
     sheets: dict[str, Rows]
     parts: dict[str, Rows]
     strings: str
+    drawings: dict[str, list[Anchor]]
 
 
 def guard(path: Path) -> Inspected:
@@ -78,13 +80,15 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         infos = archive.infolist()
         refuse_odd_parts(infos, size)
         rows, parts = scanned(archive, infos)
-    names = [info.filename for info in infos]
-    found = package(parts, names)
+        names = {info.filename: info for info in infos}
+        found = package(parts, names)
+        lying = {title: anchored(parts, part, lambda name: unpacked(archive, names[name]) if name in names else b"")
+                 for title, part in found.sheets.items()}  # fmt: skip
     for title, part in found.sheets.items():
         if part not in rows:
             raise Refusal(f"its sheet {shown(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
     notes = [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)]
-    return Inspected(notes, {title: rows[part] for title, part in found.sheets.items()}, rows, found.strings)
+    return Inspected(notes, {title: rows[part] for title, part in found.sheets.items()}, rows, found.strings, lying)
 
 
 def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dict[str, Rows], dict[str, bytes]]:

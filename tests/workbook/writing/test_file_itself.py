@@ -16,6 +16,7 @@ from spreadsheet_auditor.audit import main as audit
 
 from engine.laws.points import FLAT, WIDEST
 from engine.motion.turning import PARTS
+from tests.tiers import by_day
 from workbook.book.limits import COLUMN
 from workbook.book.quantity import SAYS
 from workbook.book.sentence import LARGEST
@@ -45,9 +46,9 @@ build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
 """
 
 
-@pytest.fixture(scope="module", params=TEMPLATES.values(), ids=TEMPLATES.keys())
+@pytest.fixture(scope="module", params=by_day(TEMPLATES, "machine", "motion-composer", "actuator-sizing"))
 def template(request):
-    return request.param
+    return TEMPLATES[request.param]
 
 
 @pytest.fixture(scope="module")

@@ -15,18 +15,23 @@ from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, Report
 from workbook.judging.shown import units
 from workbook.judging.shown.formats import plain, problem
+from workbook.judging.shown.words import sheet_of
 
 UNIT = re.compile(r"\[([^\]]*)\]")
 COLUMN = re.compile(r"\[(\w+)\.(\w+)\]")
 
 
 class Line(NamedTuple):
-    """One line of a chart: its columns, the lengths of its strokes, and its name, a text or the cell that has it."""
+    """One line of a chart: its columns, the lengths of its strokes, and its name, a text or the cell that has it.
+
+    ``seen`` is whether it, or signs at its points, are drawn.
+    """
 
     x: Area | None
     y: Area | None
     strokes: Area | None
     name: Area | str
+    seen: bool = True
 
 
 class Drawn(NamedTuple):
@@ -42,7 +47,7 @@ class Drawn(NamedTuple):
 def charts(match: Match, report: Report) -> None:
     """Enter declared charts that draw something else, and as notices those that are gone or are called otherwise."""
     for sheet in match.declared.sheets:
-        title = next((match.file.places[b.name].sheet for b in sheet.blocks if b.name in match.file.places), None)
+        title = sheet_of(match, sheet)
         if title is None or not sheet.charts:
             continue
         held = list(drawn(match, title))
@@ -134,7 +139,12 @@ class Judge:
             else:
                 free.remove(same)
                 self.name(same, line, ours)
+                if line.strokes is None and not same.seen:
+                    self.say(NOTICE, "not drawn", "drawn", f"its line {series.name!r}")
         self.elsewhere(missing, free)
+        for held in free:
+            if held.name and held.name in [line.name for line in ours]:
+                self.say("shown", said(held), "a name of its own", f"another line called {word(held.name)!r}")
 
     def elsewhere(self, missing: list[tuple[Line, Series]], free: list[Line]) -> None:
         """Tell the lines that point elsewhere from those that are gone."""
@@ -242,7 +252,15 @@ def line(match: Match, title: str, series: Any) -> Line:
     lengths = source(bars.plus) if bars is not None and bars.plus is not None else ""
     columns = (source(getattr(series, "xVal", None) or series.cat), source(getattr(series, "yVal", None) or series.val))
     x, y = (area(match, title, text) for text in columns)
-    return Line(x, y, area(match, title, lengths) if lengths else None, name_of(match, title, series.tx))
+    strokes = area(match, title, lengths) if lengths else None
+    return Line(x, y, strokes, name_of(match, title, series.tx), seen(series))
+
+
+def seen(series: Any) -> bool:
+    """Whether a line, or signs at its points, are drawn."""
+    look, marker = series.graphicalProperties, getattr(series, "marker", None)
+    bare = look is not None and look.line is not None and bool(look.line.noFill)
+    return not bare or (marker is not None and marker.symbol not in (None, "none"))
 
 
 def source(data: Any) -> str:

@@ -35,6 +35,8 @@ ALWAYS = {"notContainsBlanks": True, "containsBlanks": False, "containsErrors": 
           "timePeriod": False, "top10": False, "aboveAverage": False, "colorScale": False, "dataBar": False,
           "iconSet": False}  # fmt: skip
 """of a text"""
+NOTHING = ";;;"
+"""a number format that shows nothing of anything"""
 
 
 @dataclass(frozen=True)
@@ -148,7 +150,9 @@ class Rules:
 
 
 def code_of(rule: Rule) -> str:
-    """Return the number format that a rule gives, if it gives any."""
+    """Return the number format that a rule gives, if it gives any; of bars or icons alone, one that shows nothing."""
+    if any(sign is not None and sign.showValue is False for sign in (rule.dataBar, rule.iconSet)):
+        return NOTHING
     form = rule.dxf.numFmt if rule.dxf is not None else None
     return str(form.formatCode or "") if form is not None else ""
 

@@ -13,7 +13,9 @@ from workbook.judging.matching import Match, Pair
 from workbook.judging.report import FAIL, NOTICE, OK, Report
 from workbook.judging.shown.colours import BLACK, WHITE, Look, Palette
 from workbook.judging.shown.conditional import Rules
+from workbook.judging.shown.covered import Covered
 from workbook.reading.contents import Cells
+from workbook.reading.drawings import Anchor
 
 LEAST_WIDTH, LEAST_HEIGHT, LEAST_SIZE = 1.0, 3.0, 3.0  # characters; points of a row and of a font
 
@@ -21,7 +23,7 @@ LEAST_WIDTH, LEAST_HEIGHT, LEAST_SIZE = 1.0, 3.0, 3.0  # characters; points of a
 def visible(match: Match, values: Cells, rules: dict[str, Rules], report: Report) -> None:
     """Enter verdicts that are hidden, or coloured as what they do not say; and as notices, what else is hidden."""
     sheets = {sheet.title: sheet for sheet in match.file.workbook.worksheets}
-    shadows = {title: Hidden(sheet) for title, sheet in sheets.items()}
+    shadows = {title: Hidden(sheet, match.file.drawings.get(title, [])) for title, sheet in sheets.items()}
     ours = {pair.address.sheet for pair in match.pairs}
     for title, hidden in shadows.items():
         if hidden.sheet and title in ours:
@@ -58,9 +60,10 @@ def verdicts(match: Match) -> Iterator[tuple[Pair, bool]]:
 
 
 class Hidden:
-    """What of a sheet is not shown: the sheet, rows, columns."""
+    """What of a sheet is not shown: the sheet, rows, columns, and what is behind its drawings."""
 
-    def __init__(self, sheet: Worksheet) -> None:
+    def __init__(self, sheet: Worksheet, drawings: list[Anchor]) -> None:
+        self._covered = Covered(sheet, drawings)
         self.sheet = sheet.sheet_state != "visible"
         self._rows = {number: short(row) for number, row in sheet.row_dimensions.items()}
         self._columns: dict[int, bool] = {}
@@ -77,7 +80,9 @@ class Hidden:
         """Return why a cell is not shown; nothing where it is."""
         if self._rows.get(at.row, self._other_rows):
             return "in a hidden row"
-        return "in a hidden column" if self._columns.get(at.column, self._other_columns) else ""
+        if self._columns.get(at.column, self._other_columns):
+            return "in a hidden column"
+        return "behind a drawing" if self._covered.holds(at) else ""
 
 
 def short(row: Any) -> bool:

@@ -32,6 +32,7 @@ def words(match: Match, report: Report) -> None:
     for name in match.headless:
         at = match.file.places[name].cell(0, 0)
         report.say(at, LAYOUT, "no headings", "its headings above it: move them together", f"the table {name}")
+    titles(match, report)
     for sheet in match.declared.sheets:
         known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - match.headless]
         texts: dict[str, set[str]] = {}
@@ -42,6 +43,21 @@ def words(match: Match, report: Report) -> None:
             if (place.sheet, place.cell(0, 0).a1) not in named:
                 judge(match, word, place, texts[word.text.style], report)
         headings(match, sheet, report)
+
+
+def titles(match: Match, report: Report) -> None:
+    """Enter sheets that are called as another of the book's own, and as notices those that are renamed."""
+    declared = {sheet.title.casefold() for sheet in match.declared.sheets}
+    for sheet in match.declared.sheets:
+        held = sheet_of(match, sheet)
+        if held is not None and held.casefold() != sheet.title.casefold():
+            kind = "shown" if held.casefold() in declared else NOTICE
+            report.say(Address(held, 1, 1), kind, held, sheet.title, "the name of the sheet")
+
+
+def sheet_of(match: Match, sheet: Sheet) -> str | None:
+    """Return the sheet of the file that has the blocks of a declared one."""
+    return next((match.file.places[b.name].sheet for b in sheet.blocks if b.name in match.file.places), None)
 
 
 def declared(sheet: Sheet) -> Iterator[Word]:
@@ -127,7 +143,7 @@ def same(held: object, expected: str) -> bool:
 
 def headings(match: Match, sheet: Sheet, report: Report) -> None:
     """Enter headings that stand over another part of their sheet, and as notices those that are gone."""
-    title = next((match.file.places[b.name].sheet for b in sheet.blocks if b.name in match.file.places), None)
+    title = sheet_of(match, sheet)
     if title is None:
         return
     sheets = {place.sheet for place in map(match.file.places.get, names_of(sheet)) if place}

@@ -1,0 +1,81 @@
+"""Which cells lie behind a drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import accumulate
+
+from openpyxl.utils import column_index_from_string
+from openpyxl.worksheet.worksheet import Worksheet
+
+from workbook.book.address import Address
+from workbook.reading.drawings import Anchor, Corner
+
+PIXEL, POINT = 9525, 12700  # EMU
+WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is told
+DIGIT, MARGIN = 7, 5  # pixels
+
+
+class Covered:
+    """The cells of a sheet behind its drawings: those whose middle is."""
+
+    def __init__(self, sheet: Worksheet, anchors: list[Anchor]) -> None:
+        self._anchors = anchors
+        if anchors:
+            widths, heights = columns_of(sheet), rows_of(sheet)
+            self._right, self._down = Line(widths), Line(heights)
+            self._areas = [self._area(anchor) for anchor in anchors]
+
+    def holds(self, at: Address) -> bool:
+        """Whether a cell is behind a drawing."""
+        if not self._anchors:
+            return False
+        x, y = self._right.middle(at.column), self._down.middle(at.row)
+        return any(left < x < right and top < y < bottom for left, top, right, bottom in self._areas)
+
+    def _area(self, anchor: Anchor) -> tuple[float, float, float, float]:
+        left, top = self._point(anchor.first)
+        if anchor.last is not None:
+            return (left, top, *self._point(anchor.last))
+        return left, top, left + anchor.size[0], top + anchor.size[1]
+
+    def _point(self, corner: Corner) -> tuple[float, float]:
+        return self._right.begin(corner.column + 1) + corner.right, self._down.begin(corner.row + 1) + corner.down
+
+
+class Line:
+    """Columns beside each other, or rows below each other: where each begins (EMU)."""
+
+    def __init__(self, size: Callable[[int], float]) -> None:
+        self._size = size
+        self._begins = [0.0, 0.0]
+
+    def begin(self, number: int) -> float:
+        """Return where a column or row begins, counted from 1."""
+        known = len(self._begins)
+        if number >= known:
+            more = accumulate(map(self._size, range(known - 1, number)), initial=self._begins[-1])
+            self._begins += list(more)[1:]
+        return self._begins[number]
+
+    def middle(self, number: int) -> float:
+        """Return its middle."""
+        return 0.5 * (self.begin(number) + self.begin(number + 1))
+
+
+def columns_of(sheet: Worksheet) -> Callable[[int], float]:
+    """Return the width of each column (EMU)."""
+    usual = sheet.sheet_format.defaultColWidth or WIDTH
+    told: dict[int, float] = {}
+    for letter, column in sheet.column_dimensions.items():
+        first = column.min or column_index_from_string(letter)
+        width = 0.0 if column.hidden else column.width or usual
+        told |= dict.fromkeys(range(first, (column.max or first) + 1), width)
+    return lambda number: PIXEL * int(told.get(number, usual) * DIGIT + MARGIN) if told.get(number, usual) else 0.0
+
+
+def rows_of(sheet: Worksheet) -> Callable[[int], float]:
+    """Return the height of each row (EMU)."""
+    usual = sheet.sheet_format.defaultRowHeight or HEIGHT
+    told = {number: 0.0 if row.hidden else row.height or usual for number, row in sheet.row_dimensions.items()}
+    return lambda number: POINT * told.get(number, usual)
