@@ -260,7 +260,8 @@ def export(
 
     The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
     engine over the whole cycle. docs/controllers.md says which layout comes from which document, and what is untested;
-    no controller was run. Switches go out where a document says how.
+    no controller was run. Told as untested, there and in the file's header: what x counts from in siemens-segments, br
+    beyond one polynomial, the ends of a spline, and more. Switches go out where a document says how.
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """

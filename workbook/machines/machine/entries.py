@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.machine import Machine
+from workbook.entries.exported import Exporting
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.turn import TurnPhase, forward
 from workbook.entries.types import (
@@ -89,9 +89,10 @@ class Axis(Model):
             reached = phase.stop
 
 
-class AnyMachine(Machine):
+class AnyMachine(Exporting):
     """Axes over one master shaft."""
 
+    AXES_AT = ("axes",)
     template: Literal["machine"] = "machine"
     master: Master
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
@@ -102,8 +103,9 @@ class AnyMachine(Machine):
     @classmethod
     def spelled(cls, data: Any) -> Any:
         """Return a description whose switches tell the keys of their times."""
-        known = isinstance(data, Mapping) and "switches" in data
-        return {**data, "switches": spelled(data["switches"])} if known else data
+        told = super().spelled(data)
+        known = isinstance(told, Mapping) and "switches" in told
+        return {**told, "switches": spelled(told["switches"])} if known else told
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

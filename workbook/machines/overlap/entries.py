@@ -8,7 +8,8 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.machine import Machine, Sizes
+from workbook.entries.exported import Exporting
+from workbook.entries.machine import Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
@@ -90,9 +91,10 @@ class OverlapSizes(Sizes):
     margins: Annotated[int, Field(ge=2, le=200)] = 20
 
 
-class IndexingOverlap(Machine):
+class IndexingOverlap(Exporting):
     """A transfer and tools over one master shaft, one after the other and with overlap (S2)."""
 
+    AXES = ("transfer",)
     template: Literal["indexing-overlap"] = "indexing-overlap"
     overlap: OverlapEntry
     sizes: OverlapSizes = OverlapSizes()
