@@ -27,7 +27,7 @@ from workbook.template import Template, finish
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes)
+    shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]

@@ -13,6 +13,7 @@ from workbook.entries.machine import Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle
 
 MOST_TOOLS = 6
@@ -30,6 +31,7 @@ class TransferEntry(Model):
     law: RisingLaw
     stroke: Positive  # mm
     angle: PartAngle  # degrees of the master shaft
+    smoothness: Smoothness = "acceleration"
 
 
 class PassageEntry(Model):
@@ -56,6 +58,7 @@ class ToolEntry(Model):
     law_out: RisingLaw
     stroke: Positive  # mm
     dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
+    smoothness: Smoothness = "acceleration"
     angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
     angle_out: PartAngle | None = None
     passage: PassageEntry
