@@ -131,6 +131,12 @@ CASES = {
             {"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]})],
             "The laws never move backwards", "a law moves backwards: see its sheet, or Laws"),
     },
+    "motion-laws": {
+        "break points in disorder": ([("laws", "TVP", {"rise_end": 0.8, "fall_start": 0.2})],
+                                     "TVP: the break points follow each other", "brakes from 0.2, before 0.8"),
+        "durations that do not sum": ([("laws", "MTP", {"durations": UNEQUAL})],
+                                      "MTP: the seven durations sum to 1", "they sum to 1.1; expected 1"),
+    },
     "actuator-sizing": {
         "an efficiency above 1": ([("actuator", "output", "efficiency", 1.2)], "Actuator: entries within limits",
                                   "Efficiency of screw, roller, pinion, pulley: 1.2; expected a number greater than 0 "

@@ -18,6 +18,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.reading.rows import Rows, Written
 
+MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
 TEXTS = {"str": "s", "inlineStr": "s"}
 """types of values that openpyxl has as one, that of shared texts"""
 
@@ -61,7 +62,7 @@ def content(held: Written, texts: Sequence[str]) -> Any:
     if not text:
         return "" if kind == "inlineStr" and text == "" else None
     if kind == "n":
-        return int(text) if text.strip().lstrip("+-").isdecimal() else float(text)
+        return int(text) if len(text) < MOST_DIGITS and text.strip().lstrip("+-").isdecimal() else float(text)
     if kind == "s":
         return texts[int(text)]
     if kind == "b":

@@ -118,7 +118,7 @@ def counting(block: Block) -> int | None:
 
 def number(held: Any) -> int | None:
     """Return a whole number that a cell holds."""
-    whole = isinstance(held, int | float) and not isinstance(held, bool) and held == int(held)
+    whole = type(held) is int or (type(held) is float and held.is_integer())
     return int(held) if whole else None
 
 

@@ -413,6 +413,18 @@ def test_odd_inputs_are_named_by_their_cell(cell, book):
     assert named(path, at)
 
 
+@pytest.mark.parametrize("value", ["1e999", "-1e999", "9" * 400, "1e308", "0.5", "-1"])
+def test_odd_numbers_of_rows_are_no_fault_of_ours(value, book):
+    """In a column that numbers the rows of a table, by which rows that were put in are found."""
+    sheet, at = entry(book(), "phases")
+    place = open_book(book()).places["phases"]
+    numbers = next(c for c in range(place.columns) if open_book(book()).value(place.cell(1, c)) == 2)
+    cell = place.cell(1, numbers).a1
+    path = book({sheet: sub(rf'<c r="{cell}"[^>]*>.*?</c>'.encode(), f'<c r="{cell}"><v>{value}</v></c>'.encode())})
+    assert named(path, cell)
+    assert at
+
+
 def named(path, at):
     """Whether a book is verified, or refused with the cell or the file named."""
     try:
