@@ -31,6 +31,7 @@ LOCAL = {
     "distributed.worker.memory.target": False,
     "distributed.comm.timeouts.connect": WAIT,
 }
+LOGGERS = ("distributed", "distributed.client", "tornado", "tornado.application", "asyncio")
 FEWER = {"distributed.comm.retry.count": 0, "distributed.comm.timeouts.connect": WAIT}
 
 
@@ -53,9 +54,17 @@ def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
     if scheduler is None and wanted <= 1:
         yield HERE
         return
-    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    quieten()
     with local(wanted) if scheduler is None else remote(scheduler) as client:
         yield Workers(client, scheduler or "")
+
+
+def quieten() -> None:
+    """Keep what Dask logs from the terminal: what matters is told in a line."""
+    import distributed  # noqa: F401 - it sets levels of its own when it is imported
+
+    for name in LOGGERS:
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
 
 
 @contextmanager
@@ -138,7 +147,7 @@ class Workers:
         from distributed import as_completed
 
         waiting, running, most, count = iter(tasks), dict[str, T](), self.width + 1, 0
-        finished = as_completed([], raise_errors=False)
+        finished = as_completed([], loop=self.client.loop, raise_errors=False)
 
         def hand_out() -> None:
             while len(running) < most and (task := next(waiting, None)) is not None:
