@@ -192,12 +192,15 @@ class Entries:
 
     def _lost(self) -> list[str]:
         """Return in a line each where rows are gone from tables, for entries that without them make no machine."""
-        name = self.file.path.name
         what = "and what is left does not go together; undo that, or take the table from a copy"
+        tables: dict[tuple[str, int], list[str]] = {}
+        for table, fit in self.file.fits.items():
+            for row, _ in fit.lost:
+                tables.setdefault((fit.place.sheet, row), []).append(table)
         return [
-            f"{name}: {fit.place.sheet}: above row {row}, a row is gone from the table {table}, {what}"
-            for table, fit in self.file.fits.items()
-            for row, _ in fit.lost
+            f"{self.file.path.name}: {sheet}: above row {row}, a row is gone from the "
+            f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
+            for (sheet, row), torn in tables.items()
         ]
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:

@@ -32,8 +32,6 @@ TABLES = [
         ("indexing-overlap-stations", "OWN_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
         ("flying-cutter-saw", "OWN_pieces"), ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"),
         ("actuator-sizing", "motors"), ("actuator-sizing-conveyor", "phases"),
-        ("machine", "axis1"), ("machine", "axes"), ("machine", "switches"), ("machine", "drive1_parts"),
-        ("machine", "drive1_windows"), ("machine", "motors"), ("machine", "reducers"), ("machine", "OWN_pieces"),
         ("motion-composer-example-1", "phases"), ("motion-composer-example-2", "phases"),
     )),
 ]  # fmt: skip
