@@ -15,7 +15,9 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.build import build
-from workbook.judging.many import Target, cores, verify_many, verify_one
+from workbook.cluster import cores, pool
+from workbook.judging.many import verify_many
+from workbook.judging.one import Target, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES, Template
@@ -75,7 +77,8 @@ def growth(template: Template, folder: Path) -> tuple[int, dict[int, list[float]
 def timed(targets: list[Target], jobs: int) -> float:
     """Seconds for one run over ``targets``, the start of its processes included."""
     begin = time.perf_counter()
-    outcomes = verify_many(targets, jobs=jobs)
+    with pool(jobs, None) as workers:
+        outcomes = verify_many(targets, pool=workers)
     seconds = time.perf_counter() - begin
     for outcome in outcomes:
         if outcome.verdict != "agrees":

@@ -86,6 +86,13 @@ With = Annotated[
 ]
 
 
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
+]
+Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")]
+
+
 @app.command()
 def new(
     template: Annotated[str, typer.Argument(metavar="TEMPLATE", help="The kind of machine, such as motion-composer.")],
@@ -139,7 +146,8 @@ def verify(
     junit: Annotated[Path | None, report_to("--junit", "FILE.xml", "Write JUnit XML for CI servers.")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace the report files if they exist.")] = False,
     witnesses: With = None,
-    jobs: Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")] = None,
+    jobs: Jobs = None,
+    scheduler: Scheduler = None,
     everything: Annotated[
         bool, typer.Option("--all", help="List every finding, also what only follows from others.")
     ] = False,
@@ -156,14 +164,7 @@ def verify(
     with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
         from workbook.commands.verify import verify as run
 
-        raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper))
-
-
-Scheduler = Annotated[
-    str | None,
-    typer.Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
-]
-Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")]
+        raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper, scheduler))
 
 
 @app.command()
@@ -259,7 +260,8 @@ def export(
 
     The file is read back by an independent reader, the motion rebuilt by the target's rule and compared with the
     engine over the whole cycle. docs/controllers.md says which layout comes from which document, and what is untested;
-    no controller was run. Switches go out where a document says how.
+    no controller was run. Told as untested, there and in the file's header: what x counts from in siemens-segments, br
+    beyond one polynomial, the ends of a spline, and more. Switches go out where a document says how.
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """

@@ -5,6 +5,7 @@ Dask is imported only where there is more than one piece of work, or a cluster i
 
 from __future__ import annotations
 
+import gc
 import logging
 import operator
 import os
@@ -15,11 +16,12 @@ from typing import Any, TypeVar
 
 import workbook
 from workbook.errors import MotionbookError
-from workbook.pool import Died, Here, Pool
+from workbook.pool import HERE, Died, Pool
 
 T = TypeVar("T")
 R = TypeVar("R")
 MOST_JOBS = 61  # Windows waits for no more processes at once
+SWEPT = 32  # pieces of work, between two searches for garbage: a command runs with the search off
 WAIT = "10s"  # for a scheduler
 LOCAL = {
     "distributed.scheduler.allowed-failures": 0,  # a task whose worker died comes back, and is tried alone
@@ -29,6 +31,7 @@ LOCAL = {
     "distributed.worker.memory.target": False,
     "distributed.comm.timeouts.connect": WAIT,
 }
+LOGGERS = ("distributed", "distributed.client", "tornado", "tornado.application", "asyncio")
 FEWER = {"distributed.comm.retry.count": 0, "distributed.comm.timeouts.connect": WAIT}
 
 
@@ -49,11 +52,19 @@ def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
     """
     wanted = min(jobs or cores(), MOST_JOBS)
     if scheduler is None and wanted <= 1:
-        yield Here()
+        yield HERE
         return
-    logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
+    quieten()
     with local(wanted) if scheduler is None else remote(scheduler) as client:
         yield Workers(client, scheduler or "")
+
+
+def quieten() -> None:
+    """Keep what Dask logs from the terminal: what matters is told in a line."""
+    import distributed  # noqa: F401 - it sets levels of its own when it is imported
+
+    for name in LOGGERS:
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
 
 
 @contextmanager
@@ -65,7 +76,7 @@ def local(jobs: int) -> Iterator[Any]:
     with (
         dask.config.set(LOCAL),
         LocalCluster(
-            n_workers=jobs, threads_per_worker=1, processes=True, dashboard_address=None, memory_limit=0,
+            n_workers=jobs, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0", memory_limit=0,
             silence_logs=logging.CRITICAL, preload="workbook.cluster",
         ) as cluster,
         Client(cluster) as client,
@@ -112,6 +123,20 @@ class Workers:
         self.client, self.scheduler = client, scheduler
 
     @property
+    def distant(self) -> bool:
+        """Whether they may be other machines."""
+        return bool(self.scheduler)
+
+    @contextmanager
+    def alone(self) -> Iterator[Pool]:
+        """Give one fresh process; of a cluster, which others use too, these workers."""
+        if self.scheduler:
+            yield self
+            return
+        with local(1) as client:
+            yield Workers(client, "")
+
+    @property
     def width(self) -> int:
         """How many pieces are worked on at once."""
         info = self.client.scheduler_info(n_workers=-1)["workers"]
@@ -121,8 +146,8 @@ class Workers:
         """Yield each task with what the function gives; one more than there are workers are handed out."""
         from distributed import as_completed
 
-        waiting, running, most = iter(tasks), dict[str, T](), self.width + 1
-        finished = as_completed([], raise_errors=False)
+        waiting, running, most, count = iter(tasks), dict[str, T](), self.width + 1, 0
+        finished = as_completed([], loop=self.client.loop, raise_errors=False)
 
         def hand_out() -> None:
             while len(running) < most and (task := next(waiting, None)) is not None:
@@ -138,6 +163,9 @@ class Workers:
                 future.release()
                 del future
                 hand_out()
+                count += 1
+                if not count % SWEPT:
+                    gc.collect()
                 yield task, came
         finally:
             finished.clear()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
+V = TypeVar("V", float, Array)
 SAME = 1e-12
 """of the cycle: breaks so near to each other are one"""
 
@@ -114,6 +115,11 @@ def course_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> Course:
     return course_of(motion_pieces(motion), float(motion.edges[-1]), x, y)
 
 
+def in_units(values: MotionValues[V], x: float, y: float) -> MotionValues[V]:
+    """Return a motion's values in other units, of which a unit of x and of y has so many."""
+    return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
+
+
 def _stretch(piece: MotionPiece, x: float, y: float) -> Stretch:
     c = tuple(value * y / x**k for k, value in enumerate(piece.c))
     while len(c) > 1 and not c[-1]:
@@ -125,11 +131,15 @@ def _stretch(piece: MotionPiece, x: float, y: float) -> Stretch:
 def turned(of: Course, by: float) -> Course:
     """Return the course that a master sees which is ``by`` further on where it begins, over the same range.
 
-    What runs over the end of the cycle is parted there, and goes on from the cycle before by its travel.
+    What runs over the end of the cycle is parted there, and goes on from the cycle before by its travel; of more than
+    a cycle, each whole one is a travel less.
     """
     begin, end, total, travel = float(of.edges[0]), float(of.edges[-1]), of.total, of.travel
-    by %= total
-    if by <= SAME * total or total - by <= SAME * total:
+    whole = math.floor(by / total + SAME)
+    by -= whole * total
+    of = replace(of, c=of.c.copy())
+    of.c[:, 0] -= whole * travel
+    if by <= SAME * total:
         return of
     cut = end - by
     first = int(of.index(np.array([cut]))[0])

@@ -61,7 +61,7 @@ def rate_at(of: Points, side: int) -> tuple[float, float]:
     some = slice(0, FEW) if side == 0 else slice(-FEW, None)
     x = of.x[some] - of.x[side]
     width = float(np.abs(x).max())
-    c = np.polynomial.polynomial.polyfit(x / width, of.y[some], len(x) - 1)
+    c = np.linalg.lstsq(np.polynomial.polynomial.polyvander(x / width, len(x) - 1), of.y[some], rcond=None)[0]
     v, a = float(c[1]) / width, (2.0 * float(c[2]) / width**2 if len(c) > 2 else 0.0)
     return v if of.v is None else float(of.v[side]), a if of.a is None else float(of.a[side])
 

@@ -13,6 +13,8 @@ from engine.cams.course import Course
 from engine.laws.base import Array
 
 STEPS = 60  # of halving
+CUBIC = 4
+"""the order of a rule through polynomials of the third degree"""
 JUMP = 1e-9  # of the largest y'' at a break: a smaller jump is none
 BEFORE = 1e-5
 """of the cycle: so far before a jump of y'' stands a point of its own"""
@@ -60,8 +62,19 @@ def weights(of: Course, order: int) -> Array:
     np.maximum.at(found, of.index(middle), value)
     found[found < found.max(initial=0.0) * 1e-9] = 0.0
     root = 1.0 / max(order - 2, 1)
-    sizes: Array = np.diff(of.edges) * (found / factorial(order)) ** root
-    return sizes / sizes.max() if sizes.max() > 0.0 else sizes
+    spans = np.diff(of.edges)
+    sizes: Array = spans * (found / factorial(order)) ** root
+    sizes = sizes / sizes.max() if sizes.max() > 0.0 else sizes
+    return np.maximum(sizes, np.where(beside(of), spans / spans.max(), 0.0)) if order == CUBIC else sizes
+
+
+def beside(of: Course) -> NDArray[np.bool_]:
+    """Return which stretches are beside a jump of y'': a spline goes on swinging there, the less the shorter its steps.
+
+    A parabola that a cubic has exactly needs steps all the same.
+    """
+    at = np.isin(of.edges, jumps(of))
+    return np.asarray(at[:-1] | at[1:])
 
 
 def places(of: Course, steps: NDArray[np.intp]) -> Array:

@@ -78,6 +78,16 @@ class Scaled(NamedTuple):
         return 0
 
     @property
+    def fastest(self) -> float:
+        """Max |y'| without the drift, C_v |h|/δ."""
+        return self.law.coefficients.cv * abs(self.h) * self.rate
+
+    @property
+    def hardest(self) -> float:
+        """Max |y''|, C_a |h|/δ²."""
+        return self.law.coefficients.ca * abs(self.h) * self.rate**2
+
+    @property
     def rate(self) -> float:
         """1/δ; 0 of a phase that does not last."""
         return 1.0 / self.duration if self.duration else 0.0

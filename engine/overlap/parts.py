@@ -43,6 +43,11 @@ class Transfer:
             Scaled(Dwell(), 0.0, FULL_TURN - self.angle, self.angle, there),
         )
 
+    @property
+    def phases(self) -> list[tuple[Law, float, float]]:
+        """Law, lift (m) and angle (rad) of its movement, which a dwell follows."""
+        return [(self.law, self.stroke, self.angle)]
+
 
 @dataclass(frozen=True)
 class Tool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import repeat
 from typing import Any
 
@@ -10,6 +11,14 @@ def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
     """Return values as a column of a table, ``spare`` in the rows below them."""
     found = values.tolist() if hasattr(values, "tolist") else list(values)
     return [*found, *repeat(spare, rows - len(found))]
+
+
+def spread(values: Iterable[Any], places: Iterable[int], rows: int, spare: Any = 0.0) -> list[Any]:
+    """Return values in their rows of a table, counted from 0, ``spare`` in the others."""
+    found = filled([], rows, spare)
+    for place, value in zip(places, values, strict=True):
+        found[place] = value
+    return found
 
 
 def as_rows(value: Any, size: int, where: str) -> list[Any]:

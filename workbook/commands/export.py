@@ -23,7 +23,7 @@ from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine
 from workbook.errors import TargetError
 from workbook.exits import AGREES, DISAGREES
-from workbook.judging.many import digest, state
+from workbook.judging.one import digest, state
 from workbook.judging.verify import verify
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
@@ -104,19 +104,23 @@ def export(
     if machine is None:
         return DISAGREES
     template = TEMPLATES[machine.template]
-    axes = [] if switches else chosen(template.axes(machine), axis, machine.template)
+    known = template.axes(machine)
+    axes = [] if switches else chosen(known, axis, machine.template)
+    called = dict(zip((one.name for one in known), slugs([one.name for one in known]), strict=True))
     lanes = asked_lanes(asked.target, template.switches(machine), switches, everything)
-    paths = places(book, [*(one.name for one in axes), *(["switches"] if lanes else [])], asked, output, everything)
+    what = [*(called[one.name] for one in axes), *(["switches"] if lanes else [])]
+    paths = places(book, what, asked, output, everything)
     for path in paths:
         refuse_existing(path, force)
     with ERR.status("Exporting …"):
-        found = [exported(machine, one, asked, mark, path) for one, path in zip(axes, paths, strict=False)]
+        found = [exported(machine, one, called[one.name], asked, mark, path)
+                 for one, path in zip(axes, paths, strict=False)]  # fmt: skip
         signs = asked.separator, asked.decimal
-        turned = switched(machine, lanes, asked.target, signs, mark, paths[-1]) if lanes else None
+        turned = switched(identified(machine), lanes, asked.target, signs, mark, paths[-1]) if lanes else None
     tell(found, turned, asked, as_json)
     if missed(found, turned, asked):
         return DISAGREES
-    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target,
+    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
     files = [(one.path, one.text) for one in found] + ([(turned.path, turned.text)] if turned else [])
     for path, text in files:
@@ -210,15 +214,24 @@ def chosen(axes: Sequence[CamAxis], name: str | None, template: str) -> list[Cam
 
 
 def places(book: Path, what: Sequence[str], asked: Asked, output: Path | None, everything: bool) -> list[Path]:
-    """Return where each axis is written: the file that is named, or beside one another in the folder that is."""
+    """Return where each thing of a name is written: the file that is named, or side by side in the folder that is."""
     if output is not None and not everything:
         return [output]
-    names = [f"{book.stem}-{slug(name)}{asked.target.suffix}" for name in what]
-    like = [name.casefold() for name in names]
-    twice = next((name for name in names if like.count(name.casefold()) > 1), None)
-    if twice:
-        raise TargetError(f"two axes would be written to {twice}; expected --axis NAME -o FILE for each")
-    return [(output or Path()) / name for name in names]
+    return [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in what]
+
+
+def identified(machine: Machine) -> str:
+    """Return what tells a machine, and one state of its design, from others."""
+    told = [f"{label} {text}" for label, text in (("number", machine.number), ("revision", machine.revision)) if text]
+    return ", ".join([machine.title, *told])
+
+
+def slugs(names: Sequence[str]) -> list[str]:
+    """Return names as controllers and files take them, each once: behind those that would be alike stands a number."""
+    plain = [slug(name) for name in names]
+    like = [name.casefold() for name in plain]
+    return [f"{name}_{k}" if like.count(one) > 1 else name
+            for k, (name, one) in enumerate(zip(plain, like, strict=True), 1)]  # fmt: skip
 
 
 def slug(name: str) -> str:
@@ -227,7 +240,9 @@ def slug(name: str) -> str:
     return plain if plain[:1].isalpha() else f"Axis_{plain}".rstrip("_")
 
 
-def exported(machine: Machine, axis: CamAxis, asked: Asked, mark: Sequence[str], path: Path) -> Exported:
+def exported(
+    machine: Machine, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path
+) -> Exported:  # fmt: skip
     """Return the text of an axis's file, and the certificate of what an independent reader finds in it."""
     target = asked.target
     if asked.points is None:
@@ -236,12 +251,12 @@ def exported(machine: Machine, axis: CamAxis, asked: Asked, mark: Sequence[str],
         made = certified(target, tabulated(target, axis, asked.points), axis.course)
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     header = tuple(visible(line) for line in (
-        f"{machine.title}, axis {axis.name}: {target.title}",
+        f"{identified(machine)}, axis {axis.name}: {target.title}",
         files.header(made.points, " or ".join(made.certificates), equal, units),
         *mark,
         *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),
     ))  # fmt: skip
-    handed = Handed(made.table, slug(axis.name), header, units, axis.repeats, asked.separator, asked.decimal)
+    handed = Handed(made.table, name, header, units, axis.repeats, asked.separator, asked.decimal)
     text = target.write(handed)
     again = certified(target, reread(target, text, made.table), axis.course)
     return Exported(axis, text, again, path)

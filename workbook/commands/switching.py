@@ -18,7 +18,6 @@ from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.tappets import MOST_OFF, HandedTracks, Tappets, certified, tracks
 from workbook.controllers.target import Target
-from workbook.entries.machine import Machine
 from workbook.errors import TargetError
 from workbook.reports.cams import SWITCHED
 from workbook.visible import visible
@@ -62,12 +61,11 @@ def takes(target: Target, switches: Sequence[CamSwitch]) -> Tappets:
 
 
 def switched(
-    machine: Machine, switches: Sequence[CamSwitch], target: Target, signs: tuple[str, str], mark: Sequence[str],
-    path: Path,
+    machine: str, switches: Sequence[CamSwitch], target: Target, signs: tuple[str, str], mark: Sequence[str], path: Path
 ) -> Switched:  # fmt: skip
     """Return the file of a machine's switches, read back."""
     tappets = takes(target, switches)
-    header = (f"Switches of {machine.title}: {tappets.title}", "angles in °; on from one to the other", *mark,
+    header = (f"Switches of {machine}: {tappets.title}", "angles in °; on from one to the other", *mark,
               *(f"untested: {claim.what} ({claim.source})" for claim in tappets.untested))  # fmt: skip
     handed = HandedTracks(
         tracks(switches, tappets), NAME, tuple(map(visible, header)), switches[0].switch.cycle, *signs

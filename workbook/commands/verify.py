@@ -6,25 +6,33 @@ from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
 
+from workbook.cluster import cores, pool
 from workbook.judging import many
+from workbook.judging.sent import unseen
 from workbook.judging.verify import present
 from workbook.reports import page, summary
 from workbook.reports.junit import junit as junit_xml
-from workbook.reports.terminal import ERR, OUT
+from workbook.reports.terminal import ERR, OUT, say
 from workbook.witnesses.beside import Beside
 
 
 def verify(
     books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, force: bool,
     witnesses: Sequence[str] | None, jobs: int | None, everything: bool, beside: Beside | None = None,
+    scheduler: str | None = None,
 ) -> int:  # fmt: skip
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
     page.ready(report, (".html", ".htm"), force)
     page.ready(junit, (".xml",), force)
     asked = chosen(witnesses)
     targets, failed = many.find(books)
-    with summary.progress(ERR, len(targets)) as done:
-        outcomes = many.verify_many(targets, asked, jobs, done, beside) + failed
+    most = min(jobs or cores(), len(targets))
+    with pool(most, scheduler if len(targets) > 1 else None) as workers:
+        told = unseen(targets, workers) if workers.distant else ""
+        if told:
+            say(ERR, f"Note: {told}")
+        with summary.progress(ERR, len(targets)) as done:
+            outcomes = many.verify_many(targets, asked, workers, done, beside, bool(told)) + failed
     alone = len(books) == 1 and not many.is_folder(books[0])
     summary.show(outcomes, OUT, ERR, as_json, alone, everything)
     when = datetime.now().astimezone()

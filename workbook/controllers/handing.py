@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.certificate import Certificate, certify
-from engine.cams.course import Course
+from engine.cams.course import SAME, Course
 from engine.cams.points import doubled, equal, jumps, spread
 from engine.cams.segments import straight
 from engine.laws.base import Array
@@ -115,7 +115,8 @@ def filled(target: Target, of: Course, x: Array, units: tuple[str, str]) -> Tabl
     number = target.number
     x_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest)
     y_step = step_of(units[1])
-    x = number.rounded(np.round(x, DIGITS - ceil(log10(of.total))), x_step)
+    places, x = x, number.rounded(np.round(x, DIGITS - ceil(log10(of.total))), x_step)
+    of = snapped(of, places, x)
     if target.built:
         return target.built(of, x, (x_step, y_step))
     inner, last = of.at(x[:-1]), of.at(x[-1:], left=True)
@@ -127,6 +128,13 @@ def filled(target: Target, of: Course, x: Array, units: tuple[str, str]) -> Tabl
     lines = lying(of, x) if "straight" in target.columns else None
     first, second = (v if number.whole else number.rounded(v))[[0, -1]].tolist()
     return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
+
+
+def snapped(of: Course, places: Array, x: Array) -> Course:
+    """Return a course whose breaks lie where numbers have rounded the places: what jumps there jumps at a point."""
+    nearest = np.abs(places[None, :] - of.edges[:, None]).argmin(axis=1)
+    on = np.abs(places[nearest] - of.edges) <= SAME * of.total
+    return replace(of, edges=np.where(on, x[nearest], of.edges))
 
 
 def lying(of: Course, x: Array) -> NDArray[np.bool_]:
@@ -174,8 +182,20 @@ def fewest(target: Target, of: Course) -> int:
 def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
     """Return the table of the fewest points that keeps to the tolerance, or the best there is.
 
-    Raises TargetError where the target has no room for the breaks of the motion.
+    Where none does, as where an acceleration jumps, and several are alike, it is the one that keeps velocity and
+    position to that tolerance. Raises TargetError where the target has no room for the breaks of the motion.
     """
+    best = nearest(target, axis, tolerance)
+    if best.excess(tolerance) <= 1.0:
+        return best
+    lower = dict.fromkeys(ORDERS[: min(map(ORDERS.index, tolerance))], min(tolerance.values()))
+    other = nearest(target, axis, lower) if lower else best
+    alike = other.excess(tolerance) * BETTER <= best.excess(tolerance)
+    return other if alike and lower and other.excess(lower) < best.excess(lower) else best
+
+
+def nearest(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
+    """Return the table of the fewest points that keeps to the tolerance, or the first that comes nearest."""
     best: Made | None = None
     before, idle = 0, 0
     for made in tried(target, axis, tolerance):

@@ -31,6 +31,7 @@ WORDS = {
     "sizes.cycle": "Intervals of the table over the cycle",
     "sizes.law": "Intervals of the table of each law",
     "sizes.own_law": "Points of the table of the own law",
+    "sizes.export": "Intervals of the table of the sheet Export",
     "sizes.phases": "Rows for phases of an axis or a motion",
     "sizes.rotors": "Rows for rotating parts",
     "sizes.pieces": "Rows for pieces of the own law",

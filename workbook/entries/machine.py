@@ -15,11 +15,12 @@ from workbook.laws.tops import LEAST_POINTS
 
 
 class Sizes(Model):
-    """How large the tables are built: intervals of a cycle and of a law, points of an own law; rows to fill."""
+    """How large the tables are built: intervals of a cycle, a law, an exported axis; points of an own law; rows."""
 
     cycle: Annotated[int, Field(ge=4, le=7200)] = 360
     law: Annotated[int, Field(ge=4, le=1000)] = 100
     own_law: Annotated[int, Field(ge=4, le=1000), AfterValidator(lambda n: max(n, LEAST_POINTS))] = 120
+    export: Annotated[int, Field(ge=1, le=7200)] = 360
     phases: Annotated[int, Field(ge=2, le=60)] = 8
     rotors: Annotated[int, Field(ge=2, le=60)] = 6
     pieces: Annotated[int, Field(ge=2, le=60)] = 8

@@ -1,56 +1,20 @@
-"""Verify many workbooks: files and folders, over the cores of the machine, one outcome each. Nothing is written."""
+"""Verify many workbooks: files and folders, by a pool of workers, one outcome each. Nothing is written."""
 
 from __future__ import annotations
 
-import hashlib
-import multiprocessing
 import os
-import signal
 import stat
-import time
-import zipfile
-import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from dataclasses import dataclass
-from fnmatch import fnmatch
 from pathlib import Path
-from typing import Literal, NamedTuple
 
-from workbook.collector import collector_paused, swept_between
-from workbook.errors import MotionbookError
+from workbook.collector import swept_between
 from workbook.exits import AGREES, DISAGREES, FAILS, UNREADABLE
-from workbook.intake import odd
-from workbook.judging.report import Report
-from workbook.judging.verify import verify
+from workbook.judging.one import Outcome, Target, verify_one
+from workbook.judging.sent import sent, verify_sent
+from workbook.pool import HERE, Died, Pool
 from workbook.reading.files import SUFFIXES
 from workbook.visible import visible
 from workbook.witnesses.beside import Beside
-
-MOST_JOBS = 61  # Windows waits for no more processes at once
-MOST_READ = 2**24  # bytes of a workbook's list of names
-
-Verdict = Literal["agrees", "fails", "disagrees", "unreadable", "no machine"]
-
-
-class Target(NamedTuple):
-    """A workbook to verify; ``named`` where it was named itself, not found in a folder."""
-
-    path: Path
-    named: bool
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """What became of one workbook: a report, or the reason why there is none."""
-
-    path: Path
-    verdict: Verdict
-    report: Report | None = None
-    reason: str = ""
-    sha256: str = ""
-    seconds: float = 0.0
 
 
 def exit_code(outcomes: Iterable[Outcome]) -> int:
@@ -121,132 +85,51 @@ def hidden(path: Path) -> bool:
     return path.name.startswith(".") or bool(attributes & stat.FILE_ATTRIBUTE_HIDDEN)
 
 
-def foreign(path: Path) -> bool:
-    """Whether a file is a whole workbook without a machine of motionbook, by its list of names alone.
-
-    False also where that cannot be told: then opening the file says what is wrong with it.
-    """
-    try:
-        with zipfile.ZipFile(path) as archive:
-            parts = [name for name in archive.namelist() if fnmatch(name, "xl/workbook*.xml")]
-            return bool(parts) and not any(holds_our_name(archive, part) for part in parts)
-    except (OSError, zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, ValueError, EOFError):
-        return False
-
-
-def holds_our_name(archive: zipfile.ZipFile, part: str) -> bool:
-    """Whether a part of a workbook speaks of the name by which motionbook knows its own."""
-    with archive.open(part) as data:
-        return b"book_template" in data.read(MOST_READ)
-
-
-def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None = None) -> Outcome:
-    """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
-    path, begin = target.path, time.perf_counter()
-    try:
-        if not target.named and (kind := odd(path)):
-            return Outcome(path, "no machine", reason=visible(f"{path}: {kind}"))
-        if not target.named and foreign(path):
-            return Outcome(path, "no machine", reason=visible(f"{path}: holds no machine of motionbook"))
-        before = state(path)
-        with collector_paused():
-            report = verify(path, witnesses, beside)
-        sha256 = digest(path)
-        if before and state(path) != before:
-            raise OSError("it changed while it was read; try again")
-    except MotionbookError as error:
-        return Outcome(path, "unreadable", reason=str(error))
-    except FileNotFoundError:
-        return Outcome(path, "unreadable", reason=visible(f"{path}: there is no such file"))
-    except OSError as error:
-        return Outcome(path, "unreadable", reason=visible(f"{path}: cannot be read: {error.strerror or error}"))
-    except Exception as error:  # one strange file must not take the others' verdicts with it
-        reason = f"{path}: verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
-        return Outcome(path, "unreadable", reason=visible(reason))
-    verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
-    return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
-
-
-def state(path: Path) -> tuple[int, int] | None:
-    """Return size and time of change of a file, None where there is none."""
-    try:
-        known = path.stat()
-    except OSError:  # opening it says why
-        return None
-    return known.st_size, known.st_mtime_ns
-
-
-def digest(path: Path) -> str:
-    """Return the SHA-256 of a file."""
-    with path.open("rb") as data:
-        return hashlib.file_digest(data, "sha256").hexdigest()
-
-
 def verify_many(
     targets: Sequence[Target],
     witnesses: Sequence[str] = ("pycel",),
-    jobs: int | None = None,
+    pool: Pool = HERE,
     done: Callable[[Outcome], object] = lambda outcome: None,
     beside: Beside | None = None,
+    as_bytes: bool = False,
 ) -> list[Outcome]:
-    """Verify workbooks over ``jobs`` processes (all cores where None); call ``done`` as each is finished.
+    """Verify workbooks by a pool; call ``done`` as each is finished.
 
-    The outcomes come in the order of ``targets``. A single workbook, or a single job, needs no process of its own;
-    ``beside`` may be one that evaluates the single workbook meanwhile.
+    The outcomes come in the order of ``targets``. One whose worker dies is tried once more, alone on a fresh worker.
+    ``beside`` may be a process that evaluates meanwhile the book that this process verifies; ``as_bytes`` sends books
+    to workers that do not see the files.
     """
-    jobs = min(jobs or cores(), len(targets), MOST_JOBS)
     outcomes: dict[Target, Outcome] = {}
 
     def keep(target: Target, outcome: Outcome) -> None:
         outcomes[target] = outcome
         done(outcome)
 
-    if jobs <= 1:
+    if pool is HERE:
         for target in swept_between(targets):
             keep(target, verify_one(target, witnesses, beside))
-    else:
-        in_processes(targets, witnesses, jobs, keep)
-        for target in targets:  # left over by a process that died: each alone, to find which one killed it
-            if target not in outcomes:
-                in_processes([target], witnesses, 1, keep)
-            if target not in outcomes:
-                reason = f"{target.path}: verifying it ended the process (out of memory?)"
-                keep(target, Outcome(target.path, "unreadable", reason=visible(reason)))
+        return [outcomes[target] for target in targets]
+    for target in by_pool(targets, witnesses, pool, as_bytes, keep):
+        with pool.alone() as fresh:
+            died = by_pool([target], witnesses, fresh, as_bytes, keep)
+        if died:
+            reason = f"{target.path}: verifying it ended the process (out of memory?)"
+            keep(target, Outcome(target.path, "unreadable", reason=visible(reason)))
     return [outcomes[target] for target in targets]
 
 
-def cores() -> int:
-    """Return how many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def in_processes(
-    targets: Sequence[Target], witnesses: Sequence[str], jobs: int, keep: Callable[[Target, Outcome], object]
-) -> None:
-    """Verify over processes, until all is done or a process dies; interrupted, leave none of them running."""
-    others = set(multiprocessing.active_children())
-    context = multiprocessing.get_context("spawn")  # the same on every system, and safe beside threads
-    pool = ProcessPoolExecutor(jobs, mp_context=context, initializer=ignore_interrupts)
-    waiting = iter(targets)
-    running: dict[Future[Outcome], Target] = {}
-    try:
-        while True:
-            while len(running) <= jobs and (target := next(waiting, None)):  # one more than jobs: no one idles
-                running[pool.submit(verify_one, target, witnesses)] = target
-            if not running:
-                break
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
-                keep(running.pop(future), future.result())
-    except BrokenProcessPool:
-        pass
-    except BaseException:
-        for child in set(multiprocessing.active_children()) - others:
-            child.terminate()
-        raise
-    finally:
-        pool.shutdown(cancel_futures=True)
-
-
-def ignore_interrupts() -> None:
-    """Leave Ctrl-C, which reaches every process of a terminal, to the first of them."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def by_pool(
+    targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, as_bytes: bool,
+    keep: Callable[[Target, Outcome], object],
+) -> list[Target]:  # fmt: skip
+    """Verify by a pool, and keep what came of each; return those whose worker died."""
+    books = sent(targets, as_bytes)
+    each = pool.each(verify_sent, books, witnesses) if pool.distant else pool.each(verify_one, targets, witnesses)
+    died = []
+    for book, outcome in each:
+        target = book if isinstance(book, Target) else book.target
+        if isinstance(outcome, Died):
+            died.append(target)
+        else:
+            keep(target, outcome)
+    return died

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from engine.laws.knots import EQUAL, STILL, Interval, Knots
+from engine.laws.knots import EQUAL, Interval, Knots
 from engine.laws.spline import NARROWEST
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
@@ -64,12 +64,13 @@ def solution(at: Knots) -> list[Quantity]:
     natural = '=IF(AND(@{0}_slope="",OR(@natural="{1}",@natural="both")),1,0)'
     return [
         calc("@used", "Points", "", "", "=COUNT([@points.xi])", at.used, format="0"),
+        constant("@nearest", "Least distance of two points", "", "", NARROWEST, format="0E+00"),
         calc("@v0", "Velocity entered at its begin", "v(0)", "", "=IF(ISNUMBER(@first_slope),@first_slope,0)", first),
         calc("@v1", "and at its end", "v(1)", "", "=IF(ISNUMBER(@last_slope),@last_slope,0)", last),
         calc("@free0", "Its begin is natural", "", "", natural.format("first", "begin"), int(free[0]), format="0"),
         calc("@free1", "Its end is natural", "", "", natural.format("last", "end"), int(free[1]), format="0"),
         calc("@v_end", "Velocity at its end", "v(1)", "", end, at.law.end.v, source="m + d(a_k + 2a_{k+1})/6"),
-        calc("@still", "A velocity below this is none", "", "", f"={STILL:.0E}*@cv", at.still, format="0E+00"),
+        calc("@still", "A velocity below this is none", "", "", "=check_zero*@cv", at.still, format="0E+00"),
         calc("@v_most", "Largest velocity", "", "", "=MAX([@points.v_high])", at.speeds[1]),
         calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@points.fast])", at.peak),
     ]  # fmt: skip
@@ -98,7 +99,7 @@ def elimination(at: Knots) -> list[Quantity]:
     return [
         column("d", "duration", "d", f"=IF([k]<@used,{following.format('xi')}-[xi],0)", "to the next point"),
         calc("narrow", "not after the one before", "", "",
-             f"=IF(AND([k]<@used,[d]<{NARROWEST:.0E}),1,0)", filled([], at.rows, 0), format="0;;"),
+             "=IF(AND([k]<@used,[d]<@nearest),1,0)", filled([], at.rows, 0), format="0;;"),
         column("m", "mean slope", "m", f"=IF([d]>0,({following.format('s')}-[s])/[d],@v1)", "Δs/d; behind it v(1)"),
         column("before", "duration before", "", f"={before.format('d', '0')}"),
         column("held", "has no equation", "", "=IF(OR([k]>@used,AND([k]=1,@free0=1),AND([k]=@used,@free1=1)),1,0)",

@@ -54,7 +54,7 @@ class Ends(Neighbours):
     @cached_property
     def turns(self) -> Turns:
         """The extremes between prescribed ends."""
-        return Turns(self.rows, self.motion, self.handed)
+        return Turns(self.rows, self.motion, self.handed, self.places)
 
     def own(self, column: str, formula: str) -> str:
         """Return a formula of the phases' table where the law is carried out between rests, else a figure from here."""
@@ -93,8 +93,9 @@ class Ends(Neighbours):
 
         ``name`` and ``label`` are what the checks' begin with.
         """
-        table, phases = self.rows.at.ends, self.rows.at.phases
+        table = self.rows.at.ends
         row = f"MATCH(1,[{table}.cannot],0)"
+        number, law = self.told(row)
         head = f'{self.name[0]}&" row "&' if self.name[0] else '"row "&'
 
         def at(column: str) -> str:
@@ -105,18 +106,27 @@ class Ends(Neighbours):
         begins = f'IF(IF(AND({never},{moving}),{at("w0")},{at("q0")})>0,"begin","end")'
         kept = f"INDEX([{table}.way],{row})={KEEPS}"
         what = f'IF({never},IF({moving},"{VELOCITY}","{ACCELERATION}"),IF({kept},"{KEPT}","{ONLY}"))'
-        says = f'{head}{row}&": "&INDEX([{phases}.law],{row})&" cannot "&{begins}&{what}'
+        says = f'{head}{number}&": "&{law}&" cannot "&{begins}&{what}'
         against = f"MATCH(1,[{table}.contrary],0)"
         return [
             check(f"{name}_meets", f"{label}each law meets its neighbours", f"SUM([{table}.cannot])=0",
                   not any(one.fault for one in self.handed), says=Said(says, self._said())),
             check(f"{name}_passes", f"{label}what is entered goes with straight lines and dwells",
                   f"SUM([{table}.contrary])=0", not any(one.contrary for one in self.handed),
-                  says=Said(f'{head}{against}&"{BESIDE}"', self._contrary())),
+                  says=Said(f'{head}{self.told(against)[0]}&"{BESIDE}"', self._contrary())),
         ]  # fmt: skip
 
+    def told(self, row: str) -> tuple[str, str]:
+        """Return the formulas of a row's number as it is entered, and of its law."""
+        return row, f"INDEX([{self.rows.at.phases}.law],{row})"
+
+    @property
+    def numbered(self) -> list[tuple[int, Handover]]:
+        """The phases with the numbers, from 1, of the rows in which they are entered."""
+        return list(enumerate(self.handed, 1))
+
     def _said(self) -> str:
-        first = next(((k, one) for k, one in enumerate(self.handed, 1) if one.fault), None)
+        first = next(((k, one) for k, one in self.numbered if one.fault), None)
         if first is None:
             return ""
         k, one = first
@@ -127,7 +137,7 @@ class Ends(Neighbours):
         return f"{self._row(k)}: {self.phases[k - 1].law} cannot {verb}{what}"
 
     def _contrary(self) -> str:
-        return next((f"{self._row(k)}{BESIDE}" for k, one in enumerate(self.handed, 1) if one.contrary), "")
+        return next((f"{self._row(k)}{BESIDE}" for k, one in self.numbered if one.contrary), "")
 
     def _row(self, k: int) -> str:
         return f"{self.name[1]} row {k}" if self.name[1] else f"row {k}"
@@ -174,8 +184,8 @@ class Ends(Neighbours):
 
     def splits(self) -> list[int]:
         """Return the row on Laws of each phase's second pulse."""
-        early = [one.early for one in self.handed]
-        return [first + more for first, more in zip(self.rows.firsts, filled(early, self.room, 0), strict=True)]
+        early = self.of(lambda one: one.early, 0)
+        return [first + more for first, more in zip(self.rows.firsts, early, strict=True)]
 
     def polynomial(self) -> list[Quantity]:
         """Return the columns of a polynomial between its ends."""
@@ -214,7 +224,7 @@ class Ends(Neighbours):
         def of(figure: Callable[[Handover, bool, MotionPiece], Any]) -> list[Any]:
             found = []
             for piece in pieces:
-                one = self.handed[piece.phase]
+                one = self.handed[self.in_row[piece.phase]]
                 found.append(figure(one, one.mode == PULSES and piece.number >= one.early, piece))
             return filled(found, room, found[-1])
 
@@ -232,7 +242,7 @@ class Ends(Neighbours):
                  scale=self.motion.size(1)),
             calc("base", "position without the law", "", at.y,
                  (f"={at.of_phase('y0')}+IF([late]=1,{at.of_phase('h')}-[hp]-[drift]*{at.of_phase('span')},0)"),
-                 of(lambda one, late, piece: one.base(late, self.motion.ends[piece.phase].begin.y)),
+                 of(lambda one, late, piece: one.base(late, self.motion.ends[self.in_row[piece.phase]].begin.y)),
                  scale=self.motion.size(0)),
         ]  # fmt: skip
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
 from typing import Any, Protocol
 
 from engine.motion.handover import STRAIGHT, Handover, handovers
-from engine.motion.joining import Joined
+from engine.motion.joining import Joined, Rates
 from workbook.book.declare import Quantity, calc
-from workbook.book.rows import filled
+from workbook.book.rows import filled, spread
 from workbook.motion.cells import PieceRows
 from workbook.motion.through import passed
+
+Formulas = str | list[str]
+"""one for all rows, or one for each"""
 
 
 class Passed(Protocol):
@@ -35,30 +39,34 @@ class Neighbours:
 
     def __init__(
         self, rows: PieceRows, found: Joined, phases: Sequence[Passed], used: str, name: tuple[str, str] = ("", ""),
-        wraps: str = "", periodic: bool = True,
+        wraps: str = "", periodic: bool = True, entered: Mapping[int, Rates] | None = None,
     ) -> None:  # fmt: skip
         self.rows, self.motion, self.phases, self.used = rows, found.motion, phases, used
         self.name, self.wraps, self.periodic = name, wraps, periodic
-        self.handed = handovers(found, passed(phases), periodic)
+        self.handed = handovers(found, passed(phases) if entered is None else entered, periodic)
 
     @property
     def room(self) -> int:
         """Rows of the table of phases."""
         return len(self.rows.firsts)
 
+    @property
+    def places(self) -> Sequence[int]:
+        """The row, from 0, of each phase of the motion."""
+        return range(len(self.handed))
+
+    @cached_property
+    def in_row(self) -> dict[int, int]:
+        """The number in the motion, from 0, of the phase of each row that is used."""
+        return {place: k for k, place in enumerate(self.places)}
+
     def of(self, figure: Callable[[Handover], Any], spare: Any = 0.0) -> list[Any]:
         """Return a figure of each phase, with the spare rows filled up."""
-        return filled((figure(one) for one in self.handed), self.room, spare)
+        return spread((figure(one) for one in self.handed), self.places, self.room, spare)
 
     def neighbours(self) -> list[Quantity]:
         """Return the columns of what a phase takes from the phases beside it."""
-        at, used, velocity, size = self.rows.at, self.used, self.rows.at.unit(1), self.motion.size
-        straight = [one.way == STRAIGHT for one in self.handed]
-        last = len(straight) - 1
-        before = self._beside(range(len(straight)), last, -1)
-        after = self._beside(range(len(straight)), last, 1)
-        wrapped = {"before": used, "after": "1"} if not self.wraps else {
-            "before": f"IF({self.wraps},{used},0)", "after": f"IF({self.wraps},1,0)"}  # fmt: skip
+        at, velocity, size = self.rows.at, self.rows.at.unit(1), self.motion.size
         hands = "=IF([way]=-1,[slope],IF([{0}]=0,{2},IF({1}.way],MAX([{0}],1))=-1,{1}.slope],MAX([{0}],1)),{3})))"
         curves = "=IF([way]=-1,0,IF([{0}]=0,{2},IF({1}.way],MAX([{0}],1))=-1,0,{3})))"
         settled = "=IF([way]=-1,1,IF([{0}]=0,1,IF({1}.way],MAX([{0}],1))=-1,1,{2})))"
@@ -79,18 +87,8 @@ class Neighbours:
             calc("slope", "its own velocity", "h/δ", velocity,
                  "=IF(AND([way]=-1,[span]>0),[h]/[span],0)", self.of(lambda one: one.slope), scale=size(1),
                  source="of a straight line"),
-            calc("before", "row before", "", "", f"=IF([k]=1,{wrapped['before']},MIN([k]-1,{used}))",
-                 filled(before, self.room, last + 1), format="0", source="0 where nothing is"),
-            calc("after", "row after", "", "", f"=IF([k]<{used},[k]+1,{wrapped['after']})",
-                 filled(after, self.room, after[-1]), format="0", source="0 where nothing is"),
-            calc("set", "its begin is entered", "", "",
-                 f"=IF(COUNT(INDEX([{at.phases}.velocity],[k]),INDEX([{at.phases}.acceleration],[k]))>0,1,0)",
-                 self.of(lambda one: int(one.entered is not None)), format="0"),
-            *(calc(name, f"{word} entered", "", at.unit(order),
-                   f"=IF(ISNUMBER(INDEX([{at.phases}.{word}],[k])),INDEX([{at.phases}.{word}],[k]),0)",
-                   self.of(lambda one, i=order: one.entered[i - 1] if one.entered else 0.0),  # type: ignore[misc]
-                   scale=size(order))
-              for name, word, order in (("ev", "velocity", 1), ("ea", "acceleration", 2))),
+            *self.beside(),
+            *self.entered(),
             *(calc(f"settled{i}", f"{word} is settled", "", "", settled.format(side, here, entered),
                    self.of(lambda one, i=i: int(one.sides[i].settled), 1), format="0",  # type: ignore[misc]
                    source="by a straight line, a dwell, an entry")
@@ -114,6 +112,42 @@ class Neighbours:
                  "=IF(OR([way]=-1,[way]=2,[cannot]=1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,[way])",
                  self.of(lambda one: one.mode), format="0",
                  source="0 between rests, 1 as two pulses, 3, 5, 7 as a polynomial"),
+        ]  # fmt: skip
+
+    def beside(self) -> list[Quantity]:
+        """Return the columns that tell the rows before and after."""
+        used, last = self.used, len(self.handed) - 1
+        before, after = (self._beside(range(last + 1), last, side) for side in (-1, 1))
+        first, end = (used, "1") if not self.wraps else (f"IF({self.wraps},{used},0)", f"IF({self.wraps},1,0)")
+        return [
+            calc("before", "row before", "", "", f"=IF([k]=1,{first},MIN([k]-1,{used}))",
+                 filled(before, self.room, last + 1), format="0", source="0 where nothing is"),
+            calc("after", "row after", "", "", f"=IF([k]<{used},[k]+1,{end})",
+                 filled(after, self.room, after[-1]), format="0", source="0 where nothing is"),
+        ]  # fmt: skip
+
+    def set_by(self, velocity: str, acceleration: str) -> tuple[str, str, str]:
+        """Return the formulas of whether anything is entered for the begin of a phase, and of what is."""
+        number = "=IF(ISNUMBER({0}),{0},0)"
+        entered = f"=IF(COUNT({velocity},{acceleration})>0,1,0)"
+        return entered, number.format(velocity), number.format(acceleration)
+
+    def entries_at(self) -> tuple[Formulas, Formulas, Formulas]:
+        """Return these formulas, for the rows of the table."""
+        phases = self.rows.at.phases
+        return self.set_by(f"INDEX([{phases}.velocity],[k])", f"INDEX([{phases}.acceleration],[k])")
+
+    def entered(self) -> list[Quantity]:
+        """Return the columns that tell what is entered for the begin of a phase."""
+        at, (whether, *rates) = self.rows.at, self.entries_at()
+        return [
+            calc("set", "its begin is entered", "", "",
+                 whether, self.of(lambda one: int(one.entered is not None)), format="0"),
+            *(calc(name, f"{word} entered", "", at.unit(order), formula,
+                   self.of(lambda one, i=order: one.entered[i - 1] if one.entered else 0.0),  # type: ignore[misc]
+                   scale=self.motion.size(order))
+              for (name, word, order), formula in zip(
+                  (("ev", "velocity", 1), ("ea", "acceleration", 2)), rates, strict=True)),
         ]  # fmt: skip
 
     def _beside(self, phases: range, last: int, side: int) -> list[int]:

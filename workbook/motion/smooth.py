@@ -30,7 +30,8 @@ class Asked:
     are the formulas of the largest |y'| and |y''|. In sentences stand the motion's name ``of``, the unit of the
     abscissa behind a ``place`` and those of the derivatives: each a formula, and the text that it gives. ``wraps`` is
     the condition under which the motion repeats, which it does if it is ``periodic``. Where its phases do not stand in
-    the rows in which they are entered, sentences give no ``rows``.
+    the rows in which they are entered, sentences give no ``rows``; where they have ``names``, in the column ``what``
+    of their table, these stand in place of numbers.
     """
 
     smooth: Smoothness
@@ -43,6 +44,7 @@ class Asked:
     wraps: str = ""
     periodic: bool = True
     rows: bool = True
+    names: tuple[str, ...] = ()
 
 
 def ended(n: int, joint: Joint) -> float:
@@ -135,6 +137,9 @@ class Joints:
 
         within = f"AND({at('from')}={at('p')},{at('n')}>1)"
         rows = f'"row "&{at("from")}&IF({within},""," to "&{at("p")})&' if asked.rows else ""
+        if asked.names:
+            one, other = (f"INDEX([{self.rows.at.phases}.what],{at(row)})" for row in ("from", "p"))
+            rows = f'{one}&IF({within},""," to "&{other})&'
         size = figure_of(f"ABS({at('size')})")
         what = f"CHOOSE({at('order')},{WORDS})"
         begin = f'" at "&ROUND({at("begin")},9)&{asked.place[0]}'
@@ -159,12 +164,16 @@ class Joints:
         (piece, joint), asked = first, self.asked
         within = joint.before == piece.phase and joint.lasting > 1
         rows = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if asked.rows else ""
+        if asked.names:
+            rows = f"{asked.names[joint.before]}{'' if within else f' to {asked.names[piece.phase]}'} "
         x = figure(shown(piece.begin, DEGREE) if self.rows.at.degrees else piece.begin)
         unit = asked.units[joint.order - 1][1]
         head = f"{asked.of[1]} " if asked.of[1] else ""
         what = ORDERS[joint.order - 1]
         jump = f"{what} jumps by {figure(abs(joint.size))} {unit}"
-        slopes = [slope(self.motion.phases[k]) for k in (joint.before, piece.phase)] if self.rows.at.ends else []
+        used = sorted({one.phase for one in self.rows.pieces})
+        beside = [self.motion.phases[used.index(row)] for row in (joint.before, piece.phase)]
+        slopes = [slope(one) for one in beside] if self.rows.at.ends else []
         straight = [figure(one) for one in slopes if one is not None]
         why = f": straight lines of {' and '.join(straight)}" if len(straight) > 1 else ""
         return f"{head}{rows}at {x}{asked.place[1]}: {jump}{why}"

@@ -6,7 +6,7 @@ derivative down finds all. A piece of a pulse has a velocity that only rises or 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 from itertools import pairwise
 from math import isfinite, perm
@@ -16,12 +16,12 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.laws.piece_extremes import NODES, WEIGHTS
-from engine.motion import Motion
+from engine.motion import Motion, Phase
 from engine.motion.handover import PULSES, Handover
 from engine.motion.pieces import MotionPiece
 from engine.motion.turning import GRID, LOST, PARTS, Ladder, Narrowed, square_of, turn_of
 from workbook.book.declare import Quantity, Sheet, calc, constant
-from workbook.book.rows import filled
+from workbook.book.rows import filled, spread
 from workbook.motion.cells import PieceRows
 from workbook.motion.sampled import in_piece
 
@@ -77,10 +77,17 @@ def both(piece: MotionPiece) -> Array:
 class Turns:
     """The extremes of a motion's phases between prescribed ends."""
 
-    def __init__(self, rows: PieceRows, motion: Motion, handed: tuple[Handover, ...]) -> None:
-        self.rows, self.motion, self.handed = rows, motion, handed
-        spare = [(0.0,) * rows.powers] * (len(rows.firsts) - len(handed))
-        self.ladders = [Ladder(powers) for powers in (*(one.powers[: rows.powers] for one in handed), *spare)]
+    def __init__(
+        self, rows: PieceRows, motion: Motion, handed: tuple[Handover, ...], places: Sequence[int]
+    ) -> None:  # fmt: skip
+        self.rows, self.motion, self.handed, self.places = rows, motion, handed, places
+        self.in_row = {place: k for k, place in enumerate(places)}
+        none = Ladder((0.0,) * rows.powers)
+        self.ladders = self.spread([Ladder(one.powers[: rows.powers]) for one in handed], none)
+
+    def spread(self, values: Sequence[Any], spare: Any = 0.0) -> list[Any]:
+        """Return values of the phases in their rows."""
+        return spread(values, self.places, len(self.rows.firsts), spare)
 
     @property
     def degree(self) -> int:
@@ -125,8 +132,7 @@ class Turns:
 
     def of(self, figure: Callable[[Handover], float]) -> list[Any]:
         """Return a figure of each phase with prescribed ends; 0 of all else."""
-        found = [figure(one) if one.ended else 0.0 for one in self.handed]
-        return filled(found, len(self.rows.firsts))
+        return self.spread([figure(one) if one.ended else 0.0 for one in self.handed])
 
     def extremes(self) -> list[Quantity]:
         """Return the columns of the extremes of each phase with prescribed ends."""
@@ -148,11 +154,8 @@ class Turns:
         )
         inner = ",".join(f"[t0_{i}]" for i in range(self.degree - 1))
         start = f"INDEX([{at.phases}.y0],[k])"
-        reaches = dict(zip(range(len(self.handed)), self.motion.reaches, strict=True))
-        lows, highs = (
-            filled([reaches[k][i] if one.ended else 0.0 for k, one in enumerate(self.handed)], len(self.rows.firsts))
-            for i in (0, 1)
-        )
+        both = list(zip(self.handed, self.motion.reaches, strict=True))
+        lows, highs = (self.spread([reach[i] if one.ended else 0.0 for one, reach in both]) for i in (0, 1))
         return [
             calc("top", "velocity between its pulses", "V", at.unit(1),
                  "=IF([mode]=1,[w0]+[h0]*INDEX(piece_v,[split])/[span],0)", self.of(lambda one: one.reversing),
@@ -179,21 +182,25 @@ class Turns:
 
     def _jumps(self) -> list[int]:
         """Return how often y'' jumps at the pieces of each phase of two pulses, and at its end."""
-        found = [0] * len(self.rows.firsts)
+        found = self.spread([0] * len(self.handed), 0)
         for piece, leap in zip(self.rows.pieces, self.leaps, strict=True):
             found[piece.phase] += leap
-        for k, one in enumerate(self.handed):
-            ends = abs(self.motion.ends[k].end.y2) > LOST * one.phase.y2_max
-            found[k] = found[k] + ends if one.mode == PULSES else 0
+        for place, one, at in zip(self.places, self.handed, self.motion.ends, strict=True):
+            ends = abs(at.end.y2) > LOST * one.phase.y2_max
+            found[place] = found[place] + ends if one.mode == PULSES else 0
         return found
+
+    def phase_of(self, piece: MotionPiece) -> Phase:
+        """Return the phase of a piece."""
+        return self.motion.phases[self.in_row[piece.phase]]
 
     @cached_property
     def leaps(self) -> list[int]:
         """Whether y'' jumps at the begin of each piece from what is before it in its phase, or from 0."""
-        before, found = [0.0] * len(self.handed), []
+        before, found = [0.0] * len(self.rows.firsts), []
         for piece in self.rows.pieces:
             begin, end = piece.at(both(piece)).y2.tolist()
-            peak = self.motion.phases[piece.phase].y2_max
+            peak = self.phase_of(piece).y2_max
             lasts = piece.duration > 0.0
             found.append(int(lasts and abs(begin - before[piece.phase]) > LOST * peak))
             before[piece.phase] = end if lasts else before[piece.phase]
@@ -206,7 +213,7 @@ class Turns:
         def of(values: list[Any]) -> list[Any]:
             return filled(values, room, 0.0)
 
-        peaks = [self.motion.phases[piece.phase] for piece in pieces]
+        peaks = [self.phase_of(piece) for piece in pieces]
         lost = [LOST * phase.y1_max for phase in peaks]
         turns = [turn_of(piece, least) for piece, least in zip(pieces, lost, strict=True)]
         jerks = [float(np.abs(piece.at(both(piece)).y3).max()) if piece.duration else 0.0 for piece in pieces]

@@ -16,6 +16,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
 from workbook.entries.design import RefusedError, as_entered, designed, keys_of
+from workbook.entries.exported import ExportEntry, named
 from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import EntryError
 from workbook.errors import DisputedError, InputError, ReadError
@@ -26,7 +27,7 @@ from workbook.reading.files import BookFile, Words
 from workbook.reading.fitting import fitted
 from workbook.reading.work import require_little_work
 from workbook.selection.entries import referred
-from workbook.template import M, Template
+from workbook.template import MOST, M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import LONGEST, found
 
@@ -156,6 +157,7 @@ class Entries:
         self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = numbered(file.places)
         default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
+        default = self._with_export(default)
         for key, value in self.template.fixed(default).items():
             put(self.data, key.split("."), value)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
@@ -225,6 +227,14 @@ class Entries:
             raise ReadError(f"{self.file.path}: not a workbook of motionbook: it has no cell named book_template")
         address = place.cell(0, 0)
         return template_named(self.file.value(address), f"{self.file.path}: {address}")
+
+    def _with_export(self, default: Any) -> Any:
+        """Return a machine with the sheet Export that the file has, if any; note which axis that shows."""
+        found = next((i for i in range(1, MOST + 1) if named(i) in self.file.places), None)
+        if found is None:
+            return default
+        self.data["export"] = {"axis": found}
+        return default.model_copy(update={"export": ExportEntry(axis=found)})
 
     def _sizes(self) -> dict[str, int]:
         places = self.file.places

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 import workbook
 from workbook.axes import CamAxis
 from workbook.controllers import certificates
-from workbook.controllers.handing import ORDERS, Made, curve, rules_of
+from workbook.controllers.handing import ORDERS, Made, automatic, curve, rules_of
 from workbook.controllers.target import Target
 from workbook.reports.page import document, e, table
 from workbook.reports.plot import Line, plot
@@ -21,8 +21,14 @@ SWITCHED = ("switch", "edges", "an edge is off by", "at", "state differs for")
 HEADINGS = ("", "largest error", "unit", "of the peak", "at x", "added jump")
 
 
-def page(found: Sequence[tuple[CamAxis, Made]], target: Target, switches: Sequence[Sequence[str]] = ()) -> str:
-    """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
+def page(
+    found: Sequence[tuple[CamAxis, Made]], target: Target, tolerance: Mapping[str, float],
+    switches: Sequence[Sequence[str]] = (),
+) -> str:  # fmt: skip
+    """Return the page of the axes that were exported to a target, and of its switches, a row of texts each.
+
+    The number of points that is recommended is the fewest that keeps to a tolerance, or that of the best there is.
+    """
     title = f"Cam tables for {target.title}"
     how = (
         f"motionbook {workbook.__version__}. Each file was read back by an independent reader, the motion rebuilt by "
@@ -32,15 +38,23 @@ def page(found: Sequence[tuple[CamAxis, Made]], target: Target, switches: Sequen
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
     body += [e("p", f"{claim.certainty}: {claim.what} ({claim.source})") for claim in claims]
     for axis, made in found:
-        body += section(axis, made, target)
+        body += section(axis, made, target, recommended(axis, target, tolerance))
     if switches:
         body += [e("h2", "Switches"), table(SWITCHED, switches, (1, 2, 3, 4))]
     return document(title, body)
 
 
-def section(axis: CamAxis, made: Made, target: Target) -> list[Element]:
+def recommended(axis: CamAxis, target: Target, tolerance: Mapping[str, float]) -> str:
+    """Return in words how many points an axis should have."""
+    best = automatic(target, axis, tolerance)
+    asked = ", ".join(f"{certificates.WORDS[ORDERS.index(o)]} {certificates.percent(t)}" for o, t in tolerance.items())
+    kept = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
+    return f"Recommended: {best.points} points, {kept} to {asked} of its peak."
+
+
+def section(axis: CamAxis, made: Made, target: Target, advice: str) -> list[Element]:
     """Return what is to be said of one axis."""
-    said = [e("h2", axis.name), e("p", f"{made.points} points; x in {axis.x_unit}, y in {axis.y_unit}")]
+    said = [e("h2", axis.name), e("p", f"{made.points} points; x in {axis.x_unit}, y in {axis.y_unit}. {advice}")]
     for name, certificate in made.certificates.items():
         said += [
             e("h3", name[:1].upper() + name[1:]),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from xml.etree.ElementTree import Element, indent, tostring
 
-from workbook.judging.many import Outcome
+from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
 from workbook.reports.page import by_sheet, e, exact, own_verdict, told, where, witness
 

@@ -14,7 +14,7 @@ import workbook
 from workbook.build import write_text
 from workbook.errors import WriteError
 from workbook.judging.compare import TOLERANCE
-from workbook.judging.many import Outcome
+from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Ran, Report
 from workbook.visible import visible
 from workbook.writing.place import refuse_existing, replace

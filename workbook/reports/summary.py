@@ -12,7 +12,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Table
 
-from workbook.judging.many import Outcome
+from workbook.judging.one import Outcome
 from workbook.reports.console import report_data, show_report
 from workbook.reports.junit import line
 from workbook.reports.terminal import say, say_data, shown

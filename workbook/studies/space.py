@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -104,7 +105,9 @@ class Space:
         drawn = qmc.Sobol(len(self.dimensions), scramble=True, seed=self.way.seed)
         if begin:
             drawn.fast_forward(begin)
-        return np.asarray(drawn.random(end - begin))
+        with warnings.catch_warnings():  # a part need not be a power of two: whether all designs are, is for the study
+            warnings.simplefilter("ignore", UserWarning)
+            return np.asarray(drawn.random(end - begin))
 
 
 def arranged(dimensions: Sequence[Dimension], way: Way) -> Space:

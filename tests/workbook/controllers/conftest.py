@@ -8,7 +8,7 @@ from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.build import build
 from workbook.cli import main
-from workbook.judging.many import digest
+from workbook.judging.one import digest
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 

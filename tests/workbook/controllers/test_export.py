@@ -1,6 +1,7 @@
 """The command export: what it writes, what it refuses, and that nothing is written where it does."""
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
-from workbook.commands.export import chosen
+from workbook.commands.export import chosen, slugs
 from workbook.controllers.handing import automatic, certified, tabulated
 from workbook.controllers.registry import target
 from workbook.errors import TargetError
@@ -94,9 +95,9 @@ def test_beyond_a_tolerance_nothing_is_written(run, book, tmp_path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["--to", "csv"], "either --axis NAME or --all"),
+        (["--to", "csv"], "either --axis NAME, --switches or --all"),
         (["--to", "csv", "--axis", "MC09"], "no axis is named 'MC09'; expected one of Press, Feed 2"),
-        (["--to", "csv", "--all", "--axis", "Press"], "either --axis NAME or --all"),
+        (["--to", "csv", "--all", "--axis", "Press"], "either --axis NAME, --switches or --all"),
         (["--to", "plc", "--all"], "no target is named 'plc'"),
         (["--to", "csv", "--axis", "Press", "--points", "many"], "expected a number of points, or auto"),
         (["--to", "csv", "--axis", "Press", "--points", "3"], "at least 16"),
@@ -128,6 +129,8 @@ def test_a_report_has_the_figures_and_two_pictures_an_axis(run, book, tmp_path) 
     assert text.count("<svg") == 4
     assert all(word in text for word in ("Press", "Feed 2", "acceleration", "untested", "clamped cubic spline"))
     assert "script" not in text
+    assert text.count("Recommended: ") == 2
+    assert re.search(r"Recommended: \d+ points, the fewest that keep to acceleration 1 % of its peak", text)
     code, _, err = run("export", book, "--all", "--to", "rockwell", "--unverified", "--report", "cams.html", "-o", "b")
     assert code == 2
     assert "exists" in err
@@ -150,3 +153,30 @@ def test_at_equal_steps_the_best_is_not_the_first_that_was_tried(axes, name: str
     found, few = automatic(equal, axes[0], {"a": 0.01}), tabulated(equal, axes[0], 9)
     assert found.share("a") < 0.1 * certified(equal, few, axes[0].course).share("a")
     assert np.diff(found.table.x) == pytest.approx(360.0 / (found.points - 1), abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("names", "called"),
+    [
+        (["MC01", "Feed 2"], ["MC01", "Feed_2"]),
+        (["Ось", "轴", "Press"], ["Axis_1", "Axis_2", "Press"]),
+        (["A-1", "a 1", "a__1"], ["A_1_1", "a_1_2", "a_1_3"]),
+        (["1 up", "<x>'; DROP", "END_VAR", "é"], ["Axis_1_up", "x_DROP", "END_VAR", "Axis"]),
+    ],
+)
+def test_every_axis_has_a_name_that_controllers_take(names, called):
+    assert slugs(names) == called
+    assert all(name.replace("_", "a").isalnum() and name.isascii() and "__" not in name for name in called)
+    assert len({name.casefold() for name in called}) == len(names)
+
+
+def test_the_header_tells_number_and_revision_and_the_help_what_is_untested(run, tmp_path):
+    (tmp_path / "told.toml").write_text(
+        TEXT.replace("[master]", 'number = "CM-7"\nrevision = "C"\n[master]', 1), "utf-8"
+    )
+    assert run("build", "told.toml")[0] == 0
+    assert run("export", "told.xlsx", "--axis", "Press", "--to", "codesys", "--unverified")[0] == 0
+    head = (tmp_path / "told-Press.st").read_text("utf-8").splitlines()[0]
+    assert head.startswith("// Two axes, number CM-7, revision C, axis Press: CODESYS")
+    _, out, _ = run("export", "--help")
+    assert "untested" in out

@@ -139,6 +139,27 @@ def test_where_the_acceleration_jumps_a_point_stands_on_either_side(name: str) -
     assert made.points <= 12
 
 
+@pytest.mark.parametrize("name", ["codesys", "twincat", "siemens", "br", "csv"])
+def test_a_jump_stands_at_its_point_where_numbers_round_its_place(name: str) -> None:
+    """At 1/30 and 1/6 of 0.3 s: a place that is rounded down had the acceleration before it, and 5.5 % of the lift."""
+    trapezoid = law("TVP", rise_end=1 / 6, fall_start=5 / 6)
+    motion = Motion([Phase(trapezoid, 8.0, 0.2), Phase(law("dwell"), 0.0, 0.1)])
+    one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "s", "mm", repeats=False)
+    made = automatic(one, axis, dict([one.tolerance]))
+    assert made.share("y") < 1e-6
+    assert made.share("v") < 1e-3
+
+
+@pytest.mark.parametrize("name", ["twincat-table", "codesys-table", "siemens-points", "kollmorgen", "sew", "lenze"])
+def test_a_spline_over_parabolas_has_steps_beside_their_jumps(name: str) -> None:
+    motion = Motion([Phase(law("ACS"), 50.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("ACS"), -50.0, 180.0)])
+    one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "°", "mm")
+    made = automatic(one, axis, {"a": 0.01})
+    assert made.share("a") > 0.1  # a jump is none of a spline
+    assert made.share("v") <= 0.01
+    assert made.share("y") <= 1e-3
+
+
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=3)
 def test_exact_laws_go_into_segments_exactly(seed: int) -> None:

@@ -11,7 +11,7 @@ from tests.workbook import excel, office
 from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, inputs
 from workbook.errors import InputError
-from workbook.judging.many import Outcome
+from workbook.judging.one import Outcome
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
 from workbook.reports.console import report_data

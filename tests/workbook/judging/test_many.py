@@ -1,5 +1,6 @@
 """Many workbooks and folders at once: which are taken, what is said of each, what the run's exit code is."""
 
+import contextlib
 import json
 import os
 import shutil
@@ -14,9 +15,13 @@ import pytest
 from openpyxl import Workbook
 
 from workbook.build import build
-from workbook.judging import many
-from workbook.judging.many import Outcome, Target, exit_code, find, verify_many
+from workbook.cluster import pool
+from workbook.judging import many, one
+from workbook.judging.many import exit_code, find, verify_many
+from workbook.judging.one import Outcome, Target
+from workbook.judging.sent import unseen
 from workbook.judging.verify import Report
+from workbook.pool import Died
 from workbook.reading.entries import read_machine
 from workbook.templates import TEMPLATES
 
@@ -89,7 +94,11 @@ def test_an_empty_folder_is_said_to_be_empty(tmp_path):
 
 def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(folder, wrong):
     targets, _ = find([folder])
-    alone, together = ([(o.path, o.verdict, o.sha256) for o in verify_many(targets, jobs=n)] for n in (1, 2))
+    said = []
+    for jobs in (1, 2):
+        with pool(jobs, None) as workers:
+            said.append([(o.path, o.verdict, o.sha256) for o in verify_many(targets, pool=workers)])
+    alone, together = said
     assert alone == together
     verdicts = {path.name: verdict for path, verdict, _ in alone}
     assert verdicts == {
@@ -123,7 +132,7 @@ def test_a_file_that_cannot_be_opened_is_one_line(tmp_path, good, monkeypatch):
     def locked(*_):
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(many, "verify", locked)
+    monkeypatch.setattr(one, "verify", locked)
     outcome = verify_many([Target(good, named=True)])[0]
     assert (outcome.verdict, outcome.reason) == ("unreadable", f"{good}: cannot be read: Permission denied")
 
@@ -136,32 +145,78 @@ def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monk
         os.utime(path, ns=(1, 1))
         return Report(path, "cutting-machine")
 
-    monkeypatch.setattr(many, "verify", verify)
+    monkeypatch.setattr(one, "verify", verify)
     outcome = verify_many([Target(path, named=True)])[0]
     assert outcome.verdict == "unreadable"
     assert "changed while it was read" in outcome.reason
 
 
 def test_a_fault_of_ours_in_one_file_leaves_the_others_their_verdicts(folder, monkeypatch):
-    monkeypatch.setattr(many, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
-    outcomes = {o.path.name: o for o in verify_many(find([folder])[0], jobs=1)}
+    monkeypatch.setattr(one, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
+    outcomes = {o.path.name: o for o in verify_many(find([folder])[0])}
     assert outcomes["b.xlsx"].verdict == "unreadable"
     assert "ZeroDivisionError" in outcomes["b.xlsx"].reason
     assert outcomes["c.xlsm"].verdict == "agrees"
 
 
 def dies(target, witnesses):
-    """Verify, except for one file that ends its process."""
-    if target.path.name == "b.xlsx":
-        os._exit(9)
+    """Verify; one file always ends its process, another one the first time, and leaves a mark."""
+    mark = target.path.with_suffix(".met")
+    if target.path.name == "b.xlsx" or (target.path.name == "c.xlsm" and not mark.exists()):
+        mark.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
     return Outcome(target.path, "agrees")
 
 
-def test_a_process_that_dies_is_blamed_on_its_file_alone(folder, monkeypatch):
+@pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+def test_a_book_whose_worker_dies_is_tried_once_more_alone_and_then_named(folder, monkeypatch):
     monkeypatch.setattr(many, "verify_one", dies)
-    outcomes = {o.path.name: o for o in verify_many(find([folder])[0], jobs=2)}
-    assert {name for name, o in outcomes.items() if o.verdict != "agrees"} == {"b.xlsx"}
-    assert "ended the process" in outcomes["b.xlsx"].reason
+    targets = find([folder])[0]
+    with pool(2, None) as workers:
+        outcomes = verify_many(targets, pool=workers)
+    assert [o.path for o in outcomes] == [t.path for t in targets]
+    assert {o.path.name for o in outcomes if o.verdict != "agrees"} == {"b.xlsx"}
+    assert all("ended the process" in o.reason for o in outcomes if o.path.name == "b.xlsx")
+
+
+class Blind:
+    """Workers that do not see the files, and of which each dies of one book the first time."""
+
+    distant = True
+
+    def __init__(self):
+        self.met = set()
+
+    def each(self, function, tasks, *shared):
+        for task in tasks:
+            first = task.target.path.name == "b.xlsx" and task.target not in self.met
+            self.met.add(task.target)
+            yield task, Died() if first else function(task._replace(place="/nowhere/seen.xlsx"), *shared)
+
+    @contextlib.contextmanager
+    def alone(self):
+        yield self
+
+    def on_each(self, function, *arguments):
+        return {"one": [-1 for _ in arguments[0]], "other": function(*arguments)}
+
+
+def test_books_are_sent_as_bytes_to_workers_that_do_not_see_them(folder, wrong):
+    targets = find([folder, folder / "gone.xlsx"])[0]
+    assert unseen(targets, Blind()) == "1 of 2 workers do not see these files: books are sent to them"
+    outcomes = verify_many(targets, pool=Blind(), as_bytes=True)
+    assert [o.path for o in outcomes] == [t.path for t in targets]
+    verdicts = {o.path.name: o.verdict for o in outcomes}
+    assert (verdicts["b.xlsx"], verdicts["wrong.xlsx"], verdicts["gone.xlsx"]) == ("agrees", "disagrees", "unreadable")
+    assert next(o.reason for o in outcomes if o.path.name == "gone.xlsx").startswith(f"{folder / 'gone.xlsx'}: ")
+    assert all(o.report.path == o.path for o in outcomes if o.report)
+
+
+def test_one_book_imports_no_dask_and_starts_no_cluster(good):
+    code = "import sys; from workbook import cli; sys.argv[1:] = ['verify', sys.argv[1]]\ntry: cli.main()\n"
+    code += "except SystemExit: print('dask' in sys.modules or 'distributed' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code, str(good)], capture_output=True, text=True, check=False)
+    assert done.stdout.splitlines()[-1] == "False"
 
 
 @pytest.mark.parametrize(
@@ -232,7 +287,7 @@ signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell lets what ru
 from workbook import cli
 from workbook.judging import many
 verify_many = many.verify_many
-many.verify_many = lambda t, w, j, *_: verify_many(t, w, j, lambda outcome: print("one is done", flush=True))
+many.verify_many = lambda t, w, p, *_: verify_many(t, w, p, lambda outcome: print("one is done", flush=True))
 cli.main()
 """
 

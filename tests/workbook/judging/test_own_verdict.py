@@ -11,7 +11,8 @@ import pytest
 
 from tests.mutation.bench import sized
 from workbook.build import build
-from workbook.judging.many import Outcome, exit_code
+from workbook.judging.many import exit_code
+from workbook.judging.one import Outcome
 from workbook.judging.report import Check, Finding, Ran, Report
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES

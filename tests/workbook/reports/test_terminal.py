@@ -13,7 +13,7 @@ from workbook import cli
 from workbook.build import build
 from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError
-from workbook.judging.many import Outcome
+from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
 from workbook.reading.entries import read_machine, write_machine
 from workbook.reports import console, summary

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
 from workbook.drive.entries import Efficiency, Gear, MotorLimits, PlacedParts
-from workbook.entries.machine import Machine
+from workbook.entries.exported import Exporting
 from workbook.entries.phase import PhaseEntry
 from workbook.entries.types import DesignError, EntryError, Model, NotNegative, Number, Positive
 from workbook.motion.asked import Smoothness
@@ -96,9 +96,10 @@ class ActuatorSizes(SelectionSizes):
     gears: Annotated[int, Field(ge=2, le=6)] = 2
 
 
-class ActuatorSizing(Machine):
+class ActuatorSizing(Exporting):
     """Sizing of an actuator (S4)."""
 
+    AXES = ("load",)
     template: Literal["actuator-sizing"] = "actuator-sizing"
     actuator: ActuatorEntry
     selection: Selection = Selection()

@@ -6,6 +6,7 @@ from engine.choice import LoadSamples, Task
 from workbook.book.declare import Book, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
+from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.actuator.axes import axes
 from workbook.machines.actuator.check import check
@@ -18,6 +19,7 @@ from workbook.machines.actuator.tables import AT
 from workbook.machines.actuator.variations import variants
 from workbook.machines.actuator.view import Sized
 from workbook.motion.cells import rows_of
+from workbook.motion.exported import Exportable, export_sheet
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.view import Choosing
@@ -60,6 +62,9 @@ def declare(given: ActuatorSizing) -> Book:
     selection_sheet(book, LOAD, choosing(view, given))
     printed_sheet(book, view)
     shelf.sheets(book)
+    units = ("s", "mm or °", "mm/s or °/s", "mm/s² or °/s²")
+    export_sheet(book, given, [Exportable("load", '="load"', rows, units, (1.0, shown(1.0, view.unit)), "/act_unit",
+                                          view.sizing.motion.size)])  # fmt: skip
     return finish(book, "Sizing of an actuator", ("S4", "S1", "S3", "S5"))
 
 

@@ -6,7 +6,8 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from workbook.entries.machine import Machine, Sizes
+from workbook.entries.exported import Exporting
+from workbook.entries.machine import Sizes
 from workbook.entries.phase import Passing, PhaseEntry, require_straight
 from workbook.entries.texts import NO_FORMULA, ONE_LINE
 from workbook.entries.types import EntryError, Model, Number
@@ -38,9 +39,10 @@ class ComposerSizes(Sizes):
     phases: Annotated[int, Field(ge=2, le=MOST_PHASES)] = MOST_PHASES
 
 
-class MotionComposer(Machine):
+class MotionComposer(Exporting):
     """S3's composed motion."""
 
+    AXES = ("motion",)
     template: Literal["motion-composer"] = "motion-composer"
     sizes: ComposerSizes = ComposerSizes()
     motion: ComposedMotion

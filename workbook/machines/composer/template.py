@@ -8,10 +8,12 @@ from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.composer.axes import axes
 from workbook.machines.composer.entries import MotionComposer
+from workbook.machines.composer.phases import PER, PER2
 from workbook.machines.composer.sheet import cells, motion_sheet
 from workbook.machines.composer.variations import variants
 from workbook.machines.composer.view import Composition
 from workbook.motion.cells import rows_of
+from workbook.motion.exported import Exportable, export_sheet
 from workbook.template import Template, finish
 
 UNIT = "in the units of Motion"
@@ -36,8 +38,11 @@ def declare(given: MotionComposer) -> Book:
                    "=move_a", motion.peaks.y2, scale=a, source=UNIT),
         ],
     )  # fmt: skip
-    motion_sheet(book, composed, rows_of(cells(hands_over), motion, shelf.stack, given.sizes.phases))
+    rows = rows_of(cells(hands_over), motion, shelf.stack, given.sizes.phases)
+    motion_sheet(book, composed, rows)
     shelf.sheets(book)
+    units = ("x", "lift", PER, PER2)
+    export_sheet(book, given, [Exportable("motion", '="motion"', rows, units, (1.0, 1.0), "", motion.size)])
     return finish(book, "Composed motion", ("S1", "S3"))
 
 

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
 from workbook.drive.entries import RollerDrive
-from workbook.entries.machine import Machine
+from workbook.entries.exported import Exporting
 from workbook.entries.phase import Passing, require_straight
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.turn import TURN, TurnPhase, forward
@@ -73,9 +73,10 @@ class Timing(Model):
         return self
 
 
-class CuttingMachine(Machine):
+class CuttingMachine(Exporting):
     """The cutting machine of S1: three axes over one master shaft, and the drive of one of them."""
 
+    AXES_AT = ("timing", "axes")
     template: Literal["cutting-machine"] = "cutting-machine"
     timing: Timing
     drive: RollerDrive

@@ -10,7 +10,7 @@ from workbook.book.declare import Book, result
 from workbook.book.summary import summary_sheet
 from workbook.drive.in_short import InShort, axes_in_short
 from workbook.entries.rules import limits
-from workbook.entries.units import MM, RPM, shown
+from workbook.entries.units import DEGREE, MM, RPM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.cutting.axes import axes
 from workbook.machines.cutting.drive import drive_sheet
@@ -18,7 +18,8 @@ from workbook.machines.cutting.entries import CuttingMachine
 from workbook.machines.cutting.timing import cells, timing_sheet
 from workbook.machines.cutting.variations import variants
 from workbook.machines.cutting.view import Cutting
-from workbook.motion.cells import rows_of
+from workbook.motion.cells import PieceRows, rows_of
+from workbook.motion.exported import Exportable, export_sheet
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.view import Choosing
@@ -59,10 +60,9 @@ def declare(given: CuttingMachine) -> Book:
     )  # fmt: skip
     axes_in_short(sheet, [in_short(axis, reference.speed) for axis in reference.axes], "mm", "m")
     rooms = given.sizes.phases
-    axes = enumerate(reference.axes, 1)
-    timing_sheet(
-        book, reference, [rows_of(cells(i, reference.hands_over), axis.motion, shelf.stack, rooms) for i, axis in axes]
-    )
+    axes = list(enumerate(reference.axes, 1))
+    rows = [rows_of(cells(i, reference.hands_over), axis.motion, shelf.stack, rooms) for i, axis in axes]
+    timing_sheet(book, reference, rows)
     book.name(
         "axes", axis_group="group", axis_name="name", axis_closes="closes", axis_smooth="smooth", axis_travel="travel",
         axis_low="low", axis_high="high", axis_v="v", axis_a="a",
@@ -70,7 +70,14 @@ def declare(given: CuttingMachine) -> Book:
     drive_sheet(book, reference)
     selection_sheet(book, LOAD, choosing(reference))
     shelf.sheets(book)
+    export_sheet(book, given, [exportable(i, axis, one) for (i, axis), one in zip(axes, rows, strict=True)])
     return finish(book, "Cutting machine", ("S1", "S2", "S3", "S5"))
+
+
+def exportable(i: int, axis: Axis, rows: PieceRows) -> Exportable:
+    """Return an axis as the sheet Export may have it."""
+    return Exportable(axis.name, f"=[axes.name.{i}]", rows, ("°", "mm", "mm/°", "mm/°²"),
+                      (shown(1.0, DEGREE), shown(1.0, MM)), "*1000", axis.motion.size)  # fmt: skip
 
 
 def in_short(axis: Axis, speed: float) -> InShort:

@@ -8,7 +8,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.machine import Machine
+from workbook.entries.exported import Exporting
 from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.room import settle
@@ -102,9 +102,10 @@ class FlyingSizes(SelectionSizes):
     lengths: Annotated[int, Field(ge=2, le=400)] = 60
 
 
-class FlyingCutter(Machine):
+class FlyingCutter(Exporting):
     """A tool that follows the line while it works, and re-positions for the next product (S5)."""
 
+    AXES = ("tool", "shaft")
     template: Literal["flying-cutter"] = "flying-cutter"
     cutter: CutterEntry
     selection: Selection = Selection()

@@ -6,7 +6,7 @@ from engine.choice import LoadSamples, Task
 from workbook.book.declare import Book, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
-from workbook.entries.units import PER_MINUTE, RPM, shown
+from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.flying.axes import axes
 from workbook.machines.flying.check import check
@@ -18,6 +18,8 @@ from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.turning import turning_sheet
 from workbook.machines.flying.variations import variants
 from workbook.machines.flying.view import Flying
+from workbook.motion.cells import PieceRows
+from workbook.motion.exported import Exportable, export_sheet
 from workbook.selection.load import LoadCells
 from workbook.selection.sheet import selection_sheet
 from workbook.selection.view import Choosing
@@ -58,11 +60,24 @@ def declare(given: FlyingCutter) -> Book:
     )  # fmt: skip
     cutter_sheet(book, view)
     lengths_sheet(book, view)
-    cycle_sheet(book, view, rows_of(view, shelf.stack), shelf.stack)
+    rows = rows_of(view, shelf.stack)
+    cycle_sheet(book, view, rows, shelf.stack)
     selection_sheet(book, LOAD, choosing(view, given))
     turning_sheet(book, view, shelf.named, shelf.stack)
     shelf.sheets(book)
+    export_sheet(book, given, exportables(view, rows))
     return finish(book, "Flying machining", ("S5", "S1", "S3"))
+
+
+def exportables(view: Flying, rows: PieceRows) -> list[Exportable]:
+    """Return the tool, and its shaft, as the sheet Export may have them."""
+    shaft = shown(view.cut.tool.angle(1.0), DEGREE)
+    return [
+        Exportable("tool", '="tool"', rows, ("s", "mm", "mm/s", "mm/s²"), (1.0, shown(1.0, MM)), "*1000",
+                   view.cut.size),
+        Exportable("shaft", '="shaft"', rows, ("s", "°", "°/s", "°/s²"), (1.0, shaft), "*1000/fly_r*180/PI()",
+                   view.cut.size),
+    ]  # fmt: skip
 
 
 def choosing(view: Flying, given: FlyingCutter) -> Choosing:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from engine.laws import Law
 from engine.laws.piece_extremes import extremes_of
 from engine.machine.bent import LOST, plain
+from engine.motion.joining import turns_round
 from engine.motion.pieces import Scaled, pieces_of
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.machine.drive import UNSHAPED
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.view import Whole
 
 
 def check(machine: AnyMachine) -> None:
@@ -20,6 +22,11 @@ def check(machine: AnyMachine) -> None:
         for k, phase in enumerate(axis.phases if axis.motor else []):
             if phase.lift and not integrable(library[phase.law]):
                 raise DesignError(f"axes.{i}.phases.{k}.law", UNSHAPED, f"shaped{i + 1}", RISING[0])
+    for one in Whole(machine, library).axes:
+        if one.given.motor and any(map(turns_round, one.phases)):
+            rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
+            fits = [phase.model_dump() | rest for phase in one.given.phases]
+            raise DesignError(f"axes.{one.number - 1}.phases", UNSHAPED, f"shaped{one.number}", fits)
 
 
 def integrable(law: Law) -> bool:

@@ -7,6 +7,7 @@ from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.timing import LANE_SHARE
 from workbook.machines.machine.view import Whole
+from workbook.motion.exported import Exportable, Later
 from workbook.motion.sampled import POSITION, derivative, finding
 
 TOLD = "MIN([theta],360-2*timing_eps)"
@@ -61,6 +62,16 @@ def in_lane(one: AxisRows, of: int) -> Quantity:
     formula = LANE.format(f"[y{i}]-[n{i}]*[axes.travel.{i}]", of - i, f"[axes.low.{i}]", f"[axes.high.{i}]")
     return calc(f"lane{i}", f"axis {i}: in the diagram", "", "",
                 formula, axis.lane(one.machine.samples, of - i, LANE_SHARE))  # fmt: skip
+
+
+def exportable(one: AxisRows) -> Exportable:
+    """Return an axis as the sheet Export may have it."""
+    axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
+    units = (unit, f"{unit}/°", f"{unit}/°²")
+    later = Later(f"[axes.late.{i}]", "timing_eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
+    return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, ("°", *units),
+                      (shown(1.0, DEGREE), shown(1.0, axis.unit)), "*1000" if unit == "mm" else "*180/PI()",
+                      axis.motion.size, later)  # fmt: skip
 
 
 def found(one: AxisRows) -> list[Quantity]:

@@ -8,7 +8,8 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.machine import Machine
+from workbook.entries.exported import Exporting
+from workbook.entries.phase import Passing, require_straight
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
 from workbook.entries.turn import TurnPhase, forward
 from workbook.entries.types import (
@@ -46,6 +47,10 @@ class Master(Model):
     rate: Positive  # cycles/min
 
 
+class AxisPhase(TurnPhase, Passing):
+    """A phase, its lift in the axis' unit, and what it passes its begin with, in m/rad or rad/rad."""
+
+
 class Axis(Model):
     """An axis: what it does in one turn of the master shaft; between its phases it rests."""
 
@@ -55,7 +60,7 @@ class Axis(Model):
     closes: Literal["position", "feed"] = "position"
     smoothness: Smoothness = "acceleration"
     shift: Number = 0.0  # degrees by which it is later than its phases say
-    phases: Annotated[list[TurnPhase], Field(min_length=1)]
+    phases: Annotated[list[AxisPhase], Field(min_length=1)]
     mechanism: MechanismEntry | None = None
     load: AxisLoad = AxisLoad()
     parts: list[AxisPart] = []  # noqa: RUF012 - frozen
@@ -89,9 +94,10 @@ class Axis(Model):
             reached = phase.stop
 
 
-class AnyMachine(Machine):
+class AnyMachine(Exporting):
     """Axes over one master shaft."""
 
+    AXES_AT = ("axes",)
     template: Literal["machine"] = "machine"
     master: Master
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
@@ -102,8 +108,9 @@ class AnyMachine(Machine):
     @classmethod
     def spelled(cls, data: Any) -> Any:
         """Return a description whose switches tell the keys of their times."""
-        known = isinstance(data, Mapping) and "switches" in data
-        return {**data, "switches": spelled(data["switches"])} if known else data
+        told = super().spelled(data)
+        known = isinstance(told, Mapping) and "switches" in told
+        return {**told, "switches": spelled(told["switches"])} if known else told
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -122,6 +129,7 @@ class AnyMachine(Machine):
             if len(axis.phases) > self.sizes.phases:
                 said = f"{len(axis.phases)} rows do not fit into {self.sizes.phases}; raise sizes.phases"
                 raise EntryError(f"axes.{i}.phases", said)
+        require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
         self._find_room()
         return self
 
@@ -139,7 +147,7 @@ class AnyMachine(Machine):
             raise TogetherError(found)
 
 
-def rests(phases: list[TurnPhase]) -> list[int]:
+def rests(phases: list[AxisPhase]) -> list[int]:
     """Return before which phases, counted from 0, an axis rests; behind the last counts as before one more."""
     ends, begins = [0.0, *(p.stop for p in phases)], [*(p.start for p in phases), 360.0]
     return [i for i, (end, begin) in enumerate(zip(ends, begins, strict=True)) if begin - end > ANGLE_TOLERANCE]

@@ -9,16 +9,19 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.motion import Phase
-from workbook.book.declare import Book, Sheet, calc, constant
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
+from workbook.machines.machine.handing import StepEnds
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.cells import Cells, PieceRows, rows_of
+from workbook.motion.ends import ends_tables
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.smooth import Asked, Joints
-from workbook.motion.turns import grids
+from workbook.motion.turns import WORDS, grids
 
+Figure = Callable[[int, Phase], Any]
 STEPS = "Steps of axis {}: its phases, and the rests between them"
 
 
@@ -30,6 +33,7 @@ class AxisRows:
         self.steps = machine.machine.sizes.phases + machine.machine.sizes.phases + 1
         self.pieces: PieceRows = rows_of(self.at, axis.motion, stack, self.steps, axis.places)
         self.joints = Joints(self.pieces, axis.motion, self.asked)
+        self.ends = StepEnds(self.pieces, axis, f"COUNT([{self.name}.stop])") if machine.hands_over else None
 
     @property
     def name(self) -> str:
@@ -40,7 +44,10 @@ class AxisRows:
     def at(self) -> Cells:
         """Where the motion stands."""
         t, base = self.name, self.axis.base
-        return Cells(f"{t}_steps", f"{t}_pieces", f"{t}_count", "360", base, "rad", degrees=True, near="timing_eps")
+        return Cells(
+            f"{t}_steps", f"{t}_pieces", f"{t}_count", "360", base, "rad", degrees=True, near="timing_eps",
+            ends=f"{t}_ends" if self.machine.hands_over else "",
+        )  # fmt: skip
 
     @property
     def asked(self) -> Asked:
@@ -67,10 +74,13 @@ def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
         sheet.heading(f"Axis {one.axis.number}", ABOUT)
         sheet.rows(pieces_in_all(one.pieces), one.joints.order())
         steps_table(sheet, one)
-        room = one.machine.room
+        room, ends = one.machine.room, one.ends
+        columns, taken = one.joints.columns(room), ends.taken(room) if ends else []
+        columns += ends.turns.of_pieces(room) if ends else []
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
-                     *one.joints.columns(room))  # fmt: skip
-    if driven:
+                     *columns, taken=taken)  # fmt: skip
+    ends_tables(sheet, [(f"axis {one.axis.number}", one.ends) for one in axes if one.ends])
+    if driven and not any(one.ends for one in axes):
         sheet.heading("Grid and rule", "What drives find crossings and integrals with.")
         grids(sheet)
     sheet.print_columns = 20
@@ -97,7 +107,12 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
     begin = [text.replace(f"[{t}.end.0]", "0") for text in each(f"=[{t}.end.{{before}}]", f"=[{t}.begin.{{}}]")]
     rest = f"=IF([{t}.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}.begin.{{behind}}]-[begin]),0)"
     span = [text.replace(f"[{t}.begin.{n + 1}]", "360") for text in each(rest, f"=[{t}.span.{{}}]")]
-    ends = motion.ends
+    ends, handed = motion.ends, one.ends
+
+    def own(column: str, formula: str) -> str:
+        return handed.own(column, formula) if handed else formula
+
+    more = meeting(one, handed, each, of) if handed else []
     sheet.table(
         f"{t}_steps", STEPS.format(axis.number), one.steps,
         constant("k", "step", "k", "", list(range(1, one.steps + 1))),
@@ -108,12 +123,38 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
         calc("y0", "start position", "y_0", base,
              "=IF([k]=1,0,[y0-1]+[h-1])", carried(of(lambda k, _: ends[k].begin.y, None), motion.lifts_sum),
              source="lifts before", scale=motion.size(0)),
-        calc("low", "lowest position", "", base, LOW.format(0), of(lambda k, _: motion.reaches[k][0], 0.0),
-             scale=motion.size(0)),
-        calc("high", "highest position", "", base, HIGH.format(0), of(lambda k, _: motion.reaches[k][1], 0.0),
-             scale=motion.size(0)),
+        calc("low", "lowest position", "", base,
+             own("low", LOW.format(0)), of(lambda k, _: motion.reaches[k][0], 0.0), scale=motion.size(0)),
+        calc("high", "highest position", "", base,
+             own("high", HIGH.format(0)), of(lambda k, _: motion.reaches[k][1], 0.0), scale=motion.size(0)),
         *phase_columns(one.pieces),
+        *more,
     )  # fmt: skip
+
+
+def meeting(
+    one: AxisRows, handed: StepEnds, each: Callable[[str, str], list[str]], of: Callable[[Figure, Any], list[Any]]
+) -> list[Quantity]:
+    """Return the columns of the steps by which phases meet: peaks, y' and y'' at both ends, kinds of these."""
+    t, at, motion = one.name, one.at, one.axis.motion
+    ends = motion.ends
+    peaks: tuple[tuple[str, int, Figure], ...] = (
+        ("y1", 1, lambda _, p: p.y1_max), ("y2", 2, lambda _, p: p.y2_max)
+    )  # fmt: skip
+    rates: tuple[tuple[str, int, int, Figure], ...] = (
+        ("v", 0, 1, lambda k, _: ends[k].begin.y1), ("v", 1, 1, lambda k, _: ends[k].end.y1),
+        ("a", 0, 2, lambda k, _: ends[k].begin.y2), ("a", 1, 2, lambda k, _: ends[k].end.y2),
+    )  # fmt: skip
+    words = "its start", "its end"
+    return [
+        *(calc(name, f"greatest {WORDS[order]}", "", at.unit(order), each("=0*[k]", f"=[{t}.{name}.{{}}]"),
+               of(figure, 0.0), scale=motion.size(order))
+          for name, order, figure in peaks),
+        *(calc(f"{name}{end}", f"{WORDS[order]} at {words[end]}", "", at.unit(order),
+               f"=IF([span]>0,{handed.at_end(name, end)},0)", of(figure, 0.0), scale=motion.size(order))
+          for name, end, order, figure in rates),
+        *handed.kinds(),
+    ]  # fmt: skip
 
 
 def begins(one: AxisRows) -> list[float]:

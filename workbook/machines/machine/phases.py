@@ -6,15 +6,17 @@ from collections.abc import Callable
 from typing import Any
 
 from engine.timing import Movement
-from workbook.book.declare import Sheet, calc, check, constant, given, result
+from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import shown
 from workbook.laws import phases as joined
 from workbook.laws.phases import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY, jerks
+from workbook.machines.machine.handing import doubled
 from workbook.machines.machine.motion import AxisRows
 from workbook.motion.pieces import room_check
+from workbook.motion.through import entries
 
 
 def phases_table(sheet: Sheet, one: AxisRows) -> None:
@@ -29,26 +31,47 @@ def phases_table(sheet: Sheet, one: AxisRows) -> None:
     def of(figure: Callable[[Movement], float]) -> list[float]:
         return [figure(axis.moves[k]) if k in axis.moves else 0.0 for k in range(n)]
 
+    handed, at, steps = one.ends, one.at, f"{one.name}_steps"
+
+    def own(column: str, formula: str) -> str:
+        return doubled(handed.own(column, formula)) if handed else formula
+
+    def ends(name: str, word: str, values: list[str]) -> Quantity:
+        return result(name, f"kind of its {word}", "", "", f"=INDEX([{steps}.{name}],2*[k])", values, align="center",
+                      source="R rest, G velocity, U reversal, B both")  # fmt: skip
+
+    lacking, mean = "=[h]*(1-INDEX(law_s1,[no]))", f"={RMS}"
+    passing: list[Quantity] = []
+    if handed:
+        lacking, mean = doubled(handed.other(lacking, "0")), doubled(handed.own("rms", mean))
+        kinds = [both.kinds for _, both in handed.numbered]
+        passing = [
+            *entries(entry("velocity"), entry("acceleration"), key, (at.unit(1), at.unit(2))),
+            ends("begins", "begin", filled([begin for begin, _ in kinds], n, "")),
+            ends("ends", "end", filled([end for _, end in kinds], n, "")),
+        ]
     sheet.table(
         one.name, f"Phases of axis {axis.number}: fill one row each, in order; between them it rests; "
         "leave spare rows empty", n,
-        calc("kind", "phase", "", "", joined.kind("stop"), joined.kinds(phases, n)),
+        calc("kind", "phase", "", "", doubled(joined.kind("stop", at.ends)), joined.kinds(phases, n)),
         given("start", "from", "", "°", entry("start"), f"{key}.start", format="0.0##"),
         given("stop", "to", "", "°", entry("stop"), f"{key}.stop", format="0.0##"),
         given("lift", "lift", "h", unit, entry("lift"), f"{key}.lift", format="0.0##"),
         given("law", "law", "", "", entry("law"), f"{key}.law", choices="=law_code"),
-        result("y1", "geometric velocity", "y'", f"{base}/rad", VELOCITY, of(lambda m: m.y1_max), source="C_v h/δ"),
+        *passing,
+        result("y1", "geometric velocity", "y'", f"{base}/rad",
+               own("vmax", VELOCITY), of(lambda m: m.y1_max), source="C_v h/δ"),
         result("y2", "geometric acceleration", "y''", f"{base}/rad²",
-               ACCELERATION, of(lambda m: m.y2_max), source="C_a h/δ²"),
+               own("amax", ACCELERATION), of(lambda m: m.y2_max), source="C_a h/δ²"),
         result("y3", "geometric jerk", "y'''", f"{base}/rad³",
-               JERK, jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
+               own("jmax", JERK), jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
         result("v", "velocity", "ẏmax", f"{base}/s", "=[y1]*timing_omega", of(lambda m: m.v_max), source="y' ω"),
         result("a", "acceleration", "ÿmax", f"{base}/s²",
                "=[y2]*timing_omega^2", of(lambda m: m.a_max), source="y'' ω²"),
         result("j", "jerk", "j_max", f"{base}/s³",
                '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(of(lambda m: m.j_max)), source="y''' ω³"),
         result("rms", "RMS acceleration", "ÿrms", f"{base}/s²",
-               f"={RMS}*timing_omega^2", of(lambda m: m.a_rms), source="C_a,rms h/δ² ω²"),
+               f"{mean}*timing_omega^2", of(lambda m: m.a_rms), source="C_a,rms h/δ² ω²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "",
              LAW_NUMBER, joined.law_numbers(laws, one.machine.machine.laws, n), format="0"),
@@ -68,7 +91,7 @@ def phases_table(sheet: Sheet, one: AxisRows) -> None:
         calc("early", "begins too early", "", "",
              '=IF([stop]="",0,IF([gap]<0-check_zero,1,0))', 0, format="0;;", source="1 where it does"),
         calc("lack", "jump of y", "Δy", base,
-             "=[h]*(1-INDEX(law_s1,[no]))", filled([p.lack for p in phases], n), source="at its end: the law's lack"),
+             lacking, filled([p.lack for p in phases], n), source="at its end: the law's lack"),
         rules=[AT_REST],
     )  # fmt: skip
 
@@ -116,6 +139,7 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
         check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{greatest}", motion.complete,
               says=amount(outward(lack), shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
         room_check(f"{t}_room", one.at, i, label),
+        *(one.ends.checks(t, f"{label}: ") if one.ends else []),
         one.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         check(f"{t}_closes", f"{label}: the cycle closes",
               f'OR([axes.closes.{i}]="feed",ABS({gap})<=check_zero*{greatest})', axis.axis.closes,

@@ -31,7 +31,7 @@ def switches_sheet(book: Book, machine: Whole) -> None:
     sheet.checks(*(apart(lane.number) for lane in machine.lanes))
     sheet.not_printed_below()
     corners(sheet, machine)
-    sheet.print_columns = 17
+    sheet.print_columns = 16
 
 
 def entries(sheet: Sheet, machine: Whole) -> None:

@@ -11,7 +11,7 @@ from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
-from workbook.machines.machine.cycle import cycle_sheet
+from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
@@ -21,12 +21,13 @@ from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
+from workbook.motion.exported import export_sheet
 from workbook.template import Template, finish
 
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes)
+    shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
@@ -57,6 +58,7 @@ def declare(given: AnyMachine) -> Book:
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
     pieces_sheet(book, rows, bool(drives))
+    export_sheet(book, given, [exportable(one) for one in rows])
     return finish(book, "Machine", ("S1", "S3"))
 
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, page_of, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
+STRAIGHT = "=-1"
+"""of a page: how a straight line meets its neighbours"""
 SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
 
 
@@ -23,8 +25,12 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
 
 
 def shaped(laws: dict[str, Any]) -> list[str]:
-    """Return the laws that drives integrate whatever their parameters: constants, quarter sines, straight lines."""
-    return [name for name, entry in laws.items() if page_of(name, entry).shapes is not None]
+    """Return the laws that drives integrate whatever their parameters and neighbours: constants, quarter sines, ramps.
+
+    Beside a straight line a phase may move there and back.
+    """
+    found = {name: page_of(name, entry) for name, entry in laws.items()}
+    return [name for name, page in found.items() if page.shapes is not None and page.way != STRAIGHT]
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
@@ -44,6 +50,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
         if driven:
             drive(axis, i, k, sizes["rotors"], data["selection"])
+        else:
+            for n, phase in enumerate(axis["phases"]):
+                phase |= passing(k, n, data["laws"], 0.01)
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     return data

@@ -11,6 +11,7 @@ import numpy as np
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion, MotionValues, Phase
+from engine.motion.joining import Joined, Rates, joined
 from engine.motion.shifted import Shifted, Told
 from engine.timing import Axis, Movement, lane, shaft_speed, turn_time
 from workbook.entries.turn import TURN
@@ -19,6 +20,7 @@ from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.lanes import Lane, named
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry
+from workbook.motion.through import passed
 
 UNITS = {"mm": MM, "°": DEGREE}
 MARKS = {"mm": "mm", "°": "deg"}
@@ -45,9 +47,24 @@ class MovingAxis:
         phases = range(len(self.given.phases))
         return sorted([*(i + i for i in self.rests), *(i + i + 1 for i in phases)])
 
-    @cached_property
+    @property
     def motion(self) -> Motion:
         """The motion over a turn: m, or rad, over rad."""
+        return self.joined.motion
+
+    @cached_property
+    def passed(self) -> dict[int, Rates]:
+        """What is entered for the begin of phases, by their numbers in the motion."""
+        return {self.entered[i]: rates for i, rates in passed(self.given.phases).items()}
+
+    @cached_property
+    def joined(self) -> Joined:
+        """The motion, with what its phases take from their neighbours: rests are among these."""
+        told = self._told()
+        return joined(told.phases, self.passed, start=float(told.edges[0]), shares=False)
+
+    def _told(self) -> Motion:
+        """The phases and the rests between them, each between rests."""
         phases = self.given.phases
         ends = [0.0, *(p.stop for p in phases)]
         edges: list[float] = []
@@ -133,6 +150,11 @@ class Whole:
     def speed(self) -> float:
         """Speed of the master shaft (rad/s)."""
         return shaft_speed(si(self.machine.master.rate, PER_MINUTE))
+
+    @property
+    def hands_over(self) -> bool:
+        """Whether phases may hand velocity over: where the book has a straight line."""
+        return bool(self.machine.laws.of("LIN"))
 
     @property
     def room(self) -> int:

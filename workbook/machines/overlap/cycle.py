@@ -9,16 +9,18 @@ from engine.laws.base import Array
 from engine.motion.pieces import Scaled
 from engine.overlap import Schedule
 from engine.overlap.picture import LANE_SHARE, lane
-from engine.overlap.schedule import pieces_of_parts, size_of_parts
+from engine.overlap.schedule import filled_turn, pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.entries.units import DEGREE, MM, shown, si
+from workbook.laws.phases import ACCELERATION, VELOCITY
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, ROOM, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.smooth import Asked, Joints
 
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
 SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
@@ -71,6 +73,40 @@ class AtAngles:
         return result(f"{name}{suffix}", label, symbol, unit, formula, self.rates[order - 1])
 
 
+def whose(station: Station) -> str:
+    """Return what a check of a tool begins with."""
+    return f"{'The tool' if station.machine.alone else f'Tool {station.number}'}: "
+
+
+UNITS = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
+MOVES = ("movement", "dwell")
+
+
+def largest(at: Cells) -> tuple[str, str]:
+    """Return the formulas of the largest |y'| and |y''| of a motion."""
+    return f"MAX([{at.phases}.v])", f"MAX([{at.phases}.a])"
+
+
+def of_transfer(machine: Overlapping, pieces: Pieces) -> Joints:
+    """Return the joints of the transfer's pieces, and how smooth it must be."""
+    moved = machine.given.transfer
+    asked = Asked(
+        moved.smoothness, "overlap_smooth", "overlap_order", largest(TRANSFER), ('"°"', "°"), UNITS,
+        ("overlap_transfer", moved.name), names=MOVES,
+    )  # fmt: skip
+    return Joints(transfer_rows(machine, pieces), filled_turn(machine.transfer.phases), asked)
+
+
+def of_tool(station: Station, pieces: Pieces) -> Joints:
+    """Return the joints of the pieces of a tool as it is set, and how smooth it must be."""
+    plan, at = station.as_set, OF_TOOL["a"]
+    asked = Asked(
+        station.given.smoothness, "@smooth", "@order", largest(at), ('"° after its arrival"', "° after its arrival"),
+        UNITS, ("@name", station.given.name), names=WAYS,
+    )  # fmt: skip
+    return Joints(rows_of_parts(at, plan.parts, plan.pieces, pieces, FULL_TURN), plan.motion, asked)
+
+
 def transfer_rows(machine: Overlapping, pieces: Pieces) -> PieceRows:
     """Return the pieces of the transfer."""
     parts = machine.transfer.parts
@@ -109,6 +145,10 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
             for schedule in SCHEDULES:
                 tool_pieces(sheet, station, schedule, pieces)
             sheet.checks(room_check(station))
+            joints = of_tool(station, pieces)
+            sheet.checks(joints.check("@ok_smooth", f"{whose(station)}as smooth as asked"))
+        if station.number == 1:
+            sheet.checks(of_transfer(machine, pieces).check("overlap_ok_smooth", "The transfer: as smooth as asked"))
 
 
 def lane_height() -> Quantity:
@@ -127,11 +167,11 @@ def lane_height() -> Quantity:
 def room_check(station: Station) -> Quantity:
     """Return the check that the tables of pieces have room for all."""
     found = [*OF_TOOL.values(), *([TRANSFER] if station.number == 1 else [])]
-    whose = "" if station.machine.alone else f"Tool {station.number}: "
-    label = f"{whose}the tables of pieces have room for all"
+    tool = "" if station.machine.alone else f"Tool {station.number}: "
+    label = f"{tool}the tables of pieces have room for all"
     most, room = f"MAX({','.join(at.count for at in found)})", "MAX([@a_pieces.r])"
     says = f'{most}&" pieces, and room for "&{room}'
-    return check("@ok_pieces", label if whose else label.capitalize(), f"{most}<={room}", True, ROOM, says=says)
+    return check("@ok_pieces", label if tool else label.capitalize(), f"{most}<={room}", True, ROOM, says=says)
 
 
 def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
@@ -181,11 +221,15 @@ def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
     """Declare the phases of the transfer and their pieces."""
     rows, parts = transfer_rows(machine, pieces), machine.transfer.parts
     phases(
-        sheet, "The transfer, from the start of the cycle", ("movement", "dwell"), TRANSFER, parts, rows,
+        sheet, "The transfer, from the start of the cycle", MOVES, TRANSFER, parts, rows,
         no=["=[used.no.1]", "=1"], h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
         begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
     )  # fmt: skip
-    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
+    joints = of_transfer(machine, pieces)
+    sheet.rows(joints.order())
+    sheet.row += 1
+    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts),
+                 *joints.columns(machine.room))  # fmt: skip
 
 
 def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -> None:
@@ -201,7 +245,13 @@ def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -
         angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
         begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
     )  # fmt: skip
-    pieces_table(sheet, f"Pieces of the tool {words}", rows, station.machine.room, size_of_parts(plan.parts))
+    room, columns = station.machine.room, []
+    if schedule == "a":
+        joints = of_tool(station, pieces)
+        columns = joints.columns(room)
+        sheet.rows(joints.order())
+        sheet.row += 1
+    pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts), *columns)
 
 
 def phases(
@@ -221,6 +271,8 @@ def phases(
         calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),
         calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts], scale=TURN),
         calc("y0", "start position", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
+        calc("v", "greatest velocity", "y'", "m/rad", VELOCITY, [part.fastest for part in parts]),
+        calc("a", "greatest acceleration", "y''", "m/rad²", ACCELERATION, [part.hardest for part in parts]),
         *phase_columns(rows),
     )  # fmt: skip
     sheet.rows(pieces_in_all(rows))

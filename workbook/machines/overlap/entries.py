@@ -8,10 +8,12 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.machine import Machine, Sizes
+from workbook.entries.exported import Exporting
+from workbook.entries.machine import Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle
 
 MOST_TOOLS = 6
@@ -29,6 +31,7 @@ class TransferEntry(Model):
     law: RisingLaw
     stroke: Positive  # mm
     angle: PartAngle  # degrees of the master shaft
+    smoothness: Smoothness = "acceleration"
 
 
 class PassageEntry(Model):
@@ -55,6 +58,7 @@ class ToolEntry(Model):
     law_out: RisingLaw
     stroke: Positive  # mm
     dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
+    smoothness: Smoothness = "acceleration"
     angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
     angle_out: PartAngle | None = None
     passage: PassageEntry
@@ -90,9 +94,10 @@ class OverlapSizes(Sizes):
     margins: Annotated[int, Field(ge=2, le=200)] = 20
 
 
-class IndexingOverlap(Machine):
+class IndexingOverlap(Exporting):
     """A transfer and tools over one master shaft, one after the other and with overlap (S2)."""
 
+    AXES = ("transfer",)
     template: Literal["indexing-overlap"] = "indexing-overlap"
     overlap: OverlapEntry
     sizes: OverlapSizes = OverlapSizes()

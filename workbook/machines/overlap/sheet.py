@@ -16,6 +16,7 @@ from workbook.laws.sampling import Pieces
 from workbook.machines.overlap import tool
 from workbook.machines.overlap.places import each
 from workbook.machines.overlap.view import Overlapping
+from workbook.motion.asked import ABOUT as CONTINUOUS
 
 BELOW_CHARTS = 45  # the row from which the sheet is free in its whole width
 RIGHT, SECOND = 11, 24  # the column of charts beside the entries, and the row of the second two
@@ -92,6 +93,8 @@ def entries(sheet: Sheet, machine: Overlapping) -> None:
               t.stroke, "overlap.transfer.stroke", format="0.0##", source="S2: 100 mm"),
         given("overlap_angle", "its angle", "B_t", "°",
               t.angle, "overlap.transfer.angle", format="0.0##", source="S2: 150°"),
+        given("overlap_smooth", "what must be continuous", "", "",
+              t.smoothness, "overlap.transfer.smoothness", align="center", source=CONTINUOUS),
     )  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from workbook.machines.overlap.cycle import AtAngles
 from workbook.machines.overlap.entries import LEAST, TURN
 from workbook.machines.overlap.margins import margins
 from workbook.machines.overlap.view import Station
+from workbook.motion.asked import ABOUT as CONTINUOUS
 
 BELOW_CHARTS = 38
 CAPPED = "OR(@room*@split*@rest_in<@free_in,@room*(1-@split)*@rest_out<@free_out)"
@@ -87,6 +88,8 @@ def entries(sheet: Sheet, station: Station) -> None:
         given("@stroke", "its stroke", "h_m", "mm", tool.stroke, f"{key}.stroke", format="0.0##", source="S2: 50 mm"),
         given("@dwell", "its dwell at the part", "", "°",
               tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
+        given("@smooth", "what must be continuous", "", "",
+              tool.smoothness, f"{key}.smoothness", align="center", source=CONTINUOUS),
         given("@remaining", "Share of the transfer stroke that may remain", "r", "%",
               p.remaining, f"{key}.passage.remaining", format="0.0000",
               source="while the tool is in; S2: 0.65 %, at a tenth of the time"),

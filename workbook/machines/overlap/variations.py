@@ -7,6 +7,7 @@ from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.machines.overlap.entries import IndexingOverlap
+from workbook.motion.asked import smoothness_for
 
 RISING = [
     {"duration": 0.4, "c0": 5.0},
@@ -26,7 +27,8 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
     entries["rate"] = 1700.0 + 310 * k
     entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"] |= {"law": law_for(turn, data["laws"]), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k}
+    entries["transfer"] |= {"law": law_for(turn, data["laws"]), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k,
+                             "smoothness": smoothness_for(turn)}  # fmt: skip
     for i, tool in enumerate(entries["tools"]):
         vary_tool(tool, turn + i, i, data["laws"])
     codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
@@ -44,6 +46,7 @@ def vary_tool(tool: dict[str, Any], turn: int, i: int, laws: Iterable[str]) -> N
         "law_in": law_for(turn + i + 2, laws),
         "law_out": law_for(turn + i + 5, laws),
         "stroke": 40.0 + 7 * k + 3 * i,
+        "smoothness": smoothness_for(turn + i + 1),
         "dwell": (60.0, 85.0, 0.0, 33.0, 71.0, 50.0)[k],
     }
     clearance = (21.0, 13.0, 90.0, 17.0, 25.0, 9.0)[k]

@@ -1,0 +1,126 @@
+"""Phases of a machine's axes that hand velocity over, beside rests and lines, and what drives make of them."""
+
+import itertools
+import math
+import random
+
+import pytest
+
+from engine.machine.demand import Demand
+from tests.tiers import nights
+from tests.workbook.cells import computed, disagreeing, entered
+from workbook.laws.library import laws
+from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.view import Whole
+from workbook.reading.entries import checked, counted
+from workbook.templates import TEMPLATES
+
+MACHINE = TEMPLATES["machine"]
+NAMED = ("LIN", "PO5", "PO7", "MSN", "SCV")
+SMALL = {"cycle": 36, "law": 4, "own_law": 4, "phases": 6}
+DRIVE = {
+    "mechanism": {"kind": "lead screw", "size": 20.0, "efficiency": 0.8},
+    "load": {"mass": 30.0, "friction": 0.05, "force": 40.0},
+    "motor": {"inertia": 0.001, "rated_torque": 5.0, "peak_torque": 15.0, "max_speed": 3000.0},
+    "reducer": {"ratio": 2.0, "efficiency": 0.9},
+}
+
+
+def phase(start, stop, lift, law, **passing):
+    return {"start": start, "stop": stop, "lift": lift, "law": law, **passing}
+
+
+def axis(name, *phases, **more):
+    return {"name": name, "group": "Group", "phases": list(phases)} | more
+
+
+def machine(*axes, **sizes):
+    data = {"template": "machine", "title": "Handing over", "master": {"rate": 60.0}, "axes": list(axes)}
+    return checked(
+        MACHINE, data | {"laws": {code: {"family": code} for code in NAMED}, "sizes": SMALL | sizes}, counted
+    )
+
+
+OUT, STEP, BACK = phase(0.0, 90.0, 30.0, "PO5"), phase(90.0, 130.0, 20.0, "LIN"), phase(130.0, 300.0, -50.0, "PO5")
+CARRIAGE = (phase(0.0, 40.0, 20.0, "LIN"), phase(40.0, 200.0, -10.0, "MSN"), phase(200.0, 360.0, -10.0, "PO5"))
+
+
+def test_rise_to_line_speed_run_in_step_and_return_is_three_phases():
+    one = machine(axis("Pusher", OUT, STEP, BACK), axis("Carriage", *CARRIAGE, shift=25.0))
+    assert disagreeing(MACHINE, one)[0] == []
+    assert entered(MACHINE, one) == (one, [])
+    value = computed(MACHINE, one)
+    assert value("overall") == "OK"
+    kinds = list(zip(value("axis1", "begins"), value("axis1", "ends"), strict=True))
+    assert kinds == [("R", "G"), ("G", "G"), ("G", "R"), *[("", "")] * 3]
+    assert value("cycle", "y1")[9:14] == pytest.approx([30.0, 35.0, 40.0, 45.0, 50.0], rel=1e-12)  # every 10°
+    assert value("cycle", "g1")[9:13] == pytest.approx([0.02 / math.radians(40)] * 4, rel=1e-12)
+    assert (value("axis2", "begins")[:3], value("axis2", "ends")[:3]) == (["G", "G", "R"], ["G", "R", "G"])
+
+
+def test_what_is_entered_for_a_place_between_two_phases_is_met_and_beside_a_rest_it_fails():
+    turn = {"velocity": 0.0, "acceleration": -0.03}
+    value = computed(
+        MACHINE, machine(axis("A", phase(0.0, 100.0, 10.0, "PO5"), phase(100.0, 220.0, -10.0, "PO5", **turn)))
+    )
+    assert (value("axis1", "ends")[0], value("axis1", "begins")[1], value("overall")) == ("U", "U", "OK")
+    beside = machine(axis("A", phase(0.0, 100.0, 10.0, "PO5"), phase(120.0, 220.0, -10.0, "PO5", velocity=0.1)))
+    value = computed(MACHINE, beside)
+    assert value("axis1_passes") == "FAIL"
+    assert value("axis1_passes_says").startswith("A row 2: its begin is entered otherwise")
+
+
+def test_a_law_that_cannot_take_a_velocity_fails_by_row_and_reason():
+    one = machine(axis("A", phase(10.0, 90.0, 30.0, "OWN"), STEP, BACK))
+    value = computed(MACHINE, one)
+    said = "A row 1: OWN cannot end with a velocity: it begins and ends at rest"
+    assert (value("axis1_meets"), value("axis1_meets_says")) == ("FAIL", said)
+
+
+def drawn(seed):
+    """Two axes of random phases: rests, lines, curves, entered rates; any may begin or end the cycle."""
+    dice = random.Random(seed)
+    axes = []
+    for name in "AB":
+        edges, phases = sorted(dice.uniform(0, 360) for _ in range(dice.randint(2, 8))), []
+        edges = [0.0, *edges[1:-1], 360.0] if dice.random() < 0.5 else edges
+        for start, stop in itertools.pairwise(edges):
+            if stop - start > 3.0 and dice.random() < 0.8 and len(phases) < 6:
+                law = dice.choice(("LIN", "LIN", "PO5", "PO7", "MSN", "SCV", "CUB", "CIC", "OWN", "DWL"))
+                passing = {"velocity": dice.uniform(-0.03, 0.03)} if dice.random() < 0.3 else {}
+                lift = 0.0 if law == "DWL" else dice.uniform(-60, 60)
+                phases.append(phase(start, stop, lift, law, **passing))
+        axes.append(axis(name, *(phases or [STEP]), shift=dice.choice((0.0, 77.0)), smoothness="velocity"))
+    return machine(*axes, motion_pieces=60)
+
+
+@pytest.mark.parametrize("seed", [0, *nights(40)])
+def test_random_phases_come_to_what_the_engine_says(seed):
+    assert disagreeing(MACHINE, drawn(seed))[0] == []
+
+
+def demand(one):
+    whole = Whole(one, laws(one.laws))
+    return Demand(Driven(whole.axes[0], one.selection).demand.course)
+
+
+FORTH = (phase(0.0, 90.0, 30.0, "MSN"), STEP, phase(130.0, 200.0, 15.0, "PO5"), phase(220.0, 350.0, -65.0, "CIC"))
+
+
+def test_a_drive_integrates_phases_that_hand_over():
+    """Peaks, RMS torque and energy of the cells are the engine's, which finds them another way."""
+    one = machine(axis("A", *FORTH, **DRIVE))
+    assert disagreeing(MACHINE, one)[0] == []
+    value, found = computed(MACHINE, one), demand(one)
+    assert value("drive1_ok_laws") == "OK"
+    assert value("drive1_tmax") == pytest.approx(found.torque.highest.value, rel=1e-9)
+    assert value("drive1_rms") == pytest.approx(found.rms_torque, rel=1e-9)
+    assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=1e-9)
+
+
+def test_a_drive_tells_a_phase_that_moves_there_and_back():
+    one = machine(axis("A", OUT, STEP, BACK, **DRIVE))
+    assert [fault.rule for fault in one.design.faults] == ["shaped1"]
+    assert computed(MACHINE, one)("drive1_ok_laws") == "FAIL"
+    parted = (phase(130.0, 160.0, 5.0, "PO5"), phase(160.0, 300.0, -55.0, "PO5", velocity=0.0, acceleration=-0.05))
+    assert machine(axis("A", OUT, STEP, *parted, **DRIVE)).design.faults == ()

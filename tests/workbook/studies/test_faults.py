@@ -1,0 +1,189 @@
+"""What goes wrong on the way: no room, an interruption, a worker killed, the scheduler gone, another study there."""
+
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.workbook.studies.studied import laws, planned, stops, written
+from workbook.cluster import ClusterError, pool
+from workbook.errors import WriteError
+from workbook.pool import HERE
+from workbook.studies.folder import Parts
+from workbook.studies.run import run
+
+GOALS = {"minimise": ["drive1_rms"]}
+VARIED = (laws("MTP", "CUB", "CIC"), stops(80, 120, 60))
+POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals and limits of POSIX")
+
+
+def command(*arguments, **options):
+    told = [sys.executable, "-m", "workbook", "study", *map(str, arguments), "--unverified"]
+    return subprocess.run(told, capture_output=True, text=True, check=False, encoding="utf-8", **options)
+
+
+def studied(plan, parts, told=lambda count, before: None, workers=HERE, resume=False):
+    """Work a study out in its folder, and leave that."""
+    with parts.opened(resume, False):
+        return run(plan, parts, workers, told)
+
+
+def stop_after(parts):
+    """What ends a study after so many parts."""
+    seen = []
+
+    def told(count, before):
+        seen.append(count)
+        if len(seen) == parts:
+            raise KeyboardInterrupt
+
+    return told
+
+
+def test_a_study_goes_on_from_its_complete_parts_and_counts_nothing_twice(tmp_path):
+    plan = planned(tmp_path, *VARIED, **GOALS)
+    whole = studied(plan, Parts(tmp_path / "whole.csv", plan.digest, plan.space.size))
+    parts = Parts(tmp_path / "cut.csv", plan.digest, plan.space.size)
+    with pytest.raises(KeyboardInterrupt):
+        studied(plan, parts, stop_after(2))
+    (tmp_path / "cut.csv.parts" / "part-00000002.csv").write_text("half of a par")  # without what says it is whole
+    assert parts.complete() == {0, 1}
+    fresh = []
+    again = studied(plan, parts, lambda count, before: fresh.append((count, before)), resume=True)
+    assert again == whole
+    assert [before for _, before in fresh] == [True, True, False]
+    assert sum(count for count, _ in fresh) == again.designs == 180
+
+
+def test_a_search_goes_on_from_its_complete_parts_to_the_same_end(tmp_path):
+    way = {"kind": "evolution", "designs": 90, "seed": 5}
+    plan = planned(tmp_path, stops(80, 120), way=way, **GOALS)
+    whole = studied(plan, Parts(tmp_path / "whole.csv", plan.digest, plan.space.size))
+    parts = Parts(tmp_path / "cut.csv", plan.digest, plan.space.size)
+    with pytest.raises(KeyboardInterrupt):
+        studied(plan, parts, stop_after(3))
+    assert studied(plan, parts, resume=True) == whole
+    assert whole.best[0].entries["axes.MC01.phases[1].stop"] == pytest.approx(120.0, abs=0.5)
+
+
+def test_sobols_designs_are_the_same_however_they_are_parted(tmp_path):
+    space = planned(tmp_path, laws("MTP", "CUB"), stops(80, 120), way={"kind": "sobol", "designs": 64}, **GOALS).space
+    whole, parted = space.sobol(0, 64), [space.sobol(0, 20), space.sobol(20, 64)]
+    assert (whole == [*parted[0], *parted[1]]).all()
+    assert whole.min() >= 0.0
+    assert whole.max() < 1.0
+
+
+def test_a_second_study_in_the_folder_is_refused_and_so_is_another_ones_folder(tmp_path):
+    plan = planned(tmp_path, *VARIED, **GOALS)
+    parts = Parts(tmp_path / "r.csv", plan.digest, plan.space.size)
+    with parts.opened(False, False), pytest.raises(WriteError, match="another study is at work"):
+        studied(plan, parts)
+    with pytest.raises(WriteError, match="0 complete parts of this study; --resume goes on"):
+        studied(plan, parts)
+    other = Parts(tmp_path / "r.csv", "another", plan.space.size)
+    with pytest.raises(WriteError, match="parts of another study"):
+        studied(plan, other, resume=True)
+
+
+@POSIX
+def test_no_room_to_write_is_a_line_and_the_study_goes_on_when_there_is(tmp_path):
+    import resource
+
+    study = written(tmp_path, *VARIED, **GOALS)
+    small = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))  # noqa: E731 - for the child alone
+    done = command(study, "--jobs", 1, cwd=tmp_path, preexec_fn=small)
+    assert done.returncode == 2
+    assert len(done.stderr.splitlines()) == 1
+    assert "cannot be written: File too large; --resume goes on when that is mended" in done.stderr
+    assert not (tmp_path / "study.csv").exists()
+    assert command(study, "--jobs", 1, "--resume", cwd=tmp_path).returncode == 0
+    assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 181
+
+
+class Killing:
+    """A pool that kills one of its workers when the first piece is done."""
+
+    def __init__(self, workers):
+        self.workers, self.killed = workers, False
+
+    def each(self, function, tasks, *shared):
+        for found in self.workers.each(function, tasks, *shared):
+            if not self.killed:
+                self.killed = True
+                ids = self.workers.on_each(os.getpid)
+                os.kill(next(iter(ids.values())), signal.SIGKILL)
+            yield found
+
+
+@POSIX
+def test_a_worker_that_is_killed_in_the_middle_costs_no_design(tmp_path):
+    plan = planned(tmp_path, *VARIED, **GOALS)
+    whole = studied(plan, Parts(tmp_path / "whole.csv", plan.digest, plan.space.size))
+    with pool(2, None) as workers:
+        killing = Killing(workers)
+        found = studied(plan, Parts(tmp_path / "cut.csv", plan.digest, plan.space.size), workers=killing)
+    assert killing.killed
+    assert found == whole
+
+
+def test_a_scheduler_that_does_not_answer_is_a_line():
+    with pytest.raises(ClusterError, match="no scheduler answers there"), pool(None, "tcp://127.0.0.1:1"):
+        pass
+
+
+@contextlib.contextmanager
+def cluster(folder):
+    """A scheduler and two workers, each a process of its own."""
+    file, begun = folder / "scheduler.json", []
+
+    def begin(module, *arguments):
+        told = [sys.executable, "-m", f"distributed.cli.{module}", *arguments, "--scheduler-file", str(file)]
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        begun.append(subprocess.Popen([*told, "--dashboard-address", "127.0.0.1:0"], cwd=folder, **quiet))
+
+    try:
+        begin("dask_scheduler", "--host", "127.0.0.1", "--port", "0")
+        deadline = time.monotonic() + 60
+        while not file.exists() and time.monotonic() < deadline:
+            time.sleep(0.1)
+        for _ in range(2):
+            begin("dask_worker", "--nthreads", "1", "--no-nanny", "--local-directory", str(folder))
+        yield json.loads(file.read_text())["address"], begun
+    finally:
+        for one in begun:
+            one.kill()
+            one.wait()
+
+
+def until_ready(address):
+    """Wait for both workers."""
+    from distributed import Client
+
+    with Client(address) as client:
+        client.wait_for_workers(2, timeout=60)
+
+
+@POSIX
+def test_a_scheduler_that_goes_is_a_line_and_another_ones_workers_complete_the_study(tmp_path):
+    study = written(tmp_path, laws("MTP", "CUB"), stops(80, 120, 300), **GOALS)
+    with cluster(tmp_path) as (address, processes):
+        until_ready(address)
+        told = [sys.executable, "-m", "workbook", "study", str(study), "--unverified", "--scheduler", address]
+        started = subprocess.Popen(told, cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        folder, deadline = Path(tmp_path, "study.csv.parts"), time.monotonic() + 120
+        while not list(folder.glob("part-*.json")) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        processes[0].kill()
+        _, said = started.communicate(timeout=120)
+    assert (started.returncode, len(said.splitlines())) == (2, 1), said
+    assert f"the scheduler {address} is gone" in said
+    done = command(study, "--jobs", 1, "--resume", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 601

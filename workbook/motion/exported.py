@@ -1,0 +1,110 @@
+"""The sheet Export: one axis at equal steps, live in cells, to copy and paste."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.cams.course import in_units
+from engine.laws.base import Array
+from engine.motion.phase import MotionValues
+from engine.motion.pieces import evaluated
+from engine.motion.shifted import Told
+from workbook.book.declare import Book, Quantity, calc, constant, result
+from workbook.entries.exported import Exporting, named
+from workbook.motion.cells import PieceRows
+from workbook.motion.sampled import POSITION, derivative, finding
+
+TITLE = "Export"
+PER_DEGREE = ("", "*PI()/180", "*(PI()/180)^2")
+"""what turns derivatives by rad into those by degrees"""
+
+
+class Later(NamedTuple):
+    """By how much a motion is later than its pieces say: the cells that tell it, and the engine's figures."""
+
+    by: str
+    near: str
+    travel: str
+    told: Callable[[Array], Told]
+    lifts: float
+
+
+class Exportable(NamedTuple):
+    """An axis that the sheet may have.
+
+    ``called`` is the formula of its name, ``units`` are those shown of x, y, y' and y''; ``unit`` is what one of the
+    motion's x and y is in them, ``turned`` the formula of that for y; ``size`` how large each derivative grows.
+    """
+
+    name: str
+    called: str
+    rows: PieceRows
+    units: tuple[str, str, str, str]
+    unit: tuple[float, float]
+    turned: str
+    size: Callable[[int], float]
+    later: Later | None = None
+
+
+def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> None:
+    """Declare the sheet, where the description asks for one."""
+    if given.export is None:
+        return
+    number, n = given.export.axis, given.sizes.export
+    axis = axes[number - 1]
+    sheet = book.sheet(
+        TITLE, "One axis as a table, to copy and paste; motionbook export writes files and certifies them."
+    )
+    sheet.heading("Axis")
+    sheet.rows(
+        calc("export_axis", "Axis", "", "", axis.called, axis.name, align="left"),
+        constant(named(number), "Number of the axis", "", "", number, source="as the description says"),
+    )
+    sheet.row += 1
+    sheet.not_printed_below()
+    sheet.table("export", f"At {n} equal steps, both ends among them", n + 1, *columns(axis, n))
+    sheet.print_columns = 8
+
+
+def columns(axis: Exportable, n: int) -> list[Quantity]:
+    """Return x, y, y' and y'', then how each sample finds its piece."""
+    rows, later = axis.rows, axis.later
+    at = np.linspace(rows.begin, rows.end, n + 1)
+    told = later.told(at) if later else Told(np.zeros(n + 1), at)
+    found = evaluated(rows.pieces, told.x, rows.begin, rows.end)
+    x, y, v, a, _ = (at, *found)
+    shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
+    sizes = in_units(MotionValues(*(axis.size(order) for order in range(4))), *axis.unit)
+    per = PER_DEGREE if rows.at.degrees else ("", "", "")
+    end = axis.rows.at.end
+    told_as = (
+        ("y", "position", "y", POSITION), ("y1", "velocity", "y'", "dy/dx"), ("y2", "acceleration", "y''", "d²y/dx²"),
+    )  # fmt: skip
+    found_by = [f"({derivative(rows, order)}){axis.turned}{per[order]}" for order in range(len(told_as))]
+    found_by[0] += f"+[n]*{later.travel}" if later else ""
+    return [
+        calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", x * axis.unit[0],
+             scale=rows.end * axis.unit[0], format="0.0##"),
+        *(result(name, label, symbol, axis.units[order + 1], f"={found_by[order]}", shown[order], scale=sizes[order],
+                 source=source)
+          for order, (name, label, symbol, source) in enumerate(told_as)),
+        constant("k", "sample", "k", "", list(range(n + 1))),
+        *place(axis, told),
+        *finding(rows, "p" if later else "at", told.x),
+    ]  # fmt: skip
+
+
+def place(axis: Exportable, told: Told) -> list[Quantity]:
+    """Return the place of each sample in the motion as its phases tell it, where that is another."""
+    later = axis.later
+    if later is None:
+        return []
+    until = f"MIN([at],360-2*{later.near})"
+    return [
+        calc("n", "cycles", "n", "", f"=INT(({until}-{later.by}+{later.near})/360)", told.cycles, format="0"),
+        calc("p", "angle of its phases", "", "°", f"=[at]-{later.by}-360*[n]", told.x * axis.unit[0], scale=360.0,
+             format="0.0##"),
+    ]  # fmt: skip
