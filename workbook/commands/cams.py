@@ -19,8 +19,11 @@ from workbook.intake import read_text
 from workbook.reading.entries import checked, template_named, write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data
 from workbook.templates import TEMPLATES
-from workbook.writing.place import refuse_existing
+from workbook.visible import visible
+from workbook.writing.place import refuse_existing, refuse_itself
 
+LONGEST = 80
+"""characters of a title"""
 NEAR = 1e-6
 """of the cycle: so far the file's may be from the book's"""
 
@@ -29,23 +32,30 @@ def read(file: Path, source: str, output: Path | None, force: bool) -> None:
     """Tell what a controller's file was made of, and write it as a description."""
     target = target_named(source)
     if output is not None:
+        refuse_itself(output, file)
         refuse_existing(output, force)
     table = read_table(file, target)
     units = described.units_of(read_text(file, "a table", most=len(file.read_bytes())))
     found = described.phases_of(target, table, units)
+    data = described.composed(found, table, units, title(file.name))
+    machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
     for line in described.lines(found, units):
         say(ERR, line)
-    data = described.composed(found, table, units, f"Read from {file.name}")
     if data["template"] == "machine":
         said = f"It begins on the way: written as a machine's axis, {found.late:.9g} {units[0]} later"
         say(ERR, f"{said}; its rate of {described.RATE:g} is ours, enter the machine's")
-    machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     if output is None:
         say_data(write_machine(machine))
         return
     making.write_inputs(machine, output, overwrite=force)
     say(OUT, f"Wrote {output.absolute()}")
+
+
+def title(name: str) -> str:
+    """Return the title of what was read from a file, as long as a title may be."""
+    told = f"Read from {visible(name)}"
+    return told if len(told) <= LONGEST else f"{told[: LONGEST - 1]}…"
 
 
 def compare(

@@ -29,7 +29,7 @@ from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
-from workbook.writing.place import refuse_existing, replace
+from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, replace
 
 AUTO = "auto"
 SEPARATORS = {"semicolon": ";", "comma": ",", "tab": "\t"}
@@ -68,7 +68,7 @@ def asked_for(
     if equal and target.spacing == "breaks":
         raise TargetError(f"{to} has segments between the breaks of a motion; expected no --equidistant")
     target = replaced(target, spacing="equal") if equal else target
-    if points != AUTO and not (points.isdecimal() and len(points) < 8):
+    if points != AUTO and not re.fullmatch(r"[0-9]{1,7}", points):
         raise TargetError(f"--points {points}: expected a number of points, or {AUTO}")
     if points != AUTO:
         allowed(target, int(points))
@@ -86,7 +86,7 @@ def asked_for(
 
 def tolerated(text: str) -> tuple[str, float]:
     """Return the order and the share that a tolerance such as a=1% names."""
-    found = re.fullmatch(r"([yvaj])=(\d+(?:\.\d*)?|\.\d+)%", text.strip())
+    found = re.fullmatch(r"([yvaj])=([0-9]+(?:\.[0-9]*)?|\.[0-9]+)%", text.strip())
     if not found or not float(found[2]):
         raise TargetError(f"--tolerance {text}: expected y, v, a or j and a share of its peak, as a=1%")
     return found[1], float(found[2]) / 100.0
@@ -100,6 +100,10 @@ def export(
     if [axis is not None, everything, switches].count(True) != 1:
         raise TargetError("expected either --axis NAME, --switches or --all")
     page.ready(report, (".html", ".htm"), force)
+    if output is not None and not everything:
+        refuse_itself(output, book)
+        refuse_existing(output, force)
+        refuse_one_for_two(output, report)
     machine, mark = trusted(book, asked.unverified)
     if machine is None:
         return DISAGREES
@@ -112,6 +116,7 @@ def export(
     paths = places(book, what, asked, output, everything)
     for path in paths:
         refuse_existing(path, force)
+    refuse_one_for_two(*paths, report)
     with ERR.status("Exporting …"):
         found = [exported(machine, one, called[one.name], asked, mark, path)
                  for one, path in zip(axes, paths, strict=False)]  # fmt: skip

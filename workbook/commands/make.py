@@ -9,12 +9,14 @@ from workbook.exits import AGREES, DISAGREES
 from workbook.reading.entries import write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
 from workbook.templates import TEMPLATES
+from workbook.writing.place import refuse_existing, refuse_itself
 
 
 def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> None:
     """Build a workbook from a machine description."""
     source = machine or TEMPLATES["cutting-machine"].description
     target = output or Path(f"{source.stem}.xlsx")
+    refuse_itself(target, source)
     with ERR.status(shown(f"Building {target} …")):
         failing = making.build(making.described(source, motors, reducers), target, overwrite=force)
     say(OUT, f"Built {target.absolute()}")
@@ -23,6 +25,9 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:
     """Read what was entered into a workbook."""
+    refuse_itself(output, book)
+    if output is not None:
+        refuse_existing(output, force)
     with ERR.status(shown(f"Reading {book} …")):
         machine, notes = making.inputs(book)
     show_notes(notes)
@@ -35,6 +40,7 @@ def inputs(book: Path, output: Path | None, force: bool) -> None:
 
 def regenerate(book: Path, output: Path, force: bool) -> None:
     """Build a workbook anew from what was entered into an old one."""
+    refuse_existing(output, force)
     with ERR.status(shown(f"Regenerating {book} …")):
         machine, notes = making.inputs(book)
         failing = making.build(machine, output, overwrite=force)

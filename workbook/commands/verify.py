@@ -14,6 +14,7 @@ from workbook.reports import page, summary
 from workbook.reports.junit import junit as junit_xml
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.witnesses.beside import Beside
+from workbook.writing.place import refuse_one_for_two
 
 
 def verify(
@@ -24,6 +25,7 @@ def verify(
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
     page.ready(report, (".html", ".htm"), force)
     page.ready(junit, (".xml",), force)
+    refuse_one_for_two(report, junit)
     asked = chosen(witnesses)
     targets, failed = many.find(books)
     most = min(jobs or cores(), len(targets))

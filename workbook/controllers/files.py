@@ -11,7 +11,7 @@ from workbook.errors import ReadError, TargetError
 from workbook.intake import read_text
 
 MOST = 8_000_000  # bytes: a tag of 25,000 points
-TOLD = re.compile(r"; (\d{1,9}) points(?: at equal steps)?; between them")
+TOLD = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 
 def read_table(path: Path, target: Target) -> Table:

@@ -9,8 +9,9 @@ from collections.abc import Iterable, Sequence
 from workbook.controllers.table import MOST_POINTS
 from workbook.errors import TargetError
 
-NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?")
-STARTS = re.compile(r"[+-]?[.,]?\d|[+-]?(?:nan|inf)", re.IGNORECASE)
+NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
+STARTS = re.compile(r"[+-]?[.,]?[0-9]|[+-]?(?:nan|inf)", re.IGNORECASE)
+WHOLE = re.compile(r"[0-9]+")
 LONGEST = 2000  # characters of a line
 
 
@@ -35,9 +36,9 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool 
             raise TargetError(f"more than {MOST_POINTS:,} lines of numbers; expected at most so many")
     if not kept:
         raise TargetError("there is no line of numbers; expected a table of two columns or more")
-    if counted and not kept[0][1].isdigit():
+    if counted and not WHOLE.fullmatch(kept[0][1]):
         raise TargetError(f"line {kept[0][0]}: {kept[0][1][:40]!r}; expected how many numbers follow")
-    if kept[0][1].isdigit():
+    if WHOLE.fullmatch(kept[0][1]):
         if int(kept[0][1][:9]) != len(kept) - 1:
             raise TargetError(f"line {kept[0][0]}: {kept[0][1][:9]} points are told, {len(kept) - 1} follow")
         kept = kept[1:]

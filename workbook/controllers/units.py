@@ -24,10 +24,7 @@ def read_counts(text: str) -> tuple[float, float]:
     found = TOLD.search(text)
     if found is None:
         return 1.0, 1.0
-    try:
-        x, y = float(found[1]), float(found[2])
-    except ValueError:
-        x = y = 0.0
+    x, y = (float(told) if re.fullmatch(NUMBER, told) else 0.0 for told in found.groups())
     if not (0.0 < x <= LARGEST and 0.0 < y <= LARGEST):
         raise TargetError(f"one step is {found[1]} of x and {found[2]} of y; expected numbers above 0, up to 1e9")
     return x, y

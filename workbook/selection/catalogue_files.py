@@ -100,17 +100,20 @@ def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Product]
 
 def require_head(path: Path, head: list[str], model: type[Row], columns: dict[str, str]) -> None:
     """Raise InputError for a column that is unknown, given twice, or needed and missing."""
-    where = f"{path}: line 1"
-    faults = [
-        f"{where}: unknown column {found(name)}; expected one of {', '.join(columns)}"
-        for name in head
-        if name not in columns
-    ]
-    faults += [f"{where}: column {name} stands there twice" for name in dict.fromkeys(head) if head.count(name) > 1]
+    unknown = [name for name in head if name not in columns]
+    twice = [name for name in dict.fromkeys(head) if name in columns and head.count(name) > 1]
     needed = [name for name, entry in columns.items() if model.model_fields[entry].is_required()]
-    faults += [f"{where}: column {name} is missing" for name in needed if name not in head]
+    missing = [name for name in needed if name not in head]
+    faults = [f"unknown column {found(unknown[0])}{others(unknown)}"] if unknown else []
+    faults += [f"column {name} stands there twice" for name in twice]
+    faults += [f"column {missing[0]} is missing{others(missing)}"] if missing else []
     if faults:
-        raise InputError(faults)
+        raise InputError([f"{path}: line 1: {'; '.join(faults)}; expected one of {', '.join(columns)} in each column"])
+
+
+def others(found: list[str]) -> str:
+    """Return how many more there are than the first."""
+    return f" and {len(found) - 1:,} more" if len(found) > 1 else ""
 
 
 def parse(

@@ -13,12 +13,16 @@ from workbook.reading.files import BookFile
 from workbook.visible import found
 from workbook.witnesses.bare import without
 from workbook.witnesses.registry import WITNESSES
+from workbook.witnesses.spread import spreads
 from workbook.witnesses.witness import Witness
 
 ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
 MOST = 160  # characters of why a witness failed
-ERRORS = ("#NULL!", "#DIV/0!", "#VALUE!", "#REF!", "#NAME?", "#NUM!", "#N/A")
+UNKNOWN = (None, "#NAME?")
+"""what a witness has for a function that it does not know"""
+UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}
+"""and what one has for more that it cannot take"""
 
 
 def agreed(file: BookFile, names: Iterable[str] = WITNESSES) -> Callable[[Address], Any]:
@@ -26,7 +30,7 @@ def agreed(file: BookFile, names: Iterable[str] = WITNESSES) -> Callable[[Addres
 
     Two witnesses, the first of ``names`` that are on this machine and can evaluate it, must agree on it, and the saved
     value, if the file has one. What gives a value raises DisputedError where they do not, or where not two of them can
-    evaluate it; an error value that the first two give is a value.
+    evaluate it; an error value that two give is a value, and one that differs from the other's value is a doubt.
     """
     return Evaluation(file, names).value
 
@@ -41,23 +45,43 @@ class Evaluation:
 
     def value(self, address: Address) -> Any:
         """Return the value of a cell; raise DisputedError as :func:`agreed` says."""
+        self._require_one_cell(address)
         said: dict[str, Any] = {}
         for name, values in self._witnesses(address):
             said[name] = values.get(address)
-            known = {name: value for name, value in said.items() if value not in (None, *ERRORS)}
-            if len(known) == ENOUGH or (len(said) == ENOUGH and not known and len({*said.values()}) == 1):
-                return self._undisputed(address, known or said)
-        why = [*(f"{name} has {found(value)}" for name, value in said.items()), *self._failed.values()]
+            known = {name: value for name, value in said.items() if value not in UNABLE.get(name, UNKNOWN)}
+            alike = len(said) == ENOUGH and not {*said.values()} & {*UNKNOWN} and len({*said.values()}) == 1
+            if len(known) == ENOUGH or alike:
+                return self._undisputed(address, known if len(known) == ENOUGH else said, said)
+        why = [*self._told(address, said), *self._failed.values()]
         raise DisputedError(f"it cannot be computed by {ENOUGH} evaluators ({'; '.join(why)})")
 
-    def _undisputed(self, address: Address, said: dict[str, Any]) -> Any:
-        """Return the value that all have; raise DisputedError where one differs."""
+    def _require_one_cell(self, address: Address) -> None:
+        """Raise DisputedError where the value hangs on a range of which Excel takes one cell, unless it was saved."""
+        if self._file.saved.get(address) is not None:
+            return
+        contents = self._file.contents
+        formulas = set(contents.formula_cells)
+        needed = contents.needed(formulas - {address}, formulas & {address}) | (formulas & {address})
+        for cell in sorted(needed):
+            text = self._file.value(cell)
+            if cell not in contents.arrays and isinstance(text, str) and spreads(text):
+                where = "it" if cell == address else f"{cell}"
+                raise DisputedError(f"{where} computes with a range where Excel takes one cell of it")
+
+    def _undisputed(self, address: Address, known: dict[str, Any], said: dict[str, Any]) -> Any:
+        """Return the value of all that are known; raise DisputedError, with all that was said, where one differs."""
+        saved = self._file.saved.get(address)
+        first, *others = (*known.values(), *([] if saved is None else [saved]))
+        if not all(same(first, value) for value in others):
+            raise DisputedError(", ".join(self._told(address, said)))
+        return first
+
+    def _told(self, address: Address, said: dict[str, Any]) -> list[str]:
+        """Return what each has, and the file as it was saved."""
         saved = self._file.saved.get(address)
         all_said = said if saved is None else said | {"the file as it was saved": saved}
-        first = next(iter(said.values()))
-        if not all(same(first, value) for value in all_said.values()):
-            raise DisputedError(", ".join(f"{name} has {found(value)}" for name, value in all_said.items()))
-        return first
+        return [f"{name} has {found(value)}" for name, value in all_said.items()]
 
     def _witnesses(self, address: Address) -> Iterator[tuple[str, Cells]]:
         """Yield the witnesses that evaluate, with the values of formula cells."""

@@ -19,12 +19,36 @@ def refuse_existing(path: Path, overwrite: bool) -> None:
         if not overwrite:
             raise WriteError(f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)")
         kind = odd(path)
-    except (FileNotFoundError, NotADirectoryError):
-        return  # also a link to a file that is not there yet, when told to write
+    except FileNotFoundError:
+        refuse_no_folder(path)
+        return  # or a link to a file that is not there yet, when told to write
     except (OSError, ValueError) as error:
         raise unwritten(path, error) from error
     if kind:
         raise WriteError(f"{path}: {kind}; expected the name of a file")
+
+
+def refuse_no_folder(path: Path) -> None:
+    """Raise WriteError where the nearest thing above ``path`` is none in which a folder could be made."""
+    above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
+    if above is not None and not os.path.isdir(above):
+        raise WriteError(f"{path}: cannot be written: {above} is no folder")
+
+
+def refuse_one_for_two(*paths: Path | None) -> None:
+    """Raise WriteError where two files would be written to one place: the second would take the first's."""
+    seen: set[str] = set()
+    for path in filter(None, paths):
+        place = os.path.realpath(path)
+        if place in seen:
+            raise WriteError(f"{path}: two files would be written there; expected a name for each")
+        seen.add(place)
+
+
+def refuse_itself(path: Path | None, source: Path) -> None:
+    """Raise WriteError where what is made of a file would take its place, asked to replace it or not."""
+    if path is not None and os.path.realpath(path) == os.path.realpath(source):
+        raise WriteError(f"{path}: this is what is read; expected another name for what is made of it")
 
 
 def replace(path: Path, write: Callable[[Path], None], overwrite: bool = False) -> None:

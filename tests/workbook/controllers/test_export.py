@@ -82,6 +82,15 @@ def test_a_design_that_fails_is_exported_with_a_warning_and_an_unfinished_one_is
     assert not (tmp_path / "open-Press.csv").exists()
 
 
+@pytest.mark.parametrize(
+    "asked", [("--points", "\u0661\u0662"), ("--points", "1_2"), ("--points", "9\u00b2"), ("--tolerance", "a=\u0661%")]
+)
+def test_other_digits_than_0_to_9_are_no_numbers(asked, run, book) -> None:
+    code, out, err = run("export", book, "--axis", "Press", "--to", "csv", *asked)
+    assert (code, out) == (2, "")
+    assert len(err.splitlines()) == 1
+
+
 def test_beyond_a_tolerance_nothing_is_written(run, book, tmp_path) -> None:
     code, _, err = run("export", book, "--all", "--to", "csv", "--points", 18, "--tolerance", "a=0.01%", "--unverified")
     assert code == 1

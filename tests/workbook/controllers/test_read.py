@@ -46,6 +46,17 @@ def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: s
             assert phase.residual <= (1e-9 if name in EXACT else 1e-4)
 
 
+@pytest.mark.parametrize("name", ["x" * 240 + ".csv", "a\x1b[31m\u009b\n.csv", "[red]x.csv", "\udcff.csv", "#REF!.csv"])
+def test_a_file_of_any_name_is_read(name, run, tmp_path) -> None:
+    (tmp_path / name).write_text("0;0\n90;10\n180;10\n360;0\n", encoding="utf-8")
+    code, _, err = run("read", name, "--from", "csv", "-o", "back.toml")
+    assert code in (0, 2)
+    assert "title" not in err
+    assert all(line.isprintable() for line in err.splitlines())
+    if code == 0:
+        assert read_machine(tmp_path / "back.toml").title.startswith("Read from ")
+
+
 def test_a_file_becomes_a_description_that_is_built_and_exported_and_the_same(run, axes, tmp_path) -> None:
     one = target("codesys")
     made = automatic(one, axes[1], {"a": 0.01})

@@ -3,6 +3,7 @@
 import json
 import re
 import time
+from dataclasses import replace
 from pathlib import Path
 from xml.dom import minidom
 
@@ -220,7 +221,24 @@ def test_a_file_that_is_cut_off_is_refused_or_was_whole(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", TARGETS)
-@pytest.mark.parametrize("wrong", ["nan", "NaN", "inf", "1e999", "0x10", "", "--1", "abc", "1" * 400])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "nan",
+        "NaN",
+        "inf",
+        "1e999",
+        "0x10",
+        "",
+        "--1",
+        "abc",
+        "1" * 400,
+        "9_0.0",
+        "\u0669\u0660",
+        "\uff19\uff10",
+        "9\u00b2",
+    ],
+)
 def test_what_is_no_number_is_refused_in_a_line(name: str, wrong: str) -> None:
     one = target(name)
     text = one.write(handed(one))
@@ -267,6 +285,20 @@ def test_mixed_signs_counts_and_widths_are_refused() -> None:
     assert csv.read("0 1\n1 2\n").x.tolist() == [0.0, 1.0]
     assert csv.read("0,1\n1,2\n").y.tolist() == [1.0, 2.0]
     assert csv.read("0\t1,5\n1\t2,5\n").y.tolist() == [1.5, 2.5]
+
+
+@pytest.mark.parametrize("text", ["2\u00b2\n0\n1\n", "\u0660;\u0661\n\u0661;\u0662\n", "1_0;0\n2_0;1\n"])
+@pytest.mark.parametrize("name", ["csv", "sew", "mitsubishi-ratio"])
+def test_other_digits_than_0_to_9_are_no_numbers(name: str, text: str) -> None:
+    with pytest.raises(TargetError) as said:
+        target(name).read(text)
+    assert "\n" not in str(said.value)
+
+
+def test_a_header_of_hyphens_leaves_xml_well_formed() -> None:
+    one = target("rockwell")
+    text = one.write(replace(handed(one), header=("a---b ----> -", "--")))
+    assert parsed(text, one).x.tolist() == parsed(one.write(handed(one)), one).x.tolist()
 
 
 def test_a_million_points_and_xml_from_elsewhere_are_refused(tmp_path) -> None:

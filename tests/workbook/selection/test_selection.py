@@ -268,7 +268,7 @@ def csv(tmp_path, *lines, name="motors.csv"):
         ([MOTOR_HEAD, "A,0.01,2,3,3000", ",0.01,2,3,1"], "line 3, column name: empty; expected a text of 1 to 60"),
         ([MOTOR_HEAD, "=A,1,2,3,3000"], "line 2, column name: found '=A'; expected a text of 1 to 60 characters"),
         ([MOTOR_HEAD, "A,1,2,3,3000,4"], "line 2: 6 cells; expected 5, as in the head"),
-        ([MOTOR_HEAD + ",colour", "A,1,2,3,3000,red"], "line 1: unknown column 'colour'; expected one of name"),
+        ([MOTOR_HEAD + ",colour", "A,1,2,3,3000,red"], "line 1: unknown column 'colour'; expected one of name, "),
         ([MOTOR_HEAD + ",name", "A,1,2,3,3000,B"], "line 1: column name stands there twice"),
         (["name,inertia_kgm2", "A,1"], "line 1: column rated_torque_Nm is missing"),
         ([MOTOR_HEAD], "there is no product below the head; expected one a line"),

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import openpyxl
 import pytest
+from openpyxl.worksheet.formula import ArrayFormula
 
 from tests.workbook.reading.fuzz import pack, unpack, without_charts
 from workbook.book.address import Address
@@ -17,6 +18,7 @@ from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import agreed as module
 from workbook.witnesses.agreed import agreed, same
+from workbook.witnesses.spread import spreads
 
 CELL = Address("Timing", 1, 1)
 COMMANDS = [["inputs", "book.xlsx"], ["verify", "book.xlsx"], ["regenerate", "book.xlsx", "-o", "new.xlsx"]]
@@ -59,6 +61,7 @@ AGREED = {
     "the third where the second fails": ([5, FAILED, 5], None, 5),
     "the third where the second has no value": ([5, None, 5], None, 5),
     "two on an error": (["#DIV/0!", "#DIV/0!", 5], None, "#DIV/0!"),
+    "others where the first two know no such function": (["#NAME?", "#NAME?", 5, 5], None, 5),
 }
 
 
@@ -76,6 +79,8 @@ DISPUTED = {
     "only one": ([5], None, "w0 has 5"),
     "only one, and a saved value": ([5, FAILED], 5, "w0 has 5"),
     "one, and errors": ([5, "#NAME?", "#VALUE!"], None, "w1 has '#NAME?'"),
+    "a value and an error": ([5, "#NUM!", 5], None, "w1 has '#NUM!'"),
+    "an error and a value": (["#DIV/0!", 5, 5], None, "w0 has '#DIV/0!'"),
     "none": ([FAILED, FAILED], None, "cannot be computed"),
     "different errors": (["#NAME?", "#VALUE!"], None, "cannot be computed"),
     "infinite": ([1e308, -1e308], None, "w1 has -1e+308"),
@@ -92,6 +97,37 @@ def test_witnesses_that_keep_values_or_are_absent_are_not_asked(monkeypatch):
     kept, absent, third = witness(7, kept=True), witness(8, version=None), witness(9)
     assert asked(monkeypatch, kept, witness(5), absent, witness(5), third) == 5
     assert kept.asked == absent.asked == third.asked == 0
+
+
+RANGES = {
+    "Mine!C1:C3": True, "-A1:A3": True, "(A1:A3)": True, "$A:$A": True, "A1:A3*2": True, "SUM(A1:A3*B1:B3)": True,
+    "SUM((A1:A3)>1)": True, "MAX(IF(A1:A3>1,2,3))": True, "SUM(-Mine!A1:A3)": True, "IF(TRUE,A1:A3^2)": True,
+    "A1": False, "A1:A1*2": False, "SUM(A1:A3)": False, "SUM(A1:A3)*2": False, "SUM(A:A)": False,
+    "SUMPRODUCT(A1:A3*B1:B3)": False, "SUMPRODUCT((A1:A3>1)*(B1:B3))": False, "INDEX(A1:B3,2,1)^2": False,
+    'IF(A1>1,SUM(A1:A3),"A1:A3")': False, "SUM({1,2}*{3,4})": False, "COUNTIF(A1:A3,\">1\")": False,
+    "MATCH(1,A1:A3,0)+ROW(A1:A1)": False,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("formula", "spread"), RANGES.items())
+def test_ranges_of_which_excel_takes_one_cell(formula, spread):
+    assert spreads(f"={formula}") is spread
+
+
+@pytest.mark.parametrize("formula", ["A1:A3", "SUM(A1:A3*A1:A3)", "B1+1"])
+def test_such_a_range_is_a_doubt_unless_the_file_was_saved_with_its_value(formula):
+    workbook = openpyxl.Workbook()
+    page = workbook.active
+    for row in (1, 2, 3):
+        page.cell(row, 1).value = row
+    page["B1"], page["C9"] = "=SUM(A1:A3*A1:A3)", f"={formula}"
+    at = Address(page.title, 9, 3)
+    with pytest.raises(DisputedError, match="takes one cell of it"):
+        agreed(BookFile(Path("book.xlsx"), workbook, {}))(at)
+    page["B1"], page["C9"] = None, ArrayFormula("C9", "=SUM(A1:A3*A1:A3)")
+    said = agreed(BookFile(Path("book.xlsx"), workbook, {}), ("pycel",))
+    with pytest.raises(DisputedError, match="pycel has 14"):
+        said(at)
 
 
 def test_only_rounding_is_passed_over():

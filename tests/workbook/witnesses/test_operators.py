@@ -59,6 +59,17 @@ def test_pycel_takes_odd_roots_of_negative_numbers(formula, value):
     assert computed(formula)[0] == (pytest.approx(value, rel=1e-14) if value != "#NUM!" else value)
 
 
+@pytest.mark.parametrize(
+    ("formula", "value"),
+    [("=0.1+0.2=0.3", True), ("=1.1*1.1=1.21", True), ("=0.1+0.2>0.3", False), ("=0.1+0.2<=0.3", True),
+     ("=0.1+0.2<>0.3", False), ("=1.1*3/1.1=A1", True), ("=1*(0.5-0.4-0.1)=0", False), ("=1+1E-14=1", False),
+     ("=SUMPRODUCT((A1:A2*1.1=3.3)*1)", 1), ("=0^0", "#NUM!"), ("=POWER(0,0)", "#NUM!"), ("=0^2", 0)],
+)  # fmt: skip
+def test_pycel_compares_to_15_digits_and_knows_no_0_to_the_power_of_0(formula, value):
+    """As Excel documents, and formualizer does not (docs/witnesses.md)."""
+    assert computed(formula)[0] == value
+
+
 OPERANDS = st.sampled_from(["1", "2", "3", "A1", "A2", "2%", "SUM(A1,A2)"])
 EXPRESSIONS = st.recursive(
     OPERANDS,

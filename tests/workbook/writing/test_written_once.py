@@ -11,7 +11,7 @@ import pytest
 
 from workbook.errors import WriteError
 from workbook.judging.many import find
-from workbook.writing.place import replace
+from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, replace
 
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows keeps neither modes nor links in this way")
 
@@ -135,6 +135,32 @@ def test_umask_holds(umask, mode, tmp_path):
 def test_any_name_that_the_system_has_is_written(name, tmp_path):
     replace(tmp_path / name, fill("new"))
     assert os.listdir(tmp_path) == [name]
+
+
+@pytest.mark.parametrize("place", ["file/x.xlsx", "file/y/x.xlsx", "gone/x.xlsx", "pipe/x.xlsx"])
+@posix
+def test_what_lies_below_no_folder_is_refused_before_the_work(place, tmp_path):
+    (tmp_path / "file").write_text("mine")
+    (tmp_path / "gone").symlink_to("nowhere")
+    os.mkfifo(tmp_path / "pipe")
+    before = sorted(os.listdir(tmp_path))
+    for overwrite in (False, True):
+        with pytest.raises(WriteError, match="cannot be written"):
+            refuse_existing(tmp_path / place, overwrite)
+    assert sorted(os.listdir(tmp_path)) == before
+
+
+@posix
+def test_two_files_for_one_place_and_what_is_read_itself_are_refused(tmp_path):
+    (tmp_path / "book.xlsx").write_text("mine")
+    (tmp_path / "link.xlsx").symlink_to("book.xlsx")
+    for other in ("book.xlsx", "link.xlsx", "folder/../book.xlsx"):
+        with pytest.raises(WriteError, match="two files"):
+            refuse_one_for_two(tmp_path / "book.xlsx", None, tmp_path / other)
+        with pytest.raises(WriteError, match="what is read"):
+            refuse_itself(tmp_path / other, tmp_path / "book.xlsx")
+    refuse_one_for_two(tmp_path / "book.xlsx", None, tmp_path / "other.xlsx", None)
+    refuse_itself(None, tmp_path / "book.xlsx")
 
 
 @posix

@@ -18,6 +18,7 @@ from workbook.controllers.tracks.rockwell import TAPPETS
 from workbook.controllers.xml import parsed
 from workbook.errors import TargetError
 
+NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 ROW = re.compile(r"\[([^\[\]]{1,400})\]")
 MANUAL = "Rockwell MOTION-RM002H-EN-P"
 SLOPES = ("StartSlope", "EndSlope")
@@ -30,7 +31,7 @@ def write(handed: Handed) -> str:
     table, name = handed.table, f"Cam_{handed.name}"
     lines = np.append(table.straight, False) if table.straight is not None else np.zeros(len(table.x), dtype=bool)
     rows = [(real(x), real(y), str(int(not line))) for x, y, line in zip(table.x, table.y, lines, strict=True)]
-    told = "\n".join(line.replace("--", "- -") for line in handed.header)
+    told = "\n".join(re.sub("-(?=-)", "- ", line) for line in handed.header)
     packed = ",".join(f"[{','.join(row)}]" for row in rows)
     elements = "".join(element(k, row) for k, row in enumerate(rows))
     slopes = "".join(slope(f"{name}_{which}", value)
@@ -92,7 +93,7 @@ def array(cam: Element, packed: list[list[str]], slopes: tuple[float, float] | N
     if rows and packed and given != [numbers(k, row) for k, row in enumerate(packed)]:
         raise TargetError("the two forms of the tag's data, L5K and Decorated, differ; expected the same points")
     told = cam.get("Dimensions", "")
-    if told.isdecimal() and int(told[:9]) != len(given):
+    if told.isascii() and told.isdecimal() and int(told[:9]) != len(given):
         raise TargetError(f"Dimensions is {told[:9]}, {len(given)} elements follow; expected as many")
     x, y, kinds = np.array(given).reshape(-1, 3).T
     return Table(REAL.rounded(x), REAL.rounded(y), slopes=slopes, straight=kinds[:-1] == 0.0)
@@ -100,10 +101,9 @@ def array(cam: Element, packed: list[list[str]], slopes: tuple[float, float] | N
 
 def numbers(k: int, row: list[str]) -> list[float]:
     """Return master, slave and segment type of an element."""
-    try:
-        master, slave, kind = map(float, row)
-    except ValueError:
-        raise TargetError(f"element {k}: {', '.join(row)[:60]!r}; expected master, slave and segment type") from None
+    if len(row) != 3 or not all(map(NUMBER.fullmatch, row)):
+        raise TargetError(f"element {k}: {', '.join(row)[:60]!r}; expected master, slave and segment type")
+    master, slave, kind = map(float, row)
     if kind not in (0.0, 1.0):
         raise TargetError(f"element {k}: segment type {kind:g}; expected 0 (linear) or 1 (cubic)")
     return [master, slave, kind]
@@ -117,10 +117,9 @@ def slopes_of(tags: list[Element], name: str) -> tuple[float, float] | None:
         value = None if tag is None else next((v.get("Value", "") for v in tag.iter("DataValue")), "")
         if value is None:
             return None
-        try:
-            found.append(float(REAL.rounded(np.array([float(value)]))[0]))
-        except ValueError:
-            raise TargetError(f"{name}_{which} is {value[:40]!r}; expected a number") from None
+        if not NUMBER.fullmatch(value):
+            raise TargetError(f"{name}_{which} is {value[:40]!r}; expected a number")
+        found.append(float(REAL.rounded(np.array([float(value)]))[0]))
     return found[0], found[1]
 
 
@@ -128,7 +127,7 @@ def profile(rows: list[list[str]]) -> Table:
     """Return the polynomials of a CAM_PROFILE: y = Slave + C0 + C1 d + C2 d² + C3 d³, d from an element's master."""
     points = []
     for k, row in enumerate(rows):
-        if len(row) != PROFILE_ROW or not all(re.fullmatch(r"-?\d{1,10}", field) for field in row):
+        if len(row) != PROFILE_ROW or not all(re.fullmatch(r"-?[0-9]{1,10}", field) for field in row):
             raise TargetError(f"element {k}: expected {PROFILE_ROW} integers of a CAM_PROFILE")
         if int(row[0]) < CALCULATED:
             break

@@ -22,6 +22,8 @@ MOST_DIGITS = 308  # of a number that a cell can hold
 MOST_TEXT = 32_767  # characters that a cell can hold
 MOST_PERIODS = 1_000_000
 MOST_WILDCARDS = 3  # in a criterion
+NUMBERS = frozenset((float, int))
+NEAR = 1e-14  # relative: numbers farther apart differ in 15 digits
 MOST_CROSSED = 1_000_000  # cells of all arrays that cross a row with a column, in one evaluation
 
 
@@ -55,11 +57,27 @@ def spend(cells: int) -> None:
 
 
 def raised(number: float, exponent: float) -> Any:
-    """Return ``number ** exponent``, or #NUM! where no cell can hold it."""
+    """Return ``number ** exponent``, or #NUM! where no cell can hold it, and for 0 to the power of 0."""
+    if not number and not exponent:
+        return NUM_ERROR
     if number and exponent * math.log10(abs(number)) > MOST_DIGITS:
         return NUM_ERROR
     result = number**exponent
     return odd_root(number, exponent) if isinstance(result, complex) else result
+
+
+def to_15_digits(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """Return a comparison that takes numbers for one that are the same to 15 digits, as Excel shows and compares them.
+
+    "Numeric precision in Excel" (learn.microsoft.com): 15 digits. 0.1+0.2=0.3 is TRUE.
+    """
+
+    def compared(left: Any, right: Any) -> Any:
+        numbers = left != right and type(left) in NUMBERS and type(right) in NUMBERS
+        one = numbers and math.isclose(left, right, rel_tol=NEAR) and f"{left:.15g}" == f"{right:.15g}"
+        return compare(left, left if one else right)
+
+    return compared
 
 
 def odd_root(number: float, exponent: float) -> Any:
@@ -70,7 +88,7 @@ def odd_root(number: float, exponent: float) -> Any:
 
 
 def _power(number: float, power: float) -> Any:
-    result = raised(number, power) if number else None
+    result = raised(number, power) if number or not power else None
     return result if result == NUM_ERROR or number < 0 else excellib.power(number, power)
 
 
@@ -153,6 +171,7 @@ exp, sqrt, log10 = _of_one(math.exp), _of_one(math.sqrt), _of_one(math.log10)
 degrees, radians = _of_one(math.degrees), _of_one(math.radians)
 
 # pycel's own code for operators, over its own table of them with the power that knows a limit
-OPERATORS = PYTHON_AST_OPERATORS | {"Pow": raised}
+COMPARED = {name: to_15_digits(PYTHON_AST_OPERATORS[name]) for name in ("Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}
+OPERATORS = PYTHON_AST_OPERATORS | {"Pow": raised} | COMPARED
 _globals = vars(excelutil) | {"PYTHON_AST_OPERATORS": OPERATORS}
 build_operators = FunctionType(excelutil.build_operator_operand_fixup.__code__, _globals)

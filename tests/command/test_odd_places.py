@@ -1,0 +1,121 @@
+"""Odd places to write to, through every command that writes: one line, exit code 2, at once, nothing changed."""
+
+import os
+import sys
+import time
+
+import pytest
+
+from tests.workbook.controllers.examples import TEXT
+from workbook.build import build
+from workbook.cli import main
+from workbook.reading.entries import read_machine
+
+posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
+AT_ONCE = 5  # seconds of the processor: verifying or exporting takes longer
+TO = {
+    "new": ["new", "machine", "-o"],
+    "schema": ["schema", "machine", "-o"],
+    "addin": ["addin", "-o"],
+    "build": ["build", "machine.toml", "-o"],
+    "inputs": ["inputs", "book.xlsx", "-o"],
+    "regenerate": ["regenerate", "book.xlsx", "-o"],
+    "verify": ["verify", "book.xlsx", "--report"],
+    "junit": ["verify", "book.xlsx", "--junit"],
+    "export": ["export", "book.xlsx", "--axis", "Press", "--to", "csv", "-o"],
+    "certificates": ["export", "book.xlsx", "--axis", "Press", "--to", "csv", "-o", "a.csv", "--report"],
+    "read": ["read", "cam.csv", "--from", "csv", "-o"],
+}
+ENDINGS = {"verify": ".html", "junit": ".xml", "certificates": ".html"}
+PLACES = (".", "/", "..", "", "kept{}", "folder{}", "below/x{}", "pipe{}", "gone{}", "loop{}", "long", "deep")
+ITSELF = [
+    ["build", "machine.toml", "-o", "machine.toml"], ["inputs", "book.xlsx", "-o", "book.xlsx"],
+    ["inputs", "book.xlsx", "-o", "link.xlsx"], ["read", "cam.csv", "--from", "csv", "-o", "cam.csv"],
+    ["export", "book.xlsx", "--axis", "Press", "--to", "csv", "-o", "book.xlsx"],
+    ["export", "book.xlsx", "--axis", "Press", "--to", "csv", "-o", "a.html", "--report", "a.html"],
+    ["new", "machine", "-o", "machine.schema.json"],
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """A description of two axes, and its book."""
+    folder = tmp_path_factory.mktemp("made")
+    (folder / "machine.toml").write_text(TEXT, encoding="utf-8")
+    build(read_machine(folder / "machine.toml"), folder / "book.xlsx")
+    return folder
+
+
+@pytest.fixture
+def refused(made, tmp_path, monkeypatch, capfd):
+    """Run a command in a folder of odd things; return its one line, after the checks that hold for all."""
+    for name in ("machine.toml", "book.xlsx"):
+        (tmp_path / name).write_bytes((made / name).read_bytes())
+    (tmp_path / "link.xlsx").symlink_to("book.xlsx")
+    (tmp_path / "cam.csv").write_text("0;0\n180;10\n360;0\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments):
+        before = state(tmp_path)
+        monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
+        capfd.readouterr()
+        begin = time.process_time()
+        with pytest.raises(SystemExit) as left:
+            main()
+        assert time.process_time() - begin < AT_ONCE
+        out, err = capfd.readouterr()
+        assert (left.value.code, out) == (2, "")
+        (line,) = err.splitlines()
+        assert line.isprintable()
+        assert "failed inside" not in line
+        assert state(tmp_path) == before
+        return line
+
+    return run
+
+
+def state(folder):
+    """Every name below a folder with its kind and bytes."""
+    found = {}
+    for path in sorted(folder.rglob("*")):
+        plain = path.is_file() and not path.is_symlink()
+        found[str(path)] = (path.lstat().st_mode, path.read_bytes() if plain else b"")
+    return found
+
+
+def place(word, ending, folder):
+    """A place of that kind, with what makes it odd."""
+    name = word.format(ending)
+    if word == "long":
+        return f"{'x' * 300}/a{ending}"
+    if word == "deep":
+        return f"{'x/' * 3_000}a{ending}"
+    {
+        "kept": lambda: (folder / name).write_text("mine"),
+        "fold": (folder / name).mkdir,
+        "belo": lambda: (folder / "below").write_text("mine"),
+        "pipe": lambda: os.mkfifo(folder / name),
+        "gone": lambda: (folder / name).symlink_to("nowhere"),
+        "loop": lambda: (folder / name).symlink_to(name),
+    }.get(word[:4], lambda: None)()
+    return name
+
+
+@posix
+@pytest.mark.parametrize("command", TO)
+@pytest.mark.parametrize("word", PLACES)
+def test_an_odd_place_is_refused_in_one_line(word, command, refused, tmp_path):
+    refused(*TO[command], place(word, ENDINGS.get(command, ".out"), tmp_path))
+
+
+@posix
+@pytest.mark.parametrize("command", TO)
+@pytest.mark.parametrize("word", [word for word in PLACES if word[:4] not in ("kept", "gone")])
+def test_what_is_no_file_is_refused_by_force_too(word, command, refused, tmp_path):
+    refused(*TO[command], place(word, ENDINGS.get(command, ".out"), tmp_path), "--force")
+
+
+@posix
+@pytest.mark.parametrize("arguments", ITSELF, ids=" ".join)
+def test_nothing_takes_the_place_of_what_is_read_or_of_another_output(arguments, refused):
+    refused(*arguments, "--force")
