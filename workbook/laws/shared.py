@@ -6,7 +6,9 @@ from pydantic import Field
 
 from workbook.laws.family import LawSheet, Parameter
 
-Between = Annotated[float, Field(gt=0, lt=1, allow_inf_nan=False)]
+LEAST = 0.01
+Between = Annotated[float, Field(ge=LEAST, le=1 - LEAST, allow_inf_nan=False)]
+"""a share of the time: sensible are 0.2 to 0.8; far beyond 0.01 and 0.99 figures lose digits"""
 
 
 class Shared(LawSheet):

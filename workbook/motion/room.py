@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any, Protocol
 
+from engine.laws import Law
 from engine.motion.pieces import placed
 from workbook.entries.machine import Machine
 from workbook.entries.types import DesignError, EntryError, TogetherError
@@ -12,6 +14,7 @@ from workbook.laws.entries import Laws
 from workbook.laws.library import laws
 
 FEW = 8  # rows more than are used, where a description does not say how many
+KNOWN = 256  # laws of which is kept how many pieces they have: a study asks for each many times
 CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"
 
 
@@ -28,7 +31,13 @@ class Phased(Protocol):
 
 def counts(given: Laws) -> dict[str, int]:
     """Return the number of pieces of each law of a book."""
-    return {name: len(placed(law)) for name, law in laws(given).items()}
+    return {name: count(law) for name, law in laws(given).items()}
+
+
+@lru_cache(maxsize=KNOWN)
+def count(law: Law) -> int:
+    """Return the number of pieces of a law."""
+    return len(placed(law))
 
 
 def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:

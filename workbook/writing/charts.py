@@ -64,9 +64,16 @@ def cell(name: str, book: Book) -> StrRef:
     return StrRef(f=f"{quote_sheetname(block.sheet.title)}!{block.span}", strCache=shown)
 
 
+def reference(text: str) -> Reference:
+    """Return a range for a chart; openpyxl keeps the doubled apostrophes of a sheet's name, and doubles them again."""
+    found = Reference(range_string=text)
+    found.worksheet.title = found.worksheet.title.replace("''", "'")
+    return found
+
+
 def line(series: Series, book: Book, colour: str) -> XYSeries:
     """Return one line between the points, never a spline, which would bend a step backwards."""
-    x, y = (Reference(range_string=book.range(r)) for r in (series.x, series.y))
+    x, y = (reference(book.range(r)) for r in (series.x, series.y))
     drawn: XYSeries = SeriesFactory(y, x, title=series.name)
     if series.name.startswith("="):
         drawn.tx = SeriesLabel(strRef=cell(series.name[1:], book))

@@ -190,3 +190,17 @@ def test_a_name_that_is_none_is_refused_at_its_cell(name, words):
 
     with pytest.raises(InputError, match=rf"(?s)book\.xlsx: 'MTP soft'!.*{words}"):
         Entries(file_of(machine({"MTP soft": SOFT}), cleared), agreed).machine()
+
+
+def test_a_name_with_an_apostrophe_stands_in_charts_as_excel_writes_it():
+    made = machine({"O'Brien & <co>": SOFT})
+    written = parts(CUTTING.declare(made), CUTTING.model)
+    charts = b"".join(part for name, part in written.items() if name.startswith("xl/charts/chart"))
+    assert b"'O''Brien &amp; &lt;co&gt;'!" in charts
+    assert b"''''" not in charts
+
+
+@pytest.mark.parametrize("share", [0.0, 1e-9, 0.009, 0.995, 1.0])
+def test_a_share_that_leaves_next_to_nothing_is_beyond_its_limits(share):
+    (fault,) = machine({"Steep": {"family": "CIC", "share": share}}).design.faults
+    assert fault.said == "expected a number of at least 0.01 and at most 0.99"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from engine.laws import Law
 from engine.laws.piece_extremes import extremes_of
 from engine.machine.bent import LOST, plain
@@ -13,6 +15,9 @@ from workbook.laws.registry import RISING
 from workbook.machines.machine.drive import UNSHAPED
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.view import Whole
+
+KNOWN = 256
+"""laws of which is kept whether a drive takes them: a study asks for each many times"""
 
 
 def check(machine: AnyMachine) -> None:
@@ -29,6 +34,7 @@ def check(machine: AnyMachine) -> None:
             raise DesignError(f"axes.{one.number - 1}.phases", UNSHAPED, f"shaped{one.number}", fits)
 
 
+@lru_cache(maxsize=KNOWN)
 def integrable(law: Law) -> bool:
     """Whether a drive's stretches know a law: its pieces, and that it never turns back."""
     pieces = law.as_pieces()
