@@ -15,7 +15,7 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from workbook.build import build
+from workbook.build import build, write_inputs
 from workbook.cluster import cores, pool
 from workbook.judging.many import verify_many
 from workbook.judging.one import Target
@@ -31,7 +31,7 @@ DESIGNS, BOOKS = 1_000_000, 1_000
 NAMES = ["drive1_rms", "drive1_res_rms", "drive1_res_peak", "drive1_res_speed"]
 
 
-def study(designs: int) -> Plan:
+def study(designs: int, folder: Path) -> Plan:
     """Return so many designs at least: five laws, the end of the feed in so many steps, all motors and reducers."""
     pairs = 5 * 19 * 16
     varied = [
@@ -41,7 +41,9 @@ def study(designs: int) -> Plan:
         {"key": "axes.MC01.reducer.name", "all": "catalogue"},
     ]
     told = {"title": "Feeding axis", "vary": varied, "results": NAMES, "minimise": ["drive1_rms"]}
-    return planned(Study.model_validate(told), MACHINE, "benchmark")
+    machine = read_machine(MACHINE)
+    write_inputs(machine.model_copy(update={"axes": machine.axes[:1]}), folder / "feed.toml")
+    return planned(Study.model_validate(told), folder / "feed.toml", "benchmark")
 
 
 def one_pass(rows: int) -> float:
@@ -60,8 +62,8 @@ def peak() -> float:
 
 def studied(designs: int, jobs: int) -> tuple[int, float, float]:
     """Return how many designs were worked out, the seconds, and the memory of the process that hands them out."""
-    plan = study(designs)
     with tempfile.TemporaryDirectory() as folder:
+        plan = study(designs, Path(folder))
         begin = time.perf_counter()
         parts = Parts(Path(folder, "r.csv"), plan.digest, plan.space.size)
         with parts.opened(False, False), pool(jobs, None) as workers:

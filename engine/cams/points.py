@@ -15,9 +15,9 @@ from engine.laws.base import Array
 STEPS = 60  # of halving
 CUBIC = 4
 """the order of a rule through polynomials of the third degree"""
-JUMP = 1e-9  # of the largest y'' at a break: a smaller jump is none
+JUMP = 1e-9  # of the largest y' or y'' at a break: a smaller jump is none
 BEFORE = 1e-5
-"""of the cycle: so far before a jump of y'' stands a point of its own"""
+"""of the cycle: so far before a jump of y' or y'' stands a point of its own"""
 
 
 def equal(of: Course, n: int) -> Array:
@@ -84,14 +84,19 @@ def places(of: Course, steps: NDArray[np.intp]) -> Array:
 
 
 def doubled(of: Course, x: Array) -> Array:
-    """Return places with one more just before each at which y'' jumps: a point has one y'', which serves both sides."""
+    """Return places with one more just before each jump: a point has one y' and one y'', which serve both sides."""
     steps = np.array([one - BEFORE * of.total for one in jumps(of)])
     return np.unique(np.concatenate([x, steps]))
 
 
 def jumps(of: Course) -> Array:
-    """Return the breaks within a course at which y'' jumps."""
+    """Return the breaks within a course at which y' or y'' jumps."""
     inner = of.edges[1:-1]
-    before, after = of.at(inner, left=True).y2, of.at(inner).y2
+    before, after = of.at(inner, left=True), of.at(inner)
+    return inner[_apart(before.y1, after.y1) | _apart(before.y2, after.y2)]
+
+
+def _apart(before: Array, after: Array) -> NDArray[np.bool_]:
+    """Return where two values differ by more than is left of rounding the largest."""
     size = max(float(np.abs(np.concatenate([before, after])).max(initial=0.0)), 1e-300)
-    return inner[np.abs(after - before) > JUMP * size]
+    return np.asarray(np.abs(after - before) > JUMP * size)

@@ -188,10 +188,14 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     best = nearest(target, axis, tolerance)
     if best.excess(tolerance) <= 1.0:
         return best
-    lower = dict.fromkeys(ORDERS[: min(map(ORDERS.index, tolerance))], min(tolerance.values()))
-    other = nearest(target, axis, lower) if lower else best
-    alike = other.excess(tolerance) * BETTER <= best.excess(tolerance)
-    return other if alike and lower and other.excess(lower) < best.excess(lower) else best
+    for orders in range(min(map(ORDERS.index, tolerance)), 0, -1):
+        lower = dict.fromkeys(ORDERS[:orders], min(tolerance.values()))
+        other = nearest(target, axis, lower)
+        if other.excess(lower) < best.excess(lower) and not other.excess(tolerance) * BETTER > best.excess(tolerance):
+            best = other
+        if best.excess(lower) <= 1.0:
+            break
+    return best
 
 
 def nearest(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:

@@ -152,6 +152,8 @@ def refuse_odd_parts(parts: list[zipfile.ZipInfo], size: int) -> None:
             raise Refusal(f"holds a part named {shown(part.filename)}, which leads out of the workbook")
         if part.flag_bits & 1:
             raise Refusal("a zip protected by a password; remove the password")
+    if min(part.header_offset for part in parts):  # zipfile moves every offset, others read what stands before
+        raise Refusal(f"has something before its first part: another zip, which programs may read instead; {SAVE_AS}")
     if sum(part.compress_size for part in parts) > size:
         raise Refusal("its parts overlap, as in a zip bomb")
     if sum(part.file_size for part in parts) > MOST_UNPACKED:

@@ -161,6 +161,13 @@ def test_a_spline_over_parabolas_has_steps_beside_their_jumps(name: str) -> None
     assert made.share("y") <= 1e-3
 
 
+@pytest.mark.parametrize("name", ["codesys", "siemens", "csv", "br", "twincat-table", "sew"])
+def test_where_the_velocity_jumps_the_position_is_kept_all_the_same(name: str) -> None:
+    motion = Motion([Phase(law("LIN"), 30.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("LIN"), -30.0, 180.0)])
+    one, axis = target(name), CamAxis("kinks", course_of_motion(motion), "°", "mm")
+    assert automatic(one, axis, {"a": 0.01}).share("y") <= 0.01
+
+
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=3)
 def test_exact_laws_go_into_segments_exactly(seed: int) -> None:

@@ -112,6 +112,12 @@ def test_a_content_type_declared_twice_or_in_another_case_is_refused(book, tmp_p
     assert "written otherwise" in refused(repacked(book.path, tmp_path / "b.xlsx", case))
 
 
+def test_two_zips_one_behind_the_other_are_refused(book, tmp_path):
+    other = repacked(book.path, tmp_path / "a.xlsx", {WORKBOOK: lambda data: data + b"<!-- -->"})
+    (tmp_path / "b.xlsx").write_bytes(other.read_bytes() + book.path.read_bytes())
+    assert "before its first part" in refused(tmp_path / "b.xlsx")
+
+
 def test_parts_whose_names_differ_in_case_are_refused(book, tmp_path):
     extra = [("XL/Workbook.xml", part(book, WORKBOOK))]
     assert "2 times" in refused(repacked(book.path, tmp_path / "b.xlsx", {}, extra))

@@ -337,6 +337,20 @@ def tiny(edit, at):
     edit.cell(at).font = Font(sz=1)
 
 
+def in_signs(edit, at):
+    edit.cell(at).font = Font(name="Wingdings", sz=10)
+
+
+def pushed_out(edit, at):
+    edit.cell(at).alignment = Alignment(indent=200)
+
+
+def frozen_out(edit, at):
+    sheet = edit.workbook[at.sheet]
+    sheet.freeze_panes = f"A{at.row + 5}"
+    sheet.sheet_view.topLeftCell = f"A{at.row + 1}"
+
+
 def without_rules(edit, at):
     """Take the sheet's rules away."""
     sheet = edit.workbook[at.sheet]
@@ -344,7 +358,7 @@ def without_rules(edit, at):
 
 
 HIDING = [hide_row, flat_row, hide_column, narrow_column, group_columns, white, themed_white, nearly_white, one_colour,
-          white_by_rule, tiny]  # fmt: skip
+          white_by_rule, tiny, in_signs, pushed_out, frozen_out]  # fmt: skip
 
 
 @pytest.mark.parametrize("hide", [*HIDING, hide_sheet, very_hide_sheet])

@@ -86,6 +86,30 @@ def test_the_command_writes_results_a_page_and_the_picked_book(tmp_path):
     assert "study.csv: the file exists" in again.stderr
 
 
+def test_parquet_holds_what_csv_holds(tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    study = written(tmp_path, laws("MTP", "CUB"), stops(-10, 80, 40), results=["drive1_rms", "drive1_ok_rms"])
+    for name in ("r.csv", "r.parquet"):
+        assert run(study, "-o", name, "--jobs", 1, cwd=tmp_path).returncode == 0
+        (tmp_path / "r.json").unlink()
+        (tmp_path / "r.html").unlink()
+    table = parquet.read_table(tmp_path / "r.parquet").to_pylist()
+    texts = [{name: "" if value is None else str(value) for name, value in row.items()} for row in table]
+    assert texts == rows(tmp_path / "r.csv")
+    assert len(texts) == 80
+    assert {row["feasible"] for row in texts} == {"yes", "no"}
+
+
+def test_no_feasible_design_tells_what_each_constraint_excludes(tmp_path):
+    bounds = {"drive1_res_rms": {"min": 1e6}, "drive1_rms": {"max": 1e9}}
+    study = written(tmp_path, laws("MTP", "CUB"), minimise=["drive1_energy"], constraints=bounds)
+    done = run(study, "--jobs", 1, cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (3, "")
+    assert "drive1_res_rms (at least 1e+06) excludes 2, 2 of them alone" in done.stdout
+    assert "drive1_rms (at most 1e+09) excludes 0, 0 of them alone" in done.stdout
+    assert "No design is feasible." in done.stdout
+
+
 def test_an_impossible_design_is_a_row_with_its_reason(tmp_path):
     plan = planned(tmp_path, stops(-10, 80, 2), results=["drive1_rms"])
     table = Evaluator(plan).table(0, plan.space.columns(0, 2))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -18,6 +19,10 @@ from workbook.reading.contents import Cells
 from workbook.reading.drawings import Anchor
 
 LEAST_WIDTH, LEAST_HEIGHT, LEAST_SIZE = 1.0, 3.0, 3.0  # characters; points of a row and of a font
+MOST_INDENT = 15  # steps of about three spaces
+CELL = re.compile("([A-Z]{1,3})([1-9][0-9]{0,6})")
+SIGNS = ("wingdings", "webdings", "symbol", "marlett", "opensymbol", "zapfdingbats", "bookshelf symbol")
+"""fonts that show other signs for letters"""
 
 
 def visible(match: Match, values: Cells, rules: dict[str, Rules], report: Report) -> None:
@@ -36,7 +41,7 @@ def visible(match: Match, values: Cells, rules: dict[str, Rules], report: Report
         base = Look(BLACK, WHITE) if cell is None else look(cell, palette)
         now, always = painted(rules[title], pair.address, value, base, palette)
         said = shadows[title].said(pair.address) or ("written in the colour of its ground" if now.unseen else "")
-        said = said or ("written too small to be seen" if cell is not None and tiny(cell) else "")
+        said = said or (unreadable(cell) if cell is not None and cell.has_style else "")
         if said and (fails or overall):
             report.say(pair.address, "shown", f"{value}, {said}", f"{value}, in sight", pair.what)
         elif said:
@@ -75,6 +80,7 @@ class Hidden:
         low = form.defaultRowHeight is not None and form.defaultRowHeight < LEAST_HEIGHT
         self._other_rows = bool(form.zeroHeight) or low
         self._other_columns = form.defaultColWidth is not None and form.defaultColWidth < LEAST_WIDTH
+        self._first = frozen(sheet)
 
     def said(self, at: Address) -> str:
         """Return why a cell is not shown; nothing where it is."""
@@ -82,7 +88,19 @@ class Hidden:
             return "in a hidden row"
         if self._columns.get(at.column, self._other_columns):
             return "in a hidden column"
+        if at.row < self._first[0] or at.column < self._first[1]:
+            return "beyond what is frozen"
         return "behind a drawing" if self._covered.holds(at) else ""
+
+
+def frozen(sheet: Worksheet) -> tuple[int, int]:
+    """Return the first row and column that can be scrolled to: nothing leads before those that are frozen."""
+    view = sheet.sheet_view
+    first = CELL.fullmatch(str(view.topLeftCell or ""))
+    if view.pane is None or not str(view.pane.state).startswith("frozen") or first is None:
+        return 1, 1
+    column, row = column_index_from_string(first[1]), int(first[2])
+    return (row if view.pane.ySplit else 1), (column if view.pane.xSplit else 1)
 
 
 def short(row: Any) -> bool:
@@ -90,9 +108,14 @@ def short(row: Any) -> bool:
     return bool(row.hidden) or (row.height is not None and row.height < LEAST_HEIGHT)
 
 
-def tiny(cell: Any) -> bool:
-    """Whether a cell's text is too small to be read."""
-    return cell.has_style and cell.font.sz is not None and cell.font.sz < LEAST_SIZE
+def unreadable(cell: Any) -> str:
+    """Return why a cell's text cannot be read, whatever its colour; nothing where it can."""
+    font = cell.font
+    if font.sz is not None and font.sz < LEAST_SIZE:
+        return "written too small to be seen"
+    if (font.name or "").casefold().startswith(SIGNS):
+        return f"written in the signs of {font.name}"
+    return "indented out of its cell" if (cell.alignment.indent or 0) > MOST_INDENT else ""
 
 
 def look(cell: Any, palette: Palette) -> Look:
