@@ -164,6 +164,10 @@ def rules(page, edit):
 def charts(page, edit):
     """Let the charts of a sheet follow."""
     for chart in page._charts:
+        corner = chart.anchor._from
+        now = edit(Rect(page.title, *[corner.row + 1, corner.col + 1] * 2)) if isinstance(edit, Lines) else None
+        if now is not None:  # it lies beside the same cells
+            corner.row, corner.col = now.top - 1, now.left - 1
         titles = [chart.title, *(getattr(getattr(chart, axis, None), "title", None) for axis in ("x_axis", "y_axis"))]
         found = [getattr(title, "tx", None) for title in titles]
         for series in chart.series:
