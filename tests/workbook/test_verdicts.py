@@ -18,14 +18,14 @@ VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those 
     "cutting-machine": (61, []),
     "flying-cutter": (40, []),
     "flying-cutter-saw": (40, []),
-    "indexing-overlap": (30, []),
-    "indexing-overlap-stations": (44, []),
-    "machine": (73, []),
+    "indexing-overlap": (32, []),
+    "indexing-overlap-stations": (48, []),
+    "machine": (76, []),
     "motion-composer": (26, []),
     "motion-composer-example-1": (26, []),
     "motion-composer-example-2": (26, []),
     "motion-composer-example-3": (32, []),
-    "motion-laws": (49, []),
+    "motion-laws": (56, []),
 }
 
 

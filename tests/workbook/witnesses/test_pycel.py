@@ -421,6 +421,8 @@ def test_pycels_operators_are_untouched_but_for_the_bounded_power() -> None:
             for right in operands:
                 if isinstance(expected := stock(left, op, right), complex):
                     expected = "#NUM!"
+                if op == "Pow" and left in (0, None) and right in (0, None):
+                    expected = "#NUM!"  # as Excel has it
                 assert ours(left, op, right) == expected
 
 
