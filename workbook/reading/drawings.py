@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
-from xml.etree.ElementTree import Element, fromstring
+from xml.etree.ElementTree import Element, ParseError, fromstring
 
 from workbook.reading.package import links, tag
+from workbook.reading.refusal import SAVE_AS, Refusal, shown
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW
 
-OPAQUE = ("graphicFrame", "pic", "grpSp", "sp")
+OPAQUE = ("graphicFrame", "pic", "sp")
 """what an anchor may hold that hides the cells behind it (ISO/IEC 29500-1, 20.5.2)"""
 
 
@@ -36,15 +37,19 @@ def anchored(parts: Mapping[str, bytes], sheet: str, read: Callable[[str], bytes
     ``sheet`` is its part, ``parts`` are those with relationships, and ``read`` gives any, empty for one that is none.
     """
     drawings = [read(link.target) for link in links(parts, sheet) if link.kind == "drawing"]
-    return [anchor for data in drawings if data for anchor in anchors(fromstring(data))]
+    try:
+        return [anchor for data in drawings if data for anchor in anchors(fromstring(data))]
+    except ParseError:
+        raise Refusal(f"damaged: a drawing of the sheet in {shown(sheet)} is no XML; {SAVE_AS}") from None
 
 
 def anchors(root: Element) -> Iterator[Anchor]:
     """Yield the anchors of a drawing that hold what hides."""
-    for element in root:
+    for element in root.iter():  # one that newer programs alone know stands within an alternative
+        if not tag(element).endswith("Anchor"):
+            continue
         held = {tag(child): child for child in element}
-        kind = next((name for name in OPAQUE if name in held), "")
-        if not kind or (kind == "sp" and see_through(held["sp"])):
+        if not any(tag(one) in OPAQUE and not see_through(one) for one in element.iter()):
             continue
         yield Anchor(
             corner(held["from"]) if "from" in held else Corner(0, 0, *pair(held.get("pos"), "x", "y")),
@@ -55,6 +60,8 @@ def anchors(root: Element) -> Iterator[Anchor]:
 
 def see_through(shape: Element) -> bool:
     """Whether a shape has no fill."""
+    if tag(shape) != "sp":
+        return False
     look = next((child for child in shape if tag(child) == "spPr"), None)
     return look is not None and any(tag(child) == "noFill" for child in look)
 

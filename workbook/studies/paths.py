@@ -25,13 +25,19 @@ def nearest(given: str, known: Iterable[str]) -> str:
     return ", ".join(alike or names[:MOST]) + more
 
 
-def path_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
-    """Return the names and numbers (from 0) on the way to an entry; raise InputError where there is none such."""
+def way(machine: Machine, key: str, where: str) -> tuple[list[str], Any]:
+    """Return the names and numbers (from 0) on the way that a key tells, and what stands at its end."""
     entry: Any = machine
     path: list[str] = []
     for quoted, number, plain in PART.findall(key):
         entry, part = step(entry, quoted or number or plain, bool(number), f"{where}: {key!r}")
         path.append(part)
+    return path, entry
+
+
+def path_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
+    """Return the names and numbers (from 0) on the way to an entry; raise InputError where there is none such."""
+    path, entry = way(machine, key, where)
     if not path or isinstance(entry, BaseModel | list):
         raise InputError([f"{where}: {key!r} is a table of entries; expected one of {nearest('', below(entry))} in it"])
     return tuple(path)
@@ -39,11 +45,7 @@ def path_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
 
 def table_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
     """Return the way to a table of entries, such as a phase; raise InputError where there is none."""
-    entry: Any = machine
-    path: list[str] = []
-    for quoted, number, plain in PART.findall(key):
-        entry, part = step(entry, quoted or number or plain, bool(number), f"{where}: {key!r}")
-        path.append(part)
+    path, entry = way(machine, key, where)
     if not isinstance(entry, BaseModel):
         raise InputError([f"{where}: {key!r} is no table of entries; expected a phase"])
     return tuple(path)

@@ -12,6 +12,7 @@ from openpyxl.formatting.rule import DataBarRule, IconSetRule
 from tests.mutation.bench import sized
 from tests.workbook.judging.hands import WORKBOOK, Known, repacked
 from workbook.build import build
+from workbook.errors import ReadError
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES
 
@@ -91,6 +92,23 @@ def test_a_shape_over_a_verdict_is_found_if_it_hides_it(size, fill, hides, faili
     change = {drawing: lambda data: re.sub(rb"(?=</(?:\w+:)?wsDr>)", shape(at, size, fill), data)}
     findings, _ = said(repacked(failing.path, tmp_path / "a.xlsx", change))
     assert (("shown", at.sheet, at.a1) in findings) is hides
+
+
+def test_a_shape_within_an_alternative_is_found_and_a_drawing_that_is_none_is_refused(failing, tmp_path):
+    at = verdict(failing, "FAIL")
+    with zipfile.ZipFile(failing.path) as archive:
+        folder, _, name = failing.part(at.sheet).rpartition("/")
+        links = f"{folder}/_rels/{name}.rels"
+        drawing = "xl/" + re.search(r"drawings/\w+\.xml", archive.read(links).decode())[0]
+    space = b'xmlns:mc="http://schemas.openxmlformats.org/markup-compatibility/2006"'
+    within = b'<mc:AlternateContent %s><mc:Choice Requires="x">%s</mc:Choice></mc:AlternateContent>' % (
+        space, shape(at, 900_000, "<a:solidFill/>"))  # fmt: skip
+    change = {drawing: lambda data: re.sub(rb"(?=</(?:\w+:)?wsDr>)", within, data)}
+    assert ("shown", at.sheet, at.a1) in said(repacked(failing.path, tmp_path / "a.xlsx", change))[0]
+    change = {links: lambda data: re.sub(rb"drawings/\w+\.xml", b"drawings/a.bin", data)}
+    none = repacked(failing.path, tmp_path / "b.xlsx", change, extra=[("xl/drawings/a.bin", b"no drawing")])
+    with pytest.raises(ReadError, match="is no XML"):
+        verify(none)
 
 
 def test_the_books_own_charts_hide_no_verdict(failing):
