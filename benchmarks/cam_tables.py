@@ -26,7 +26,8 @@ from engine.cams.segments import segmented
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from workbook.axes import CamAxis
-from workbook.controllers.handing import automatic, certified, reread, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import certified, reread, tabulated
 from workbook.controllers.registry import target, targets
 from workbook.controllers.target import Handed
 from workbook.reports.plot import Line, plot

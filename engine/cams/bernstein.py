@@ -51,7 +51,8 @@ class Largest(NamedTuple):
 
 def enclosing(powers: Array) -> Array:
     """Return rows of Bernstein's coefficients of polynomials in t from −1 to 1, a column of powers each."""
-    return np.asarray(powers.T @ BASIS)
+    used = int(np.flatnonzero(powers.any(axis=1)).max(initial=0)) + 1
+    return np.asarray(powers[:used].T @ BASIS[:used])
 
 
 def largest(rows: Array) -> Largest:

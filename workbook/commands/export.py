@@ -17,7 +17,8 @@ from workbook.build import write_text
 from workbook.commands import switching
 from workbook.commands.switching import Switched, switched, takes
 from workbook.controllers import certificates, files
-from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import Made, allowed, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine

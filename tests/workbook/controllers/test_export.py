@@ -11,7 +11,8 @@ import pytest
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.commands.export import chosen, slugs
-from workbook.controllers.handing import automatic, certified, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import certified, tabulated
 from workbook.controllers.registry import target
 from workbook.errors import TargetError
 

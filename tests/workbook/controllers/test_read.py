@@ -7,7 +7,8 @@ import pytest
 
 from engine.cams.course import turned
 from workbook.controllers import described
-from workbook.controllers.handing import automatic, reread, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import reread, tabulated
 from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target
 from workbook.controllers.target import Handed

@@ -17,8 +17,9 @@ from engine.cams.course import Course, course_of_motion
 from engine.motion import Motion, Phase
 from tests.workbook.controllers.examples import FOUR, X, Y, handed, random_axis
 from workbook.axes import CamAxis
+from workbook.controllers.automatic import automatic
 from workbook.controllers.files import TOLD, header, parsed, read_table
-from workbook.controllers.handing import automatic, certified, filled, reread, tabulated
+from workbook.controllers.handing import certified, filled, reread, tabulated
 from workbook.controllers.names import TARGETS
 from workbook.controllers.number import REAL
 from workbook.controllers.registry import target
