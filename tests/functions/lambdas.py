@@ -7,7 +7,6 @@ from openpyxl.workbook.defined_name import DefinedName
 from tests.functions.case import write
 from workbook.functions.names import definitions
 
-
 BLOCK = 400  # cases a workbook: IronCalc keeps 0.7 MB for each, and its time grows faster than their number
 
 
