@@ -105,7 +105,7 @@ def costs() -> Table:
     steps: dict[str, Callable[[], object]] = {f"{AXES} axes of {POINTS:,} points, written, read, certified twice":
                                               lambda: [export(axis) for _ in range(AXES)]}  # fmt: skip
     for one in targets():
-        steps[f"--points auto, {one.name}"] = partial(automatic, one, axis, dict([one.tolerance]))
+        steps[f"--points auto, {one.name}"] = partial(automatic, one, axis, dict(one.tolerance))
     for name, task in steps.items():
         seconds = spent(task)
         most = AUTO if name.startswith("--points") else WHOLE

@@ -75,7 +75,7 @@ def compare(
 ) -> int:  # fmt: skip
     """Compare what a controller makes of a file with an axis of a book; return the exit code."""
     target = target_named(source)
-    held = dict(map(tolerated, tolerance)) or dict([target.tolerance])
+    held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
     table = read_table(file, target)
     machine, _ = trusted(book, unverified)
     if machine is None:

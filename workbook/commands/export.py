@@ -81,7 +81,7 @@ def asked_for(
     if SEPARATORS[separator] == DECIMALS[decimal]:
         raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
     held = dict(map(tolerated, tolerance))
-    return Asked(target, None if points == AUTO else int(points), held or dict([target.tolerance]), bool(held),
+    return Asked(target, None if points == AUTO else int(points), held or dict(target.tolerance), bool(held),
                  SEPARATORS[separator], DECIMALS[decimal], unverified)  # fmt: skip
 
 

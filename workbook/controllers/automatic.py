@@ -18,7 +18,7 @@ COARSE = 100
 DRAWN = 12
 IDLE = 3  # tries that were not: no more are made
 MOST_TRIED, MOST_EQUAL = 4000, 2000
-WORK = 120_000
+WORK = 80_000
 """points times rules that are certified for one axis: a second or so"""
 
 
@@ -46,20 +46,26 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     """Return the table of the fewest points that keeps to the tolerance, or the best there is.
 
     Where none does, as where an acceleration jumps, and several are alike, it is the one that keeps velocity and
-    position to that tolerance. Raises TargetError where the target has no room for the breaks of the motion.
+    position to theirs, or to what is tolerated of the derivatives above. Raises TargetError where the target has no
+    room for the breaks of the motion.
     """
     tries = Tries(target, axis)
     best = nearest(tries, tolerance)
     if best.excess(tolerance) <= 1.0:
         return best
-    for orders in range(min(map(ORDERS.index, tolerance)), 0, -1):
-        lower = dict.fromkeys(ORDERS[:orders], min(tolerance.values()))
+    for orders in range(max(map(ORDERS.index, tolerance)), 0, -1):
+        lower = {order: tolerance.get(order) or above(order, tolerance) for order in ORDERS[:orders]}
         other = nearest(tries, lower)
         if other.excess(lower) < best.excess(lower) and not other.excess(tolerance) * BETTER > best.excess(tolerance):
             best = other
         if best.excess(lower) <= 1.0:
             break
     return best
+
+
+def above(order: str, tolerance: Mapping[str, float]) -> float:
+    """Return the least that is tolerated of the derivatives above one."""
+    return min(one for name, one in tolerance.items() if ORDERS.index(name) > ORDERS.index(order))
 
 
 def tried(tries: Tries, tolerance: Mapping[str, float]) -> Iterator[Made]:

@@ -35,7 +35,7 @@ def table(template, machine):
 
 
 @pytest.mark.parametrize(("name", "number"), ALL)
-@pytest.mark.sample(5)
+@pytest.mark.sample(6)
 def test_the_table_is_the_course_that_a_controller_is_given(name, number):
     template, machine = committed_as(name, number)
     meant = template.axes(machine)[number - 1]
