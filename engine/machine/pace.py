@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.bent import LOST, BentPart
+from engine.machine.bent import LEAST, LOST, BentPart
 from engine.machine.demand import Demand
 from engine.machine.limits import ReducerLimits
 from engine.machine.searching import rule
@@ -28,8 +28,12 @@ FAR = 1e12
 """x beyond which is not looked: a million times the rate"""
 BELOW = 1e-9
 """of the rate: how far below it all limits are held"""
-APART = 1e-5
+APART = 1e-4
 """of x: trials nearer to each other tell nothing of a parabola's bend"""
+REACH = 10.0
+"""times the x of a trial: beyond that it only tells a power of ten"""
+TRUSTED = 100.0
+"""x from which the present rate tells nothing of a parabola's bend"""
 PARTS = 300
 """of a stretch, and of these again, in which a level is looked for"""
 SHARES = np.arange(1, PARTS + 1) / PARTS
@@ -129,7 +133,7 @@ class Pace:
 
         def below(at: Array) -> Array:
             kept = x * (self.eta(at) + lost[:, None]) < level[:, None]
-            return np.minimum(kept.sum(axis=1), PARTS - 1)
+            return np.asarray(np.minimum(kept.sum(axis=1), PARTS - 1))
 
         width = high - low
         part = below(low[:, None] + width[:, None] * SHARES)
@@ -224,14 +228,22 @@ class Pace:
         bends = (rises[0], 0.0)
         square, mean = (met(*one, 1.0) for one in zip(present, rises, bends, rest, limits, strict=True))
         found = [Trials(1.0, square, mean)]
-        for _ in range(TRIALS):
+        for n in range(TRIALS):
             last = found[-1]
             x = min(*self.bounds, last.square.x, last.mean.x)
-            each = ((self.mean_square(x), last.square), (self.mean_torque(x), last.mean))
-            pair = [further(value, one, last.x, x, first, limit)
-                    for (value, one), first, limit in zip(each, rest, limits, strict=True)]  # fmt: skip
-            found.append(Trials(x, *pair))
+            alone = (None, None) if n else (1.0, 0.0)
+            square = further(self.mean_square(x), last.square, last.x, x, rest[0], limits[0], alone[0])
+            mean = further(self.mean_torque(x), last.mean, last.x, x, rest[1], limits[1], alone[1])
+            found.append(Trials(x, square, mean))
         return tuple(found)
+
+    @cached_property
+    def sizes(self) -> tuple[float, float]:
+        """How large F/x grows over the trials, of the mean square and of the mean torque: by it rises are measured."""
+        tried = [one for one in self.trials if one.x > 0.0]
+        square = max(one.square.value / one.x for one in tried)
+        mean = max(one.mean.value / one.x for one in tried)
+        return max(square, LEAST), max(mean, LEAST)
 
     @property
     def each(self) -> tuple[float, ...]:
@@ -256,7 +268,8 @@ class Pace:
     @property
     def apart(self) -> list[int]:
         """Whether it does enough to tell a bend."""
-        return [int(abs(gap) > APART * one.x) for gap, one in zip(self.gaps, self.trials, strict=True)]
+        pairs = enumerate(pairwise(self.trials))
+        return [0, *(int(told(after.x, before.x, bool(n))) for n, (before, after) in pairs)]
 
     @property
     def last_step(self) -> float:
@@ -307,12 +320,33 @@ def met(
     if rest > limit:
         return Trial(value, rise, turn, bend, slope, term, 0.0)
     over = 2.0 * (limit - rest)
-    return Trial(value, rise, turn, bend, slope, term, FAR if term * FAR <= over else over / term)
+    found = FAR if term * FAR <= over else over / term
+    return Trial(value, rise, turn, bend, slope, term, found if found <= REACH * x else rough(found))
 
 
-def further(value: float, last: Trial, before: float, x: float, rest: float, limit: float) -> Trial:
-    """Return the next trial of a quantity, after one at ``before``."""
+def rough(x: float) -> float:
+    """Return the power of ten that is nearest to an x."""
+    return float(10.0 ** math.floor(math.log10(x) + 0.5)) if x > 0.0 else 0.0
+
+
+def further(
+    value: float, last: Trial, before: float, x: float, rest: float, limit: float, lone: float | None
+) -> Trial:  # fmt: skip
+    """Return the next trial of a quantity, after one at ``before``.
+
+    ``lone`` is the power of x with which it grows if it tells nothing beside others; None after the first trial.
+    """
     rise = (value - rest) / x if x > 0.0 else 0.0
     turn = rise - last.rise
-    bend = turn / (x - before) if abs(x - before) > APART * x else last.bend
+    if told(x, before, lone is None):
+        bend = turn / (x - before)
+    elif lone is None:
+        bend = last.bend
+    else:
+        bend = lone * rise / x if x > 0.0 else 0.0
     return met(value, rise, bend, rest, limit, x, turn)
+
+
+def told(x: float, before: float, later: bool) -> bool:
+    """Whether two trials, the ``later`` ones or the first beside the present rate, tell a parabola's bend."""
+    return abs(x - before) > APART * x and (later or x < TRUSTED)

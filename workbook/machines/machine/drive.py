@@ -37,9 +37,9 @@ RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)
 UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
 
-def drive_sheet(book: Book, one: AxisRows, driven: Driven) -> None:
+def drive_sheet(book: Book, view: Stretched) -> None:
     """Declare the sheet."""
-    view = Stretched(one, driven)
+    one, driven = view.one, view.driven
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):

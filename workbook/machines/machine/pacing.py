@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from engine.machine.pace import APART, FAR, LIMITS, PARTS, TRIALS, Crossing, Trial, meets, reached
+from engine.machine.pace import APART, FAR, LIMITS, PARTS, REACH, TRIALS, TRUSTED, Crossing, Trial, meets, reached
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
+from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_MINUTE, shown
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import BRANCHES, LINES, LOST, A, V
@@ -23,6 +24,7 @@ ABOUT = (
     "mean torque are worked out at trials: each is where a parabola through the last ones meets a limit, or where a "
     "peak does."
 )
+NONE_BINDS = "none"
 LAST = TRIALS + 1
 """row of the last trial: the first is the present rate"""
 
@@ -77,7 +79,8 @@ def peaks(view: Stretched) -> list[Quantity]:
              f"=IF([g1]=0,{none},MIN({none},[sign]*MAX([sign]*({first})/{g},[sign]*({second}),[sign]*({third}))))",
              view.of(lambda part: meets(part, 0, pace.peak_torque, 1.0)), scale=view.driven.sizes.acceleration),
         calc("yg", "y where the reducer's is met", "y", "",
-             f"=IF(OR(@reducer_peak=0,{near}=0),{none},MIN({none},[sign]*MAX([sign]*({geared})/{near},[sign]*({past}))))",
+             (f"=IF(OR(@reducer_peak=0,{near}=0),{none},"
+              f"MIN({none},[sign]*MAX([sign]*({geared})/{near},[sign]*({past}))))"),
              view.of(lambda part: meets(part, 1, pace.reducer.peak_torque, 1.0)),
              scale=view.driven.sizes.acceleration),
         x("xp", "holds the motor's peak up to", "@motor_peak", "[hold]", b, g, 0, pace.peak_torque),
@@ -125,8 +128,8 @@ def tried(view: Stretched, trial: int) -> list[Quantity]:
         *columns,
         calc(f"sq_{trial}", f"trial {trial}: ∫T²", "", "", f"=IF([on]=0,0,{again('sq')}{resting},{lines(squared)})))",
              view.rowed(pace.squares(x)), scale=square),
-        calc(f"cu_{trial}", f"trial {trial}: ∫|S|³ |y'|", "", "", f"=IF([on]*ABS([dir])=0,0,{again('cu')}{lines(cubed)}))",
-             view.rowed(pace.cubes(x)), scale=cube),
+        calc(f"cu_{trial}", f"trial {trial}: ∫|S|³ |y'|", "", "",
+             f"=IF([on]*ABS([dir])=0,0,{again('cu')}{lines(cubed)}))", view.rowed(pace.cubes(x)), scale=cube),
     ]  # fmt: skip
 
 
@@ -167,18 +170,19 @@ def pace_tables(sheet: Sheet, view: Stretched) -> None:
              "=IF(@way>0,(SUM([@st.cu0])/@way)^(1/3),0)", rest[1], scale=behind),
     )  # fmt: skip
     bounds = ",".join(f"[@limiting.x.{n}]" for n in range(1, len(pace.bounds) + 1))
-    xs = [one.x for one in pace.trials]
+    xs, asked, behind_it = zip(*pace.trials, strict=True)
+    apart = f"IF(ABS([gap])>{APART:.0E}*[x],1,0)".replace("E-0", "E-")
     squares = ["=@rms^2", *(f"=SUM([@st.sq_{trial}])/(2*PI())" for trial in range(1, LAST))]
     means = ["=@smean+0", *(f"=IF(@way>0,(SUM([@st.cu_{t}])/@way)^(1/3),0)" for t in range(1, LAST))]
     sheet.table(
         "@pace", "Trials: the present rate, and where a limit seems to bind", LAST,
         constant("k", "trial", "", "", list(range(LAST))),
-        calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1])"), xs, scale=1.0),
+        calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1])"), list(xs), scale=1.0),
         calc("gap", "step", "", "", first("=0", "=[x]-[x-1]"), pace.gaps, scale=max(xs)),
-        calc("apart", "is one", "", "", f"=IF(ABS([gap])>{APART:.0E}*[x],1,0)".replace("E-0", "E-"), pace.apart,
-             format="0"),
-        *searched("s", "mean square", "Nm²", squares, "[x]", "@square0", "@motor_rated^2", [one.square for one in pace.trials]),
-        *searched("m", "mean torque", "Nm", means, "0", "@mean0", "@reducer_mean", [one.mean for one in pace.trials]),
+        calc("apart", "tells the bend", "", "", ["=0", f"=IF([x]<{TRUSTED:.0f},{apart},0)", *later(f"={apart}")],
+             pace.apart, format="0"),
+        *searched("s", "mean square", "Nm²", squares, "@square0", "@motor_rated^2", asked, pace.sizes[0]),
+        *searched("m", "mean torque", "Nm", means, "@mean0", "@reducer_mean", behind_it, pace.sizes[1]),
     )  # fmt: skip
     limits_found(sheet, view)
 
@@ -188,31 +192,39 @@ def first(present: str, others: str) -> list[str]:
     return [present, *(others for _ in range(1, LAST))]
 
 
+def later(formula: str) -> list[str]:
+    """Return a formula for all trials but the first."""
+    return [formula for _ in range(2, LAST)]
+
+
 def searched(
-    mark: str, words: str, unit: str, formulas: list[str], bend: str, rest: str, limit: str,
-    found: Sequence[Trial],
+    mark: str, words: str, unit: str, formulas: list[str], rest: str, limit: str, found: Sequence[Trial], rise: float
 ) -> list[Quantity]:  # fmt: skip
     """Return the columns of a quantity that is asked for at trials, and where it meets its limit."""
     d, t, c, b, w = (f"{name}{mark}" for name in "dtcbw")
     size = max(1e-9, *(abs(one.value) for one in found))
-    rise = max(1e-9, *(abs(one.rise) for one in found), *(abs(one.slope) for one in found))
     over = f"({limit}-{rest})"
     inside = f"[{b}]^2+4*[{c}]*{over}"
-    meets_at = f"IF({rest}>{limit},0,IF([{w}]*{FARTHEST}<=2*{over},{FARTHEST},2*{over}/[{w}]))"
-    bent = f"=[apart]*[{t}]/([gap]+1-[apart])+(1-[apart])*[{c}-1]"
-    unlimited = "" if mark == "s" else f"IF({limit}=0,{FARTHEST},"
+    meets_at = f"IF({rest}>{limit},0,IF([{w}]*{FARTHEST}<=2*{over},{FARTHEST},"
+    meets_at += f"IF(2*{over}<={REACH:.0f}*[x]*[{w}],2*{over}/[{w}],10^ROUND(LOG10(2*{over}/[{w}]),0))))"
+    turned = f"=[apart]*[{t}]/([gap]+1-[apart])+(1-[apart])*"
+    lone = f"IF([x]>0,[{d}]/[x],0)" if mark == "s" else "0"
+
+    def unlimited(value: str, formula: str) -> str:
+        return formula if mark == "s" else f"IF({limit}=0,{value},{formula})"
+
+    term = f"IF({inside}<0,0,[{b}]+SQRT(MAX(0,{inside})))"
     return [
         calc(f"v{mark}", words, "F", unit, formulas, [one.value for one in found], scale=size),
         calc(d, "its rise from rest", "D", "", f"=IF([x]>0,([v{mark}]-{rest})/[x],0)",
              [one.rise for one in found], scale=rise, source="(F − F_0)/x"),
         calc(t, "changes by", "", "", first("=0", f"=[{d}]-[{d}-1]"), [one.turn for one in found], scale=rise),
-        calc(c, "bend", "c", "", first("=0" if bend == "0" else f"=[{d}]", bent), [one.bend for one in found],
-             scale=rise),
+        calc(c, "bend", "c", "", [f"={lone}", f"{turned}{lone}", *later(f"{turned}[{c}-1]")],
+             [one.bend for one in found], scale=rise),
         calc(b, "slope", "b", "", f"=[{d}]-[{c}]*[x]", [one.slope for one in found], scale=rise),
         calc(w, "of its root", "", "",
-             f"=IF({'' if mark == 's' else f'{limit}=0,0,IF('}{inside}<0,0,[{b}]+SQRT(MAX(0,{inside})))"
-             f"{'' if mark == 's' else ')'}", [one.term for one in found], scale=rise, source="b + √(b² + 4 c (L − F_0))"),
-        calc(f"x{mark}", "meets its limit at", "x", "", f"={unlimited}{meets_at}{')' if unlimited else ''}",
+             f"={unlimited('0', term)}", [one.term for one in found], scale=rise, source="b + √(b² + 4 c (L − F_0))"),
+        calc(f"x{mark}", "meets its limit at", "x", "", f"={unlimited(FARTHEST, meets_at)}",
              [one.x for one in found], scale=1.0),
     ]  # fmt: skip
 
@@ -234,18 +246,23 @@ def limits_found(sheet: Sheet, view: Stretched) -> None:
     )  # fmt: skip
 
 
+def rate_of(view: Stretched) -> Highest:
+    """Return the highest rate of a drive."""
+    return Highest(shown(view.pace.rate, PER_MINUTE), view.pace.limit or NONE_BINDS)
+
+
 def highest(view: Stretched) -> list[Quantity]:
     """Return the results: the highest rate, and the limit that binds there."""
-    pace = view.pace
+    rate, limit = rate_of(view)
     return [
         result("@highest", "Highest rate at which it holds all limits", "n_max", "cycles/min",
-               "=timing_rate*SQRT(MIN([@limiting.x]))*(1-check_zero)", shown(pace.rate, PER_MINUTE),
+               "=timing_rate*SQRT(MIN([@limiting.x]))*(1-check_zero)", rate,
                source="from the motion's pieces, to 1e-9 below where a limit binds"),
         result("@binds", "the limit that binds there", "", "",
-               f'=IF(MIN([@limiting.x])>={FARTHEST},"none",'
-               "INDEX([@limiting.name],MATCH(MIN([@limiting.x]),[@limiting.x],0)))", pace.limit or "none",
+               f'=IF(MIN([@limiting.x])>={FARTHEST},"{NONE_BINDS}",'
+               "INDEX([@limiting.name],MATCH(MIN([@limiting.x]),[@limiting.x],0)))", limit,
                align="right"),
         calc("@settled", "Last step of its search, of it", "", "",
-             "=IF(MIN([@limiting.x])>0,ABS(MIN([@limiting.x])/[@pace.x.last]-1),0)", pace.last_step, scale=1.0,
+             "=IF(MIN([@limiting.x])>0,ABS(MIN([@limiting.x])/[@pace.x.last]-1),0)", view.pace.last_step, scale=1.0,
              format="0E+00", source="the search has settled where it is below 1e-6"),
     ]  # fmt: skip
