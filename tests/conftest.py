@@ -3,6 +3,7 @@
 import gc
 from pathlib import Path
 
+import pytest
 from hypothesis import settings
 
 import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer it makes
@@ -27,7 +28,9 @@ def pytest_report_header(config):
     return "the examples of every day" if given is None else f"a night's examples; again: --hypothesis-seed={given}"
 
 
+@pytest.hookimpl(tryfirst=True)  # before the cases of a night are left out
 def pytest_collection_modifyitems(items):
+    tiers.sampled(items)
     for item in items:
         if item.path.parent == HERE or any(item.path.is_relative_to(folder) for folder in QUICK):
             item.add_marker("quick")

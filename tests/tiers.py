@@ -1,5 +1,7 @@
 """The long runs of a night: marked ``nightly``, with other seeds each night (CONTRIBUTING.md tells the tiers)."""
 
+from collections import defaultdict
+
 import pytest
 
 night = 0
@@ -19,3 +21,17 @@ def by_day(names, *day):
 def seed(number):
     """The seed of one thing drawn in this night: another one in every other night, and never one of a day's."""
     return f"{night}, {number}"
+
+
+def sampled(items):
+    """Leave all cases but n of a test that is marked ``sample(n)`` to a night: of those that are not there already."""
+    cases = defaultdict(list)
+    for item in items:
+        if item.get_closest_marker("sample") and not item.get_closest_marker("nightly"):
+            cases[item.nodeid.partition("[")[0]].append(item)
+    for some in cases.values():
+        (count,) = some[0].get_closest_marker("sample").args
+        by_day = {k * len(some) // count for k in range(count)}
+        for k, item in enumerate(some):
+            if k not in by_day:
+                item.add_marker("nightly")

@@ -63,6 +63,7 @@ LAWS = [law if law in OF_EACH_KIND else pytest.param(law, marks=pytest.mark.nigh
 
 
 @pytest.mark.parametrize("law", LAWS)
+@pytest.mark.sample(3)
 def test_the_names_compute_what_the_page_shows(law, tmp_path):
     shown = EXAMPLE.model_copy(update={"law": law, "xi": 0.625})
     publish.write_book(tmp_path / "page.xlsx", shown)

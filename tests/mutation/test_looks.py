@@ -10,7 +10,7 @@ from workbook.templates import TEMPLATES
 
 SEED, COUNT = 5, 80
 
-every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "cutting-machine", "motion-composer"))
+every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "motion-composer"))
 
 
 @every_template

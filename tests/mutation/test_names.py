@@ -12,7 +12,7 @@ from workbook.templates import TEMPLATES
 
 COUNT, SEED = 4, 3
 
-every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "machine", "motion-composer"))
+every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "motion-composer"))
 
 
 @cache

@@ -55,6 +55,7 @@ def test_a_random_machine_comes_back_from_its_book(layout, k, tmp_path):
 
 
 @pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.sample(5)
 def test_every_committed_machine_comes_back_from_its_cells(path):
     given = read_machine(path)
     assert entered(TEMPLATES[given.template], given) == (given, [])

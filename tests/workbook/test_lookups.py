@@ -139,6 +139,7 @@ def hanging(book):
 
 
 @pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
+@pytest.mark.sample(3)
 def test_no_look_up_hangs_on_less_than_a_billionth(description):
     machine = read_machine(description)
     template = TEMPLATES[machine.template]
@@ -179,6 +180,7 @@ def scaled(duration):
 
 
 @pytest.mark.parametrize("total", [1.0, 0.25, 1e-3, 1e-6])
+@pytest.mark.sample(1)
 def test_a_motion_of_any_length_is_computed_by_formualizer_too(total, tmp_path):
     machine: Machine = scaled(total)
     build(machine, tmp_path / "book.xlsx")

@@ -71,6 +71,7 @@ def begun():
 
 
 @pytest.mark.parametrize("name", ["good", "wrong", "own"])
+@pytest.mark.sample(1)
 def test_it_changes_nothing_of_a_report(name, request, begun):
     path = request.getfixturevalue(name)
     alone = verify(path)

@@ -52,6 +52,7 @@ def as_text(cell):
     cell.data_type = "s"
 
 
+@pytest.mark.sample(3)
 def test_every_declared_cell_of_a_new_book_is_compared_by_all_witnesses(book):
     report = sums(verify(book.path, ["pycel", "formualizer", "saved"]))
     assert report.findings == []
@@ -59,6 +60,7 @@ def test_every_declared_cell_of_a_new_book_is_compared_by_all_witnesses(book):
     assert report.declared == len(book.pairs(lambda p: p.declared_formula)) > 1000
 
 
+@pytest.mark.sample(3)
 def test_a_formula_stored_as_its_own_text_is_at_fault(book, tmp_path):
     pair = book.a_number()
     opened = book.opened()
@@ -139,6 +141,7 @@ def test_a_saved_value_of_another_type_is_stale(value, cutting, tmp_path):
 # saved values
 
 
+@pytest.mark.sample(3)
 def test_a_stale_saved_value_is_a_finding_of_its_own(book, tmp_path):
     pair = book.a_number()
     path = book.changed(tmp_path / "b.xlsx", pair.address, rb"<v ?>.*?</v>", b"<v>%a</v>" % (1.25 * pair.cell.expected))
@@ -205,6 +208,7 @@ def test_settings_that_show_other_values_are_found(attribute, says, cutting, tmp
 @pytest.mark.parametrize(
     "attribute", ['calcMode="autoNoTable"', 'iterate="0"', 'fullPrecision="1"', 'iterateCount="9"']
 )
+@pytest.mark.sample(2)
 def test_other_settings_are_no_finding(attribute, cutting, tmp_path):
     change = {WORKBOOK: sub(rb"<calcPr ", f"<calcPr {attribute} ".encode())}
     assert verify(repacked(cutting.path, tmp_path / "b.xlsx", change)).findings == []

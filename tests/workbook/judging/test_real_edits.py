@@ -223,6 +223,7 @@ def test_formula_deleted(hands):
         ("CIC_ya", 0, None, "CIC_t^2", "CIC_t"),
     ],
 )
+@pytest.mark.sample(3)
 def test_formula_changed(block, row, quantity, old, new, hands):
     cell = hands.cell(block, row, quantity)
     assert old in cell.value

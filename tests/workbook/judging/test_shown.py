@@ -102,6 +102,7 @@ def name(address):
         "#,##0.0,", 'General"0"', '0.0"E3"', "0.0\\k", "[Color2]0.0",
     ],
 )  # fmt: skip
+@pytest.mark.sample(12)
 def test_a_format_that_tells_another_number_is_found(code, edit):
     pair = next(p for p in edit.known.pairs(lambda p: p.declared_formula) if p.cell.quantity.unit == "rpm"
                 and p.cell.expected > 1)  # fmt: skip
@@ -117,6 +118,7 @@ def test_a_format_that_tells_another_number_is_found(code, edit):
         '"ca. "0.0', "[>1000]0.0;0.000", "0.0;-0.0;0.0;@", "[Blue]General", "+0.0;-0.0", '"n = "0.0',
     ],
 )  # fmt: skip
+@pytest.mark.sample(10)
 def test_a_format_of_taste_is_not(code, edit):
     pair = next(p for p in edit.known.pairs(lambda p: p.declared_formula) if p.cell.quantity.unit == "rpm"
                 and p.cell.expected > 1)  # fmt: skip
@@ -362,6 +364,7 @@ HIDING = [hide_row, flat_row, hide_column, narrow_column, group_columns, white, 
 
 
 @pytest.mark.parametrize("hide", [*HIDING, hide_sheet, very_hide_sheet])
+@pytest.mark.sample(8)
 def test_a_failing_check_out_of_sight_is_found(hide, edit_failing):
     at = edit_failing.failing()
     hide(edit_failing, at)
@@ -370,6 +373,7 @@ def test_a_failing_check_out_of_sight_is_found(hide, edit_failing):
 
 @pytest.mark.parametrize("hide", HIDING)
 @pytest.mark.parametrize("verdict", ["overall", "status2"])
+@pytest.mark.sample(14)
 def test_the_overall_verdict_out_of_sight_is_found(hide, verdict, edit):
     at = edit.known.place(verdict)
     hide(edit, at)

@@ -30,6 +30,7 @@ def one_of_each(turn, **sizes):
 
 
 @pytest.mark.parametrize("turn", range(TURNS))
+@pytest.mark.sample(2)
 def test_every_cell_of_every_family_computes_what_the_engine_has(turn):
     wrong, count = disagreeing(COMPOSER, one_of_each(turn))
     assert wrong == []

@@ -109,6 +109,7 @@ def test_the_committed_template_verifies():
 
 @pytest.mark.parametrize("radius", [1e-12, 1e-9, 1e-6])
 @pytest.mark.parametrize("resists", ["always", "moving"])
+@pytest.mark.sample(2)
 def test_rollers_next_to_nothing_verify_clean(radius, resists, tmp_path):
     data = described(cycle=90, law=4, own_law=4).model_dump()
     data["drive"] |= {"radius": radius, "resists": resists}

@@ -43,6 +43,7 @@ def many(count):
 
 
 @pytest.mark.parametrize("count", [1, 5, 12, 24])
+@pytest.mark.sample(2)
 def test_machines_of_many_axes_agree_and_come_back(count):
     machine = described(many(count), phases=3)
     wrong, cells = disagreeing(TEMPLATE, machine)

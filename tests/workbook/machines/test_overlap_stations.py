@@ -147,6 +147,7 @@ def test_one_to_six_tools(number):
 
 
 @pytest.mark.parametrize("number", range(1, MOST_TOOLS + 1))
+@pytest.mark.sample(3)
 def test_a_book_of_any_number_of_tools_comes_back_and_agrees(number, tmp_path):
     machine, text = with_tools(number, number), tmp_path / "machine.toml"
     assert disagreeing(TEMPLATE, machine)[0] == []

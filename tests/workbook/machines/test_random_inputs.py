@@ -113,6 +113,7 @@ def machine(seed):
 
 
 @pytest.mark.parametrize("seed", range(60))
+@pytest.mark.sample(20)
 def test_pycel_agrees_with_the_engine_in_every_cell(seed):
     wrong, count = disagreeing(TEMPLATE, machine(seed))
     assert wrong == []

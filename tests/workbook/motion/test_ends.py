@@ -80,6 +80,7 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases(tmp_path):
 
 
 @pytest.mark.parametrize("law", ["ACS", "CUB", "SCV", "PO7", "HAC"])
+@pytest.mark.sample(2)
 def test_what_is_mirrored_comes_to_the_same(law):
     phases = [(law if name == "PO5" else name, lift, d) for name, lift, d in STEP]
     one, other = of(composed(phases)), of(composed([(name, -lift, d) for name, lift, d in phases]))

@@ -89,6 +89,7 @@ ROW = rb"(?=</sheetData>)"
 
 
 @pytest.mark.parametrize("chunk", [*range(CHUNKS), *nights(NIGHTS)])
+@pytest.mark.sample(2)
 def test_damaged_files_are_read_or_refused(chunk, sound, slim, tmp_path, request):
     path = tmp_path / "book.xlsx"
     drawn = 0 if request.node.get_closest_marker("nightly") is None else seed("fuzz")
@@ -407,6 +408,7 @@ def entry(path, name):
         "><f>#REF!</f>", "><f>REPT(&quot;x&quot;,9)</f>", ">",
     ],
 )  # fmt: skip
+@pytest.mark.sample(8)
 def test_odd_inputs_are_named_by_their_cell(cell, book):
     sheet, at = entry(book(), "move_start")
     path = book({sheet: sub(rf'<c r="{at}"[^>]*>.*?</c>'.encode(), f'<c r="{at}" {cell}</c>'.encode())})
@@ -414,6 +416,7 @@ def test_odd_inputs_are_named_by_their_cell(cell, book):
 
 
 @pytest.mark.parametrize("value", ["1e999", "-1e999", "9" * 400, "1e308", "0.5", "-1"])
+@pytest.mark.sample(3)
 def test_odd_numbers_of_rows_are_no_fault_of_ours(value, book):
     """In a column that numbers the rows of a table, by which rows that were put in are found."""
     sheet, at = entry(book(), "phases")
@@ -444,6 +447,7 @@ def named(path, at):
         "__import__(&quot;os&quot;).system(&quot;exit&quot;)", "#REF!",
     ],
 )  # fmt: skip
+@pytest.mark.sample(5)
 def test_odd_formulas_are_findings(formula, book):
     sheet, at = entry(book(), "move_total")
     new = f'<c r="{at}"><f>{formula.format(at=at)}</f></c>'.encode()

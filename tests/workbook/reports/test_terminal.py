@@ -84,6 +84,7 @@ def book(tmp_path_factory):
 
 @posix
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.sample(3)
 def test_names_of_files_are_not_obeyed(name, book, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
     for name_, stream in (("OUT", False), ("ERR", True)):  # as on a terminal, with its status line

@@ -300,6 +300,7 @@ def test_every_fault_of_a_catalogue_is_told_at_once(tmp_path):
         ([HALF_HEAD, "A,0.02,180,600,3000,1"], "half of the curve is empty"),
     ],
 )
+@pytest.mark.sample(1)
 def test_a_catalogue_with_figures_that_cannot_be_is_built_and_fails(lines, said, tmp_path):
     """So is one of a description that is unfinished itself: what was entered stays, there and in the book."""
     gap = tmp_path / "gap.toml"

@@ -182,6 +182,7 @@ def run(monkeypatch, capsys, arguments):
 
 @pytest.mark.parametrize("saved", ["", "<v>200</v>"])
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda c: c[0])
+@pytest.mark.sample(3)
 def test_a_formula_beyond_doubt_is_taken_alike(command, saved, book, monkeypatch, capsys):
     book("-20^2-200", saved)
     code, said = run(monkeypatch, capsys, command)
@@ -198,6 +199,7 @@ def test_a_formula_beyond_doubt_is_taken_alike(command, saved, book, monkeypatch
     ],
 )
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda c: c[0])
+@pytest.mark.sample(3)
 def test_a_formula_in_doubt_is_refused_alike(command, formula, saved, says, book, monkeypatch, capsys, tmp_path):
     cell = book(formula, saved)
     code, said = run(monkeypatch, capsys, command)

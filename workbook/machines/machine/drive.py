@@ -106,6 +106,7 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     sheet.row += 1
     sheet.table(
         "@parts", "Rotating parts: leave spare rows empty", rows,
+        constant("k", "number", "k", "", list(range(1, rows + 1))),
         given("name", "part", "", "", filled([p.name for p in e], rows, None), f"{key}.name"),
         given("count", "count", "", "", filled([p.count for p in e], rows, None), f"{key}.count", format="0"),
         given("inertia", "inertia of one", "J", "kg m²", filled([p.inertia for p in e], rows, None),

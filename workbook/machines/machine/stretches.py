@@ -53,6 +53,7 @@ def windows_table(sheet: Sheet, key: str, view: Stretched) -> None:
     sheet.row += 1
     sheet.table(
         "@windows", "Process forces over the cycle: leave spare rows empty", WINDOWS,
+        constant("k", "number", "k", "", list(range(1, WINDOWS + 1))),
         given("start", "from", "", "°", entry("start"), f"{key}.load.windows.*.start", format="0.0##"),
         given("stop", "to", "", "°", entry("stop"), f"{key}.load.windows.*.stop", format="0.0##",
               source="of the master shaft"),
