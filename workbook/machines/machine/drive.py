@@ -14,6 +14,7 @@ from workbook.machines.machine import chosen
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.pacing import highest, pace_columns, pace_tables
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import (
     ACTS,
@@ -36,16 +37,16 @@ RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)
 UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
 
-def drive_sheet(book: Book, one: AxisRows, driven: Driven) -> None:
+def drive_sheet(book: Book, view: Stretched) -> None:
     """Declare the sheet."""
-    view = Stretched(one, driven)
+    one, driven = view.one, view.driven
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven)
         parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
-        outcome(sheet, one, driven)
+        outcome(sheet, one, driven, highest(view))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
@@ -54,7 +55,8 @@ def drive_sheet(book: Book, one: AxisRows, driven: Driven) -> None:
         lines(sheet, driven)
         turns_table(sheet, view)
         breaks_table(sheet, view)
-        stretches_table(sheet, view)
+        stretches_table(sheet, view, *pace_columns(view))
+        pace_tables(sheet, view)
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
@@ -115,8 +117,8 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     )  # fmt: skip
 
 
-def outcome(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
-    """Declare what the cycle asks of the motor, and the checks against its limits."""
+def outcome(sheet: Sheet, one: AxisRows, driven: Driven, rates: list[Quantity]) -> None:
+    """Declare what the cycle asks of the motor, the highest rate, and the checks against its limits."""
     found, m, motor = driven.demand, driven.mechanism, driven.reserve
     torque = max(found.torque.peak, 1e-3)
     fastest = shown(found.speed.peak, RPM)
@@ -154,6 +156,7 @@ def outcome(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
                found.energy.regenerated, scale=driven.scales.work),
         result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle",
                found.mean_power, scale=driven.scales.power),
+        *rates,
     )  # fmt: skip
     sheet.checks(
         *limit_checks(motor, f"Drive {driven.number}"),

@@ -127,8 +127,8 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
     )  # fmt: skip
 
 
-def stretches_table(sheet: Sheet, view: Stretched) -> None:
-    """Declare the stretches, each with its torque's line, extremes and integrals."""
+def stretches_table(sheet: Sheet, view: Stretched, *more: Quantity) -> None:
+    """Declare the stretches, each with its torque's line, extremes and integrals, and more columns."""
     number = view.driven.number
     sines = (("A", "amplitude", view.driven.axis.motion.size(0)), ("om", "frequency", 0.0), ("ph", "phase", 1.0))
     sheet.table(
@@ -140,6 +140,7 @@ def stretches_table(sheet: Sheet, view: Stretched) -> None:
                view.piece_figures(partial(of_sine, k)), scale=scale)
           for k, (name, words, scale) in enumerate(sines)),
         *directed(view), *lined(view), *crossed(view), *ends(view), *integrals(view),
+        *more,
     )  # fmt: skip
 
 

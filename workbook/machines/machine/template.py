@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from workbook.book.declare import Book, result
+from collections.abc import Iterable
+
+from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
 from workbook.drive.in_short import InShort, axes_in_short
 from workbook.entries.rules import limits
@@ -16,6 +18,8 @@ from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
+from workbook.machines.machine.pacing import rate_of
+from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing import joined, timing_sheet
@@ -31,8 +35,8 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {axis.number: Driven(axis, given.selection)
-              for axis in machine.axes if axis.given.mechanism and axis.given.motor}  # fmt: skip
+    drives = {one.axis.number: Stretched(one, Driven(one.axis, given.selection))
+              for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
     sheet = summary_sheet(
         book,
         given,
@@ -40,6 +44,7 @@ def declare(given: AnyMachine) -> Book:
         [
             result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", given.master.rate),
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
+            *highest_rate(drives.values(), len(rows)),
         ],
     )  # fmt: skip
     axes_in_short(
@@ -53,7 +58,7 @@ def declare(given: AnyMachine) -> Book:
     book.name("axes", axis_name="name")
     for one in rows:
         if one.axis.number in drives:
-            drive_sheet(book, one, drives[one.axis.number])
+            drive_sheet(book, drives[one.axis.number])
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
@@ -62,15 +67,32 @@ def declare(given: AnyMachine) -> Book:
     return finish(book, "Machine", ("S1", "S3"))
 
 
-def in_short(axis: MovingAxis, driven: Driven | None) -> InShort:
+def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
     """Return what the first sheet tells of an axis, and of its drive if it has one."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
-    if driven is None:
+    if view is None:
         return found
-    name = axis.given.motor.name if axis.given.motor else ""
+    name, driven = axis.given.motor.name if axis.given.motor else "", view.driven
     return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=name,
-                          ratio=driven.reducer.ratio)  # fmt: skip
+                          ratio=driven.reducer.ratio, highest=rate_of(view))  # fmt: skip
+
+
+def highest_rate(drives: Iterable[Stretched], axes: int) -> list[Quantity]:
+    """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds."""
+    found = [(view.driven.axis.given.name, rate_of(view)) for view in drives]
+    if not found:
+        return []
+    axis, least = min(found, key=lambda one: one[1].rate)
+    place = "MATCH(about_highest,[axes_short.highest],0)"
+    names = ("[axes_short.axis]", "[axes_short.binds]")
+    told = [f"INDEX({column},{place})" if axes > 1 else column for column in names]
+    return [
+        result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least.rate,
+               source="at which all drives hold all limits"),
+        result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
+               f"{axis}: {least.limit}", align="right"),
+    ]  # fmt: skip
 
 
 TEMPLATE = Template(
