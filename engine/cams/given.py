@@ -12,6 +12,7 @@ from engine.laws.base import Array
 FEW = 6  # points, from which the velocity at an end of a table is told
 ROUND = 24  # numbers, so many of which may be round ones
 QUINTIC = "PO5"
+LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell, one along a line is one
 AT_SPEED = 1e-3  # of the fastest: what is slower rests
 SEAM = 1e-2
 """of the fastest: so alike are begin and end of a cycle that goes on as it began, as few points tell them"""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.course import Course, turned
-from engine.cams.given import AT_SPEED, Points, may_be, moves_at, part, seam
+from engine.cams.given import AT_SPEED, LONGER, Points, may_be, moves_at, part, seam
 from engine.cams.joined import RATES, grown, joined
 from engine.cams.splined import dense, rate_of, splined
 from engine.laws import Law, PieceLaw, law
@@ -27,7 +27,6 @@ SETTLED, SLOW = 3, 0.5
 MOST_WAYS = 24
 """from turn to turn of a movement: more phases has no composed motion"""
 FEWEST = 6  # points of positions alone, of which a law has four figures of its own
-LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell
 DIGITS = (3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
 THINNED = 1e-4
 """of the reach: so far a spline may be from points that keep to no law"""

@@ -9,14 +9,14 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.cams.course import Course
-from engine.cams.given import SEAM, Points, fastest, may_be, part, precision, rate_at
+from engine.cams.given import LONGER, SEAM, Points, fastest, may_be, part, precision, rate_at
 from engine.cams.splined import dense, rate_of, splined
 from engine.laws import Law, law
 from engine.laws.base import Array
 from engine.laws.ends import EndedLaw, EndError, Ends, between
 from engine.laws.registry import CATALOGUE
 
-SHORTEST = 3  # points of a straight line, where y' is not known
+SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
 TURNS = 12  # of Gauss and Newton
 RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
 STEP = 1e-4  # of the interval between points, to see how a break's place matters
@@ -109,7 +109,14 @@ def straight_runs(of: Points, near: float) -> list[tuple[int, int]]:
     flat = np.zeros(len(slope), dtype=np.bool_)
     for k in np.flatnonzero(bend).tolist():
         flat[k : k + 2] = True
-    return [run for run in grown(flat.tolist()) if run[1] - run[0] + 1 > SHORTEST]
+    return [run for run in grown(flat.tolist()) if run[1] - run[0] >= SHORTEST or sparse(x, *run)]
+
+
+def sparse(x: Array, begin: int, end: int) -> bool:
+    """Whether the points of a line are so far apart beside its neighbours' that no curve could pass for it there."""
+    h = np.diff(x)
+    beside = [float(h[k]) for k in (begin - 1, end) if 0 <= k < len(h)]
+    return bool(beside) and float(h[begin:end].min()) > LONGER * max(beside)
 
 
 def grown(flat: Sequence[bool]) -> list[tuple[int, int]]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from engine.cams.course import SAME
 from engine.cams.identify import THINNED
 from workbook import build as making
+from workbook.commands import switching
 from workbook.commands.export import chosen, tolerated, trusted
 from workbook.controllers import certificates, described
 from workbook.controllers.files import read_table
@@ -64,6 +65,15 @@ def thinned(tolerance: str | None) -> float:
     return share
 
 
+def read_switches(file: Path, source: str, output: Path | None) -> None:
+    """Tell the switches of a controller's file as entries of a machine's description."""
+    if output is not None:
+        raise TargetError("switches alone are no machine; expected no -o: paste what is printed into a description")
+    found = switching.lanes_of(file, target_named(source))
+    say(ERR, f"{len(found)} switches, {sum(len(one.on) for one in found)} times of being on")
+    say_data(switching.entries(found))
+
+
 def title(name: str) -> str:
     """Return the title of what was read from a file, as long as a title may be."""
     told = f"Read from {visible(name)}"
@@ -71,15 +81,23 @@ def title(name: str) -> str:
 
 
 def compare(
-    book: Path, file: Path, axis: str, source: str, tolerance: Sequence[str], unverified: bool, as_json: bool
+    book: Path, file: Path, axis: str | None, source: str, tolerance: Sequence[str], unverified: bool, as_json: bool,
+    switches: bool = False,
 ) -> int:  # fmt: skip
-    """Compare what a controller makes of a file with an axis of a book; return the exit code."""
+    """Compare what a controller makes of a file with an axis of a book, or with its switches; return the exit code."""
     target = target_named(source)
+    if switches == (axis is not None):
+        raise TargetError("expected either --axis NAME or --switches")
+    if switches:
+        switching.lanes_of(file, target)  # what cannot be read is told before the book is verified
     held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
-    table = read_table(file, target)
+    table = None if switches else read_table(file, target)
     machine, _ = trusted(book, unverified)
     if machine is None:
         return DISAGREES
+    if table is None:
+        lanes = TEMPLATES[machine.template].switches(machine)
+        return switching.compared(book, lanes, file, target, as_json)
     (meant,) = chosen(TEMPLATES[machine.template].axes(machine), axis, machine.template)
     course = meant.course
     for given, own in zip(table.x[[0, -1]], course.edges[[0, -1]], strict=True):
