@@ -34,6 +34,7 @@ SIZES = {
     "feed rollers": ("Radius of the rollers", "R"),
 }
 RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)"}
+MACHINES, OWN = "the machine's rate", "a rate of its own"
 UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
 
@@ -50,7 +51,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
-        workings(sheet, driven)
+        workings(sheet, one, driven)
         cycle(sheet, one, driven)
         lines(sheet, driven)
         turns_table(sheet, view)
@@ -72,6 +73,8 @@ def entries(sheet: Sheet, driven: Driven) -> None:
     sheet.rows(
         calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
+        given("@own_rate", "Rate that it is sized at, if not the machine's", "n", "cycles/min", driven.entered.rate,
+              f"{key}.rate", format="0.0##", source="empty: the machine's"),
         *size,
         given("@eta2", "Efficiency of the mechanism", "η_2", "",
               m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
@@ -121,9 +124,13 @@ def outcome(sheet: Sheet, one: AxisRows, driven: Driven, rates: list[Quantity]) 
     """Declare what the cycle asks of the motor, the highest rate, and the checks against its limits."""
     found, m, motor = driven.demand, driven.mechanism, driven.reserve
     torque = max(found.torque.peak, 1e-3)
-    fastest = shown(found.speed.peak, RPM)
+    fastest, own = shown(found.speed.peak, RPM), driven.entered.rate
     sheet.heading("Results")
     sheet.rows(
+        calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
+             OWN if own else MACHINES, align="right"),
+        calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)',
+             own or one.machine.machine.master.rate),
         result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", "=@j0-@jm+@j1/@i1^2+@m/@i^2",
                m.inertia(), source="Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
@@ -138,7 +145,8 @@ def outcome(sheet: Sheet, one: AxisRows, driven: Driven, rates: list[Quantity]) 
                "=SQRT(MAX(0,SUM([@st.square])/(2*PI())))",
                found.rms_torque, scale=torque, source="exact, from the motion's pieces: not from samples"),
         result("@speed", "Largest speed of the motor", "n", "rpm",
-               f"=ABS(@i)*MAX([axis{driven.number}.v])*60/(2*PI())", fastest, source="C_v h/t, through the ratio"),
+               f"=ABS(@i)*MAX([axis{driven.number}.v])*@faster*60/(2*PI())", fastest,
+               source="C_v h/t, through the ratio"),
         result("@res_rms", "Reserve of RMS torque", "", "",
                "=IF(@rms>0,@motor_rated/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
         result("@res_peak", "Reserve of peak torque", "", "",
@@ -154,7 +162,7 @@ def outcome(sheet: Sheet, one: AxisRows, driven: Driven, rates: list[Quantity]) 
                found.energy.driving, scale=driven.scales.work, source="at its shaft, a cycle"),
         result("@returned", "Energy that comes back to it", "", "J", "=SUM([@st.returns])",
                found.energy.regenerated, scale=driven.scales.work),
-        result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle",
+        result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle*@faster",
                found.mean_power, scale=driven.scales.power),
         *rates,
     )  # fmt: skip
@@ -192,7 +200,7 @@ def reducer_checks(driven: Driven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def workings(sheet: Sheet, driven: Driven) -> None:
+def workings(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
     """Declare ratios, inertias and what resists."""
     m, load = driven.mechanism, driven.load
     travels = driven.kind.travels
@@ -210,6 +218,8 @@ def workings(sheet: Sheet, driven: Driven) -> None:
     sheet.heading("Workings: the chain")
     sheet.rows(
         *gravity,
+        calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
+             shown(driven.axis.speed, one.axis.speed)),
         calc("@m", "What is moved", "m", base, "=@mass+0" if travels else "=@inertia+0", load.inertia),
         calc("@i2", "Ratio of the mechanism", "i_2", "rad/m" if travels else "",
              ratio, m.ratio_from(1), source="2π/P of a screw" if driven.given.kind == SCREW else ""),
@@ -223,7 +233,7 @@ def workings(sheet: Sheet, driven: Driven) -> None:
              source="μ m g cos θ" if travels else ""),
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.fastest),
-        calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]", driven.axis.hardest),
+        calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
         calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if travels else "rad",
              f"=SUMPRODUCT({way}*(({way}>0)-({way}<0)))", driven.way),
     )  # fmt: skip
@@ -239,10 +249,11 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
     sheet.heading("Table over the cycle")
     sheet.table(
         "@cycle", "Speed and torque of the motor over the cycle", len(going),
-        result("rpm", "motor speed", "n", "rpm", f"=@i*INDEX([cycle.t{i}],[k]+1)*60/(2*PI())", shown(speed, RPM)),
+        result("rpm", "motor speed", "n", "rpm", f"=@i*@faster*INDEX([cycle.t{i}],[k]+1)*60/(2*PI())",
+               shown(speed, RPM)),
         result("torque", "motor torque", "T", "Nm",
                '=IF(AND([dir]=0,@holding="brake"),0,IF([behind]*[dir]<0,@eta1,1/@eta1)*[behind]/@i1'
-               f"+@j0*@i*INDEX([cycle.tt{i}],[k]+1))",
+               f"+@j0*@i*@faster^2*INDEX([cycle.tt{i}],[k]+1))",
                torque, scale=driven.sizes.torque, source="f T_1/i_1 + J_0 i ÿ"),
         calc("dir", "direction", "", "",
              f"=SIGN(INDEX([{t}_steps.h],INDEX([{t}_pieces.p],INDEX([cycle.q{i}],[k]+1))))", going, format="0",
@@ -250,9 +261,9 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
         calc("window", "process force", "", "", f"=SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
              driven.forces(going, angles), scale=driven.sizes.force),
         calc("force", "at the load", "F", "",
-             f"=@steady+[dir]*@rub+[window]+@m*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
+             f"=@steady+[dir]*@rub+[window]+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
         calc("behind", "torque of the mechanism's shaft", "T_1", "Nm",
-             f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*INDEX([cycle.tt{i}],[k]+1)", behind,
+             f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*@faster^2*INDEX([cycle.tt{i}],[k]+1)", behind,
              scale=driven.sizes.behind, source="f F/i_2 + J_1 i_2 ÿ"),
         constant("k", "sample", "k", "", list(range(len(going)))),
     )  # fmt: skip
