@@ -27,7 +27,7 @@ SETTLED, SLOW = 3, 0.5
 MOST_WAYS = 24
 """from turn to turn of a movement: more phases has no composed motion"""
 FEWEST = 6  # points of positions alone, of which a law has four figures of its own
-DIGITS = (3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
+DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
 THINNED = 1e-4
 """of the reach: so far a spline may be from points that keep to no law"""
 

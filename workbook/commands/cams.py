@@ -12,18 +12,19 @@ from workbook import build as making
 from workbook.commands import switching
 from workbook.commands.export import chosen, tolerated, trusted
 from workbook.controllers import certificates, described
-from workbook.controllers.files import read_table
+from workbook.controllers.files import read_table, text_of
 from workbook.controllers.handing import certified
 from workbook.controllers.registry import target as target_named
+from workbook.controllers.table import Table, equidistant
 from workbook.errors import TargetError
 from workbook.exits import AGREES, DISAGREES
-from workbook.intake import read_text
 from workbook.reading.entries import checked, template_named, write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself
 
+TURN = described.TURN
 LONGEST = 80
 """characters of a title"""
 NEAR = 1e-6
@@ -38,7 +39,7 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         refuse_itself(output, file)
         refuse_existing(output, force)
     table = read_table(file, target)
-    units = described.units_of(read_text(file, "a table", most=len(file.read_bytes())))
+    units = described.units_of(text_of(file, target))
     found = described.phases_of(target, table, units, share)
     data = described.composed(found, table, units, title(file.name))
     machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
@@ -48,11 +49,20 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     if data["template"] == "machine":
         said = f"It begins on the way: written as a machine's axis, {found.late:.9g} {units[0]} later"
         say(ERR, f"{said}; its rate of {described.RATE:g} is ours, enter the machine's")
+    if lacks_end(table, units):
+        said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
+        say(ERR, f"{said}; if it is a turn, add its end", "yellow")
     if output is None:
         say_data(write_machine(machine))
         return
     making.write_inputs(machine, output, overwrite=force)
     say(OUT, f"Wrote {output.absolute()}")
+
+
+def lacks_end(table: Table, units: tuple[str, str]) -> bool:
+    """Whether a table at equal steps of a turn ends a step before it, as tables of one column a degree do."""
+    step = float(table.x[1] - table.x[0])
+    return units[0] == "°" and equidistant(table.x) and abs(float(table.x[-1] - table.x[0]) + step - TURN) < NEAR * TURN
 
 
 def thinned(tolerance: str | None) -> float:

@@ -15,14 +15,13 @@ from rich.text import Text
 
 from engine.cams.switched import Differing
 from workbook.axes import CamSwitch
-from workbook.controllers.files import MOST
+from workbook.controllers.files import text_of
 from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.tappets import MOST_OFF, HandedTracks, Tappets, Track, certified, tracks
 from workbook.controllers.target import Target
 from workbook.errors import ReadError, TargetError
 from workbook.exits import AGREES, DISAGREES
-from workbook.intake import read_text
 from workbook.reports.cams import SWITCHED
 from workbook.reports.terminal import ERR, OUT, say, say_data
 from workbook.visible import visible
@@ -90,7 +89,7 @@ def lanes_of(file: Path, target: Target) -> list[Track]:
     if target.tappets is None:
         raise TargetError(f"{target.name} takes no switches; expected one of {', '.join(taking())}")
     try:
-        return target.tappets.read(read_text(file, f"switches for {target.name}", MOST))
+        return target.tappets.read(text_of(file, target))
     except TargetError as error:
         raise ReadError(f"{file}: {error}") from None
 

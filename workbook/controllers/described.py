@@ -43,7 +43,8 @@ def phases_of(
     turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
     if table.course is not None:
         return identified(polynomial(table, table.course, known), rebuilt, turns, share)
-    return identified(Points(table.x, table.y, table.v, table.a, known), rebuilt, turns, share)
+    v = None if table.a is None else table.v  # y' alone is nobody's rule: as a rule it was made of differences
+    return identified(Points(table.x, table.y, v, table.a, known), rebuilt, turns, share)
 
 
 def polynomial(table: Table, course: Course, known: float) -> Points:
