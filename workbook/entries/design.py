@@ -115,7 +115,9 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> Iterator[Fault]:
             yield of_rule(key, error)
     else:
         value = fault["input"] if fault["type"] in BEYOND else None
-        yield Fault(key, key, "", f"expected {rules.expectation(*rules.field_at(model, rule))}", value)
+        kind, constraints = rules.field_at(model, rule)
+        fits = 0.0 if value is None and kind is float and rules.from_zero(constraints) else None  # as a cell reads it
+        yield Fault(key, key, "", f"expected {rules.expectation(kind, constraints)}", value, fits)
 
 
 def of_rule(where: str, error: DesignError) -> Fault:
@@ -204,10 +206,10 @@ def differing(
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
         old = dict(leaves(exactly(entered, path), path))
         for key, value in leaves(exactly(made, path), path):
-            was = old.pop(key, None)
-            if was == {}:
-                was = None
-            if was is None and exactly(entered, joined(parts(key)[:-1])):
+            was = old.pop(key, NONE)
+            absent = was is NONE or was == {}
+            was = None if absent else was
+            if absent and exactly(entered, joined(parts(key)[:-1])):
                 was = rules.default_at(model, ruled(key, entered))
             if was != value:
                 found.setdefault(key, Replaced(plain(was), turn))

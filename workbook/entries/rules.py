@@ -76,7 +76,7 @@ def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
         kind, constraints = field_at(model, key)
         if get_origin(kind) is list:
             return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "")
-        required = is_required(model, key)
+        required = must_be_there(model, key)
         if kind is float:
             return Limit(required, bounds(constraints), expectation(kind, constraints))
         listed = get_origin(kind) is Literal or takes_law(constraints)
@@ -93,6 +93,14 @@ def is_required(model: type[BaseModel], key: str) -> bool:
     kind, _ = field_at(model, above)
     field = kind.model_fields.get(last)
     return field is None or bool(field.is_required())
+
+
+def must_be_there(model: type[BaseModel], key: str) -> bool:
+    """Whether a cell must hold the entry: a description without it has a default that an empty cell is not."""
+    if is_required(model, key):
+        return True
+    _, constraints = field_at(model, key)
+    return default_at(model, key) not in (None, 0, "", [], {}) and not takes_law(constraints)
 
 
 def default_at(model: type[BaseModel], key: str) -> Any:
@@ -130,6 +138,11 @@ def within(kind: Any, constraints: list[Any]) -> Any:
     low = max((astuple(c)[0] for c in constraints if isinstance(c, Gt | Ge)), default=-LARGEST)
     high = min((astuple(c)[0] for c in constraints if isinstance(c, Lt | Le)), default=LARGEST)
     return 1.0 if low < 1.0 < high else (low + high) / 2
+
+
+def from_zero(constraints: list[Any]) -> bool:
+    """Whether a number may be 0 and not less."""
+    return any(isinstance(c, Ge) and c.ge == 0 for c in constraints)
 
 
 SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}

@@ -15,7 +15,7 @@ from pydantic import BaseModel, ValidationError
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
-from workbook.entries.design import RefusedError, as_entered, designed, keys_of
+from workbook.entries.design import RefusedError, as_entered, designed, keys_of, set_at
 from workbook.entries.exported import ExportEntry, named
 from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import EntryError
@@ -116,7 +116,7 @@ def told(fault: Any, model: type[BaseModel], where: Where) -> str:
         named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else found(unknown)}".strip("."))
         return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
     expected = rules.expectation(*rules.field_at(model, rule))
-    if fault["type"] == "missing" or fault["input"] == {}:
+    if fault["type"] == "missing" or fault["input"] in ({}, None):
         return f"{where(key)}: empty; expected {expected}"
     optional = "" if rules.is_required(model, rule) else " (optional)"
     return f"{where(key)}: found {found(fault['input'])}; expected {expected}{optional}"
@@ -154,6 +154,8 @@ class Entries:
         self.template = self._template()
         self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
         self.missing: list[str] = []
+        self._spare: list[str] = []
+        self._emptied: list[str] = []
         self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = numbered(file.places)
         default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
@@ -167,6 +169,8 @@ class Entries:
         self.moved = mend(file, layout)
         for block in layout.blocks.values():
             self._read_block(block)
+        for key in self._emptied:
+            set_at(self.data, key.split("."), None)
 
     def machine(self) -> Machine:
         """Return what was entered; raise InputError whose lines name the sheet, the cell and what is expected."""
@@ -183,10 +187,8 @@ class Entries:
         data, named = self._by_name()
         try:
             machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
-        except InputError:
-            if self._lost():
-                raise InputError(self._lost()) from None
-            raise
+        except InputError as refused:
+            raise InputError(self._lost() or self._beside_spare(refused.lines)) from None
         machine.laws.built_as(self._built(named))
         return machine
 
@@ -202,6 +204,11 @@ class Entries:
             f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
             for (sheet, row), torn in tables.items()
         ]
+
+    def _beside_spare(self, lines: list[str]) -> list[str]:
+        """Return lines without those of rows in which nothing is entered, if there are others."""
+        blank = tuple(f"{self.file.path.name}: {cell}: " for cell in self._spare)
+        return [line for line in lines if not line.startswith(blank)] or lines
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return what is entered with the book's own laws by their names, and for each of these names its key."""
@@ -270,6 +277,18 @@ class Entries:
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
                 self._store(q, i, str(place.cell(i, j)), value)
+            if any(value is not None for value in rows[i]) or "*" not in inputs[0][1].key:
+                self._emptied += [q.key.replace("*", str(i)) for (_, q), value in zip(inputs, rows[i], strict=True)
+                                  if value is None and self._must_be_there(q.key)]  # fmt: skip
+            else:
+                self._spare += [f"{place.cell(i, j)} ({q.label})" for j, q in inputs]
+
+    def _must_be_there(self, key: str) -> bool:
+        """Whether an empty cell of an entry is not what a description without it means."""
+        begin, _, rest = key.partition(".")
+        name, _, below = rest.partition(".")
+        known = f"{begin}.{self._laws.get(name, name)}.{below}" if begin == "laws" else key
+        return not rules.is_required(self.template.model, known) and rules.must_be_there(self.template.model, known)
 
     def _store(self, q: Quantity, i: int, cell: str, value: Any) -> None:
         key = q.key.replace("*", str(i))
