@@ -9,12 +9,15 @@ from workbook.entries.rules import limits
 from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.axes import axes, switches
+from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked.sheet import linked_sheet
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
@@ -22,6 +25,7 @@ from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet
+from workbook.selection.entries import Products
 from workbook.template import Template, finish
 
 
@@ -31,7 +35,7 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {axis.number: Driven(axis, given.selection)
+    drives = {axis.number: driven(axis, given.selection)
               for axis in machine.axes if axis.given.mechanism and axis.given.motor}  # fmt: skip
     sheet = summary_sheet(
         book,
@@ -52,14 +56,23 @@ def declare(given: AnyMachine) -> Book:
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
     for one in rows:
-        if one.axis.number in drives:
-            drive_sheet(book, one, drives[one.axis.number])
+        found = drives.get(one.axis.number)
+        if isinstance(found, LinkedDriven):
+            linked_sheet(book, one, found)
+        elif found:
+            drive_sheet(book, one, found)
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
     pieces_sheet(book, rows, bool(drives))
     export_sheet(book, given, [exportable(one) for one in rows])
     return finish(book, "Machine", ("S1", "S3"))
+
+
+def driven(axis: MovingAxis, products: Products) -> Driven:
+    """Return the drive of an axis."""
+    linked = axis.given.mechanism and axis.given.mechanism.kind in LINKED
+    return LinkedDriven(axis, products) if linked else Driven(axis, products)
 
 
 def in_short(axis: MovingAxis, driven: Driven | None) -> InShort:
