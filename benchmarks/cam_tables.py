@@ -26,7 +26,8 @@ from engine.cams.segments import segmented
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from workbook.axes import CamAxis
-from workbook.controllers.handing import automatic, certified, reread, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import certified, reread, tabulated
 from workbook.controllers.registry import target, targets
 from workbook.controllers.target import Handed
 from workbook.reports.plot import Line, plot
@@ -104,7 +105,7 @@ def costs() -> Table:
     steps: dict[str, Callable[[], object]] = {f"{AXES} axes of {POINTS:,} points, written, read, certified twice":
                                               lambda: [export(axis) for _ in range(AXES)]}  # fmt: skip
     for one in targets():
-        steps[f"--points auto, {one.name}"] = partial(automatic, one, axis, dict([one.tolerance]))
+        steps[f"--points auto, {one.name}"] = partial(automatic, one, axis, dict(one.tolerance))
     for name, task in steps.items():
         seconds = spent(task)
         most = AUTO if name.startswith("--points") else WHOLE

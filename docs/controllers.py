@@ -44,10 +44,10 @@ TABLE = (
 def row(one: Target) -> str:
     """Return the row of a target."""
     least, most = one.points
-    order, share = one.tolerance
+    held = ", ".join(f"{order} {share * 100.0:g} %" for order, share in one.tolerance)
     cells = [f"[`{one.name}`](#{one.name})", one.title, f"{least:,} to {most:,}", one.number.name, "; ".join(one.rules)]
     switches = one.tappets.title if one.tappets else "–"
-    return f"| {' | '.join([*cells, f'{order} {share:.0%}', switches])} |\n"
+    return f"| {' | '.join([*cells, held, switches])} |\n"
 
 
 def section(one: Target) -> str:

@@ -280,18 +280,22 @@ def read(
     file: CamFile,
     source: Source,
     output: Annotated[Path | None, to("MACHINE.toml", "Where to write; else to the terminal.")] = None,
+    tolerance: Annotated[
+        str | None,
+        typer.Option(metavar="y=0.01%", help="Largest error of a spline through few points, as a share of the reach."),
+    ] = None,
     force: Force = False,
 ) -> None:
     """Read a controller's cam table as the description of a composed motion.
 
     Dwells and turns part it; each movement is the first law of the registry that keeps to its points within their
-    precision, also where phases meet at speed, else a law of its own pieces or a run of quintics. A turn of a shaft
-    that begins on the way is written as a machine's axis with a shift. Build, verify and export what is written: the
-    way back is closed.
+    precision, also where phases meet at speed, else a cubic spline through as few of them as keep to the tolerance
+    (0.01 % of the reach unless told otherwise). A turn of a shaft that begins on the way is written as a machine's
+    axis with a shift. Build, verify and export what is written: the way back is closed.
     """
     from workbook.commands import cams
 
-    cams.read(file, source, output, force)
+    cams.read(file, source, output, force, tolerance)
 
 
 @app.command()

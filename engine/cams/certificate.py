@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import factorial
 from typing import NamedTuple
 
@@ -65,11 +66,10 @@ def certify(meant: Course, rebuilt: Course) -> Certificate:
     one, other = (local(of, middle, half) for of in (meant, rebuilt))
     deviations, jumps, closure = [], [], []
     for order in range(ORDERS):
-        off, rows = (enclosing(derived(powers, half, order)) for powers in (other - one, one))
-        worst, peak = largest(off), largest(rows)
+        off = enclosing(derived(other - one, half, order))
+        worst = largest(off)
         x = float(middle[worst.row] + worst.t * half[worst.row])
-        size = _reach(rows) if order == 0 else peak.value
-        deviations.append(Deviation(worst.value, x, size))
+        deviations.append(Deviation(worst.value, x, peaks(meant)[order]))
         if order < ORDERS - 1:
             between = np.abs(off[1:, 0] - off[:-1, -1])
             k = int(between.argmax()) if between.size else 0
@@ -78,10 +78,20 @@ def certify(meant: Course, rebuilt: Course) -> Certificate:
     return Certificate(tuple(deviations), tuple(jumps), tuple(closure))
 
 
+@lru_cache(maxsize=64)
+def peaks(of: Course) -> tuple[float, ...]:
+    """Return the reach of a motion, and the largest sizes of y', y'' and y'''."""
+    low, high = intervals(of, of)
+    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    powers = local(of, middle, half)
+    rows = [enclosing(derived(powers, half, order)) for order in range(ORDERS)]
+    return _reach(rows[0]), *(largest(one).value for one in rows[1:])
+
+
 def _reach(rows: Array) -> float:
-    """Return the highest less the lowest value of polynomials, by rows of coefficients."""
-    top = float(rows[:, [0, -1]].max())
-    return top - float(rows[:, [0, -1]].min()) if rows.size else 0.0
+    """Return the highest less the lowest value of polynomials: each is within the span of its coefficients."""
+    low, high = float(rows.min()), float(rows.max())
+    return max(0.0, largest(rows - low).value + largest(high - rows).value - (high - low))
 
 
 def intervals(meant: Course, rebuilt: Course) -> tuple[Array, Array]:

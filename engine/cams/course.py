@@ -29,7 +29,7 @@ class Stretch(NamedTuple):
     sines: tuple[tuple[float, float, float], ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Course:
     """y(x) from ``edges[0]`` to ``edges[-1]`` in stretches, n of them: y = Σ c_k u^k + Σ A sin(ωu + φ).
 

@@ -11,26 +11,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.course import Course, turned
-from engine.cams.given import Points, may_be, moves_at, part
+from engine.cams.given import AT_SPEED, Points, may_be, moves_at, part
 from engine.cams.joined import RATES, grown, joined
-from engine.cams.points import equal
-from engine.cams.segments import quintics_between
-from engine.laws import Law, Piece, PieceLaw
-from engine.laws.base import Array
+from engine.cams.splined import dense, rate_of, splined
+from engine.laws import Law, PieceLaw, law
 from engine.laws.ends import EndedLaw
 from engine.laws.registry import CATALOGUE
+from engine.laws.spline import Spline
 
 ROUNDED = 1e-9
 """of the reach: what a fit may miss by whatever the data's precision is"""
 TURNS = 12  # of Gauss and Newton
+SETTLED, SLOW = 3, 0.5
+"""after so many turns the residual must have fallen to so much of itself, or it is another law"""
+MOST_WAYS = 24
+"""from turn to turn of a movement: more phases has no composed motion"""
 LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell
 DIGITS = (3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
-MOST_PIECES = 40
+THINNED = 1e-4
+"""of the reach: so far a spline may be from points that keep to no law"""
 
 
 @dataclass(frozen=True)
 class Found:
-    """A phase that was found: a law from x to x and from y by a lift, and how far the table is from it at most."""
+    """A phase that was found: a law from x to x and from y by a lift, and how far the table is from it at most.
+
+    It is ``known`` if it is a law of the registry, and no spline through the points; ``fits`` if it does at all.
+    """
 
     law: Law
     begin: float
@@ -39,6 +46,7 @@ class Found:
     lift: float
     residual: float
     fits: bool = True
+    known: bool = True
 
     @property
     def rates(self) -> tuple[float, float]:
@@ -51,9 +59,11 @@ class Found:
         return self._prescribed(1)
 
     def _prescribed(self, side: int) -> tuple[float, float]:
+        span = self.end - self.begin
+        if isinstance(self.law, Spline):
+            return (self.law.slopes[side] or 0.0) * self.lift / span, 0.0
         if not isinstance(self.law, EndedLaw):
             return 0.0, 0.0
-        span = self.end - self.begin
         return self.law.ends.asked("v")[side] / span, self.law.ends.asked("a")[side] / span**2
 
     @property
@@ -111,19 +121,19 @@ def _one_way(of: Points, begin: int, end: int) -> list[tuple[int, int]]:
     return list(pairwise([begin, *turns, end]))
 
 
-def identified(of: Points, rebuilt: Course, turns: bool = False) -> Read:
+def identified(of: Points, rebuilt: Course, turns: bool = False, share: float = THINNED) -> Read:
     """Return the movements of a table with the first law of the registry that each keeps to, in order.
 
-    What does not move from rest to rest is told as phases that meet at speed. A movement that keeps to no law is an own
-    law of what rebuilds it, thinned to the data's precision, or a run of quintics; it does not fit where that takes
-    too many pieces. Where a cycle begins on the way and ``turns`` allows it, it is told from its
-    first dwell at 0 on.
+    What does not move from rest to rest is told as phases that meet at speed. What keeps to no law is a spline through
+    few of the points, no farther from the others than a share of the reach; it does not fit where that takes too many.
+    Where a cycle begins on the way and ``turns`` allows it, it is told from its first dwell at 0 on.
     """
+    of = of._replace(thinned=share * float(np.ptp(of.y)))
     begins, ends = (moves_at(of, side) for side in (0, -1))
     home = next((k for k, rests in enumerate(dwelling(of)) if rests and abs(of.y[k]) <= _near(of)), None)
     if turns and begins and ends and home is not None:
         found = phases(rolled(of, home), turned(rebuilt, float(of.x[-1] - of.x[home])))
-        if all(one.fits and not isinstance(one.law, PieceLaw) and one.rests for one in found):
+        if all(one.fits and one.rests for one in found):
             return Read(found, float(of.x[home] - of.x[0]))
     return Read(phases(of._replace(begins=begins, ends=ends), rebuilt))
 
@@ -135,15 +145,40 @@ def phases(of: Points, rebuilt: Course) -> list[Found]:
     for span in movements(of):
         edges = _one_way(of, *span)
         last = len(edges) - 1
-        resting = [_identify(of, rebuilt, laws, edge, (k > 0, k < last)) for k, edge in enumerate(edges)]
-        if all(not isinstance(one.law, PieceLaw) for one in resting):
-            found += resting
-            continue
-        whole = part(of, *span)
-        meeting, known = joined(whole, rebuilt, _near(whole))
-        wanted = known or not all(one.fits for one in resting)
-        found += [Found(*one, True) for one in meeting] if meeting and wanted else resting
+        tried = laws if last < MOST_WAYS else []
+        resting = [_identify(of, tried, edge, (k > 0, k < last)) for k, edge in enumerate(edges)]
+        laid = [one for one in resting if one]
+        if len(laid) < len(resting):
+            laid = _laid(of, rebuilt, span, edges, resting)
+        found += laid
     return found
+
+
+def _laid(
+    of: Points, rebuilt: Course, span: tuple[int, int], edges: Sequence[tuple[int, int]],
+    resting: Sequence[Found | None],
+) -> list[Found]:  # fmt: skip
+    """Return the phases of a movement some of whose ways from rest to rest keep to no law."""
+    whole = part(of, *span)
+    meeting, known = joined(whole, rebuilt, _near(whole))
+    if not known and any(resting):
+        told = [[one] if one else _thinned(part(of, *edge), rebuilt) for one, edge in zip(resting, edges, strict=True)]
+        if all(told):
+            return [one for each in told for one in each]
+    if meeting:
+        return [Found(*one, known=one.law.code != Spline.code) for one in meeting]
+    fit = _Fit(float(whole.x[0]), float(whole.x[-1]), float(whole.y[0]), float(np.ptp(whole.y)))
+    return [Found(law("PO5"), *fit, _residual(law("PO5"), whole, fit), fits=False, known=False)]
+
+
+def _thinned(of: Points, rebuilt: Course) -> list[Found]:
+    """Return splines from rest to rest through few points; none where it does not rest, or too many are needed."""
+    rate = rate_of(rebuilt)
+    slow = AT_SPEED * float(np.abs(np.diff(of.y) / np.diff(of.x)).max())
+    if max(abs(rate(float(of.x[0]))), abs(rate(float(of.x[-1])))) > slow:
+        return []
+    made = splined(dense(of, rebuilt), (0.0, 0.0), rate, max(of.thinned, _near(of)))
+    return [Found(*one, known=False) for one in made]
 
 
 def rolled(of: Points, k: int) -> Points:
@@ -157,9 +192,9 @@ def rolled(of: Points, k: int) -> Points:
 
 
 def _identify(
-    of: Points, rebuilt: Course, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]
-) -> Found:  # fmt: skip
-    """Return the law of a movement between two points; one at which it turns may belong to the next."""
+    of: Points, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]
+) -> Found | None:  # fmt: skip
+    """Return the law of a movement between two points, if it keeps to one; a turn's point may belong to the next."""
     for late, early in ((0, 0), (turns[0], 0), (0, turns[1]), turns):
         inner = part(of, span[0] + late, span[1] - early)
         if len(inner.x) >= 4 or (inner.a is not None and len(inner.x) > 1):
@@ -167,8 +202,7 @@ def _identify(
                 fit = _fitted(one, inner, _near(inner)) if may_be(one, inner) else None
                 if fit is not None:
                     return Found(one, *fit, residual=_residual(one, inner, fit))
-    whole = part(of, *span)
-    return _own(whole, rebuilt, _near(whole))
+    return None
 
 
 def _near(of: Points) -> float:
@@ -180,13 +214,15 @@ def _fitted(law: Law, of: Points, near: float) -> _Fit | None:
     """Return a law's begin, end, y and lift by least squares, in round numbers where these do; None if it misses."""
     fit = _Fit(float(of.x[0]), float(of.x[-1]), float(of.y[0]), float(of.y[-1] - of.y[0]))
     step = float(np.diff(of.x).max())
-    for _ in range(TURNS):
-        if _residual(law, of, fit) <= near:
-            break
+    missed = [_residual(law, of, fit)]
+    while missed[-1] > near and len(missed) <= TURNS:
+        if len(missed) > SETTLED and missed[-1] > SLOW * missed[-SETTLED]:
+            return None
         fit = _improved(law, of, fit, step)
         if fit.end - fit.begin < step:
             return None
-    if _residual(law, of, fit) > near or not _rates_agree(law, of, fit):
+        missed.append(_residual(law, of, fit))
+    if missed[-1] > near or not _rates_agree(law, of, fit):
         return None
     for digits in DIGITS:
         tidy = _Fit(*(round(value, digits) + 0.0 for value in fit))
@@ -226,36 +262,3 @@ def _rates_agree(law: Law, of: Points, fit: _Fit) -> bool:
             ):
                 return False
     return True
-
-
-def _own(of: Points, rebuilt: Course, near: float) -> Found:
-    """Return an own law of polynomials of degree 5, as few as keep to the points."""
-    begin, end = float(of.x[0]), float(of.x[-1])
-    lift, span = float(of.y[-1] - of.y[0]), float(of.x[-1] - of.x[0])
-    inner = Course(np.array([begin, end]), rebuilt.origins[:1], rebuilt.c[:1], rebuilt.sines[:1])
-    at = [rebuilt.at(np.array([begin])), rebuilt.at(np.array([end]), left=True)]
-    best: Found | None = None
-    for n in range(2, MOST_PIECES + 2):
-        x = of.x if n > len(of.x) else equal(inner, n)
-        law = _law_of(rebuilt, x, float(at[0].y[0]), lift, span)
-        fit = _Fit(begin, end, float(of.y[0]), lift)
-        missed = _residual(law, of, fit)
-        rests = max(abs(law.end.v), abs(float(at[0].y1[0]) * span / lift)) <= 1e-6
-        if best is None or missed < best.residual:
-            best = Found(law, *fit, missed, rests and missed <= near)
-        if best.fits or n > len(of.x):
-            break
-    if best is None:
-        raise ValueError("a movement has no points; expected two or more")
-    return best
-
-
-def _law_of(rebuilt: Course, x: Array, y: float, lift: float, span: float) -> PieceLaw:
-    """Return what rebuilds a movement as an own law, over places."""
-    after, before = rebuilt.at(x), rebuilt.at(x, left=True)
-    begin, end = ([(one.y - y) / lift, one.y1 * span / lift, one.y2 * span**2 / lift] for one in (after, before))
-    xi = (x - x[0]) / span
-    c = quintics_between(xi, [one[:-1] for one in begin], [one[1:] for one in end])
-    durations = np.diff(xi)
-    return PieceLaw([Piece(float(d), (2.0 * row[2], 6.0 * row[3], 12.0 * row[4], 20.0 * row[5]))
-                     for d, row in zip(durations, c.tolist(), strict=True)])  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import pairwise
 from typing import Literal
 
@@ -67,7 +68,7 @@ def spline(x: Array, y: Array, ends: Ends | tuple[float, float]) -> Course:
     Raises ValueError for an unknown condition.
     """
     h = np.diff(x)
-    fixed, first, last = _slopes(h, np.diff(y) / h)
+    fixed, first, last = _slopes(h.tobytes(), (np.diff(y) / h).tobytes())
     if not isinstance(ends, str):
         return hermite(x, y, fixed + ends[0] * first + ends[1] * last)
     if len(x) == 2 and ends != "periodic":
@@ -94,8 +95,13 @@ def _conditions(of: Course, ends: Ends) -> tuple[float, float]:
     raise ValueError(f"the spline's ends are {ends!r}; expected natural, not-a-knot, periodic, or two slopes")
 
 
-def _slopes(h: Array, d: Array) -> tuple[Array, Array, Array]:
-    """Return the slopes with 0 at both ends, and what a slope of 1 at the first and at the last point adds."""
+@lru_cache(maxsize=4)
+def _slopes(widths: bytes, chords: bytes) -> tuple[Array, Array, Array]:
+    """Return the slopes with 0 at both ends, and what a slope of 1 at the first and at the last point adds.
+
+    They are kept, as the rules of a table of points differ in its ends alone.
+    """
+    h, d = np.frombuffer(widths), np.frombuffer(chords)
     n = len(h) + 1
     rows = [[0.0] * n, [0.0] * n, [0.0] * n]
     rows[1][0] = rows[2][-1] = 1.0

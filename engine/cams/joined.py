@@ -1,4 +1,4 @@
-"""Phases that meet at speed, taken apart: straight lines, laws with prescribed ends, and quintics for what is left."""
+"""Phases that meet at speed, taken apart: straight lines, laws with prescribed ends, splines for what is left."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from engine.cams.course import Course
 from engine.cams.given import Points, may_be, part, precision, rate_at
+from engine.cams.splined import dense, rate_of, splined
 from engine.laws import Law, law
 from engine.laws.base import Array
 from engine.laws.ends import EndedLaw, EndError, Ends, between
@@ -19,11 +20,8 @@ SHORTEST = 3  # points of a straight line, where y' is not known
 TURNS = 12  # of Gauss and Newton
 RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
 STEP = 1e-4  # of the interval between points, to see how a break's place matters
-MOST = 20
-"""quintics in place of a stretch that is no law"""
-COARSER = (1.0, 10.0, 100.0, 1e3, 1e4, 1e5)
-"""times what a law may miss by, until so few quintics do"""
-FARTHEST = 1e-3  # of the reach: no quintics are further from the points
+MOST = 8
+"""quintics in place of a stretch that is one law no longer"""
 
 
 class Side(NamedTuple):
@@ -61,8 +59,8 @@ def joined(of: Points, rebuilt: Course, near: float) -> tuple[list[Ended], bool]
 
     The other is whether each is a line or a law as it is meant.
 
-    Where a stretch between lines keeps to no law, it is parted into quintics with y' and y'' where they meet; these
-    may be as far from the points as a thousandth of the reach. Empty where even so there would be too many.
+    Where a stretch between lines keeps to no law, it is parted into quintics with y' and y'' where they meet, or if a
+    few of these do not do, into splines. Empty where even so there would be too many.
     """
     found: list[Ended] = []
     known = True
@@ -77,7 +75,7 @@ def joined(of: Points, rebuilt: Course, near: float) -> tuple[list[Ended], bool]
         sides = beside(of, rebuilt, runs, begin), beside(of, rebuilt, runs, end)
         inner = part(of, begin, end)
         one = curved(inner, sides, near)
-        made = [one] if one else quintics(inner, rebuilt, sides, near)
+        made = [one] if one else run(inner, rebuilt, sides, near) or splines(inner, rebuilt, sides, near)
         if not made:
             return [], False
         known &= one is not None
@@ -243,17 +241,10 @@ def rates_agree(one: Ended, of: Points) -> bool:
     return True
 
 
-def quintics(of: Points, rebuilt: Course, sides: tuple[Side, Side], near: float) -> list[Ended]:
-    """Return as few polynomials of degree 5 as keep to the points, each as long as it can be; none where too many."""
-    reach = float(np.ptp(of.y))
-    for coarser in COARSER:
-        most = near * coarser
-        if most > max(FARTHEST * reach, near):
-            break
-        found = run(of, rebuilt, sides, most)
-        if found:
-            return found
-    return []
+def splines(of: Points, rebuilt: Course, sides: tuple[Side, Side], near: float) -> list[Ended]:
+    """Return splines that keep to the points as far as these are thinned; none where too many would be needed."""
+    slopes = sides[0].v, sides[1].v
+    return [Ended(*one) for one in splined(dense(of, rebuilt), slopes, rate_of(rebuilt), max(of.thinned, near))]
 
 
 def run(of: Points, rebuilt: Course, sides: tuple[Side, Side], most: float) -> list[Ended]:

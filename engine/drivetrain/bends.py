@@ -48,7 +48,7 @@ class Bends:
         found = drive.torque(way * b, way) if shaft == 0 else drive.mechanism.torques(way * b, way, drive.method)[shaft]
         return np.asarray(way * found)
 
-    @property
+    @cached_property
     def resists(self) -> float:
         """What the load resists with (N, or Nm)."""
         return self.shaft(2, 0.0)
@@ -93,6 +93,15 @@ class Bends:
         a, b, c = (own + one / m.ratio_to(1) * (other * m.on_shaft(2) / turn + m.on_shaft(1) * turn)
                    for one, other in ways)  # fmt: skip
         return a, b, c
+
+    @property
+    def geared(self) -> tuple[float, float]:
+        """The slope of the torque behind the first stage (Nm per m/s² or rad/s²), up to the second bend and past it."""
+        past = self.turns[1] + STEP
+        near, far = (
+            self.shaft(1, -self.sign * y) - self.shaft(1, -self.sign * (y + STEP)) for y in (-STEP, past)
+        )  # fmt: skip
+        return self.sign * near, self.sign * far
 
     @property
     def slope(self) -> float:

@@ -24,8 +24,8 @@ def crank_slider(
 
     y grows away from a dead centre: from the inner one, where the slide is nearest to the shaft, or from the outer one;
     where y = 0 it is so far away as ``position`` says. ``branch`` says on which side of the line from shaft to slide
-    the crank is: with an offset the two ways differ. The rod's mass goes to its two pins: what turns with the crank is a part on its shaft,
-    what travels is load. Raises ValueError unless l > r + |e|, for the crank could not turn round.
+    the crank is: with an offset the two ways differ. The rod's mass goes to its two pins: what turns with the crank is
+    a part on its shaft, what travels is load. Raises ValueError unless l > r + |e|, for the crank could not turn round.
     Source: VDI 2727; the stroke is √((l + r)² − e²) − √((l − r)² − e²).
     """
     require_positive("crank-slider", crank=crank, rod=rod)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from engine.cams.course import SAME
+from engine.cams.identify import THINNED
 from workbook import build as making
 from workbook.commands.export import chosen, tolerated, trusted
 from workbook.controllers import certificates, described
@@ -28,15 +29,16 @@ NEAR = 1e-6
 """of the cycle: so far the file's may be from the book's"""
 
 
-def read(file: Path, source: str, output: Path | None, force: bool) -> None:
+def read(file: Path, source: str, output: Path | None, force: bool, tolerance: str | None = None) -> None:
     """Tell what a controller's file was made of, and write it as a description."""
     target = target_named(source)
+    share = thinned(tolerance)
     if output is not None:
         refuse_itself(output, file)
         refuse_existing(output, force)
     table = read_table(file, target)
     units = described.units_of(read_text(file, "a table", most=len(file.read_bytes())))
-    found = described.phases_of(target, table, units)
+    found = described.phases_of(target, table, units, share)
     data = described.composed(found, table, units, title(file.name))
     machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
@@ -52,6 +54,16 @@ def read(file: Path, source: str, output: Path | None, force: bool) -> None:
     say(OUT, f"Wrote {output.absolute()}")
 
 
+def thinned(tolerance: str | None) -> float:
+    """Return the share of the reach that a spline may be off by; raise TargetError for another order than y."""
+    if tolerance is None:
+        return THINNED
+    order, share = tolerated(tolerance)
+    if order != "y":
+        raise TargetError(f"--tolerance {tolerance}: expected y and a share of the reach, as y=0.01%")
+    return share
+
+
 def title(name: str) -> str:
     """Return the title of what was read from a file, as long as a title may be."""
     told = f"Read from {visible(name)}"
@@ -63,7 +75,7 @@ def compare(
 ) -> int:  # fmt: skip
     """Compare what a controller makes of a file with an axis of a book; return the exit code."""
     target = target_named(source)
-    held = dict(map(tolerated, tolerance)) or dict([target.tolerance])
+    held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
     table = read_table(file, target)
     machine, _ = trusted(book, unverified)
     if machine is None:

@@ -17,7 +17,8 @@ from workbook.build import write_text
 from workbook.commands import switching
 from workbook.commands.switching import Switched, switched, takes
 from workbook.controllers import certificates, files
-from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import Made, allowed, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine
@@ -80,7 +81,7 @@ def asked_for(
     if SEPARATORS[separator] == DECIMALS[decimal]:
         raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
     held = dict(map(tolerated, tolerance))
-    return Asked(target, None if points == AUTO else int(points), held or dict([target.tolerance]), bool(held),
+    return Asked(target, None if points == AUTO else int(points), held or dict(target.tolerance), bool(held),
                  SEPARATORS[separator], DECIMALS[decimal], unverified)  # fmt: skip
 
 

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 
 from engine.cams.given import Points, precision
-from engine.cams.identify import Found, Read, identified
-from engine.laws import PieceLaw
+from engine.cams.identify import THINNED, Found, Read, identified
 from engine.laws.base import Array
+from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table
 from workbook.controllers.target import Target
+from workbook.entries.machine import Sizes
 from workbook.errors import TargetError
 
 UNITS = re.compile(r"x in (\S{1,12}), y in (\S{1,12});")
@@ -27,8 +28,13 @@ BETWEEN = 8  # places of a polynomial
 NEXT = 1e-9  # of the cycle: phases so near to each other meet
 
 
-def phases_of(target: Target, table: Table, units: tuple[str, str] = ("", "")) -> Read:
-    """Return the movements that a table was made of; a turn of a shaft may be told from a dwell on."""
+def phases_of(
+    target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED
+) -> Read:  # fmt: skip
+    """Return the movements that a table was made of; a turn of a shaft may be told from a dwell on.
+
+    What keeps to no law is a spline that is no farther from the table than a share of the reach.
+    """
     rebuilt = next(iter(rules_of(target, table).values())).made(table)
     known = precision(table.y)
     if table.steps[1] != 1.0:
@@ -36,8 +42,8 @@ def phases_of(target: Target, table: Table, units: tuple[str, str] = ("", "")) -
     turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
     if table.course is not None and table.steps == (1.0, 1.0):
         x = finer(table.x)
-        return identified(Points(x, table.course.at(x, left=True).y, None, None, known), rebuilt, turns)
-    return identified(Points(table.x, table.y, table.v, table.a, known), rebuilt, turns)
+        return identified(Points(x, table.course.at(x, left=True).y, None, None, known), rebuilt, turns, share)
+    return identified(Points(table.x, table.y, table.v, table.a, known), rebuilt, turns, share)
 
 
 def finer(x: Array) -> Array:
@@ -58,9 +64,9 @@ def lines(read: Read, units: tuple[str, str]) -> list[str]:
     x, y = units
     said = []
     for one in read.found:
-        own = isinstance(one.law, PieceLaw)
-        name = f"no law of the registry, {len(one.law.as_pieces())} pieces" if own else one.law.name
-        misses = "" if one.fits else "; it neither begins and ends at rest nor keeps to the points"
+        points = len(one.law.as_pieces()) + 1
+        name = one.law.name if one.known else f"no law of the registry, a cubic spline through {points} points"
+        misses = "" if one.fits else "; so many points do not do"
         v = one.rates[0]
         misses += f"; begins with {v:.6g} {y}/{x}" if v else ""
         place = f"{one.begin + read.late:.9g}–{one.end + read.late:.9g} {x}"
@@ -76,8 +82,8 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
     found = read.found
     for one in found:
         if not one.fits:
-            raise TargetError(f"from {one.begin:.9g} to {one.end:.9g} it keeps to no law and to no few quintics; "
-                              "a composed motion needs such phases")  # fmt: skip
+            raise TargetError(f"from {one.begin:.9g} to {one.end:.9g} it keeps to no law, and splines through some "
+                              "points are too far from the others; --tolerance y=1% allows more")  # fmt: skip
     laws: dict[str, Any] = {}
     if any(not one.rests for one in found):
         laws["LIN"] = {"family": "LIN"}
@@ -97,11 +103,24 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
     closes = abs(travel) <= NEXT * max((abs(one.lift) for one in found), default=1.0)
     if found and table.x[-1] - found[-1].end <= near:
         require_end(found, closes, near + float(table.x[0]))
+    told = {"title": title, "laws": laws} | room(found)
     if read.late:
-        return turning(read.late, phases, laws, units[1], closes, title)
+        return told | turning(read.late, phases, units[1], closes, smoothness(found))
     motion = {"abscissa_unit": units[0], "lift_unit": units[1], "position": float(found[0].y if found else table.y[0]),
-              "cycle": "closes" if closes else "open", "phases": [*map(lasting, phases)]}  # fmt: skip
-    return {"template": "motion-composer", "title": title, "laws": laws, "motion": motion}
+              "cycle": "closes" if closes else "open", "smoothness": smoothness(found),
+              "phases": [*map(lasting, phases)]}  # fmt: skip
+    return told | {"template": "motion-composer", "motion": motion}
+
+
+def smoothness(found: Sequence[Found]) -> str:
+    """Return what can be asked of a motion: the acceleration of a spline begins and ends with a jump."""
+    return "velocity" if any(one.law.code == Spline.code for one in found) else "acceleration"
+
+
+def room(found: Sequence[Found]) -> dict[str, Any]:
+    """Return the size of the tables of points, where these are more than there is room for."""
+    most = max((len(one.law.points) for one in found if isinstance(one.law, Spline)), default=0)
+    return {"sizes": {"points": most}} if most > Sizes().points else {}
 
 
 def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
@@ -110,9 +129,10 @@ def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
     if one.law.code == "LIN" or not any(one.leaves):
         return
     taken = (other.lift / (other.end - other.begin), 0.0) if other.law.code == "LIN" else other.rates
-    near = (AS_FAST * one.law.coefficients.cv, AS_FAST * one.law.coefficients.ca)
+    size = abs(one.lift) if isinstance(one.law, Spline) else 1.0
+    near = (AS_FAST * size * one.law.coefficients.cv, AS_FAST * size * one.law.coefficients.ca)
     span = one.end - one.begin
-    off = [abs(a - b) * span**k / size for k, (a, b, size) in enumerate(zip(one.leaves, taken, near, strict=True), 1)]
+    off = [abs(a - b) * span**k / most for k, (a, b, most) in enumerate(zip(one.leaves, taken, near, strict=True), 1)]
     if not closes or other.begin > begin or max(off) > 1.0:
         raise TargetError(f"it ends on the way at {one.end:.9g}, and its begin does not take that over: "
                           "a composed motion ends at rest, or as it begins")  # fmt: skip
@@ -122,20 +142,20 @@ def passing(found: Sequence[Found], k: int, near: float) -> dict[str, float]:
     """Return what a phase passes its begin with where another curved one ends there, or nothing does."""
     before = found[k - 1]
     meets = k == 0 or found[k].begin - before.end <= near
-    if not meets or "LIN" in (found[k].law.code, before.law.code if k else ""):
+    if not meets or {"LIN", Spline.code} & {found[k].law.code, before.law.code if k else ""}:
         return {}
     rates = dict(zip(("velocity", "acceleration"), found[k].rates, strict=True))
     return {name: value for name, value in rates.items() if value}
 
 
 def turning(
-    late: float, phases: Sequence[dict[str, Any]], laws: dict[str, Any], unit: str, closes: bool, title: str
+    late: float, phases: Sequence[dict[str, Any]], unit: str, closes: bool, smooth: str
 ) -> dict[str, Any]:  # fmt: skip
     """Return a machine of one axis, shifted by what it begins later; its rate is ours."""
     moving = [tidy(phase) for phase in phases if phase["law"] != "DWL"]
     axis = {"name": AXIS, "group": "Read", "unit": unit, "closes": "position" if closes else "feed",
-            "shift": float(f"{late:.12g}"), "phases": moving}  # fmt: skip
-    return {"template": "machine", "title": title, "laws": laws, "master": {"rate": RATE}, "axes": [axis]}
+            "shift": float(f"{late:.12g}"), "smoothness": smooth, "phases": moving}  # fmt: skip
+    return {"template": "machine", "master": {"rate": RATE}, "axes": [axis]}
 
 
 def lasting(phase: dict[str, Any]) -> dict[str, Any]:
@@ -152,10 +172,11 @@ def tidy(phase: dict[str, Any]) -> dict[str, Any]:
 
 def named(one: Found, k: int) -> tuple[str, dict[str, Any]]:
     """Return the name of a movement's law in a description, and its entry there where it needs one."""
-    if isinstance(one.law, PieceLaw):
-        pieces = [{"duration": p.duration, **{f"c{i}": c for i, c in enumerate(p.c)}} for p in one.law.pieces]
+    if isinstance(one.law, Spline):
+        points = [{"at": at, "s": s} for at, s in one.law.points]
+        first, last = one.law.slopes
         name = f"Read {k + 1}"
-        return name, {name: {"family": "OWN", "name": name, "pieces": pieces}}
+        return name, {name: {"family": Spline.code, "points": points, "first_slope": first, "last_slope": last}}
     if one.law.code in (*BASIC, "LIN"):
         return one.law.code, {}
     return one.law.name, {one.law.name: {"family": one.law.code}}

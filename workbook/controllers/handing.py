@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import ceil, log10
 
@@ -29,12 +29,6 @@ ROUNDED = 1e-14
 """of the largest of a column: what is smaller is none"""
 WITHIN = 1e-3
 """of a way from point to point: so near to its ends a break may lie, which numbers of 32 bits have rounded"""
-GROWTH = (1.25, 2.0)
-BETTER = 0.95  # times the best so far: more points are worth it
-COARSE = 100
-DRAWN = 12
-IDLE = 3  # tries that were not: no more are made
-MOST_TRIED, MOST_EQUAL = 4000, 2000
 
 
 @dataclass(frozen=True)
@@ -132,7 +126,8 @@ def filled(target: Target, of: Course, x: Array, units: tuple[str, str]) -> Tabl
 
 def snapped(of: Course, places: Array, x: Array) -> Course:
     """Return a course whose breaks lie where numbers have rounded the places: what jumps there jumps at a point."""
-    nearest = np.abs(places[None, :] - of.edges[:, None]).argmin(axis=1)
+    after = np.clip(np.searchsorted(places, of.edges), 1, len(places) - 1)
+    nearest = np.where(of.edges - places[after - 1] <= places[after] - of.edges, after - 1, after)
     on = np.abs(places[nearest] - of.edges) <= SAME * of.total
     return replace(of, edges=np.where(on, x[nearest], of.edges))
 
@@ -149,86 +144,10 @@ def clean(values: Array, size: float) -> Array:
     return np.where(np.abs(values) < ROUNDED * max(float(np.abs(values).max(initial=0.0)), size), 0.0, values)
 
 
-def tried(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Iterator[Made]:
-    """Yield tables of more and more points: the more of them, the farther each is from what is tolerated."""
-    if target.counts:
-        yield from (certified(target, tabulated(target, axis, n), axis.course) for n in target.counts)
-        return
-    equal_steps = target.spacing == "equal"
-    n, most = fewest(target, axis.course), min(target.points[1], MOST_EQUAL if equal_steps else MOST_TRIED)
-    n = max(n, min(len(axis.course.edges), most)) if equal_steps else n
-    while n <= most:
-        made = certified(target, tabulated(target, axis, n), axis.course)
-        yield made
-        growth = min(max(made.excess(tolerance) ** 0.5, GROWTH[0]), GROWTH[1])
-        n = min(max(n + 1, int(n * growth)), most) if n < most else most + 1
-
-
-def curve(target: Target, axis: CamAxis) -> list[Made]:
-    """Return tables from the fewest points to the most that are tried, for a picture."""
-    low, high = fewest(target, axis.course), min(target.points[1], MOST_TRIED)
-    if low > high:
-        return []
-    counts = target.counts or dict.fromkeys(round(n) for n in np.geomspace(low, high, DRAWN))
-    return [certified(target, tabulated(target, axis, n), axis.course) for n in counts]
-
-
 def fewest(target: Target, of: Course) -> int:
     """Return the fewest points that do for a motion."""
     least = target.points[0]
     return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1 + more(target, of))
-
-
-def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
-    """Return the table of the fewest points that keeps to the tolerance, or the best there is.
-
-    Where none does, as where an acceleration jumps, and several are alike, it is the one that keeps velocity and
-    position to that tolerance. Raises TargetError where the target has no room for the breaks of the motion.
-    """
-    best = nearest(target, axis, tolerance)
-    if best.excess(tolerance) <= 1.0:
-        return best
-    for orders in range(min(map(ORDERS.index, tolerance)), 0, -1):
-        lower = dict.fromkeys(ORDERS[:orders], min(tolerance.values()))
-        other = nearest(target, axis, lower)
-        if other.excess(lower) < best.excess(lower) and not other.excess(tolerance) * BETTER > best.excess(tolerance):
-            best = other
-        if best.excess(lower) <= 1.0:
-            break
-    return best
-
-
-def nearest(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
-    """Return the table of the fewest points that keeps to the tolerance, or the first that comes nearest."""
-    best: Made | None = None
-    before, idle = 0, 0
-    for made in tried(target, axis, tolerance):
-        if made.excess(tolerance) <= 1.0:
-            return made if target.counts else fewer(target, axis, tolerance, before, made)
-        idle += 1
-        if best is None or made.excess(tolerance) < BETTER * best.excess(tolerance):
-            best, idle = made, 0
-        if idle == IDLE and target.spacing != "equal":  # equal steps miss the breaks by luck: each try may be better
-            break
-        before = made.points
-    if best is None:
-        needed = fewest(target, axis.course)
-        raise TargetError(f"{target.name}: {axis.name} has breaks for {needed} points; at most {target.points[1]} fit")
-    return best
-
-
-def fewer(target: Target, axis: CamAxis, tolerance: Mapping[str, float], low: int, made: Made) -> Made:
-    """Return the table of the fewest points above ``low`` that still keeps to the tolerance, to a hundredth of them."""
-    high = made.points
-    low = max(low, fewest(target, axis.course) - 1)
-    while high - low > max(1, high // COARSE):
-        middle = (low + high) // 2
-        one = certified(target, tabulated(target, axis, middle), axis.course)
-        if one.excess(tolerance) <= 1.0:
-            made, high = one, middle
-        else:
-            low = middle
-    return made
 
 
 def reread(target: Target, text: str, made: Table) -> Table:

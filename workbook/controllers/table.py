@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from engine.cams import interpolation
 from engine.cams.course import Course
+from engine.cams.given import Points, moves_at, rate_at
 from engine.laws.base import Array
 from workbook.errors import TargetError
 
@@ -72,11 +73,18 @@ class Rule(NamedTuple):
 
 
 def _clamped(table: Table) -> Course:
-    """Return the clamped spline, which lines part."""
-    slopes = table.slopes or (0.0, 0.0)
+    """Return the clamped spline, which lines part; with slopes that nobody told it goes on as its points do."""
+    slopes = table.slopes or end_slopes(table)
     if table.straight is None or not table.straight.any():
         return interpolation.spline(table.x, table.y, slopes)
     return interpolation.parted_spline(table.x, table.y, slopes, table.straight)
+
+
+def end_slopes(table: Table) -> tuple[float, float]:
+    """Return y' at both ends as the points next to them tell it; 0 where these rest."""
+    points = Points(table.x, table.y, None, None, 0.0)
+    one, other = (rate_at(points, side)[0] if moves_at(points, side) else 0.0 for side in (0, -1))
+    return one, other
 
 
 def _quintics(table: Table) -> Course:

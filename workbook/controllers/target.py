@@ -54,9 +54,9 @@ class Target:
     ``rules`` say what is between points: several where the documents do not settle it, and then each is tried and the
     worst is a bound. ``plain`` are those for a table of x and y only, where a file may have no more. ``columns`` are
     what a point has; ``points`` the fewest and the most, ``counts`` all there may be where these are few; ``signs``
-    which of separator and decimal may be asked for; ``tolerance`` what is asked unless told otherwise. ``exact`` says
-    which stretches of a motion need no points within; ``built`` makes a table of polynomials of a motion, between
-    places, in steps of x and y.
+    which of separator and decimal may be asked for; ``tolerance`` what is asked of which order unless told otherwise.
+    ``exact`` says which stretches of a motion need no points within; ``built`` makes a table of polynomials of a
+    motion, between places, in steps of x and y.
     """
 
     name: str
@@ -73,7 +73,7 @@ class Target:
     signs: tuple[str, ...] = ()
     spacing: Spacing = "free"
     plain: tuple[str, ...] = ()
-    tolerance: tuple[str, float] = ("a", 0.01)
+    tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))
     exact: Callable[[Course], NDArray[np.bool_]] | None = None
     built: Callable[[Course, Array, tuple[float, float]], Table] | None = None
     tappets: Tappets | None = None

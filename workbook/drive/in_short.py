@@ -13,10 +13,18 @@ NO_DRIVE, ENTERED = "–", "as entered"
 NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
 
 
+class Highest(NamedTuple):
+    """The highest rate (cycles/min) at which a drive holds all limits, and the limit that binds there."""
+
+    rate: float
+    limit: str
+
+
 class InShort(NamedTuple):
     """An axis: its name, travel between its ends and greatest rates.
 
-    Of its drive: the motor's name, or none where its figures are entered, ratio, use, and the scope of the cells.
+    Of its drive: the motor's name, or none where its figures are entered, ratio, use, and the scope of the cells; the
+    highest rate of one whose sheet has it.
     """
 
     name: str
@@ -27,6 +35,7 @@ class InShort(NamedTuple):
     scope: str = ""
     motor: str = ""
     ratio: float = 1.0
+    highest: Highest | None = None
 
 
 def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: str) -> None:
@@ -46,6 +55,7 @@ def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: str
         result("a", "greatest acceleration", "ÿ", unit(rates, "/s²"), each(axes, "=[axes.a.{0}]"),
                [axis.hardest for axis in axes]),
         *driven,
+        *(highest_rates(axes) if any(axis.highest for axis in axes) else []),
     )  # fmt: skip
 
 
@@ -83,4 +93,15 @@ def drives(axes: Sequence[InShort]) -> list[Quantity]:
         column("speed", "speed", "n", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
         column("of_speed", "of the motor's largest", "", "%", "100*{0}speed/{0}motor_nmax",
                lambda _, use: shown(use.speed.use, PERCENT), "0"),
+    ]  # fmt: skip
+
+
+def highest_rates(axes: Sequence[InShort]) -> list[Quantity]:
+    """Return the columns of the highest rate of each drive, and of the limit that binds there."""
+    cells = [[f"={a.scope}{name}" if a.highest else f'="{NO_DRIVE}"' for a in axes] for name in ("highest", "binds")]
+    values = [a.highest or (NO_DRIVE, NO_DRIVE) for a in axes]
+    return [
+        result("highest", "highest rate", "n_max", "cycles/min", cells[0], [rate for rate, _ in values], format="0.0",
+               align="right", source="at which it holds all limits"),
+        result("binds", "limit that binds there", "", "", cells[1], [limit for _, limit in values], align="right"),
     ]  # fmt: skip

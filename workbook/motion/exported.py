@@ -23,7 +23,10 @@ PER_DEGREE = ("", "*PI()/180", "*(PI()/180)^2")
 
 
 class Later(NamedTuple):
-    """By how much a motion is later than its pieces say: the cells that tell it, and the engine's figures."""
+    """By how much a motion is later than its pieces say: the cells that tell it, and the engine's figures.
+
+    ``travel`` is what a cycle goes on by, nothing where it always comes back.
+    """
 
     by: str
     near: str
@@ -36,7 +39,8 @@ class Exportable(NamedTuple):
     """An axis that the sheet may have.
 
     ``called`` is the formula of its name, ``units`` are those shown of x, y, y' and y''; ``unit`` is what one of the
-    motion's x and y is in them, ``turned`` the formula of that for y; ``size`` how large each derivative grows.
+    motion's x and y is in them, ``turned`` the formula of that for y; ``size`` how large each derivative grows,
+    ``scope`` what the names of its cells begin with.
     """
 
     name: str
@@ -47,6 +51,7 @@ class Exportable(NamedTuple):
     turned: str
     size: Callable[[int], float]
     later: Later | None = None
+    scope: str = ""
 
 
 def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> None:
@@ -59,13 +64,14 @@ def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> No
         TITLE, "One axis as a table, to copy and paste; motionbook export writes files and certifies them."
     )
     sheet.heading("Axis")
-    sheet.rows(
-        calc("export_axis", "Axis", "", "", axis.called, axis.name, align="left"),
-        constant(named(number), "Number of the axis", "", "", number, source="as the description says"),
-    )
-    sheet.row += 1
-    sheet.not_printed_below()
-    sheet.table("export", f"At {n} equal steps, both ends among them", n + 1, *columns(axis, n))
+    with sheet.scoped(axis.scope):
+        sheet.rows(
+            calc("export_axis", "Axis", "", "", axis.called, axis.name, align="left"),
+            constant(named(number), "Number of the axis", "", "", number, source="as the description says"),
+        )
+        sheet.row += 1
+        sheet.not_printed_below()
+        sheet.table("export", f"At {n} equal steps, both ends among them", n + 1, *columns(axis, n))
     sheet.print_columns = 8
 
 
@@ -84,7 +90,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
         ("y", "position", "y", POSITION), ("y1", "velocity", "y'", "dy/dx"), ("y2", "acceleration", "y''", "d²y/dx²"),
     )  # fmt: skip
     found_by = [f"({derivative(rows, order)}){axis.turned}{per[order]}" for order in range(len(told_as))]
-    found_by[0] += f"+[n]*{later.travel}" if later else ""
+    found_by[0] += f"+[n]*{later.travel}" if later and later.travel else ""
     return [
         calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", x * axis.unit[0],
              scale=rows.end * axis.unit[0], format="0.0##"),

@@ -24,7 +24,7 @@ from workbook.intake import read_text
 from workbook.laws.entries import key_of
 from workbook.laws.layout import numbered, with_laws
 from workbook.reading.files import BookFile, Words
-from workbook.reading.fitting import fitted
+from workbook.reading.fitting import ends_lost, fitted
 from workbook.reading.work import require_little_work
 from workbook.selection.entries import referred
 from workbook.template import MOST, M, Template
@@ -193,7 +193,7 @@ class Entries:
     def _lost(self) -> list[str]:
         """Return in a line each where rows are gone from tables, for entries that without them make no machine."""
         what = "and what is left does not go together; undo that, or take the table from a copy"
-        tables: dict[tuple[str, int], list[str]] = {}
+        tables = {at: list(names) for at, names in self._ends.items()}
         for table, fit in self.file.fits.items():
             for row, _ in fit.lost:
                 tables.setdefault((fit.place.sheet, row), []).append(table)
@@ -246,6 +246,7 @@ class Entries:
     def _fit(self, layout: Book) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""
         self.file.fits |= fitted(self.file, layout)
+        self._ends = ends_lost(self.file, layout)
         for name, fit in self.file.fits.items():
             self.file.places[name] = fit.place
         for size, block, extra in self.template.sized(self.file.fits):

@@ -32,6 +32,17 @@ def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
     return fits
 
 
+def ends_lost(file: BookFile, layout: Book) -> dict[tuple[str, int], list[str]]:
+    """Return the tables of entries that lack rows at their end, by sheet and row."""
+    found: dict[tuple[str, int], list[str]] = {}
+    for name, block in layout.blocks.items():
+        place = file.places.get(name)
+        entered = block.is_table and any(q.role == "input" for q in block.quantities)
+        if place is not None and entered and block.size > file.fits.get(name, Fit(place)).size:
+            found.setdefault((place.sheet, place.cell(place.rows - 1, 0).row + 1), []).append(name)
+    return found
+
+
 def fit(file: BookFile, block: Block, place: Place) -> Fit:
     """Return how a table lies in ``place``, that of its name."""
     columns = range(place.columns) if place.columns == len(block.quantities) else aligned(file, block, place)

@@ -10,7 +10,8 @@ import numpy as np
 import workbook
 from workbook.axes import CamAxis
 from workbook.controllers import certificates
-from workbook.controllers.handing import ORDERS, Made, automatic, curve, rules_of
+from workbook.controllers.automatic import automatic, curve
+from workbook.controllers.handing import ORDERS, Made, rules_of
 from workbook.controllers.target import Target
 from workbook.reports.page import document, e, table
 from workbook.reports.plot import Line, plot

@@ -11,7 +11,8 @@ import pytest
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.commands.export import chosen, slugs
-from workbook.controllers.handing import automatic, certified, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import certified, tabulated
 from workbook.controllers.registry import target
 from workbook.errors import TargetError
 
@@ -139,7 +140,9 @@ def test_a_report_has_the_figures_and_two_pictures_an_axis(run, book, tmp_path) 
     assert all(word in text for word in ("Press", "Feed 2", "acceleration", "untested", "clamped cubic spline"))
     assert "script" not in text
     assert text.count("Recommended: ") == 2
-    assert re.search(r"Recommended: \d+ points, the fewest that keep to acceleration 1 % of its peak", text)
+    assert re.search(
+        r"Recommended: \d+ points, the fewest that keep to position 0.01 %, acceleration 1 % of its peak", text
+    )
     code, _, err = run("export", book, "--all", "--to", "rockwell", "--unverified", "--report", "cams.html", "-o", "b")
     assert code == 2
     assert "exists" in err

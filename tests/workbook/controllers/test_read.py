@@ -7,7 +7,8 @@ import pytest
 
 from engine.cams.course import turned
 from workbook.controllers import described
-from workbook.controllers.handing import automatic, reread, tabulated
+from workbook.controllers.automatic import automatic
+from workbook.controllers.handing import reread, tabulated
 from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target
 from workbook.controllers.target import Handed
@@ -33,7 +34,7 @@ def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: s
     """Codes and breaks are equal; from numbers of 32 bits, and whole ones, within what they leave."""
     one = target(name)
     for axis, given in ((axes[of], machine.timing.axes[of]),):
-        made = automatic(one, axis, dict([one.tolerance]))
+        made = automatic(one, axis, dict(one.tolerance))
         table = reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
         found = described.phases_of(one, table).found
         moving = [phase for phase in given.phases if phase.law != "DWL"]

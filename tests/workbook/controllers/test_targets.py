@@ -3,6 +3,7 @@
 import json
 import re
 import time
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from xml.dom import minidom
@@ -15,10 +16,11 @@ from hypothesis import strategies as st
 from engine import law
 from engine.cams.course import Course, course_of_motion
 from engine.motion import Motion, Phase
-from tests.workbook.controllers.examples import FOUR, X, Y, handed, random_axis
+from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
 from workbook.axes import CamAxis
+from workbook.controllers.automatic import automatic
 from workbook.controllers.files import TOLD, header, parsed, read_table
-from workbook.controllers.handing import automatic, certified, filled, reread, tabulated
+from workbook.controllers.handing import certified, filled, reread, tabulated
 from workbook.controllers.names import TARGETS
 from workbook.controllers.number import REAL
 from workbook.controllers.registry import target
@@ -109,7 +111,7 @@ def test_the_polynomials_of_br_and_of_segments_are_the_motion() -> None:
 @pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.nightly) for k in range(1, 12))])
 def test_what_is_read_back_is_what_was_certified(name: str, seed: int) -> None:
     one, axis = target(name), random_axis(seed)
-    made = automatic(one, axis, {one.tolerance[0]: 0.05})
+    made = automatic(one, axis, {one.tolerance[-1][0]: 0.05})
     text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
     table = reread(one, text, made.table)
     assert table.x.tolist() == made.table.x.tolist()
@@ -125,7 +127,7 @@ def test_an_axis_that_begins_above_0_and_before_0_is_read_back_where_it_is(name:
     course = low.course
     raised = Course(course.edges, course.origins, course.c + np.eye(1, course.c.shape[1]) * 12.5, course.sines)
     axis = CamAxis("raised", raised, "°", "mm")
-    made = automatic(one, axis, {one.tolerance[0]: 0.05})
+    made = automatic(one, axis, {one.tolerance[-1][0]: 0.05})
     text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
     assert certified(one, reread(one, text, made.table), raised).share("y") < 1e-3
 
@@ -146,7 +148,7 @@ def test_a_jump_stands_at_its_point_where_numbers_round_its_place(name: str) -> 
     trapezoid = law("TVP", rise_end=1 / 6, fall_start=5 / 6)
     motion = Motion([Phase(trapezoid, 8.0, 0.2), Phase(law("dwell"), 0.0, 0.1)])
     one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "s", "mm", repeats=False)
-    made = automatic(one, axis, dict([one.tolerance]))
+    made = automatic(one, axis, dict(one.tolerance))
     assert made.share("y") < 1e-6
     assert made.share("v") < 1e-3
 
@@ -359,6 +361,26 @@ def test_whole_turn_speed(axes: int) -> None:
         made = certified(one, tabulated(one, axis, 1000), axis.course)
         reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
     assert time.process_time() - begin < 3.0 * axes / 24
+
+
+NASTY = {"crowded": crowded_axis, "hurried": hurried_axis, "even": lambda: random_axis(2)}
+EVERY_DAY = (("mitsubishi-ratio", "crowded"), ("codesys-table", "hurried"), ("siemens-points", "crowded"))
+
+
+@pytest.mark.parametrize(
+    ("name", "which"),
+    [
+        pytest.param(name, which, marks=[] if (name, which) in EVERY_DAY else pytest.mark.nightly)
+        for name in TARGETS for which in NASTY
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("tolerance", [{}, {"a": 1e-4}, {"y": 1e-9}, {"j": 0.01}])
+def test_the_fewest_points_of_an_axis_take_two_seconds_at_most(name: str, which: str, tolerance) -> None:
+    one, axis = target(name), NASTY[which]()
+    begin = time.process_time()
+    with suppress(TargetError):  # no room for the breaks
+        automatic(one, axis, tolerance or dict(one.tolerance))
+    assert time.process_time() - begin < 2.0
 
 
 BOMBS = {

@@ -14,10 +14,12 @@ from workbook.errors import InputError
 from workbook.judging.one import Outcome
 from workbook.judging.verify import verify
 from workbook.reading.entries import read_machine
+from workbook.reading.fitting import counting
 from workbook.reports.console import report_data
 from workbook.reports.junit import junit
 from workbook.reports.page import page
 from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import program
 
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
@@ -32,6 +34,7 @@ TABLES = [
         ("indexing-overlap-stations", "OWN_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
         ("flying-cutter-saw", "OWN_pieces"), ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"),
         ("actuator-sizing", "motors"), ("actuator-sizing-conveyor", "phases"),
+        *(("machine", table) for table in ("axes", "axis1", "switches", "drive1_parts", "drive1_windows")),
         ("motion-composer-example-1", "phases"), ("motion-composer-example-2", "phases"),
     )),
 ]  # fmt: skip
@@ -91,6 +94,14 @@ def one(report, sheet, cell, *words):
 def understood(report):
     assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in sums(report).findings + report.notices] == []
     assert report.compared == report.declared
+
+
+def test_each_table_of_entries_numbers_its_rows_but_the_catalogues():
+    """So a row that is put in, or gone, is told from its neighbours."""
+    for template in TEMPLATES.values():
+        for block in template.declare(read_machine(template.description)).blocks.values():
+            entered = block.is_table and any(q.role == "input" for q in block.quantities)
+            assert not entered or counting(block) is not None or block.name in ("motors", "reducers"), block.name
 
 
 @pytest.mark.parametrize(("name", "table"), TABLES)

@@ -9,11 +9,12 @@ from workbook.build import build, committed
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.reading.entries import checked, read_machine
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
 SMALL = {"cycle": 12, "law": 4, "own_law": 60, "export": 30}
 AXES = {"cutting-machine": 3, "machine": 4, "motion-composer": 1, "actuator-sizing": 1, "flying-cutter": 2,
-        "indexing-overlap": 1}  # fmt: skip
+        "indexing-overlap": 2, "indexing-overlap-stations": 4}  # fmt: skip
 ALL = [(name, number) for name, count in AXES.items() for number in range(1, count + 1)]
 
 
@@ -25,7 +26,7 @@ def exporting(data, which, **sizes):
 
 
 def committed_as(name, which, **sizes):
-    return exporting(read_machine(TEMPLATES[name].description).model_dump(), which, **sizes)
+    return exporting(read_machine(FOLDER / f"{name}.toml").model_dump(), which, **sizes)
 
 
 def table(template, machine):
@@ -34,7 +35,7 @@ def table(template, machine):
 
 
 @pytest.mark.parametrize(("name", "number"), ALL)
-@pytest.mark.sample(5)
+@pytest.mark.sample(6)
 def test_the_table_is_the_course_that_a_controller_is_given(name, number):
     template, machine = committed_as(name, number)
     meant = template.axes(machine)[number - 1]
@@ -76,7 +77,7 @@ def test_an_axis_is_told_by_its_name_or_its_number():
         ("machine", 0, "expected a whole number of at least 1"),
         ("motion-composer", "press", "no axis is named 'press'; expected one of motion"),
         ("motion-laws", "MTP", "unknown entry"),
-        ("indexing-overlap", "tool", "no axis is named 'tool'; expected one of transfer"),
+        ("indexing-overlap", "tool", "no axis is named 'tool'; expected one of transfer, Die"),
     ],
 )
 def test_an_axis_that_is_none_is_refused_in_a_line(name, which, said):

@@ -47,5 +47,5 @@ TARGET = Target(
     number=DINT,
     points=(2, 16_384),
     signs=("separator",),
-    tolerance=("v", 0.01),
+    tolerance=(("y", 1e-4), ("v", 0.01)),
 )

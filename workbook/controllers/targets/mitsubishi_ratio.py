@@ -70,6 +70,6 @@ TARGET = Target(
     points=(RESOLUTIONS[0] + 1, RESOLUTIONS[-1] + 1),
     counts=tuple(n + 1 for n in RESOLUTIONS),
     spacing="equal",
-    tolerance=("v", 0.01),
+    tolerance=(("y", 1e-4), ("v", 0.01)),
     built=built,
 )

@@ -50,6 +50,7 @@ def chosen(sheet: Sheet, view: Compared) -> None:
     """Declare the laws that are drawn."""
     sheet.table(
         "curves", "One law each row; leave spare rows empty", MOST_CURVES,
+        constant("k", "curve", "k", "", list(range(1, MOST_CURVES + 1))),
         given("law", "law", "", "",
               filled(view.entered, MOST_CURVES, None), "comparison.curves.*.law", choices="=law_code"),
         calc("no", "number", "", "",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from engine.drivetrain.loads import GRAVITY
@@ -14,6 +16,7 @@ from workbook.machines.machine import chosen
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.pacing import highest, pace_columns, pace_tables
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import (
     ACTS,
@@ -48,16 +51,16 @@ STRAIGHT = {
 UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
 
-def drive_sheet(book: Book, one: AxisRows, driven: Driven) -> None:
+def drive_sheet(book: Book, view: Stretched) -> None:
     """Declare the sheet."""
-    view = Stretched(one, driven)
+    one, driven = view.one, view.driven
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven, size(driven))
         parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
-        outcome(sheet, driven, STRAIGHT)
+        outcome(sheet, driven, STRAIGHT, highest(view))
         sheet.checks(*checks(driven), laws_check(driven, one))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         sheet.heading("Motor and reducer in use")
@@ -67,7 +70,8 @@ def drive_sheet(book: Book, one: AxisRows, driven: Driven) -> None:
         lines(sheet, driven)
         turns_table(sheet, view)
         breaks_table(sheet, view)
-        stretches_table(sheet, view)
+        stretches_table(sheet, view, *pace_columns(view))
+        pace_tables(sheet, view)
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
@@ -122,6 +126,7 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     sheet.row += 1
     sheet.table(
         "@parts", "Rotating parts: leave spare rows empty", rows,
+        constant("k", "number", "k", "", list(range(1, rows + 1))),
         given("name", "part", "", "", filled([p.name for p in e], rows, None), f"{key}.name"),
         given("count", "count", "", "", filled([p.count for p in e], rows, None), f"{key}.count", format="0"),
         given("inertia", "inertia of one", "J", "kg m²", filled([p.inertia for p in e], rows, None),
@@ -132,8 +137,8 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     )  # fmt: skip
 
 
-def outcome(sheet: Sheet, driven: Driven, formulas: dict[str, str]) -> None:
-    """Declare what the cycle asks of the motor."""
+def outcome(sheet: Sheet, driven: Driven, formulas: dict[str, str], rates: Sequence[Quantity] = ()) -> None:
+    """Declare what the cycle asks of the motor, and the highest rate."""
     found, motor = driven.demand, driven.reserve
     torque = max(found.torque.peak, 1e-3)
     fastest = shown(found.speed.peak, RPM)
@@ -171,6 +176,7 @@ def outcome(sheet: Sheet, driven: Driven, formulas: dict[str, str]) -> None:
                found.energy.regenerated, scale=driven.scales.work),
         result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle",
                found.mean_power, scale=driven.scales.power),
+        *rates,
     )  # fmt: skip
 
 

@@ -37,4 +37,6 @@ def lines(sheet: Sheet, driven: Driven) -> None:
                  scale=slope),
             calc(f"{w}_y", "power turns round in the reducer at", "y_1", "",
                  f"=IF(@m+@j1>0,{keep2}/@i2/({keep2}*@m/@i2+@j1*@i2),0)", way.turns[0]),
+            calc(f"{w}_r", "slope behind the reducer", "", "Nm/y", f"={keep2}*@m/@i2+@j1*@i2", way.geared[0]),
+            calc(f"{w}_r2", "past both bends", "", "Nm/y", f"={turned2}*@m/@i2+@j1*@i2", way.geared[1]),
         )  # fmt: skip

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
+from engine.machine.pace import PARTS, SHARES
 from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
@@ -83,6 +84,8 @@ def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
     if driven and not any(one.ends for one in axes):
         sheet.heading("Grid and rule", "What drives find crossings and integrals with.")
         grids(sheet)
+    if driven:
+        sheet.table("fine", "Parts of a stretch", PARTS, constant("at", "share", "", "", SHARES.tolist()))
     sheet.print_columns = 20
 
 

@@ -12,7 +12,9 @@ import numpy as np
 
 from engine.drivetrain import Load
 from engine.drivetrain.bends import Bends
+from engine.laws.base import Array
 from engine.machine.bent import PLACES, BentPart, going, inside, middle, stretches, turned, turning
+from engine.machine.pace import Pace
 from engine.machine.train import Window
 from engine.motion.pieces import MotionPiece
 from workbook.book.rows import filled
@@ -96,6 +98,17 @@ class Stretched:
         way = going(piece, middle((low, high)), self.driven.fastest)
         bends = self.driven.bends_under(self.driven.acting(si(at, DEGREE) + axis.shifted.shift), way)
         return BentPart(bends, piece, low, high, axis.speed, way, axis.hardest, self.driven.fastest)
+
+    @cached_property
+    def pace(self) -> Pace:
+        """What they ask for at other rates."""
+        motor, driven = self.driven.motor, self.driven
+        limits = motor.rated_torque, motor.peak_torque, motor.max_speed, driven.reducer.limits
+        return Pace(tuple(self.parts), driven.demand, *limits)
+
+    def rowed(self, values: Array) -> list[float]:
+        """Return values of the stretches, 0 in spare rows."""
+        return filled(values, self.rows)
 
     def piece_at(self, angle: float) -> int:
         """Return the number of the piece, from 0, in which an angle of the motion lies."""

@@ -53,6 +53,7 @@ def windows_table(sheet: Sheet, key: str, view: Stretched) -> None:
     sheet.row += 1
     sheet.table(
         "@windows", "Process forces over the cycle: leave spare rows empty", WINDOWS,
+        constant("k", "number", "k", "", list(range(1, WINDOWS + 1))),
         given("start", "from", "", "°", entry("start"), f"{key}.load.windows.*.start", format="0.0##"),
         given("stop", "to", "", "°", entry("stop"), f"{key}.load.windows.*.stop", format="0.0##",
               source="of the master shaft"),
@@ -127,8 +128,8 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
     )  # fmt: skip
 
 
-def stretches_table(sheet: Sheet, view: Stretched) -> None:
-    """Declare the stretches, each with its torque's line, extremes and integrals."""
+def stretches_table(sheet: Sheet, view: Stretched, *more: Quantity) -> None:
+    """Declare the stretches, each with its torque's line, extremes and integrals, and more columns."""
     number = view.driven.number
     sines = (("A", "amplitude", view.driven.axis.motion.size(0)), ("om", "frequency", 0.0), ("ph", "phase", 1.0))
     sheet.table(
@@ -140,6 +141,7 @@ def stretches_table(sheet: Sheet, view: Stretched) -> None:
                view.piece_figures(partial(of_sine, k)), scale=scale)
           for k, (name, words, scale) in enumerate(sines)),
         *directed(view), *lined(view), *crossed(view), *ends(view), *integrals(view),
+        *more,
     )  # fmt: skip
 
 

@@ -48,6 +48,7 @@ def entries(sheet: Sheet, machine: Whole) -> None:
                                format="0.0##"))  # fmt: skip
     sheet.table(
         "switches", "Switches: a row each; leave spare times empty", len(lanes),
+        constant("k", "number", "k", "", [lane.number for lane in lanes]),
         given("name", "switch", "", "", [lane.given.name for lane in lanes], "switches.*.name"),
         *times,
         result("on", "on in all", "", "°", f"={summed('span')}", [shown(one.switch.total, DEGREE) for one in lanes]),

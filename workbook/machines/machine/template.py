@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from workbook.book.declare import Book, result
+from collections.abc import Iterable
+
+from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
-from workbook.drive.in_short import InShort, axes_in_short
+from workbook.drive.in_short import Highest, InShort, axes_in_short
 from workbook.entries.rules import limits
 from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
@@ -18,7 +20,10 @@ from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.linked.driven import LinkedDriven
 from workbook.machines.machine.linked.sheet import linked_sheet
+from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
+from workbook.machines.machine.pacing import rate_of
+from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing import joined, timing_sheet
@@ -35,8 +40,8 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {axis.number: driven(axis, given.selection)
-              for axis in machine.axes if axis.given.mechanism and axis.given.motor}  # fmt: skip
+    drives = {one.axis.number: view_of(one, given.selection)
+              for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
     sheet = summary_sheet(
         book,
         given,
@@ -44,6 +49,7 @@ def declare(given: AnyMachine) -> Book:
         [
             result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", given.master.rate),
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
+            *highest_rate(drives.values(), len(rows)),
         ],
     )  # fmt: skip
     axes_in_short(
@@ -56,11 +62,11 @@ def declare(given: AnyMachine) -> Book:
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
     for one in rows:
-        found = drives.get(one.axis.number)
-        if isinstance(found, LinkedDriven):
-            linked_sheet(book, one, found)
-        elif found:
-            drive_sheet(book, one, found)
+        view = drives.get(one.axis.number)
+        if isinstance(view, LinkedWork):
+            linked_sheet(book, view)
+        elif view:
+            drive_sheet(book, view)
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
@@ -69,21 +75,48 @@ def declare(given: AnyMachine) -> Book:
     return finish(book, "Machine", ("S1", "S3"))
 
 
-def driven(axis: MovingAxis, products: Products) -> Driven:
-    """Return the drive of an axis."""
-    linked = axis.given.mechanism and axis.given.mechanism.kind in LINKED
-    return LinkedDriven(axis, products) if linked else Driven(axis, products)
+def view_of(one: AxisRows, products: Products) -> Stretched:
+    """Return the drive of an axis over its motion."""
+    if one.axis.given.mechanism and one.axis.given.mechanism.kind in LINKED:
+        return LinkedWork(one, LinkedDriven(one.axis, products))
+    return Stretched(one, Driven(one.axis, products))
 
 
-def in_short(axis: MovingAxis, driven: Driven | None) -> InShort:
+def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
     """Return what the first sheet tells of an axis, and of its drive if it has one."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
-    if driven is None:
+    if view is None:
         return found
-    name = axis.given.motor.name if axis.given.motor else ""
+    name, driven = axis.given.motor.name if axis.given.motor else "", view.driven
     return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=name,
-                          ratio=driven.reducer.ratio)  # fmt: skip
+                          ratio=driven.reducer.ratio, highest=highest_of(view))  # fmt: skip
+
+
+def highest_of(view: Stretched) -> Highest | None:
+    """Return the highest rate of a drive; none of one whose ratio changes: its sheet has none."""
+    return None if isinstance(view, LinkedWork) else rate_of(view)
+
+
+def highest_rate(drives: Iterable[Stretched], axes: int) -> list[Quantity]:
+    """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds.
+
+    There are none where a drive tells none.
+    """
+    each = [(view.driven.axis.given.name, highest_of(view)) for view in drives]
+    found = [(name, rate) for name, rate in each if rate]
+    if not found or len(found) < len(each):
+        return []
+    axis, least = min(found, key=lambda one: one[1].rate)
+    place = "MATCH(about_highest,[axes_short.highest],0)"
+    names = ("[axes_short.axis]", "[axes_short.binds]")
+    told = [f"INDEX({column},{place})" if axes > 1 else column for column in names]
+    return [
+        result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least.rate,
+               source="at which all drives hold all limits"),
+        result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
+               f"{axis}: {least.limit}", align="right"),
+    ]  # fmt: skip
 
 
 TEMPLATE = Template(

@@ -67,6 +67,7 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
     sheet.row += 1
     sheet.table(
         "axes", "Axes", n,
+        constant("k", "number", "k", "", [a.number for a in axes]),
         given("group", "group", "", "", [a.given.group for a in axes], "axes.*.group"),
         given("name", "axis", "", "", [a.given.name for a in axes], "axes.*.name"),
         given("closes", "over a cycle", "", "", [a.given.closes for a in axes], "axes.*.closes",

@@ -48,7 +48,7 @@ class AtAngles:
         self.plan: Schedule = station.schedules[self.row - 1]
         self.angle = si(theta, DEGREE)
         self.travel = self.plan.travel(self.angle)
-        self.rows = rows_of_parts(self.at, self.plan.parts, self.plan.pieces, pieces, FULL_TURN)
+        self.rows = tool_rows(station, schedule, pieces)
 
     def columns(self, suffix: str) -> list[Quantity]:
         """Return the travel and the workings."""
@@ -99,12 +99,17 @@ def of_transfer(machine: Overlapping, pieces: Pieces) -> Joints:
 
 def of_tool(station: Station, pieces: Pieces) -> Joints:
     """Return the joints of the pieces of a tool as it is set, and how smooth it must be."""
-    plan, at = station.as_set, OF_TOOL["a"]
     asked = Asked(
-        station.given.smoothness, "@smooth", "@order", largest(at), ('"° after its arrival"', "° after its arrival"),
-        UNITS, ("@name", station.given.name), names=WAYS,
+        station.given.smoothness, "@smooth", "@order", largest(OF_TOOL["a"]),
+        ('"° after its arrival"', "° after its arrival"), UNITS, ("@name", station.given.name), names=WAYS,
     )  # fmt: skip
-    return Joints(rows_of_parts(at, plan.parts, plan.pieces, pieces, FULL_TURN), plan.motion, asked)
+    return Joints(tool_rows(station, "a", pieces), station.as_set.motion, asked)
+
+
+def tool_rows(station: Station, schedule: str, pieces: Pieces) -> PieceRows:
+    """Return the pieces of a tool in a schedule, from its arrival."""
+    plan = station.schedules[SCHEDULES[schedule][0] - 1]
+    return rows_of_parts(OF_TOOL[schedule], plan.parts, plan.pieces, pieces, FULL_TURN)
 
 
 def transfer_rows(machine: Overlapping, pieces: Pieces) -> PieceRows:
@@ -236,7 +241,7 @@ def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -
     """Declare the phases of a tool in one schedule, and their pieces."""
     row, words = SCHEDULES[schedule]
     plan, at, (row_in, row_out) = station.schedules[row - 1], OF_TOOL[schedule], station.law_rows
-    rows = rows_of_parts(at, plan.parts, plan.pieces, pieces, FULL_TURN)
+    rows = tool_rows(station, schedule, pieces)
     into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
     rest = f"360-@dwell-{out}-{into}"
     phases(

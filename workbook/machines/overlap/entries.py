@@ -98,6 +98,7 @@ class IndexingOverlap(Exporting):
     """A transfer and tools over one master shaft, one after the other and with overlap (S2)."""
 
     AXES = ("transfer",)
+    AXES_AT = ("overlap", "tools")
     template: Literal["indexing-overlap"] = "indexing-overlap"
     overlap: OverlapEntry
     sizes: OverlapSizes = OverlapSizes()

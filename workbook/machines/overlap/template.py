@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from engine.overlap.schedule import size_of_parts
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
-from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.overlap.axes import axes
 from workbook.machines.overlap.check import check
-from workbook.machines.overlap.cycle import cycle_sheets, transfer_rows
+from workbook.machines.overlap.cycle import cycle_sheets
 from workbook.machines.overlap.entries import IndexingOverlap
+from workbook.machines.overlap.exported import exportable
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
 from workbook.machines.overlap.sheet import overlap_sheet
 from workbook.machines.overlap.variations import variants
 from workbook.machines.overlap.view import Overlapping, laid_out
-from workbook.motion.exported import Exportable, export_sheet
+from workbook.motion.exported import export_sheet
 from workbook.template import Template, finish
 
 
@@ -37,11 +36,7 @@ def declare(given: IndexingOverlap) -> Book:
     cycle_sheets(book, view, shelf.stack)
     inverse_sheet(book, view, shelf.rows, shelf.stack.second_sine)
     shelf.sheets(book)
-    parts = view.transfer.parts
-    export_sheet(book, given, [Exportable(
-        "transfer", '="transfer"', transfer_rows(view, shelf.stack), ("°", "mm", "mm/°", "mm/°²"),
-        (shown(1.0, DEGREE), shown(1.0, MM)), "*1000", size_of_parts(parts),
-    )])  # fmt: skip
+    export_sheet(book, given, exportable(view, shelf.stack))
     return finish(book, "Overlap of motions", ("S2", "S1", "S3"))
 
 

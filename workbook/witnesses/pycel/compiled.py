@@ -26,6 +26,9 @@ UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's gr
 DUMMY = re.compile(r"A[0-9]+(:B[0-9]+)?")
 ADDRESS_ASKED = re.compile(r'_REF_\("(.*?)"\)')
 
+REDUCING = frozenset({"sumproduct", "sum_", "min_", "max_", "count", "countif"})
+"""functions that make one value of ranges, as pycel names them"""
+
 SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0}  # in a text of one line
 
 # pycel's own parser, for tokens that have been looked through: it would part each formula into them a second time
@@ -41,6 +44,7 @@ _space: dict[str, Any] = {
     "_REF_": arguments.__getitem__,
     "pi": math.pi,
     "excel_operator_operand_fixup": shortcuts.operators(),
+    "chosen": shortcuts.chosen,
 }
 
 
@@ -148,10 +152,33 @@ class Operators(ast.NodeTransformer):
         """Take a sign as Excel does."""
         return self._operated(ast.Constant(EMPTY, **SOMEWHERE), node.op, node.operand)
 
+    def visit_Call(self, node: ast.Call) -> ast.expr:
+        """Leave a call; of IF work out only what is chosen, where neither choice can be a range."""
+        lazy = called(node) == "if_" and len(node.args) == 3 and all(map(single, node.args))
+        self.generic_visit(node)
+        if not lazy:
+            return node
+        test, *choices = node.args
+        late = [ast.Lambda(ast.arguments([], [], None, [], [], None, []), choice, **SOMEWHERE) for choice in choices]
+        return ast.Call(ast.Name("chosen", ast.Load(), **SOMEWHERE), [node.func, test, *late], [], **SOMEWHERE)
+
     def _operated(self, left: ast.expr, operator: ast.AST, right: ast.expr) -> ast.Call:
         called = ast.Name("excel_operator_operand_fixup", ast.Load(), **SOMEWHERE)
         words = [self.visit(left), ast.Constant(type(operator).__name__, **SOMEWHERE), self.visit(right)]
         return ast.Call(called, words, [], **SOMEWHERE)
+
+
+def called(node: ast.AST) -> str:
+    """Return the name of the function that is called, if one is."""
+    return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
+
+
+def single(node: ast.AST) -> bool:
+    """Whether an expression is surely one value, and no range."""
+    name = called(node)
+    if name == "_R_":
+        return False
+    return name in REDUCING or all(map(single, ast.iter_child_nodes(node)))
 
 
 def _compiled(shape: str, tokens: Tokenizer) -> Compiled:

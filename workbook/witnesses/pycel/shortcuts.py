@@ -123,6 +123,13 @@ def condition(checked: Function) -> Function:
     return call
 
 
+def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_value: Callable[[], Any]) -> Any:
+    """Return IF of two single values, of which only the one that counts is worked out, where the test is plain."""
+    if type(test) is bool:
+        return true_value() if test else false_value()
+    return function(test, true_value(), false_value())
+
+
 def searching(checked: Function) -> Function:
     """Return a look-up that counts what it passes through before it begins."""
 

@@ -10,10 +10,8 @@ from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen, drive
 from workbook.machines.machine.chain import UNSIZED
 from workbook.machines.machine.linked import cut, found, kinds, reach
-from workbook.machines.machine.linked.driven import LinkedDriven
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
-from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretches import breaks_table, turns_table, windows_table
 
 RESULTS = {
@@ -29,9 +27,9 @@ RESULTS = {
 }
 
 
-def linked_sheet(book: Book, one: AxisRows, driven: LinkedDriven) -> None:
+def linked_sheet(book: Book, view: LinkedWork) -> None:
     """Declare the sheet."""
-    view = LinkedWork(one, driven)
+    one, driven = view.one, view.linked
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
