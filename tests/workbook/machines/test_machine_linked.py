@@ -71,11 +71,12 @@ def test_speed_and_torque_against_differentiated_angles():
         assert value("drive1_cycle", "rpm")[k] == pytest.approx(rate * 30 / math.pi, abs=0.3)
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(
     ("changed", "check", "said"),
     [
         ({"position": 0.0}, "reach", "A1 row 1 reaches 0 mm, 0 mm beyond the inner dead centre"),
-        ({"position": 40.0}, "reach", "A1 row 1 reaches 60 mm, 0.133 mm beyond the outer dead centre"),
+        ({"position": 45.0}, "reach", "A1 row 1 reaches 60 mm, 4.866 mm beyond the outer dead centre"),
         ({"rod": 40.0}, "linked", "the rod is not longer than crank and offset: the crank cannot turn round"),
         ({"rod": None}, "sized", "a size of the mechanism is empty"),
         ({"position": 0.01}, "nodes", "too near to a dead centre, or power turns round too often, for the places"),
@@ -86,8 +87,9 @@ def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, sai
     data["axes"][0]["mechanism"] |= changed
     machine = checked(TEMPLATE, data, str)
     assert machine.design.faults[0].said.startswith(said)
-    assert computed(TEMPLATE, machine)(f"drive1_ok_{check}") == "FAIL"
-    assert not any(str(value).startswith("#") for value in computed(TEMPLATE, machine)("drive1_pl"))
+    value = computed(TEMPLATE, machine)
+    assert value(f"drive1_ok_{check}") == "FAIL"
+    assert all(isinstance(one, float | int) for one in [*value("drive1_pl", "T"), *value("drive1_cycle", "phi")])
 
 
 def test_an_axis_that_does_not_come_back_fails():
