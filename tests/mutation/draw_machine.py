@@ -48,6 +48,7 @@ def times(drawn: random.Random) -> list[dict[str, Any]]:
 def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:
     """Draw a drive of the same kind: loads that resist or drive, limits far off."""
     travels = axis["unit"] == "mm"
+    axis["rate"] = drawn.choice((None, drawn.uniform(5, 600)))
     often = drawn.uniform(0, 1)
     force = drawn.choice((0.0, drawn.uniform(-900, 900)))
     axis["mechanism"] |= {"size": drawn.uniform(2, 300) if travels else 1.0, "efficiency": drawn.uniform(0.3, 1)}

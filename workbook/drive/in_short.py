@@ -9,15 +9,19 @@ from engine.drivetrain.motor import Reserve
 from workbook.book.declare import Quantity, Sheet, calc, result
 from workbook.entries.units import PERCENT, RPM, shown
 
-NO_DRIVE, ENTERED = "–", "as entered"
+NO_DRIVE, ENTERED, MACHINES = "–", "as entered", "machine's"
 NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
 
 
 class Highest(NamedTuple):
-    """The highest rate (cycles/min) at which a drive holds all limits, and the limit that binds there."""
+    """The highest rate (cycles/min) at which a drive holds all limits, and the limit that binds there.
+
+    ``own`` is the rate that it is sized at, if not the machine's.
+    """
 
     rate: float
     limit: str
+    own: float | None = None
 
 
 class InShort(NamedTuple):
@@ -99,9 +103,12 @@ def drives(axes: Sequence[InShort]) -> list[Quantity]:
 def highest_rates(axes: Sequence[InShort]) -> list[Quantity]:
     """Return the columns of the highest rate of each drive, and of the limit that binds there."""
     cells = [[f"={a.scope}{name}" if a.highest else f'="{NO_DRIVE}"' for a in axes] for name in ("highest", "binds")]
-    values = [a.highest or (NO_DRIVE, NO_DRIVE) for a in axes]
+    values = [a.highest or (NO_DRIVE, NO_DRIVE, NO_DRIVE) for a in axes]
+    own = [f'=IF({a.scope}own_rate="","{MACHINES}",{a.scope}own_rate)' if a.highest else f'="{NO_DRIVE}"' for a in axes]
     return [
-        result("highest", "highest rate", "n_max", "cycles/min", cells[0], [rate for rate, _ in values], format="0.0",
+        result("sized", "sized at", "n", "cycles/min", own, [MACHINES if at is None else at for *_, at in values],
+               align="right"),
+        result("highest", "highest rate", "n_max", "cycles/min", cells[0], [rate for rate, *_ in values], format="0.0",
                align="right", source="at which it holds all limits"),
-        result("binds", "limit that binds there", "", "", cells[1], [limit for _, limit in values], align="right"),
+        result("binds", "limit that binds there", "", "", cells[1], [limit for _, limit, _ in values], align="right"),
     ]  # fmt: skip

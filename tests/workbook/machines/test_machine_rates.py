@@ -17,6 +17,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.entries import Master
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import Whole
@@ -121,3 +122,24 @@ def test_the_rate_is_that_of_a_search_over_closed_forms(request, number):
     speed, _ = of_axis(Judged(course, Limits(motor, None, pace.reducer)))
     expected = min(speed / course.speed, math.sqrt(FAR))
     assert pace.highest == pytest.approx(expected, rel=1e-9, abs=1e-5)
+
+
+def test_a_drive_is_sized_at_a_rate_of_its_own():
+    """As if the machine ran at it; the others, the timing and the machine's rate stay."""
+    reducer = {"ratio": 3.0, "efficiency": 0.8, "mean_torque": 22.0}
+    axis = driven(*RISE, reducer=reducer, load={"mass": 20.0, "friction": 0.1, "windows": PRESS})
+    both = computed(TEMPLATE, small([axis | {"rate": 150.0}, axis | {"name": "A2"}]))
+    alone = computed(TEMPLATE, small([axis]).model_copy(update={"master": Master(rate=150.0)}))
+    for name in ("rms", "tmax", "tmin", "speed", "smax", "smean", "energy", "returned", "power", "rate", "highest"):
+        assert both(f"drive1_{name}") == pytest.approx(alone(f"drive1_{name}"), rel=1e-9), name
+    for column in ("rpm", "torque"):
+        assert both("drive1_cycle", column) == pytest.approx(alone("drive1_cycle", column), rel=1e-9, abs=1e-9)
+    assert both("drive2_rms") != pytest.approx(both("drive1_rms"), rel=0.1)
+    assert both("drive1_sized") == "a rate of its own"
+    assert both("axes_short", "sized") == [150.0, "machine's"]
+    assert both("drive2_rate") == 200.0
+
+
+def test_a_rate_without_a_drive_is_refused():
+    with pytest.raises(ValueError, match="without a drive"):
+        small([{"name": "A", "group": "G", "phases": small([driven(*RISE)]).axes[0].phases, "rate": 3.0}])

@@ -41,13 +41,14 @@ STRAIGHT = {
     "tmax": "=MAX(MAX([@st.tyb]),MAX([@st.tye]))",
     "tmin": "=MIN(MIN([@st.tyb]),MIN([@st.tye]))",
     "rms": "=SQRT(MAX(0,SUM([@st.square])/(2*PI())))",
-    "speed": "=ABS(@i)*MAX([axis{0}.v])*60/(2*PI())",
+    "speed": "=ABS(@i)*MAX([axis{0}.v])*@faster*60/(2*PI())",
     "smax": "=MAX(MAX(MAX([@st.ryb]),MAX([@st.rye])),0-MIN(MIN([@st.ryb]),MIN([@st.rye])))",
     "smean": "=IF(@way>0,(SUM([@st.cube])/@way)^(1/3),0)",
     "energy": "=SUM([@st.drives])",
     "returned": "=SUM([@st.returns])",
 }
 """the results of a drive of constant ratios, by its stretches"""
+MACHINES, OWN = "the machine's rate", "a rate of its own"
 UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
 
@@ -60,12 +61,12 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         entries(sheet, driven, size(driven))
         parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
-        outcome(sheet, driven, STRAIGHT, highest(view))
+        outcome(sheet, one, driven, STRAIGHT, highest(view))
         sheet.checks(*checks(driven), laws_check(driven, one))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
-        workings(sheet, driven, ratios(driven))
+        workings(sheet, one, driven, ratios(driven))
         cycle(sheet, one, driven)
         lines(sheet, driven)
         turns_table(sheet, view)
@@ -92,6 +93,8 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     sheet.rows(
         calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
+        given("@own_rate", "Rate that it is sized at, if not the machine's", "n", "cycles/min", driven.entered.rate,
+              f"{key}.rate", format="0.0##", source="empty: the machine's"),
         *size,
         given("@eta2", "Efficiency of the mechanism", "η_2", "",
               m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
@@ -137,13 +140,19 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     )  # fmt: skip
 
 
-def outcome(sheet: Sheet, driven: Driven, formulas: dict[str, str], rates: Sequence[Quantity] = ()) -> None:
+def outcome(
+    sheet: Sheet, one: AxisRows, driven: Driven, formulas: dict[str, str], rates: Sequence[Quantity] = ()
+) -> None:
     """Declare what the cycle asks of the motor, and the highest rate."""
     found, motor = driven.demand, driven.reserve
     torque = max(found.torque.peak, 1e-3)
-    fastest = shown(found.speed.peak, RPM)
+    fastest, own = shown(found.speed.peak, RPM), driven.entered.rate
     sheet.heading("Results")
     sheet.rows(
+        calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
+             OWN if own else MACHINES, align="right"),
+        calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)',
+             own or one.machine.machine.master.rate),
         result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", formulas["jtot"],
                driven.inertia, source="Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
@@ -174,7 +183,7 @@ def outcome(sheet: Sheet, driven: Driven, formulas: dict[str, str], rates: Seque
                found.energy.driving, scale=driven.scales.work, source="at its shaft, a cycle"),
         result("@returned", "Energy that comes back to it", "", "J", formulas["returned"],
                found.energy.regenerated, scale=driven.scales.work),
-        result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle",
+        result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle*@faster",
                found.mean_power, scale=driven.scales.power),
         *rates,
     )  # fmt: skip
@@ -229,7 +238,7 @@ def ratios(driven: Driven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def workings(sheet: Sheet, driven: Driven, ratios: list[Quantity]) -> None:
+def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]) -> None:
     """Declare ratios, inertias and what resists."""
     m, load = driven.mechanism, driven.load
     travels = driven.travels
@@ -246,6 +255,8 @@ def workings(sheet: Sheet, driven: Driven, ratios: list[Quantity]) -> None:
     sheet.heading("Workings: the chain")
     sheet.rows(
         *gravity,
+        calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
+             shown(driven.axis.speed, one.axis.speed)),
         calc("@m", "What is moved", "m", base, "=@mass+0" if travels else "=@inertia+0", load.inertia),
         *ratios,
         calc("@j0", "Inertia on the motor's shaft, with it", "J_0", "kg m²",
@@ -257,7 +268,7 @@ def workings(sheet: Sheet, driven: Driven, ratios: list[Quantity]) -> None:
              source="μ m g cos θ" if travels else ""),
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.fastest),
-        calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]", driven.axis.hardest),
+        calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
         calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if travels else "rad",
              f"=SUMPRODUCT({way}*(({way}>0)-({way}<0)))", driven.way),
     )  # fmt: skip
@@ -273,10 +284,11 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
     sheet.heading("Table over the cycle")
     sheet.table(
         "@cycle", "Speed and torque of the motor over the cycle", len(going),
-        result("rpm", "motor speed", "n", "rpm", f"=@i*INDEX([cycle.t{i}],[k]+1)*60/(2*PI())", shown(speed, RPM)),
+        result("rpm", "motor speed", "n", "rpm", f"=@i*@faster*INDEX([cycle.t{i}],[k]+1)*60/(2*PI())",
+               shown(speed, RPM)),
         result("torque", "motor torque", "T", "Nm",
                '=IF(AND([dir]=0,@holding="brake"),0,IF([behind]*[dir]<0,@eta1,1/@eta1)*[behind]/@i1'
-               f"+@j0*@i*INDEX([cycle.tt{i}],[k]+1))",
+               f"+@j0*@i*@faster^2*INDEX([cycle.tt{i}],[k]+1))",
                torque, scale=driven.sizes.torque, source="f T_1/i_1 + J_0 i ÿ"),
         calc("dir", "direction", "", "",
              f"=SIGN(INDEX([{t}_steps.h],INDEX([{t}_pieces.p],INDEX([cycle.q{i}],[k]+1))))", going, format="0",
@@ -284,9 +296,9 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
         calc("window", "process force", "", "", f"=SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
              driven.forces(going, angles), scale=driven.sizes.force),
         calc("force", "at the load", "F", "",
-             f"=@steady+[dir]*@rub+[window]+@m*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
+             f"=@steady+[dir]*@rub+[window]+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
         calc("behind", "torque of the mechanism's shaft", "T_1", "Nm",
-             f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*INDEX([cycle.tt{i}],[k]+1)", behind,
+             f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*@faster^2*INDEX([cycle.tt{i}],[k]+1)", behind,
              scale=driven.sizes.behind, source="f F/i_2 + J_1 i_2 ÿ"),
         constant("k", "sample", "k", "", list(range(len(going)))),
     )  # fmt: skip

@@ -32,7 +32,7 @@ class Driven:
     """An axis with its drive."""
 
     def __init__(self, axis: MovingAxis, products: Products) -> None:
-        self.axis, self.entered = axis, axis.given
+        self.axis, self.entered = axis.sized, axis.given
         if axis.given.mechanism is None or axis.given.motor is None:
             raise ValueError(f"{axis.given.name} has no drive")
         self.given, self.holding = axis.given.mechanism, axis.given.motor.holding

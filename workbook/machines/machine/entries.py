@@ -62,6 +62,9 @@ class Axis(Model):
     smoothness: Smoothness = "acceleration"
     shift: Number = 0.0  # degrees by which it is later than its phases say
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
+    rate: Positive | None = Field(
+        default=None, description="Rate that its drive is sized at, in cycles/min, if not the machine's"
+    )
     mechanism: MechanismEntry | None = None
     load: AxisLoad = AxisLoad()
     parts: list[AxisPart] = []  # noqa: RUF012 - frozen
@@ -73,6 +76,8 @@ class Axis(Model):
         if (self.mechanism is None) != (self.motor is None):
             missing = "mechanism" if self.mechanism is None else "motor"
             raise EntryError(missing, "empty; a drive has a mechanism and a motor")
+        if self.rate is not None and self.motor is None:
+            raise EntryError("rate", f"{figure(self.rate)} of an axis without a drive; expected none")
         if self.mechanism and (self.mechanism.kind in TURNING) != (self.unit == "°"):
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
         if self.mechanism and self.mechanism.kind in (*TURNING, *LINKED) and self.mechanism.size != 1.0:

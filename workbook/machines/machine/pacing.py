@@ -248,15 +248,15 @@ def limits_found(sheet: Sheet, view: Stretched) -> None:
 
 def rate_of(view: Stretched) -> Highest:
     """Return the highest rate of a drive."""
-    return Highest(shown(view.pace.rate, PER_MINUTE), view.pace.limit or NONE_BINDS)
+    return Highest(shown(view.pace.rate, PER_MINUTE), view.pace.limit or NONE_BINDS, view.driven.entered.rate)
 
 
 def highest(view: Stretched) -> list[Quantity]:
     """Return the results: the highest rate, and the limit that binds there."""
-    rate, limit = rate_of(view)
+    rate, limit, _ = rate_of(view)
     return [
         result("@highest", "Highest rate at which it holds all limits", "n_max", "cycles/min",
-               "=timing_rate*SQRT(MIN([@limiting.x]))*(1-check_zero)", rate,
+               "=@rate*SQRT(MIN([@limiting.x]))*(1-check_zero)", rate,
                source="from the motion's pieces, to 1e-9 below where a limit binds"),
         result("@binds", "the limit that binds there", "", "",
                f'=IF(MIN([@limiting.x])>={FARTHEST},"{NONE_BINDS}",'

@@ -230,7 +230,7 @@ def crossed(view: Stretched) -> list[Quantity]:
     """Return y at the ends of a stretch, and where it passes each bend, round by round."""
     of, acceleration = view.of, view.driven.sizes.acceleration
     columns = [
-        calc("per", "y for y'' = 1", "", "", "=0-[sign]*[dir]*timing_omega^2", of(lambda p: p.factor)),
+        calc("per", "y for y'' = 1", "", "", "=0-[sign]*[dir]*(timing_omega*@faster)^2", of(lambda p: p.factor)),
         calc("yb", "y at its begin", "y", "", f"=[per]*{A.format(u='[ub]')}", of(lambda p: p.ends[0]),
              scale=acceleration),
         calc("ye", "y at its end", "y", "", f"=[per]*{A.format(u='[ue]')}", of(lambda p: p.ends[1]),

@@ -49,6 +49,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         made = phases(i, turn, sizes["phases"], shaped(data["laws"]) if driven else data["laws"])
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
         if driven:
+            axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes["rotors"], data["selection"])
         else:
             for n, phase in enumerate(axis["phases"]):

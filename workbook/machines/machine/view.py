@@ -37,6 +37,13 @@ class MovingAxis:
         self.library = library
 
     @cached_property
+    def sized(self) -> MovingAxis:
+        """The axis at the rate that its drive is sized at."""
+        if self.given.rate is None:
+            return self
+        return MovingAxis(self.given, self.number, self.library, shaft_speed(si(self.given.rate, PER_MINUTE)))
+
+    @cached_property
     def rests(self) -> list[int]:
         """Before which phases the axis rests, from 0."""
         return entered.rests(self.given.phases)
@@ -190,7 +197,9 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
         kinds = [kind for kind in get_args(chain.Kind) if kind_name(i, kind) in names]
         if units:
             drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
-            axes.append(machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": []} | drive))
+            axes.append(
+                machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": [], "rate": None} | drive)
+            )
     told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
     return machine.model_copy(update={"axes": axes or machine.axes, "switches": told})
 

@@ -119,7 +119,7 @@ def sections_table(sheet: Sheet, view: LinkedWork) -> None:
     square, work, cube, _ = driven.scales
     torque, behind, turning = (ranges(view, column) for column in ("T", "S", "w"))
     half = "=[on]*([ue]-[ub])/2*SUMPRODUCT([@rule.w],"
-    works = [f"{half}{t}*{w})*@i1/timing_omega" for t, w in zip(torque, turning, strict=True)]
+    works = [f"{half}{t}*{w})*@i1/@omega" for t, w in zip(torque, turning, strict=True)]
     cubes = [f"{half}({s}^2)^1.5*({w}^2)^0.5)" for s, w in zip(behind, turning, strict=True)]
     lasts = [f"=[on]*ABS(SUMPRODUCT([@rule.last],{one}))" for one in torque]
 

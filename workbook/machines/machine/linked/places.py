@@ -22,9 +22,9 @@ def columns(view: LinkedWork, at: Worked, helds: list[Held], u: Array, mark: str
              [float(one.argument(place)) for one, place in zip(helds, u, strict=True)]),
         calc(f"p{mark}", "position", "y", base, f"={derivative(rows, 0, mark)}", at.y,
              scale=view.driven.axis.motion.size(0)),
-        calc(f"v{mark}", "velocity", "ẏ", f"{base}/s", f"=({derivative(rows, 1, mark)})*timing_omega", at.v,
+        calc(f"v{mark}", "velocity", "ẏ", f"{base}/s", f"=({derivative(rows, 1, mark)})*@omega", at.v,
              scale=largest(at.v)),
-        calc(f"a{mark}", "acceleration", "ÿ", f"{base}/s²", f"=({derivative(rows, 2, mark)})*timing_omega^2", at.a,
+        calc(f"a{mark}", "acceleration", "ÿ", f"{base}/s²", f"=({derivative(rows, 2, mark)})*@omega^2", at.a,
              scale=hardest),
         *turned(view, at, (f"[v{mark}]", f"[a{mark}]"), mark),
     ]  # fmt: skip

@@ -36,13 +36,16 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         drive.entries(sheet, driven, kinds.entries(driven, f"axes.{i - 1}"))
         drive.parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{i - 1}", view)
-        drive.outcome(sheet, driven, RESULTS)
+        drive.outcome(sheet, one, driven, RESULTS)
         sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *checks(view))
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         sheet.chart(angles(), column=drive.CHART_COLUMN, row=28, width=8, height=18)
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
-        drive.workings(sheet, driven, kinds.sizes(driven))
+        drive.workings(sheet, one, driven, [
+            calc("@omega", "Master shaft at its rate", "ω", "rad/s", "=timing_omega*@faster", driven.axis.speed),
+            *kinds.sizes(driven),
+        ])  # fmt: skip
         cycle(sheet, view)
         reach.reach_table(sheet, view)
         turns_table(sheet, view)
@@ -87,7 +90,7 @@ def cycle(sheet: Sheet, view: LinkedWork) -> None:
     i, driven, samples = view.driven.number, view.linked, stacked(view.samples)
     told = view.driven.axis.told(view.one.machine.samples)
     near = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
-    v, a = (f"INDEX([cycle.{name}{i}],[k]+1)" for name in ("t", "tt"))
+    v, a = (f"({power}*INDEX([cycle.{name}{i}],[k]+1))" for power, name in (("@faster", "t"), ("@faster^2", "tt")))
     y = f"INDEX([cycle.y{i}],[k]+1)-INDEX([cycle.n{i}],[k]+1)*[axes.travel.{i}]"
     sheet.heading("Table over the cycle")
     sheet.table(
