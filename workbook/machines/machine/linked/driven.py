@@ -1,0 +1,95 @@
+"""The engine's view of a drive of a ratio that depends on the load's position."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from engine.drivetrain import Mechanism
+from engine.drivetrain.bends import LEAST, Sizes
+from engine.machine.bent import Scales
+from engine.machine.limits import Judged, Limits
+from engine.machine.places import scales_of
+from engine.machine.train import Train
+from engine.mechanisms.crank_slider import crank_slider
+from engine.mechanisms.linkage import Linkage
+from engine.mechanisms.registry import LINKED
+from engine.mechanisms.rocker import rocker
+from workbook.entries.units import DEGREE, MM, si
+from workbook.machines.machine.chain import MechanismEntry
+from workbook.machines.machine.driven import Driven
+
+
+def linkage_of(given: MechanismEntry) -> Linkage:
+    """Return the mechanism that is entered. Raises ValueError for sizes that do not go together."""
+    offset = si(given.offset or 0.0, MM)
+    if given.kind == "rocker":
+        lever, link, angle = si(given.lever or 0.0, MM), si(given.link or 0.0, MM), si(given.angle or 0.0, DEGREE)
+        return rocker(lever, link, offset, angle, given.slide != "behind", -1 if given.direction == "backward" else 1)
+    crank, rod, position = (si(one or 0.0, MM) for one in (given.crank, given.rod, given.position))
+    return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", position)
+
+
+APART = {
+    "crank-slider": "the rod is not longer than crank and offset: the crank cannot turn round",
+    "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
+}
+
+
+def apart(given: MechanismEntry) -> str:
+    """Return what is wrong with sizes that do not go together; nothing where they do."""
+    try:
+        linkage_of(given)
+    except ValueError:
+        return APART[given.kind]
+    return ""
+
+
+class LinkedDriven(Driven):
+    """An axis with such a drive."""
+
+    @cached_property
+    def linkage(self) -> Linkage:
+        """The mechanism."""
+        return linkage_of(self.given)
+
+    @property
+    def entered_angle(self) -> float:
+        """Of a rocker, the lever where the motion begins (rad)."""
+        return si(self.given.angle or 0.0, DEGREE)
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """Reducer and mechanism, their parts and the load; of the mechanism's stage the linkage knows the ratio."""
+        return LINKED[self.given.kind].of(self.load, self.given.efficiency, [self.stage], self.turned)
+
+    @property
+    def train(self) -> Train:
+        """The drive with all that acts on the load."""
+        return Train(self.drive, self.linkage, windows=self.windows)
+
+    @cached_property
+    def judged(self) -> Judged:
+        """The drive and its motor's limits."""
+        return Judged(self.demand.course, Limits(self.motor))
+
+    @property
+    def inertia(self) -> float:
+        """The largest inertia at the motor over the cycle, without it (kg m²)."""
+        return self.judged.machine_inertia
+
+    @property
+    def inertia_ratio(self) -> float:
+        """The same over the motor's; 0 of a motor without inertia."""
+        return self.judged.inertia_ratio if self.motor_used.inertia else 0.0
+
+    @cached_property
+    def sizes(self) -> Sizes:
+        """How large its quantities grow."""
+        found = self.demand
+        behind, torque = (max(found.shaft_torque(k).peak, LEAST) for k in (1, 0))
+        return Sizes(self.axis.hardest, max(found.shaft_torque(2).peak, LEAST), behind, torque, 0.0)
+
+    @cached_property
+    def scales(self) -> Scales:
+        """What its integrals are measured by."""
+        return scales_of(self.demand, self.sizes.torque, self.sizes.behind)

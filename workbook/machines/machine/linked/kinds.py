@@ -1,0 +1,31 @@
+"""The mechanisms of a changing ratio by their kind: what the sheet of each has."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+from workbook.book.declare import Quantity, check
+from workbook.machines.machine.chain import LINKED
+from workbook.machines.machine.linked import crank, rocker
+from workbook.machines.machine.linked.driven import APART, LinkedDriven
+
+KINDS: dict[str, ModuleType] = {"crank-slider": crank, "rocker": rocker}
+
+
+def of(driven: LinkedDriven) -> ModuleType:
+    """Return what the sheet of a drive's mechanism has."""
+    return KINDS[driven.given.kind]
+
+
+def needed(driven: LinkedDriven) -> tuple[str, ...]:
+    """Return the entries that the mechanism must have."""
+    return LINKED[driven.given.kind][0]
+
+
+def checks(driven: LinkedDriven) -> list[Quantity]:
+    """Return the check that the sizes go together."""
+    i, kind = driven.number, of(driven)
+    return [
+        check("@ok_linked", f"Drive {i}: the sizes of the mechanism go together", kind.FITS, True, kind.HOLDS,
+              f":linked{i}", f'"{APART[driven.given.kind]}"')
+    ]  # fmt: skip
