@@ -12,7 +12,7 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.build import build
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES, Template
 
 ROUNDS = 5

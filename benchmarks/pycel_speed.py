@@ -21,7 +21,7 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.book.address import Address
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.writing import archive

@@ -19,7 +19,7 @@ from workbook.cluster import cores, pool
 from workbook.judging.many import verify_many
 from workbook.judging.one import Target, verify_one
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES, Template
 from workbook.witnesses.libreoffice import LibreOffice, convert
 

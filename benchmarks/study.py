@@ -19,7 +19,7 @@ from workbook.build import build, write_inputs
 from workbook.cluster import cores, pool
 from workbook.judging.many import verify_many
 from workbook.judging.one import Target
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.studies.folder import Parts
 from workbook.studies.model import Study
 from workbook.studies.plan import Plan, planned

@@ -16,8 +16,7 @@ from workbook.judging.carried import not_carried
 from workbook.judging.moved import put_back
 from workbook.judging.report import OK
 from workbook.judging.verdict import UNFINISHED
-from workbook.reading.entries import (
-    Entries,
+from workbook.reading.descriptions import (
     checked,
     counted,
     read_machine,
@@ -25,6 +24,7 @@ from workbook.reading.entries import (
     template_named,
     write_machine,
 )
+from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Products, Selection

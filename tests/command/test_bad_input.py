@@ -11,7 +11,7 @@ import pytest
 from workbook.build import build
 from workbook.cli import main
 from workbook.reading import files
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["cutting-machine"]

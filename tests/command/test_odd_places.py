@@ -9,7 +9,7 @@ import pytest
 from tests.workbook.controllers.examples import TEXT
 from workbook.build import build
 from workbook.cli import main
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
 AT_ONCE = 5  # seconds of the processor: verifying or exporting takes longer

@@ -15,7 +15,7 @@ from tests.mutation.bench import Bench, smaller
 from tests.mutation.examine import Tally, Verdict, examined, names_it_first
 from tests.mutation.machines import machines
 from tests.mutation.mutants import Mutant
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 

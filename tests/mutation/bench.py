@@ -20,7 +20,7 @@ from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.judging.right import Right
 from workbook.judging.verify import Report, judge
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template
 from workbook.witnesses.pycel.calculation import Calculation

@@ -11,7 +11,7 @@ from typing import Any
 from tests.laws import PAGED, blended, told
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.reading.entries import checked
+from workbook.reading.descriptions import checked
 from workbook.templates import MODULES, TEMPLATES
 
 TRIES = 200

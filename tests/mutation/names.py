@@ -63,7 +63,9 @@ def outcome(bench: Bench, redirection: Redirection) -> str:
     """Return what ``verify`` makes of the book: "agrees", "found", or "refused" with a word on the entries."""
     with redirected(bench, redirection):
         file = BookFile(bench.file.path, bench.workbook, find_places(bench.workbook))
-        known = patch("workbook.reading.entries.TEMPLATES", {bench.template.name: bench.template})  # it remembers books
+        known = patch(
+            "workbook.reading.descriptions.TEMPLATES", {bench.template.name: bench.template}
+        )  # it remembers books
         with known, patch("workbook.judging.verify.open_book", return_value=file):
             try:
                 return "agrees" if verify(bench.file.path).agrees else "found"

@@ -17,7 +17,7 @@ from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, committed, inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import program

@@ -11,7 +11,7 @@ from openpyxl.styles import PatternFill
 from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.build import build, described, inputs
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 

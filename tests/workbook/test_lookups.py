@@ -15,7 +15,7 @@ from workbook.book.formula import Area, read, reference
 from workbook.build import build, committed
 from workbook.entries.machine import Machine
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.formualizer import Formualizer
 

@@ -4,7 +4,7 @@ import pytest
 
 from workbook.build import build, committed
 from workbook.errors import InputError
-from workbook.reading.entries import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 BACKWARDS = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]  # s(1) = 1

@@ -14,7 +14,7 @@ from workbook.exits import FAILS
 from workbook.judging.many import exit_code
 from workbook.judging.one import Target, verify_one
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book

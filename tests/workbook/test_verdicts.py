@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from workbook.build import committed
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those that fail

@@ -18,7 +18,7 @@ from workbook.controllers.registry import target as target_named
 from workbook.controllers.table import Table, equidistant
 from workbook.errors import TargetError
 from workbook.exits import AGREES, DISAGREES
-from workbook.reading.entries import checked, template_named, write_machine
+from workbook.reading.descriptions import checked, template_named, write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data
 from workbook.templates import TEMPLATES
 from workbook.visible import visible

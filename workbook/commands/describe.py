@@ -10,7 +10,7 @@ from workbook.described import schema as schemas
 from workbook.described.commented import commented
 from workbook.errors import ReadError
 from workbook.intake import odd, read_text
-from workbook.reading.entries import template_named
+from workbook.reading.descriptions import template_named
 from workbook.reports.terminal import OUT, say, say_data
 from workbook.writing.place import refuse_existing, refuse_one_for_two, replace
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from workbook import build as making
 from workbook.exits import AGREES, DISAGREES
-from workbook.reading.entries import write_machine
+from workbook.reading.descriptions import write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
 from workbook.templates import TEMPLATES
 from workbook.writing.place import refuse_existing, refuse_itself

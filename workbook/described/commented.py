@@ -10,7 +10,7 @@ from workbook.described.keys import Key, Section, sections
 from workbook.described.words import remark, toml
 from workbook.entries.design import as_entered
 from workbook.laws.entries import key_of
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.selection.entries import referred
 from workbook.templates import AnyTemplate
 

@@ -18,7 +18,7 @@ from workbook.entries.rules import expectation, is_table, unwrap, within
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import Parameter
 from workbook.laws.registry import CODES, FAMILY
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import AnyTemplate
 
 ONE = re.compile(r"\.\d+(?=\.|$)")

@@ -1,134 +1,31 @@
-"""Machine descriptions in and out: from TOML or from a workbook's input cells, checked by the same models."""
+"""The input cells of a workbook as a machine description, checked by the same models as one in TOML."""
 
 from __future__ import annotations
 
-import re
-import tomllib
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
-import tomli_w
 from openpyxl.utils import get_column_letter
 from pydantic import BaseModel, ValidationError
 
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
-from workbook.entries.design import RefusedError, as_entered, designed, keys_of, set_at
+from workbook.entries.design import set_at
 from workbook.entries.exported import ExportEntry, named
-from workbook.entries.machine import Fault, Machine
-from workbook.entries.types import EntryError
+from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError
-from workbook.intake import read_text
-from workbook.laws.entries import key_of
 from workbook.laws.layout import numbered, with_laws
+from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
 from workbook.reading.files import BookFile, Words
 from workbook.reading.fitting import ends_lost, fitted
 from workbook.reading.work import require_little_work
-from workbook.selection.entries import referred
-from workbook.template import MOST, M, Template
-from workbook.templates import TEMPLATES, AnyTemplate
-from workbook.visible import LONGEST, found
+from workbook.template import MOST
+from workbook.templates import AnyTemplate
+from workbook.visible import found
 
-Where = Callable[[str], str]
 Evaluate = Callable[[BookFile], Callable[[Address], Any]]  # gives what gives the value of a formula cell
 Mend = Callable[[BookFile, Book], list[Any]]  # puts back what was moved, and says what that was
-DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
-
-
-def template_named(name: object, where: str) -> AnyTemplate:
-    """Return a template by name; raise InputError, listing the known ones, where there is none."""
-    if not isinstance(name, str) or name not in TEMPLATES:
-        fault = "empty" if name is None else f"no template is named {found(name)}"
-        raise InputError([f"{where}: {fault}; expected one of {', '.join(TEMPLATES)}"])
-    return TEMPLATES[name]
-
-
-def read_machine(path: Path) -> Machine:
-    """Read a machine description; raise ReadError or InputError with a line for each fault."""
-    data = parsed(read_text(path, "a machine description, a .toml file"), path)
-    template = template_named(data.get("template"), f"{path}: template")
-    return checked(template, data, lambda key: f"{path}: {counted(key)}")
-
-
-def parsed(text: str, path: Path) -> dict[str, Any]:
-    """Return the tables of a TOML text; raise ReadError for what is none, and for what no description needs."""
-    if DOTTED.search(text):
-        raise ReadError(f"{path}: not valid TOML for a description: keys are nested too deep")
-    try:
-        return tomllib.loads(text)
-    except RecursionError as error:
-        raise ReadError(f"{path}: not valid TOML for a description: values are nested too deep") from error
-    except ValueError as error:  # one of TOML's, or a whole number of too many digits
-        said = str(error).partition(";")[0]
-        raise ReadError(f"{path}: not valid TOML: {said}") from error
-
-
-def counted(key: str) -> str:
-    """Return a key whose lists are counted from 1, as people count: ``timing.axes[1].name``."""
-    told = re.sub(r'("[^"]*")|\.(\d+)', lambda found: found[1] or f"[{int(found[2]) + 1}]", key)
-    return told if told == key else f"{told} (counted from 1)"
-
-
-def write_machine(machine: Machine) -> str:
-    """Return the TOML of a machine description; catalogues that come with the templates are referred to."""
-    return tomli_w.dumps(referred(as_entered(machine)))
-
-
-def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
-    """Validate entries; raise InputError whose lines say where each fault of structure or type is.
-
-    Numbers that do not do, or are missing, make an unfinished design of it: see :mod:`workbook.entries.design`.
-    """
-    try:
-        return designed(template.model, template.check, data, lambda: read_machine(template.description))
-    except RefusedError as error:
-        lines = [refused(fault, template.model, where) for fault in error.faults]
-        raise InputError(lines) from None
-    except EntryError as error:
-        raise InputError([f"{where(error.field)}: {error}"]) from None
-
-
-def refused(fault: Any, model: type[BaseModel], where: Where) -> str:
-    """Return the line of a fault of pydantic's, or of a design that nothing can be made of."""
-    return f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
-
-
-def require_possible(template: Template[M], machine: M, where: Where) -> None:
-    """Raise InputError, whose line says where the fault is, for a machine that the engine refuses."""
-    try:
-        template.check(machine)
-    except EntryError as error:
-        raise InputError([f"{where(error.field)}: {error}"]) from None
-
-
-def told(fault: Any, model: type[BaseModel], where: Where) -> str:
-    """Return one line: where, what was found, what is expected."""
-    key, rule = keys_of(fault["loc"])
-    cause = fault.get("ctx", {}).get("error")
-    if isinstance(cause, EntryError):
-        return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
-    if fault["type"] == "extra_forbidden":
-        above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
-        kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
-        plain = unknown.isidentifier() and len(unknown) < LONGEST
-        named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else found(unknown)}".strip("."))
-        return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
-    expected = rules.expectation(*rules.field_at(model, rule))
-    if fault["type"] == "missing" or fault["input"] in ({}, None):
-        return f"{where(key)}: empty; expected {expected}"
-    optional = "" if rules.is_required(model, rule) else " (optional)"
-    return f"{where(key)}: found {found(fault['input'])}; expected {expected}{optional}"
-
-
-def unnamed(key: str, named: dict[str, str]) -> str:
-    """Return a key below a law's name with the one that its cells have."""
-    for name, below in named.items():
-        begin = f"laws.{key_of(name)}"
-        if key == begin or key.startswith(f"{begin}."):
-            return f"laws.{below}{key.removeprefix(begin)}"
-    return key
 
 
 def as_it_is(file: BookFile, layout: Book) -> list[Any]:

@@ -23,7 +23,7 @@ from workbook.errors import InputError
 from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
-from workbook.reading.entries import counted, parsed, write_machine
+from workbook.reading.descriptions import counted, parsed, write_machine
 from workbook.studies.model import Study, Vary
 from workbook.studies.paths import below, changed, held, nearest, path_of, table_of
 from workbook.studies.space import Dimension, Space, arranged

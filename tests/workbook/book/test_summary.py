@@ -8,7 +8,7 @@ import pytest
 from workbook.book.summary import TO_MEND
 from workbook.build import inputs
 from workbook.judging.verify import verify
-from workbook.reading.entries import checked, parsed, read_machine
+from workbook.reading.descriptions import checked, parsed, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import convert

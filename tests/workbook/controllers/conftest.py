@@ -9,7 +9,7 @@ from workbook import build as making
 from workbook.build import build
 from workbook.cli import main
 from workbook.judging.one import digest
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 

@@ -9,7 +9,7 @@ from workbook.laws.library import laws
 from workbook.machines.cutting.view import Cutting
 from workbook.machines.flying.view import Flying
 from workbook.machines.overlap.view import Overlapping
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 

@@ -12,7 +12,7 @@ from workbook.controllers.handing import reread, tabulated
 from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target
 from workbook.controllers.target import Handed
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 

@@ -20,7 +20,7 @@ from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target
 from workbook.controllers.tappets import MOST_OFF, HandedTracks, certified, tracks
 from workbook.errors import TargetError
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 
 GOLDEN = Path(__file__).parent / "golden"
 TAKING = [name for name in TARGETS if target(name).tappets]

@@ -14,7 +14,7 @@ from workbook.described.page import page
 from workbook.described.schema import any_schema, schema
 from workbook.errors import InputError, WriteError
 from workbook.laws.registry import CODES
-from workbook.reading.entries import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 

@@ -14,7 +14,7 @@ from workbook.build import build
 from workbook.errors import MotionbookError
 from workbook.judging.right import Variation
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses import beside
 from workbook.witnesses.beside import EVALUATED, Asked, Beside, Shared, wanted

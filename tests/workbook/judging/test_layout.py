@@ -13,7 +13,7 @@ from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.one import Outcome
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.reading.fitting import counting
 from workbook.reports.console import report_data
 from workbook.reports.junit import junit

@@ -22,7 +22,7 @@ from workbook.judging.one import Outcome, Target
 from workbook.judging.sent import unseen
 from workbook.judging.verify import Report
 from workbook.pool import Died
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["motion-composer"]  # the one that is soonest verified

@@ -16,7 +16,7 @@ from workbook.errors import InputError
 from workbook.judging.one import Outcome
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.reports.console import report_data
 from workbook.reports.junit import junit
 from workbook.reports.page import page

@@ -11,7 +11,7 @@ from tests.workbook import office
 from tests.workbook.reading.fuzz import without_charts
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import convert, program

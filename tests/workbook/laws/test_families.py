@@ -4,7 +4,7 @@ import pytest
 
 from tests.workbook.cells import disagreeing
 from workbook.laws.registry import FAMILIES, FAMILY
-from workbook.reading.entries import checked, counted, read_machine
+from workbook.reading.descriptions import checked, counted, read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 

@@ -19,7 +19,7 @@ from workbook.laws.layout import with_laws
 from workbook.laws.page import COEFFICIENTS
 from workbook.laws.registry import CODES, FAMILIES, FAMILY, family_of
 from workbook.laws.variations import SIX, law_for, laws_in, variations
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 ROOT = Path(__file__).parents[3]

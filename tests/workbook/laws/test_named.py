@@ -14,7 +14,8 @@ from workbook.judging.verify import judge
 from workbook.laws.entries import LONGEST
 from workbook.laws.page import sheet_title
 from workbook.laws.shelf import LawShelf
-from workbook.reading.entries import Entries, checked, counted, read_machine, write_machine
+from workbook.reading.descriptions import checked, counted, read_machine, write_machine
+from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed

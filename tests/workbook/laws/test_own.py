@@ -4,7 +4,7 @@ import pytest
 
 from engine.laws.mended import mended, misses
 from tests.workbook.cells import computed, disagreeing
-from workbook.reading.entries import checked, counted, read_machine
+from workbook.reading.descriptions import checked, counted, read_machine
 from workbook.templates import TEMPLATES
 
 COMPOSER = TEMPLATES["motion-composer"]

@@ -9,7 +9,7 @@ from engine.laws.spline import Spline
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.errors import InputError
 from workbook.laws.pages.spline import VARIATIONS
-from workbook.reading.entries import checked, counted, read_machine
+from workbook.reading.descriptions import checked, counted, read_machine
 from workbook.templates import TEMPLATES
 
 COMPOSER = TEMPLATES["motion-composer"]

@@ -22,7 +22,7 @@ from workbook.laws.library import laws
 from workbook.machines.actuator.entries import Kind
 from workbook.machines.actuator.printed import FIGURES
 from workbook.machines.actuator.view import Sized
-from workbook.reading.entries import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["actuator-sizing"]

@@ -9,7 +9,7 @@ from tests.workbook.cells import computed, disagreeing
 from workbook.build import build, inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["cutting-machine"]

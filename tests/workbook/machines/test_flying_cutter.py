@@ -12,7 +12,7 @@ from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.flying.variations import RISING
-from workbook.reading.entries import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["flying-cutter"]

@@ -10,7 +10,7 @@ from workbook.judging.verify import verify
 from workbook.laws.library import laws
 from workbook.machines.overlap.variations import RISING
 from workbook.machines.overlap.view import Overlapping
-from workbook.reading.entries import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["indexing-overlap"]

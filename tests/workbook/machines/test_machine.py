@@ -8,7 +8,7 @@ import pytest
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
-from workbook.reading.entries import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]

@@ -12,7 +12,7 @@ from tests.workbook.cells import computed, disagreeing, entered
 from workbook.laws.library import laws
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.view import Whole
-from workbook.reading.entries import checked, counted
+from workbook.reading.descriptions import checked, counted
 from workbook.templates import TEMPLATES
 
 MACHINE = TEMPLATES["machine"]

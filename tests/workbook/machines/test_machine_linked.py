@@ -6,7 +6,7 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
-from workbook.reading.entries import checked
+from workbook.reading.descriptions import checked
 
 CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank": 50.0, "rod": 200.0, "offset": 10.0, "position": 15.0}
 ROCKER = {"kind": "rocker", "efficiency": 1.0, "lever": 90.0, "link": 240.0, "offset": 95.0, "angle": 80.0}

@@ -7,7 +7,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import small
 from workbook.build import build, failing
 from workbook.judging.verify import verify
-from workbook.reading.entries import checked
+from workbook.reading.descriptions import checked
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 
 PHASES = ((30, 90, 2.0, "CIC"), (180, 200, -2.0, "MTP"))

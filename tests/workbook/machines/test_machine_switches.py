@@ -10,7 +10,7 @@ from workbook.build import build, inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.entries import checked, read_machine, write_machine
+from workbook.reading.descriptions import checked, read_machine, write_machine
 
 ONE = [axis(1, (30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))]
 SPARE = {"start": None, "stop": None}

@@ -12,7 +12,7 @@ from tests.workbook.machines.test_random_inputs import durations, piece, shares
 from workbook.build import build, committed, inputs, stale_templates
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["motion-composer"]

@@ -6,7 +6,7 @@ from engine.laws import CATALOGUE
 from engine.laws.entry import Vendors
 from tests.workbook.cells import computed
 from workbook.laws.registry import FAMILIES
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["motion-laws"]

@@ -7,7 +7,7 @@ from tests.workbook.cells import computed, disagreeing
 from workbook.book.quantity import SAYS
 from workbook.build import build, committed
 from workbook.judging.verify import verify
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 COMPOSER, CUTTING = TEMPLATES["motion-composer"], TEMPLATES["cutting-machine"]

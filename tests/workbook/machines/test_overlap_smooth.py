@@ -3,7 +3,7 @@
 import pytest
 
 from tests.workbook.cells import computed, disagreeing
-from workbook.reading.entries import checked, counted, read_machine
+from workbook.reading.descriptions import checked, counted, read_machine
 from workbook.templates import TEMPLATES
 
 OVERLAP = TEMPLATES["indexing-overlap"]

@@ -12,7 +12,7 @@ from workbook.errors import InputError
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.machines.overlap.entries import MOST_TOOLS
-from workbook.reading.entries import checked, counted, read_machine, write_machine
+from workbook.reading.descriptions import checked, counted, read_machine, write_machine
 from workbook.reading.files import open_book
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES

@@ -17,7 +17,7 @@ from tests.laws import MOVING, PAGED, blended, told
 from tests.workbook.cells import disagreeing, disagreeing_in
 from workbook.build import build, inputs
 from workbook.machines.cutting.entries import CuttingMachine
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["cutting-machine"]

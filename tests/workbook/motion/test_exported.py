@@ -8,7 +8,7 @@ from tests.workbook.machines.test_machine import axis, described
 from workbook.build import build, committed
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.entries import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 

@@ -10,7 +10,7 @@ from tests.tiers import seed
 from tests.workbook.reading.forks import GIB, KIB, SECONDS, Server, run
 from tests.workbook.reading.fuzz import damaged, without_charts
 from workbook.build import build
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 

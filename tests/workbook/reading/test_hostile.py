@@ -16,7 +16,8 @@ from workbook.build import build
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.judging.verify import verify
 from workbook.reading import guard
-from workbook.reading.entries import Entries, read_machine
+from workbook.reading.descriptions import read_machine
+from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed

@@ -13,7 +13,7 @@ from workbook.entries.types import EntryError
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.reading.contents import Contents
-from workbook.reading.entries import checked, counted, read_machine
+from workbook.reading.descriptions import checked, counted, read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.model import PycelModel
 

@@ -15,7 +15,7 @@ from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.reports import console, summary
 from workbook.reports.terminal import say, say_data, shown
 from workbook.templates import TEMPLATES

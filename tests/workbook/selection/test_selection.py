@@ -22,7 +22,7 @@ from workbook.judging.verify import verify
 from workbook.laws.shelf import LawShelf
 from workbook.machines.cutting.template import choosing
 from workbook.machines.cutting.view import Cutting
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.catalogue_files import (
     MOTOR_COLUMNS,

@@ -3,7 +3,7 @@
 import tomli_w
 
 from workbook.entries.design import as_entered
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
 

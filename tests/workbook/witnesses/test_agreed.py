@@ -13,7 +13,7 @@ from workbook.book.address import Address
 from workbook.build import build
 from workbook.cli import main
 from workbook.errors import DisputedError, WitnessError
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import agreed as module

@@ -13,7 +13,7 @@ from tests.mutation.bench import smaller
 from tests.workbook.writing.displayed import Displayed
 from workbook.book.rows import as_rows
 from workbook.judging.compare import TOLERANCE
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.writing import archive

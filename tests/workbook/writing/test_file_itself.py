@@ -21,7 +21,7 @@ from workbook.book.limits import COLUMN
 from workbook.book.quantity import SAYS
 from workbook.book.sentence import LARGEST
 from workbook.build import build
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 FACTORS = {"3", "5", "6", "7", "8", "12", "20", "42"}  # of a polynomial's integrals, and of closed forms: no inputs
@@ -41,7 +41,7 @@ BUILD = """
 import sys
 from pathlib import Path
 from workbook.build import build
-from workbook.reading.entries import read_machine, write_machine
+from workbook.reading.descriptions import read_machine, write_machine
 build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
 """
 

@@ -20,7 +20,7 @@ from workbook.functions.shown import EXAMPLE
 from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.judging.right import Right
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES

@@ -4,7 +4,7 @@ import pytest
 
 from tests.workbook.writing.carlito import FOLDER, pixels, room
 from workbook.build import committed
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 from workbook.writing import heights, style
 from workbook.writing.write import COLUMN_WIDTH, WIDTHS
