@@ -19,7 +19,8 @@ def described(axes=None, **sizes):
     """The committed machine, with other axes."""
     data = read_machine(TEMPLATE.description).model_dump()
     data["sizes"] |= SMALL | {"motion_pieces": None} | sizes
-    return TEMPLATE.model.model_validate(data | ({} if axes is None else {"axes": axes, "switches": []}))
+    others = {} if axes is None else {"axes": axes, "switches": [], "clearances": []}
+    return TEMPLATE.model.model_validate(data | others)
 
 
 def axis(number=1, *phases, **entries):

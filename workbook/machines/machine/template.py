@@ -10,9 +10,11 @@ from workbook.drive.in_short import InShort, axes_in_short
 from workbook.entries.rules import limits
 from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
+from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
@@ -59,10 +61,12 @@ def declare(given: AnyMachine) -> Book:
     for one in rows:
         if one.axis.number in drives:
             drive_sheet(book, drives[one.axis.number])
+    apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
+    clearances_sheet(book, apart)
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
-    pieces_sheet(book, rows, bool(drives))
+    pieces_sheet(book, rows, bool(drives or apart))
     export_sheet(book, given, [exportable(one) for one in rows])
     return finish(book, "Machine", ("S1", "S3"))
 
