@@ -284,6 +284,7 @@ def read(
         str | None,
         typer.Option(metavar="y=0.01%", help="Largest error of a spline through few points, as a share of the reach."),
     ] = None,
+    switches: Annotated[bool, typer.Option("--switches", help="Tell a file's switches as entries.")] = False,
     force: Force = False,
 ) -> None:
     """Read a controller's cam table as the description of a composed motion.
@@ -295,28 +296,32 @@ def read(
     """
     from workbook.commands import cams
 
-    cams.read(file, source, output, force, tolerance)
+    if switches:
+        cams.read_switches(file, source, output)
+    else:
+        cams.read(file, source, output, force, tolerance)
 
 
 @app.command()
 def compare(
     book: Book,
     file: CamFile,
-    axis: Annotated[str, typer.Option(metavar="NAME", help="The axis of the book.")],
     source: Source,
+    axis: Annotated[str | None, typer.Option(metavar="NAME", help="The axis of the book.")] = None,
+    switches: Annotated[bool, typer.Option("--switches", help="Compare the machine's switches.")] = False,
     tolerance: Annotated[
         list[str] | None, typer.Option(metavar="a=1%", help="Largest error of y, v, a or j as a share of its peak.")
     ] = None,
     unverified: Annotated[bool, typer.Option("--unverified", help="Do not ask whether the book agrees.")] = False,
     as_json: Json = False,
 ) -> None:
-    """Compare what a controller makes of a cam table with an axis of a book.
+    """Compare what a controller makes of a cam table with an axis of a book, or its switches with the book's.
 
     Exit code 0: within the tolerance over the whole cycle. 1: beyond it, or the book disagrees. 2: it cannot be read.
     """
     from workbook.commands import cams
 
-    raise typer.Exit(cams.compare(book, file, axis, source, tolerance or (), unverified, as_json))
+    raise typer.Exit(cams.compare(book, file, axis, source, tolerance or (), unverified, as_json, switches))
 
 
 @app.command()

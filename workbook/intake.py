@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import codecs
+import re
 import stat
 from pathlib import Path
 
@@ -9,6 +11,8 @@ from workbook.errors import ReadError
 
 MOST = 1_000_000  # bytes; the largest description or catalogue that fits into a book has 60,000
 KINDS = {stat.S_IFDIR: "this is a folder", stat.S_IFREG: ""}
+CONTROL = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x19\x1b-\x1f\x7f]")
+"""what is in no text; but a text of old ends with \\x1a"""
 OTHER = "this is a device or a pipe"
 
 
@@ -32,8 +36,11 @@ def require_file(path: Path, expected: str) -> None:
         raise ReadError(f"{path}: {kind}; expected {expected}")
 
 
-def read_text(path: Path, expected: str, most: int = MOST) -> str:
-    """Return the text of a file in UTF-8; raise ReadError, which says that ``expected`` was, for anything else."""
+def read_text(path: Path, expected: str, most: int = MOST, foreign: bool = False) -> str:
+    """Return the text of a file in UTF-8; raise ReadError, which says that ``expected`` was, for anything else.
+
+    A ``foreign`` file may be in UTF-16 with its mark, or in Windows' code page, as spreadsheets save columns of text.
+    """
     require_file(path, expected)
     try:
         with path.open("rb") as file:
@@ -42,10 +49,20 @@ def read_text(path: Path, expected: str, most: int = MOST) -> str:
         raise unread(path, error, expected) from error
     if len(data) > most:
         raise ReadError(f"{path}: {path.stat().st_size:,} bytes; expected {expected}, of at most {most:,}")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ReadError(f"{path}: this is not a text; expected {expected} in UTF-8") from error
+    for encoding in encodings(data, foreign):
+        try:
+            return data.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+    raise ReadError(f"{path}: this is not a text; expected {expected} in UTF-8")
+
+
+def encodings(data: bytes, foreign: bool) -> list[str]:
+    """Return what a file's bytes may be a text in, the likeliest first."""
+    if foreign and data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return ["utf-16"]
+    plain = foreign and not CONTROL.search(data)
+    return ["utf-8-sig", *(["cp1252"] if plain else [])]
 
 
 def unread(path: Path, error: Exception, expected: str) -> ReadError:

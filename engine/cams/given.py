@@ -12,14 +12,17 @@ from engine.laws.base import Array
 FEW = 6  # points, from which the velocity at an end of a table is told
 ROUND = 24  # numbers, so many of which may be round ones
 QUINTIC = "PO5"
+LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell, one along a line is one
 AT_SPEED = 1e-3  # of the fastest: what is slower rests
+SEAM = 1e-2
+"""of the fastest: so alike are begin and end of a cycle that goes on as it began, as few points tell them"""
 
 
 class Points(NamedTuple):
     """A table: x, y, where it has them y' and y'', and the precision of y.
 
     ``begins`` and ``ends`` say whether it begins and ends on the way, and meets nothing there; what keeps to no law is
-    ``thinned`` to a spline that is no farther from it.
+    ``thinned`` to a spline that is no farther from it. ``seam`` is y' and y'' where the cycle goes on as it began.
     """
 
     x: Array
@@ -30,6 +33,7 @@ class Points(NamedTuple):
     begins: bool = False
     ends: bool = False
     thinned: float = 0.0
+    seam: tuple[float, float] | None = None
 
 
 def precision(y: Array) -> float:
@@ -71,4 +75,25 @@ def rate_at(of: Points, side: int) -> tuple[float, float]:
 
 def moves_at(of: Points, side: int) -> bool:
     """Whether a table begins (0) or ends (-1) on the way."""
-    return abs(rate_at(of, side)[0]) > AT_SPEED * float(np.abs(np.diff(of.y) / np.diff(of.x)).max())
+    return abs(rate_at(of, side)[0]) > AT_SPEED * fastest(of)
+
+
+def fastest(of: Points) -> float:
+    """Return the largest y' from point to point."""
+    return float(np.abs(np.diff(of.y) / np.diff(of.x)).max())
+
+
+def seam(of: Points) -> tuple[float, float] | None:
+    """Return y' and y'' where a cycle goes on as it began, by a polynomial through the points on either side.
+
+    None where its velocities at begin and end are not alike, or the table tells them.
+    """
+    if of.v is not None or abs(rate_at(of, 0)[0] - rate_at(of, -1)[0]) > SEAM * fastest(of):
+        return None
+    half = FEW // 2 + 1
+    before, after = slice(-half, -1), slice(0, half)
+    x = np.concatenate([of.x[before] - of.x[-1], of.x[after] - of.x[0]])
+    y = np.concatenate([of.y[before] - of.y[-1], of.y[after] - of.y[0]])
+    width = float(np.abs(x).max())
+    c = np.linalg.lstsq(np.polynomial.polynomial.polyvander(x / width, len(x) - 1), y, rcond=None)[0]
+    return float(c[1]) / width, 2.0 * float(c[2]) / width**2 if len(c) > 2 else 0.0

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.course import Course, turned
-from engine.cams.given import AT_SPEED, Points, may_be, moves_at, part
+from engine.cams.given import AT_SPEED, LONGER, Points, may_be, moves_at, part, seam
 from engine.cams.joined import RATES, grown, joined
 from engine.cams.splined import dense, rate_of, splined
 from engine.laws import Law, PieceLaw, law
@@ -26,8 +26,8 @@ SETTLED, SLOW = 3, 0.5
 """after so many turns the residual must have fallen to so much of itself, or it is another law"""
 MOST_WAYS = 24
 """from turn to turn of a movement: more phases has no composed motion"""
-LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell
-DIGITS = (3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
+FEWEST = 6  # points of positions alone, of which a law has four figures of its own
+DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
 THINNED = 1e-4
 """of the reach: so far a spline may be from points that keep to no law"""
 
@@ -135,7 +135,8 @@ def identified(of: Points, rebuilt: Course, turns: bool = False, share: float = 
         found = phases(rolled(of, home), turned(rebuilt, float(of.x[-1] - of.x[home])))
         if all(one.fits and one.rests for one in found):
             return Read(found, float(of.x[home] - of.x[0]))
-    return Read(phases(of._replace(begins=begins, ends=ends), rebuilt))
+    across = seam(of) if begins and ends else None
+    return Read(phases(of._replace(begins=begins, ends=ends, seam=across), rebuilt))
 
 
 def phases(of: Points, rebuilt: Course) -> list[Found]:
@@ -197,7 +198,7 @@ def _identify(
     """Return the law of a movement between two points, if it keeps to one; a turn's point may belong to the next."""
     for late, early in ((0, 0), (turns[0], 0), (0, turns[1]), turns):
         inner = part(of, span[0] + late, span[1] - early)
-        if len(inner.x) >= 4 or (inner.a is not None and len(inner.x) > 1):
+        if len(inner.x) >= FEWEST or (inner.a is not None and len(inner.x) > 1):
             for one in laws:
                 fit = _fitted(one, inner, _near(inner)) if may_be(one, inner) else None
                 if fit is not None:
@@ -222,13 +223,19 @@ def _fitted(law: Law, of: Points, near: float) -> _Fit | None:
         if fit.end - fit.begin < step:
             return None
         missed.append(_residual(law, of, fit))
-    if missed[-1] > near or not _rates_agree(law, of, fit):
+    if missed[-1] > near or _beyond(of, fit) or not _rates_agree(law, of, fit):
         return None
     for digits in DIGITS:
         tidy = _Fit(*(round(value, digits) + 0.0 for value in fit))
         if tidy.end > tidy.begin and _residual(law, of, tidy) <= near:
             return tidy
     return fit
+
+
+def _beyond(of: Points, fit: _Fit) -> bool:
+    """Whether a movement from rest to rest would begin or end where the table is none."""
+    near = ROUNDED * (fit.end - fit.begin)
+    return (of.begins and fit.begin < of.x[0] - near) or (of.ends and fit.end > of.x[-1] + near)
 
 
 def _improved(law: Law, of: Points, fit: _Fit, step: float) -> _Fit:

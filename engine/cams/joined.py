@@ -9,14 +9,14 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.cams.course import Course
-from engine.cams.given import Points, may_be, part, precision, rate_at
+from engine.cams.given import LONGER, SEAM, Points, fastest, may_be, part, precision, rate_at
 from engine.cams.splined import dense, rate_of, splined
 from engine.laws import Law, law
 from engine.laws.base import Array
 from engine.laws.ends import EndedLaw, EndError, Ends, between
 from engine.laws.registry import CATALOGUE
 
-SHORTEST = 3  # points of a straight line, where y' is not known
+SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
 TURNS = 12  # of Gauss and Newton
 RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
 STEP = 1e-4  # of the interval between points, to see how a break's place matters
@@ -103,13 +103,20 @@ def straight_runs(of: Points, near: float) -> list[tuple[int, int]]:
     size = float(np.abs(slope).max())
     if of.v is not None:
         off = np.maximum(np.abs(of.v[:-1] - slope), np.abs(of.v[1:] - slope))
-        flat = off <= 1e-9 * size + 4.0 * near / np.diff(x)
+        flat = off <= 1e-9 * size + np.minimum(4.0 * near / np.diff(x), RATES * size)
         return [(k, k + 1) for k in np.flatnonzero(flat).tolist()] if flat.sum() < 2 else grown(flat.tolist())
     bend = np.abs(y[1:-1] - (y[:-2] + (y[2:] - y[:-2]) * (x[1:-1] - x[:-2]) / (x[2:] - x[:-2]))) <= near
     flat = np.zeros(len(slope), dtype=np.bool_)
     for k in np.flatnonzero(bend).tolist():
         flat[k : k + 2] = True
-    return [run for run in grown(flat.tolist()) if run[1] - run[0] + 1 > SHORTEST]
+    return [run for run in grown(flat.tolist()) if run[1] - run[0] >= SHORTEST or sparse(x, *run)]
+
+
+def sparse(x: Array, begin: int, end: int) -> bool:
+    """Whether the points of a line are so far apart beside its neighbours' that no curve could pass for it there."""
+    h = np.diff(x)
+    beside = [float(h[k]) for k in (begin - 1, end) if 0 <= k < len(h)]
+    return bool(beside) and float(h[begin:end].min()) > LONGER * max(beside)
 
 
 def grown(flat: Sequence[bool]) -> list[tuple[int, int]]:
@@ -137,9 +144,21 @@ def beside(of: Points, rebuilt: Course, runs: Sequence[tuple[int, int]], k: int)
         if k in (begin, end):
             slope = float((of.y[end] - of.y[begin]) / (of.x[end] - of.x[begin]))
             return Side(float(of.x[k]), float(of.y[k]), slope)
-    free = k == 0 if of.begins else False
-    free = free or (k == len(of.x) - 1 and of.ends)
-    return rates(of, rebuilt, k)._replace(fixed=True) if free else Side(float(of.x[k]), float(of.y[k]), 0.0)
+    place = Side(float(of.x[k]), float(of.y[k]), 0.0)
+    if not ((k == 0 and of.begins) or (k == len(of.x) - 1 and of.ends)):
+        return place
+    free = rates(of, rebuilt, k)._replace(fixed=True)
+    across = line_across(of, runs, k)
+    return free._replace(v=across, a=0.0) if abs(across - free.v) <= SEAM * fastest(of) else free
+
+
+def line_across(of: Points, runs: Sequence[tuple[int, int]], k: int) -> float:
+    """Return the slope of the line that a table ends with at its begin, or begins with at its end; infinity of none."""
+    last = len(of.x) - 1
+    for begin, end in runs:
+        if of.begins and of.ends and (end == last if k == 0 else begin == 0):
+            return float((of.y[end] - of.y[begin]) / (of.x[end] - of.x[begin]))
+    return np.inf
 
 
 def rates(of: Points, rebuilt: Course, k: int) -> Side:
@@ -147,7 +166,7 @@ def rates(of: Points, rebuilt: Course, k: int) -> Side:
     place = of.x[k : k + 1]
     last = k == len(of.x) - 1
     if (of.begins and k == 0) or (of.ends and last):
-        return Side(float(place[0]), float(of.y[k]), *rate_at(of, -1 if last else 0))
+        return Side(float(place[0]), float(of.y[k]), *(of.seam or rate_at(of, -1 if last else 0)))
     at = rebuilt.at(place, left=last)
     v = float(at.y1[0]) if of.v is None else float(of.v[k])
     a = float(at.y2[0]) if of.a is None else float(of.a[k])

@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.bernstein import DEGREE, enclosing
-from engine.cams.certificate import derived, intervals, local
+from engine.cams.certificate import derived, intervals, local, peaks
 from engine.cams.course import Course
 from engine.laws.base import Array
 
 STEPS = 60  # of halving
 CUBIC = 4
 """the order of a rule through polynomials of the third degree"""
-JUMP = 1e-9  # of the largest y' or y'' at a break: a smaller jump is none
+JUMP = 1e-9  # of the largest y' or y'': a smaller jump is none
 BEFORE = 1e-5
 """of the cycle: so far before a jump of y' or y'' stands a point of its own"""
 
@@ -93,10 +93,5 @@ def jumps(of: Course) -> Array:
     """Return the breaks within a course at which y' or y'' jumps."""
     inner = of.edges[1:-1]
     before, after = of.at(inner, left=True), of.at(inner)
-    return inner[_apart(before.y1, after.y1) | _apart(before.y2, after.y2)]
-
-
-def _apart(before: Array, after: Array) -> NDArray[np.bool_]:
-    """Return where two values differ by more than is left of rounding the largest."""
-    size = max(float(np.abs(np.concatenate([before, after])).max(initial=0.0)), 1e-300)
-    return np.asarray(np.abs(after - before) > JUMP * size)
+    _, v, a, _ = peaks(of)
+    return inner[(np.abs(after.y1 - before.y1) > JUMP * v) | (np.abs(after.y2 - before.y2) > JUMP * a)]

@@ -9,20 +9,22 @@ from pathlib import Path
 from engine.cams.course import SAME
 from engine.cams.identify import THINNED
 from workbook import build as making
+from workbook.commands import switching
 from workbook.commands.export import chosen, tolerated, trusted
 from workbook.controllers import certificates, described
-from workbook.controllers.files import read_table
+from workbook.controllers.files import read_table, text_of
 from workbook.controllers.handing import certified
 from workbook.controllers.registry import target as target_named
+from workbook.controllers.table import Table, equidistant
 from workbook.errors import TargetError
 from workbook.exits import AGREES, DISAGREES
-from workbook.intake import read_text
 from workbook.reading.entries import checked, template_named, write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself
 
+TURN = described.TURN
 LONGEST = 80
 """characters of a title"""
 NEAR = 1e-6
@@ -37,7 +39,7 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         refuse_itself(output, file)
         refuse_existing(output, force)
     table = read_table(file, target)
-    units = described.units_of(read_text(file, "a table", most=len(file.read_bytes())))
+    units = described.units_of(text_of(file, target))
     found = described.phases_of(target, table, units, share)
     data = described.composed(found, table, units, title(file.name))
     machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
@@ -47,11 +49,20 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     if data["template"] == "machine":
         said = f"It begins on the way: written as a machine's axis, {found.late:.9g} {units[0]} later"
         say(ERR, f"{said}; its rate of {described.RATE:g} is ours, enter the machine's")
+    if lacks_end(table, units):
+        said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
+        say(ERR, f"{said}; if it is a turn, add its end", "yellow")
     if output is None:
         say_data(write_machine(machine))
         return
     making.write_inputs(machine, output, overwrite=force)
     say(OUT, f"Wrote {output.absolute()}")
+
+
+def lacks_end(table: Table, units: tuple[str, str]) -> bool:
+    """Whether a table at equal steps of a turn ends a step before it, as tables of one column a degree do."""
+    step = float(table.x[1] - table.x[0])
+    return units[0] == "°" and equidistant(table.x) and abs(float(table.x[-1] - table.x[0]) + step - TURN) < NEAR * TURN
 
 
 def thinned(tolerance: str | None) -> float:
@@ -64,6 +75,15 @@ def thinned(tolerance: str | None) -> float:
     return share
 
 
+def read_switches(file: Path, source: str, output: Path | None) -> None:
+    """Tell the switches of a controller's file as entries of a machine's description."""
+    if output is not None:
+        raise TargetError("switches alone are no machine; expected no -o: paste what is printed into a description")
+    found = switching.lanes_of(file, target_named(source))
+    say(ERR, f"{len(found)} switches, {sum(len(one.on) for one in found)} times of being on")
+    say_data(switching.entries(found))
+
+
 def title(name: str) -> str:
     """Return the title of what was read from a file, as long as a title may be."""
     told = f"Read from {visible(name)}"
@@ -71,15 +91,23 @@ def title(name: str) -> str:
 
 
 def compare(
-    book: Path, file: Path, axis: str, source: str, tolerance: Sequence[str], unverified: bool, as_json: bool
+    book: Path, file: Path, axis: str | None, source: str, tolerance: Sequence[str], unverified: bool, as_json: bool,
+    switches: bool = False,
 ) -> int:  # fmt: skip
-    """Compare what a controller makes of a file with an axis of a book; return the exit code."""
+    """Compare what a controller makes of a file with an axis of a book, or with its switches; return the exit code."""
     target = target_named(source)
+    if switches == (axis is not None):
+        raise TargetError("expected either --axis NAME or --switches")
+    if switches:
+        switching.lanes_of(file, target)  # what cannot be read is told before the book is verified
     held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
-    table = read_table(file, target)
+    table = None if switches else read_table(file, target)
     machine, _ = trusted(book, unverified)
     if machine is None:
         return DISAGREES
+    if table is None:
+        lanes = TEMPLATES[machine.template].switches(machine)
+        return switching.compared(book, lanes, file, target, as_json)
     (meant,) = chosen(TEMPLATES[machine.template].axes(machine), axis, machine.template)
     course = meant.course
     for given, own in zip(table.x[[0, -1]], course.edges[[0, -1]], strict=True):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,15 +15,20 @@ from rich.text import Text
 
 from engine.cams.switched import Differing
 from workbook.axes import CamSwitch
+from workbook.controllers.files import text_of
 from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target as target_named
-from workbook.controllers.tappets import MOST_OFF, HandedTracks, Tappets, certified, tracks
+from workbook.controllers.tappets import MOST_OFF, HandedTracks, Tappets, Track, certified, tracks
 from workbook.controllers.target import Target
-from workbook.errors import TargetError
+from workbook.errors import ReadError, TargetError
+from workbook.exits import AGREES, DISAGREES
 from workbook.reports.cams import SWITCHED
+from workbook.reports.terminal import ERR, OUT, say, say_data
 from workbook.visible import visible
 
 NAME = "Switches"
+LONGEST = 24
+"""characters of a switch's name"""
 
 
 @dataclass(frozen=True)
@@ -55,9 +61,13 @@ def takes(target: Target, switches: Sequence[CamSwitch]) -> Tappets:
     if not switches:
         raise TargetError("the machine has no switches; expected some, or --axis NAME")
     if target.tappets is None:
-        others = ", ".join(name for name in TARGETS if target_named(name).tappets)
-        raise TargetError(f"{target.name} takes no switches; expected one of {others}")
+        raise TargetError(f"{target.name} takes no switches; expected one of {', '.join(taking())}")
     return target.tappets
+
+
+def taking() -> list[str]:
+    """Return the names of the targets that take switches."""
+    return [name for name in TARGETS if target_named(name).tappets]
 
 
 def switched(
@@ -72,6 +82,40 @@ def switched(
     )
     text = tappets.write(handed)
     return Switched(switches, text, certified(switches, tappets.read(text)), tappets, path)
+
+
+def lanes_of(file: Path, target: Target) -> list[Track]:
+    """Return the switches of a controller's file; raise ReadError, in one line, where it is none."""
+    if target.tappets is None:
+        raise TargetError(f"{target.name} takes no switches; expected one of {', '.join(taking())}")
+    try:
+        return target.tappets.read(text_of(file, target))
+    except TargetError as error:
+        raise ReadError(f"{file}: {error}") from None
+
+
+def entries(found: Sequence[Track]) -> str:
+    """Return switches as a machine's description tells them."""
+    rows = []
+    for one in found:
+        times = ", ".join(f"[{begin:.9g}, {end:.9g}]" for begin, end in one.on)
+        name = json.dumps(visible(one.name)[:LONGEST], ensure_ascii=False)
+        rows.append(f"[[switches]]\nname = {name}\non = [{times}]\n")
+    return "\n".join(rows)
+
+
+def compared(book: Path, lanes: Sequence[CamSwitch], file: Path, target: Target, as_json: bool) -> int:
+    """Compare the switches of a file with those of a book; return the exit code."""
+    tappets = takes(target, lanes)
+    told_tracks = lanes_of(file, target)
+    found = Switched(lanes, "", certified(lanes, told_tracks), tappets, file)
+    if as_json:
+        say_data(f"{json.dumps(told(found, target), ensure_ascii=False, indent=1)}\n")
+    else:
+        show(OUT, found, target)
+    for line in found.beyond:
+        say(ERR, f"{line}: {book.name} has it elsewhere", "red")
+    return DISAGREES if found.beyond else AGREES
 
 
 def show(console: Console, found: Switched, target: Target) -> None:

@@ -16,11 +16,16 @@ TOLD = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 def read_table(path: Path, target: Target) -> Table:
     """Return the table of a target's file; raise ReadError, in one line, where it is none."""
-    text = read_text(path, f"a file for {target.name}", MOST)
+    text = text_of(path, target)
     try:
         return parsed(text, target)
     except TargetError as error:
         raise ReadError(f"{path}: {error}") from None
+
+
+def text_of(path: Path, target: Target) -> str:
+    """Return the text of a target's file, without what ends a text of old."""
+    return read_text(path, f"a file for {target.name}", MOST, foreign=True).rstrip("\x1a\x00")
 
 
 def parsed(text: str, target: Target) -> Table:

@@ -55,7 +55,7 @@ class Made:
 
 def rules_of(target: Target, table: Table) -> dict[str, Rule]:
     """Return the rules by which a target may go between the points of a table."""
-    named = target.plain if target.plain and table.v is None else target.rules
+    named = target.plain if target.plain and (table.v is None or table.a is None) else target.rules
     if table.course is not None:
         named = ("polynomials",)
     return {name: RULES[name] for name in named}

@@ -11,6 +11,10 @@ from workbook.errors import TargetError
 
 NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
 STARTS = re.compile(r"[+-]?[.,]?[0-9]|[+-]?(?:nan|inf)", re.IGNORECASE)
+WORDS = re.compile(r"(?!nan|inf)[^\W\d_]{2}", re.IGNORECASE)
+"""what a line of titles has, also one that begins with a digit"""
+ZEROS = re.compile(r"[+-]?0[0-9]+")
+SIGNS = str.maketrans({"\u2212": "-", '"': None})
 WHOLE = re.compile(r"[0-9]+")
 LONGEST = 2000  # characters of a line
 
@@ -29,8 +33,8 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool 
     """
     kept: list[tuple[int, str]] = []
     for n, whole in enumerate(text.splitlines(), 1):
-        line = whole.split(comment, 1)[0].strip() if whole else ""
-        if line and (kept or STARTS.match(line)):
+        line = whole.split(comment, 1)[0].translate(SIGNS).strip() if whole else ""
+        if line and (kept or (STARTS.match(line) and not WORDS.match(line.lstrip("+-0123456789.,")))):
             kept.append((n, line))
         if len(kept) > MOST_POINTS + 1:
             raise TargetError(f"more than {MOST_POINTS:,} lines of numbers; expected at most so many")
@@ -44,7 +48,11 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool 
         kept = kept[1:]
     decimals: set[str] = set()
     separator = found_separator(line for _, line in kept)
+    if separator and all(line.endswith(separator.rstrip(" ")) for _, line in kept):
+        kept = [(n, line[:-1]) for n, line in kept]
     rows = [row(n, line, separator, decimals) for n, line in kept]
+    if separator == ",":
+        require_one_meaning(kept)
     if rows and len(rows[0]) not in widths:
         expected = " or ".join(map(str, widths))
         raise TargetError(f"line {kept[0][0]}: {len(rows[0])} columns; expected {expected}")
@@ -55,13 +63,23 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool 
 
 
 def found_separator(lines: Iterable[str]) -> str | None:
-    """Return what parts the columns: a semicolon, a tab, a comma; None for blanks."""
+    """Return what parts the columns: a semicolon, a tab, a bar, a comma, one with a blank; None for blanks."""
     given = list(lines)
-    for sign in ";\t":
+    for sign in ";\t|":
         if any(sign in line for line in given):
             return sign
+    if all(", " in line for line in given) and any(re.search(r",[^ ]", line) for line in given):
+        return ", "
     parts = [re.split(r"\s+", line) for line in given]
     return None if any(len(part) > 1 and all(map(NUMBER.fullmatch, part)) for part in parts) else ","
+
+
+def require_one_meaning(lines: Iterable[tuple[int, str]]) -> None:
+    """Raise TargetError where a comma seems to part the columns and to be the decimal sign as well."""
+    for n, line in lines:
+        if any(ZEROS.fullmatch(field.strip()) for field in line.split(",")):
+            raise TargetError(f"line {n}: {line[:40]!r}; a comma parts the columns and is the decimal sign, it seems: "
+                              "expected two signs")  # fmt: skip
 
 
 def row(n: int, line: str, separator: str | None, decimals: set[str]) -> list[float]:

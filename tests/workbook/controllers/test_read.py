@@ -13,6 +13,7 @@ from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target
 from workbook.controllers.target import Handed
 from workbook.reading.entries import read_machine
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
 EXACT = ("csv", "codesys", "twincat", "siemens", "siemens-segments", "codesys-table", "twincat-table", "siemens-points",
@@ -45,6 +46,40 @@ def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: s
                 (meant.start, meant.stop, meant.lift), abs=near
             )
             assert phase.residual <= (1e-9 if name in EXACT else 1e-4)
+
+
+ON_THE_WAY = {
+    ("flying-cutter", "tool"): [("CIC", 188.495559), ("LIN", 62.831853)],
+    ("flying-cutter-saw", "shaft"): [("MTP", -4500.0), ("LIN", 4500.0)],
+    ("indexing-overlap-stations", "Die"): [("CIC", 50.0), ("CIC", -50.0)],
+    ("indexing-overlap-stations", "Riveting head"): [("MTP", 80.0), ("CUB", -80.0)],
+    ("actuator-sizing", "load"): [("ACS", 0.8), ("LIN", 6.4), ("ACS", 0.8)],
+}  # fmt: skip
+FEW_POINTS = ("rockwell", "mitsubishi", "mitsubishi-ratio")  # and numbers of 32 bits: lines are two points
+BY_DAY = ("codesys", "siemens-points", "siemens-segments", "sew")
+
+
+@pytest.mark.parametrize("of", ON_THE_WAY, ids="-".join)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[] if name in BY_DAY else pytest.mark.nightly)
+     for name in TARGETS if name not in FEW_POINTS],
+)  # fmt: skip
+def test_a_cycle_that_begins_on_the_way_comes_back_with_its_laws(name: str, of) -> None:
+    """Tools that go with a line, and tables that start in the middle of a movement."""
+    one, template = target(name), of[0]
+    machine = read_machine(FOLDER / f"{template}.toml")
+    axis = next(one for one in TEMPLATES[machine.template].axes(machine) if one.name == of[1])
+    made = automatic(one, axis, dict(one.tolerance))
+    units = axis.x_unit, axis.y_unit
+    table = reread(one, one.write(Handed(made.table, "demo", (), units, axis.repeats)), made.table)
+    found = described.phases_of(one, table, units)
+    if name == "br" and axis.x_unit == "s":  # polynomials of degree 5 in REAL, over whole microseconds
+        assert all(phase.known for phase in found.found)
+        return
+    assert [phase.law.code for phase in found.found] == [code for code, _ in ON_THE_WAY[of]]
+    assert [phase.lift for phase in found.found] == pytest.approx([lift for _, lift in ON_THE_WAY[of]], rel=1e-5)
+    assert described.composed(found, table, units, "back")
 
 
 @pytest.mark.parametrize("name", ["x" * 240 + ".csv", "a\x1b[31m\u009b\n.csv", "[red]x.csv", "\udcff.csv", "#REF!.csv"])

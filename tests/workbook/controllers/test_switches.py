@@ -214,6 +214,44 @@ def test_switches_alone(run, laned, tmp_path):
         assert said in " ".join(err.split())
 
 
+@pytest.mark.parametrize("name", TAKING)
+def test_switches_come_back_and_are_compared(run, laned, tmp_path, name):
+    assert run("export", laned, "--switches", "--to", name, "-o", "s", "--unverified")[0] == 0
+    code, out, err = run("read", "s", "--from", name, "--switches")
+    assert (code, "2 times of being on" in err) == (0, True)
+    assert out.strip() == LANED[LANED.index("[[switches]]") :].strip().replace("[ ", "[").replace(" ]", "]").replace(
+        ".0", ""
+    )
+    (tmp_path / "again.toml").write_text(f"{TEXT}{out}", "utf-8")
+    assert read_machine(tmp_path / "again.toml").switches == read_machine(laned.with_suffix(".toml")).switches
+    asked = ("compare", laned, "s", "--switches", "--from", name, "--unverified")
+    assert run(*asked)[0] == 0
+    text = (tmp_path / "s").read_text("utf-8")
+    assert "95.0" in text
+    (tmp_path / "s").write_text(text.replace("95.0", "95.5"), "utf-8")
+    code, out, err = run(*asked)
+    assert code == 1
+    assert "Valve 3: an edge is off by 0.5 °" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("read", "s", "--from", "sew", "--switches"), "sew takes no switches"),
+        (("read", "s", "--from", "csv", "--switches", "-o", "s.toml"), "switches alone are no machine"),
+        (("read", "s", "--from", "csv", "--switches"), "is no number"),
+        (("compare", "none.xlsx", "s", "--from", "csv"), "either --axis NAME or --switches"),
+        (("compare", "none.xlsx", "s", "--from", "csv", "--switches", "--axis", "A"), "either --axis NAME"),
+        (("compare", "none.xlsx", "s", "--from", "csv", "--switches"), "is no number"),
+    ],
+)
+def test_switches_that_cannot_be_meant_are_refused(run, tmp_path, arguments, said):
+    (tmp_path / "s").write_text("1;20;x\n", "utf-8")
+    code, out, err = run(*arguments)
+    assert (code, out) == (2, "")
+    assert said in " ".join(err.split())
+
+
 def test_a_machine_without_switches_says_so(run, book):
     code, _, err = run("export", book, "--switches", "--to", "csv", "--unverified")
     assert code == 2
