@@ -29,6 +29,7 @@ from workbook.machines.machine.chain import (
     AxisMotor,
     AxisPart,
     MechanismEntry,
+    PowerEntry,
     Reducer,
 )
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
@@ -109,6 +110,7 @@ class AnyMachine(Exporting):
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
     switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
     clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
+    power: PowerEntry = PowerEntry()
     selection: Products = Products()
     sizes: SelectionSizes = SelectionSizes()
 
@@ -127,6 +129,8 @@ class AnyMachine(Exporting):
         require_distinct((switch.name for switch in self.switches), "switch", "switches.{}.name")
         require_distinct((one.name for one in self.clearances), "clearance", "clearances.{}.name")
         require_axes(self.clearances, [axis.name for axis in self.axes])
+        if self.power != PowerEntry() and not any(axis.motor for axis in self.axes):
+            raise EntryError("power", "no axis has a drive; expected none")
         require_room(self.selection, self.sizes)
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):

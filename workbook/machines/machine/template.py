@@ -21,6 +21,7 @@ from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.pacing import rate_of
+from workbook.machines.machine.power import power_sheet
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
@@ -63,6 +64,7 @@ def declare(given: AnyMachine) -> Book:
             drive_sheet(book, drives[one.axis.number])
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
     clearances_sheet(book, apart)
+    power_sheet(book, given.power, [view.driven for view in drives.values()])
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
