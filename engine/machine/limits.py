@@ -123,8 +123,13 @@ class Judged:
         own = train.drive.motor_inertia
         if not own or train.linkage is None:
             return train.drive.inertia_ratio
+        return self.machine_inertia / own
+
+    @cached_property
+    def machine_inertia(self) -> float:
+        """The largest inertia of all behind the motor at its shaft over the cycle (kg m²)."""
         found = (largest(_machine_inertia(one), one.low, one.high, one.nodes)[0] for one in self.course.stretches)
-        return max(found) / own
+        return max(found)
 
     @cached_property
     def _below_curve(self) -> LimitCheck:

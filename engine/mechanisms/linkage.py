@@ -89,7 +89,7 @@ class Linkage(ABC):
     def beyond(self, position: float) -> OutOfReachError | None:
         """Return by how much a position lies beyond an end of the reach, or None; infinite ones stand for none."""
         low, high, at_low, at_high = self.reach
-        near = 0.0 if self.steady else NEAR_END * (high - low)
+        near = near_end(self)
         if not np.isfinite(position) or low + near <= position <= high - near:
             return None
         under = position < low + near
@@ -105,6 +105,12 @@ class Linkage(ABC):
         """
         _, first, second = self.shaft(position)
         return Reflected(mass / first**2, -2.0 * mass * second / first**4)
+
+
+def near_end(linkage: Linkage) -> float:
+    """Return how near to an end of its reach a position counts as in it; 0 where the shaft may stand there."""
+    low, high, *_ = linkage.reach
+    return 0.0 if linkage.steady else NEAR_END * (high - low)
 
 
 @dataclass(frozen=True)

@@ -11,11 +11,20 @@ from workbook.drive.entries import Efficiency, RotatingParts
 from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Number, Positive
 
-Kind = Literal["lead screw", "conveyor", "rack and pinion", "belt", "feed rollers", "rotary table", "gear train"]
+Kind = Literal[
+    "lead screw", "conveyor", "rack and pinion", "belt", "feed rollers", "rotary table", "gear train", "crank-slider"
+]
+LARGE: dict[str, dict[str, Any]] = {"crank-slider": {"crank": 1e4, "rod": 5e4, "position": 1e4}}
+"""of mechanisms of a ratio that changes, sizes with which it reaches wherever an axis goes"""
 TURNING = ("rotary table", "gear train")
+LINKED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "crank-slider": (("crank", "rod"), ("offset", "zero", "branch", "position")),
+}
+"""of each mechanism of a ratio that changes: the entries that it must have, and those that may be empty"""
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 """the name of one in the catalogue; empty where its figures are entered"""
+UNSIZED = "a size of the mechanism is empty"
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
@@ -23,14 +32,41 @@ class MechanismEntry(Model):
     """What makes the motor's turning the axis' motion: its size is a screw's lead, a diameter or a radius in mm."""
 
     kind: Kind = Field(description="What turns the motor's motion into the axis'")
-    size: Positive  # 1 where the axis turns with it
+    size: Positive  # 1 where the axis turns with it, or other entries tell its size
     efficiency: Efficiency
+    crank: Positive | None = Field(default=None, description="Of a crank-slider: radius of the crank, in mm")
+    rod: Positive | None = Field(default=None, description="Of a crank-slider: length of the connecting rod, in mm")
+    offset: Number | None = Field(default=None, description="From the shaft to the slide's line, in mm; 0 if empty")
+    zero: Literal["inner", "outer"] | None = Field(
+        default=None, description="Of a crank-slider: the dead centre that positions grow from; inner if empty"
+    )
+    branch: Literal["ahead", "behind"] | None = Field(
+        default=None,
+        description="Whether the crank is ahead of the line from shaft to slide, or behind; ahead if empty",
+    )
+    position: NotNegative | None = Field(
+        default=None,
+        description="Of a crank-slider: how far from that dead centre the motion begins, in mm; 0 if empty",
+    )
 
     @model_validator(mode="before")
     @classmethod
     def _turns(cls, data: Any) -> Any:
-        turning = isinstance(data, dict) and data.get("kind") in TURNING
+        turning = isinstance(data, dict) and data.get("kind") in (*TURNING, *LINKED)
         return {"size": 1.0} | data if turning else data
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a size that is missing of a mechanism of a ratio that changes."""
+        for name in LINKED.get(self.kind, ((), ()))[0]:
+            if getattr(self, name) is None:
+                yield DesignError(name, UNSIZED, "sized", 1.0)
+
+    @property
+    def foreign(self) -> Iterator[str]:
+        """The entries that are of other mechanisms."""
+        own = {name for both in LINKED.get(self.kind, ()) for name in both}
+        others = {name for names in LINKED.values() for both in names for name in both} - own
+        yield from (name for name in sorted(others) if getattr(self, name) is not None)
 
 
 class PowerEntry(Model):

@@ -12,9 +12,15 @@ from engine.motion.pieces import Scaled, pieces_of
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
 from workbook.laws.registry import RISING
+from workbook.laws.shelf import LawShelf
+from workbook.machines.machine.chain import LARGE, LINKED
 from workbook.machines.machine.drive import UNSHAPED
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.linked.driven import LinkedDriven, apart, linkage_of
+from workbook.machines.machine.linked.reach import unreached_row
+from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
+from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.view import MovingAxis, Whole
 
 KNOWN = 256
 """laws of which is kept whether a drive takes them: a study asks for each many times"""
@@ -32,6 +38,27 @@ def check(machine: AnyMachine) -> None:
             rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
             fits = [phase.model_dump() | rest for phase in one.given.phases]
             raise DesignError(f"axes.{one.number - 1}.phases", UNSHAPED, f"shaped{one.number}", fits)
+        if one.given.mechanism and one.given.mechanism.kind in LINKED:
+            require_reached(machine, one)
+
+
+def require_reached(machine: AnyMachine, axis: MovingAxis) -> None:
+    """Raise DesignError for a mechanism that cannot be, that does not reach a position, or that the sheet misses."""
+    i, given = axis.number, axis.given.mechanism
+    if given is None:
+        return
+    where, large = f"axes.{i - 1}.mechanism", given.model_dump() | LARGE[given.kind]
+    said = apart(given)
+    if said:
+        raise DesignError(where, said, f"linked{i}", large)
+    said = unreached_row(axis, linkage_of(given))
+    if said:
+        raise DesignError(where, said, f"reach{i}", large)
+    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
+    whole = Whole(machine, shelf.laws)
+    rows = AxisRows(whole, whole.axes[i - 1], shelf.stack)
+    if not LinkedWork(rows, LinkedDriven(rows.axis, machine.selection)).enough:
+        raise DesignError(where, TOO_FEW, f"nodes{i}", large)
 
 
 @lru_cache(maxsize=KNOWN)

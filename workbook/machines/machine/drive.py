@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from engine.drivetrain.loads import GRAVITY
@@ -34,6 +36,18 @@ SIZES = {
     "feed rollers": ("Radius of the rollers", "R"),
 }
 RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)"}
+STRAIGHT = {
+    "jtot": "=@j0-@jm+@j1/@i1^2+@m/@i^2",
+    "tmax": "=MAX(MAX([@st.tyb]),MAX([@st.tye]))",
+    "tmin": "=MIN(MIN([@st.tyb]),MIN([@st.tye]))",
+    "rms": "=SQRT(MAX(0,SUM([@st.square])/(2*PI())))",
+    "speed": "=ABS(@i)*MAX([axis{0}.v])*@faster*60/(2*PI())",
+    "smax": "=MAX(MAX(MAX([@st.ryb]),MAX([@st.rye])),0-MIN(MIN([@st.ryb]),MIN([@st.rye])))",
+    "smean": "=IF(@way>0,(SUM([@st.cube])/@way)^(1/3),0)",
+    "energy": "=SUM([@st.drives])",
+    "returned": "=SUM([@st.returns])",
+}
+"""the results of a drive of constant ratios, by its stretches"""
 MACHINES, OWN = "the machine's rate", "a rate of its own"
 UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
 
@@ -44,14 +58,15 @@ def drive_sheet(book: Book, view: Stretched) -> None:
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
-        entries(sheet, driven)
+        entries(sheet, driven, size(driven))
         parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
-        outcome(sheet, one, driven, highest(view))
+        outcome(sheet, one, driven, STRAIGHT, highest(view))
+        sheet.checks(*checks(driven), laws_check(driven, one))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
-        workings(sheet, one, driven)
+        workings(sheet, one, driven, ratios(driven))
         cycle(sheet, one, driven)
         lines(sheet, driven)
         turns_table(sheet, view)
@@ -64,12 +79,17 @@ def drive_sheet(book: Book, view: Stretched) -> None:
     sheet.one_page = True
 
 
-def entries(sheet: Sheet, driven: Driven) -> None:
+def size(driven: Driven) -> list[Quantity]:
+    """Return the row of the mechanism's size, if it has one."""
+    m, key = driven.given, f"axes.{driven.number - 1}.mechanism"
+    label, symbol = SIZES.get(m.kind, ("", ""))
+    return [given("@size", label, symbol, "mm", m.size, f"{key}.size", format="0.0##")] if label else []
+
+
+def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     """Declare what is entered of this mechanism, its load, reducer and motor."""
     m, key = driven.given, f"axes.{driven.number - 1}"
     sheet.heading("Enter")
-    label, symbol = SIZES.get(m.kind, ("", ""))
-    size = [given("@size", label, symbol, "mm", m.size, f"{key}.mechanism.size", format="0.0##")] if label else []
     sheet.rows(
         calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
@@ -91,7 +111,7 @@ def loads(driven: Driven, key: str) -> list[Quantity]:
         ("friction", "Coefficient of friction", "μ", "", "opposes the motion"),
         ("slope", "Slope", "θ", "°", "rising with positive travel"),
         ("force", "Force against positive travel", "F", "N", "always, also at rest"),
-    ) if driven.kind.travels else (
+    ) if driven.travels else (
         ("inertia", "Inertia that turns", "J", "kg m²", ""),
         ("torque", "Torque against positive motion", "T", "Nm", "always, also at rest"),
         ("friction_torque", "Friction torque", "T_f", "Nm", "opposes the motion"),
@@ -120,9 +140,11 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     )  # fmt: skip
 
 
-def outcome(sheet: Sheet, one: AxisRows, driven: Driven, rates: list[Quantity]) -> None:
-    """Declare what the cycle asks of the motor, the highest rate, and the checks against its limits."""
-    found, m, motor = driven.demand, driven.mechanism, driven.reserve
+def outcome(
+    sheet: Sheet, one: AxisRows, driven: Driven, formulas: dict[str, str], rates: Sequence[Quantity] = ()
+) -> None:
+    """Declare what the cycle asks of the motor, and the highest rate."""
+    found, motor = driven.demand, driven.reserve
     torque = max(found.torque.peak, 1e-3)
     fastest, own = shown(found.speed.peak, RPM), driven.entered.rate
     sheet.heading("Results")
@@ -131,48 +153,53 @@ def outcome(sheet: Sheet, one: AxisRows, driven: Driven, rates: list[Quantity]) 
              OWN if own else MACHINES, align="right"),
         calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)',
              own or one.machine.machine.master.rate),
-        result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", "=@j0-@jm+@j1/@i1^2+@m/@i^2",
-               m.inertia(), source="Σ J/i², load and parts"),
+        result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", formulas["jtot"],
+               driven.inertia, source="Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
-               "=IF(@jm>0,@jtot/@jm,0)", driven.drive.inertia_ratio, source="load at the motor's shaft / motor"),
+               "=IF(@jm>0,@jtot/@jm,0)", driven.inertia_ratio, source="load at the motor's shaft / motor"),
         result("@tmax", "Highest torque of the motor", "T_max", "Nm",
-               "=MAX(MAX([@st.tyb]),MAX([@st.tye]))",
+               formulas["tmax"],
                found.torque.highest.value, scale=torque, source="exact: at the laws' extremes of acceleration"),
         result("@tmin", "Lowest torque of the motor", "T_min", "Nm",
-               "=MIN(MIN([@st.tyb]),MIN([@st.tye]))",
+               formulas["tmin"],
                found.torque.lowest.value, scale=torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm",
-               "=SQRT(MAX(0,SUM([@st.square])/(2*PI())))",
+               formulas["rms"],
                found.rms_torque, scale=torque, source="exact, from the motion's pieces: not from samples"),
         result("@speed", "Largest speed of the motor", "n", "rpm",
-               f"=ABS(@i)*MAX([axis{driven.number}.v])*@faster*60/(2*PI())", fastest,
-               source="C_v h/t, through the ratio"),
+               formulas["speed"].format(driven.number), fastest, source="C_v h/t, through the ratio"),
         result("@res_rms", "Reserve of RMS torque", "", "",
                "=IF(@rms>0,@motor_rated/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
         result("@res_peak", "Reserve of peak torque", "", "",
                "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
         result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
         result("@smax", "Largest torque behind the reducer", "", "Nm",
-               "=MAX(MAX(MAX([@st.ryb]),MAX([@st.rye])),0-MIN(MIN([@st.ryb]),MIN([@st.rye])))",
+               formulas["smax"],
                driven.reducer_checks[0].value, scale=driven.sizes.behind),
         result("@smean", "Mean torque behind the reducer", "", "Nm",
-               "=IF(@way>0,(SUM([@st.cube])/@way)^(1/3),0)", driven.reducer_checks[1].value,
+               formulas["smean"], driven.reducer_checks[1].value,
                scale=driven.sizes.behind, source="³√(∫|ω||S|³ dt/∫|ω| dt)"),
-        result("@energy", "Energy that the motor drives with", "E", "J", "=SUM([@st.drives])",
+        result("@energy", "Energy that the motor drives with", "E", "J", formulas["energy"],
                found.energy.driving, scale=driven.scales.work, source="at its shaft, a cycle"),
-        result("@returned", "Energy that comes back to it", "", "J", "=SUM([@st.returns])",
+        result("@returned", "Energy that comes back to it", "", "J", formulas["returned"],
                found.energy.regenerated, scale=driven.scales.work),
         result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle*@faster",
                found.mean_power, scale=driven.scales.power),
         *rates,
     )  # fmt: skip
-    sheet.checks(
-        *limit_checks(motor, f"Drive {driven.number}"),
-        *reducer_checks(driven),
-        chosen.told(driven.number),
-        check("@ok_laws", f"Drive {driven.number}: the laws are of stages that this sheet integrates",
-              known(driven.number, one), True, "for the RMS torque", f":shaped{driven.number}", f'"{UNSHAPED}"'),
-    )  # fmt: skip
+
+
+def checks(driven: Driven) -> list[Quantity]:
+    """Return the checks against the limits of motor and reducer."""
+    label = f"Drive {driven.number}"
+    return [*limit_checks(driven.reserve, label), *reducer_checks(driven), chosen.told(driven.number)]
+
+
+def laws_check(driven: Driven, one: AxisRows) -> Quantity:
+    """Return the check that the sheet knows the motion's pieces."""
+    number = driven.number
+    return check("@ok_laws", f"Drive {number}: the laws are of stages that this sheet integrates", known(number, one),
+                 True, "for the RMS torque", f":shaped{number}", f'"{UNSHAPED}"')  # fmt: skip
 
 
 def known(number: int, one: AxisRows) -> str:
@@ -200,12 +227,22 @@ def reducer_checks(driven: Driven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def workings(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
+def ratios(driven: Driven) -> list[Quantity]:
+    """Return the rows of the ratios."""
+    travels, m = driven.travels, driven.mechanism
+    ratio = RATIOS.get(driven.given.kind, "=2/(@size/1000)") if travels else "=1"
+    return [
+        calc("@i2", "Ratio of the mechanism", "i_2", "rad/m" if travels else "",
+             ratio, m.ratio_from(1), source="2π/P of a screw" if driven.given.kind == SCREW else ""),
+        calc("@i", "Motor over load", "i", "rad/m" if travels else "", "=@i1*@i2", m.ratio, source="i_1 i_2"),
+    ]  # fmt: skip
+
+
+def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]) -> None:
     """Declare ratios, inertias and what resists."""
     m, load = driven.mechanism, driven.load
-    travels = driven.kind.travels
+    travels = driven.travels
     way = f"[axis{driven.number}.h]"
-    ratio = RATIOS.get(driven.given.kind, "=2/(@size/1000)") if travels else "=1"
     steady = "=@force+@m*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
     rubbing = "=@friction*@m*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
     gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
@@ -221,9 +258,7 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
         calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
              shown(driven.axis.speed, one.axis.speed)),
         calc("@m", "What is moved", "m", base, "=@mass+0" if travels else "=@inertia+0", load.inertia),
-        calc("@i2", "Ratio of the mechanism", "i_2", "rad/m" if travels else "",
-             ratio, m.ratio_from(1), source="2π/P of a screw" if driven.given.kind == SCREW else ""),
-        calc("@i", "Motor over load", "i", "rad/m" if travels else "", "=@i1*@i2", m.ratio, source="i_1 i_2"),
+        *ratios,
         calc("@j0", "Inertia on the motor's shaft, with it", "J_0", "kg m²",
              f"=@jm+@j_reducer+{on('motor')}", driven.at_motor, source="motor, reducer, parts"),
         calc("@j1", "Inertia on the mechanism's shaft", "J_1", "kg m²", f"={on('mechanism')}", m.on_shaft(1)),

@@ -11,6 +11,7 @@ import numpy as np
 
 from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage
 from engine.drivetrain.bends import Bends, Sizes, sizes_of
+from engine.drivetrain.kinds import Kind
 from engine.drivetrain.motor import LimitCheck, Reserve, reserve
 from engine.laws.base import Array
 from engine.machine.bent import Scales, scales
@@ -37,8 +38,17 @@ class Driven:
         self.given, self.holding = axis.given.mechanism, axis.given.motor.holding
         self.motor_used, self.reducer = motor_in_use(axis.given, products), reducer_in_use(axis.given, products)
         self._under: dict[tuple[tuple[Window, ...], float], Bends] = {}
-        self.kind = KINDS[self.given.kind]
         self.number = axis.number
+
+    @property
+    def kind(self) -> Kind:
+        """The mechanism's kind."""
+        return KINDS[self.given.kind]
+
+    @property
+    def travels(self) -> bool:
+        """Whether the axis travels."""
+        return self.entered.unit == "mm"
 
     @property
     def size(self) -> float:
@@ -49,7 +59,7 @@ class Driven:
     def load(self) -> Load:
         """The load at the end of the chain."""
         e = self.entered.load
-        if not self.kind.travels:
+        if not self.travels:
             return Load(e.inertia, e.torque, e.friction_torque)
         return Slide(e.mass, e.friction, radians(e.slope), e.force).load
 
@@ -61,21 +71,42 @@ class Driven:
     @cached_property
     def mechanism(self) -> Mechanism:
         """Reducer and mechanism, their parts and the load."""
-        reducer = Stage("reducer", self.reducer.ratio, self.reducer.efficiency)
-        parts = [self.reducer.part, *self.parts]
-        return self.kind.of(self.load, self.size, self.given.efficiency, [reducer], parts)
+        return self.kind.of(self.load, self.size, self.given.efficiency, [self.stage], self.turned)
+
+    @property
+    def stage(self) -> Stage:
+        """The reducer as a stage."""
+        return Stage("reducer", self.reducer.ratio, self.reducer.efficiency)
+
+    @property
+    def turned(self) -> list[Part]:
+        """All that turns on the motor's shaft and on the mechanism's."""
+        return [self.reducer.part, *self.parts]
 
     @cached_property
     def drive(self) -> Drive:
         """The motor on it."""
         return Drive(self.mechanism, self.motor_used.inertia, holding=self.holding)
 
+    @property
+    def train(self) -> Train:
+        """The drive with all that acts on the load."""
+        return Train(self.drive, windows=self.windows)
+
     @cached_property
     def demand(self) -> Demand:
         """What a cycle asks of the motor, exact."""
-        return Demand(
-            Course(Train(self.drive, windows=self.windows), self.axis.motion, self.axis.speed, self.axis.shifted.shift)
-        )
+        return Demand(Course(self.train, self.axis.motion, self.axis.speed, self.axis.shifted.shift))
+
+    @property
+    def inertia(self) -> float:
+        """Inertia at the motor, without it (kg m²)."""
+        return self.mechanism.inertia()
+
+    @property
+    def inertia_ratio(self) -> float:
+        """The same over the motor's; 0 of a motor without inertia."""
+        return self.drive.inertia_ratio
 
     @cached_property
     def motor(self) -> Motor:

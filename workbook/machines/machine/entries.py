@@ -22,6 +22,7 @@ from workbook.entries.types import (
     TogetherError,
 )
 from workbook.machines.machine.chain import (
+    LINKED,
     TRAVELLING_LOAD,
     TURNING,
     TURNING_LOAD,
@@ -81,8 +82,10 @@ class Axis(Model):
             raise EntryError("rate", f"{figure(self.rate)} of an axis without a drive; expected none")
         if self.mechanism and (self.mechanism.kind in TURNING) != (self.unit == "°"):
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
-        if self.mechanism and self.mechanism.kind in TURNING and self.mechanism.size != 1.0:
+        if self.mechanism and self.mechanism.kind in (*TURNING, *LINKED) and self.mechanism.size != 1.0:
             raise EntryError("mechanism.size", f"a {self.mechanism.kind} has no size; expected none")
+        if self.mechanism and (name := next(self.mechanism.foreign, "")):
+            raise EntryError(f"mechanism.{name}", f"a {self.mechanism.kind} has no {name}; expected none")
         for name in TRAVELLING_LOAD if self.unit == "°" else TURNING_LOAD:
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of an axis in {self.unit}; expected none")

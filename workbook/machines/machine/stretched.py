@@ -78,7 +78,13 @@ class Stretched:
     @cached_property
     def spans(self) -> list[tuple[float, float]]:
         """Begin and end of each stretch, in degrees."""
-        return stretches([*self.begins, *chain(*self.turned), *self.edges], TURN, self.near)
+        further = [angle for angle, _ in self.further]
+        return stretches([*self.begins, *chain(*self.turned), *self.edges, *further], TURN, self.near)
+
+    @property
+    def further(self) -> list[tuple[float, str]]:
+        """Where else a stretch begins, in degrees, each with its formula: nowhere where ratios are constant."""
+        return []
 
     @cached_property
     def parts(self) -> list[BentPart]:

@@ -43,7 +43,7 @@ ACTS = "(({x}>=[@windows.from])*({x}<[@windows.from]+[@windows.span])+({x}+360<[
 
 def windows_table(sheet: Sheet, key: str, view: Stretched) -> None:
     """Declare the process forces over the cycle."""
-    entered, unit = view.driven.entered.load.windows, "N" if view.driven.kind.travels else "Nm"
+    entered, unit = view.driven.entered.load.windows, "N" if view.driven.travels else "Nm"
     found = view.driven.windows
 
     def entry(name: str) -> list[Any]:
@@ -118,12 +118,13 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
         for edge in ("start", "stop"):
             told = f"([@windows.{edge}.{n}]-[axes.late.{i}])"
             formulas.append(f'=IF([@windows.{edge}.{n}]="",360,{told}-360*INT({told}/360))')
-    formulas.append("=360+0")
+    formulas += [*(formula for _, formula in view.further), "=360+0"]
+    further = [angle for angle, _ in view.further]
     sheet.table(
         "@breaks", "Where a stretch can begin", len(formulas),
         constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
-        calc("at", "angle of its phases", "θ", "°", formulas, [*view.begins, *chain(*view.turned), *view.edges, TURN],
-             scale=360.0, format="0.0##"),
+        calc("at", "angle of its phases", "θ", "°", formulas,
+             [*view.begins, *chain(*view.turned), *view.edges, *further, TURN], scale=360.0, format="0.0##"),
     )  # fmt: skip
 
 
@@ -182,7 +183,7 @@ def directed(view: Stretched) -> list[Quantity]:
     begin = f"INDEX([axis{i}_pieces.begin],[q])"
     middle = V.format(u="(([ub]+[ue])/2)")
     back = f"MIN([dir]*{V.format(u='[ub]')},[dir]*{V.format(u='[ue]')})<0-check_zero*@vmax"
-    acts, force = ACTS.format(x="[x]"), "N" if view.driven.kind.travels else "Nm"
+    acts, force = ACTS.format(x="[x]"), "N" if view.driven.travels else "Nm"
     angle = f"(([b]+[e])/2+[axes.late.{i}])"
     return [
         calc("ub", "from", "u", "rad", f"=RADIANS([b]-{begin})", of(lambda p: p.low), scale=1.0),

@@ -15,9 +15,11 @@ from engine.machine.geared import Geared, Gears, Torques, Works, shares_of
 from engine.motion.smoothness import shortfalls
 from workbook.entries.units import RPM, shown
 from workbook.laws.library import laws
+from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.linked.driven import LinkedDriven
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -45,7 +47,8 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     for axis in whole.axes:
         found |= of_axis(axis)
         if axis.given.mechanism and axis.given.motor:
-            found |= Studied(axis, machine.selection, columns).results
+            linked = axis.given.mechanism.kind in LINKED
+            found |= (EachStudied if linked else Studied)(axis, machine.selection, columns).results
     return found
 
 
@@ -149,12 +152,12 @@ class Studied:
         return self.at_reducer + self.geared.inertia(self.gears.ratio)
 
     @cached_property
-    def behind(self) -> float:
+    def behind(self) -> Any:
         """Largest torque behind the reducer (Nm)."""
         return self.geared.demand.shaft_torque(1).peak
 
     @cached_property
-    def mean_behind(self) -> float:
+    def mean_behind(self) -> Any:
         """Mean torque behind the reducer (Nm)."""
         return self.geared.demand.mean_shaft_torque(1)
 
@@ -166,6 +169,11 @@ class Studied:
     def pair(self, figure: str) -> Array:
         """Return mass or cost of motor and reducer together."""
         return self.motors_used[figure] + self.reducers_used[figure]
+
+    @property
+    def power(self) -> Array:
+        """Mean powers (W)."""
+        return self.geared.mean_power(self.works)
 
     @property
     def results(self) -> dict[str, Callable[[], Any]]:
@@ -191,7 +199,7 @@ class Studied:
             "smean": lambda: self.mean_behind,
             "energy": lambda: self.works.driving,
             "returned": lambda: self.works.regenerated,
-            "power": lambda: self.geared.mean_power(self.works),
+            "power": lambda: self.power,
             "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
             "ok_peak": lambda: told(self.torques.peak <= motor("peak_torque")),
             "ok_speed": lambda: told(self.speed <= motor("max_speed")),
@@ -207,6 +215,74 @@ class Studied:
                 f"pair_{figure}": partial(self.pair, figure),
             }
         return {f"drive{self.axis.number}_{name}": value for name, value in each.items()}
+
+
+class EachStudied(Studied):
+    """The drive of a mechanism of a changing ratio with many motors and reducers: each pair by itself."""
+
+    @cached_property
+    def pairs(self) -> list[tuple[int, int]]:
+        """The motor and the reducer of each design, by their places among those that differ."""
+        both = np.broadcast_arrays(self.motors.places, self.reducers.places)
+        return list(zip(*(places.tolist() for places in both), strict=True))
+
+    @cached_property
+    def drives(self) -> dict[tuple[int, int], LinkedDriven]:
+        """The drive with each pair that a design has."""
+        return {pair: self._drive(*pair) for pair in dict.fromkeys(self.pairs)}
+
+    def _drive(self, motor: int, reducer: int) -> LinkedDriven:
+        given = changed(self.axis, "motor", self.motor_key, self.motors.values[motor])
+        held = MovingAxis(given, self.axis.number, self.axis.library, self.axis.speed)
+        given = changed(held, "reducer", self.reducer_key, self.reducers.values[reducer])
+        return LinkedDriven(MovingAxis(given, self.axis.number, self.axis.library, self.axis.speed), self.products)
+
+    def each(self, figure: Callable[[LinkedDriven], float]) -> Array:
+        """Return a figure of each design's drive."""
+        found = {pair: figure(drive) for pair, drive in self.drives.items()}
+        return np.array([found[pair] for pair in self.pairs])
+
+    @property
+    def at_motor(self) -> Array:
+        """Largest inertia at the motor over the cycle, without it (kg m²)."""
+        return self.each(lambda drive: drive.inertia)
+
+    @cached_property
+    def torques(self) -> Torques:
+        """Lowest and highest torques (Nm)."""
+        lowest = self.each(lambda drive: drive.demand.torque.lowest.value)
+        return Torques(lowest, self.each(lambda drive: drive.demand.torque.highest.value))
+
+    @cached_property
+    def rms(self) -> Array:
+        """RMS torques (Nm)."""
+        return self.each(lambda drive: drive.demand.rms_torque)
+
+    @cached_property
+    def speed(self) -> Array:
+        """Largest speeds (rpm)."""
+        return shown(self.each(lambda drive: drive.demand.speed.peak), RPM)
+
+    @cached_property
+    def works(self) -> Works:
+        """Energies (J)."""
+        driving = self.each(lambda drive: drive.demand.energy.driving)
+        return Works(driving, self.each(lambda drive: drive.demand.energy.regenerated))
+
+    @property
+    def power(self) -> Array:
+        """Mean powers (W)."""
+        return self.each(lambda drive: drive.demand.mean_power)
+
+    @cached_property
+    def behind(self) -> Any:
+        """Largest torques behind the reducers (Nm)."""
+        return self.each(lambda drive: drive.reducer_checks[0].value)
+
+    @cached_property
+    def mean_behind(self) -> Any:
+        """Mean torques behind the reducers (Nm)."""
+        return self.each(lambda drive: drive.reducer_checks[1].value)
 
 
 def figures(

@@ -6,12 +6,13 @@ from collections.abc import Iterable
 
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
-from workbook.drive.in_short import InShort, axes_in_short
+from workbook.drive.in_short import Highest, InShort, axes_in_short
 from workbook.entries.rules import limits
 from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
+from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.clearances import clearances_sheet
@@ -19,6 +20,9 @@ from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked.sheet import linked_sheet
+from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.pacing import rate_of
 from workbook.machines.machine.power import power_sheet
@@ -29,6 +33,7 @@ from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet
+from workbook.selection.entries import Products
 from workbook.template import Template, finish
 
 
@@ -38,7 +43,7 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {one.axis.number: Stretched(one, Driven(one.axis, given.selection))
+    drives = {one.axis.number: view_of(one, given.selection)
               for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
     sheet = summary_sheet(
         book,
@@ -60,8 +65,11 @@ def declare(given: AnyMachine) -> Book:
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
     for one in rows:
-        if one.axis.number in drives:
-            drive_sheet(book, drives[one.axis.number])
+        view = drives.get(one.axis.number)
+        if isinstance(view, LinkedWork):
+            linked_sheet(book, view)
+        elif view:
+            drive_sheet(book, view)
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
     clearances_sheet(book, apart)
     power_sheet(book, given.power, [view.driven for view in drives.values()])
@@ -73,6 +81,13 @@ def declare(given: AnyMachine) -> Book:
     return finish(book, "Machine", ("S1", "S3"))
 
 
+def view_of(one: AxisRows, products: Products) -> Stretched:
+    """Return the drive of an axis over its motion."""
+    if one.axis.given.mechanism and one.axis.given.mechanism.kind in LINKED:
+        return LinkedWork(one, LinkedDriven(one.axis, products))
+    return Stretched(one, Driven(one.axis, products))
+
+
 def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
     """Return what the first sheet tells of an axis, and of its drive if it has one."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
@@ -81,13 +96,22 @@ def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
         return found
     name, driven = axis.given.motor.name if axis.given.motor else "", view.driven
     return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=name,
-                          ratio=driven.reducer.ratio, highest=rate_of(view))  # fmt: skip
+                          ratio=driven.reducer.ratio, highest=highest_of(view))  # fmt: skip
+
+
+def highest_of(view: Stretched) -> Highest | None:
+    """Return the highest rate of a drive; none of one whose ratio changes: its sheet has none."""
+    return None if isinstance(view, LinkedWork) else rate_of(view)
 
 
 def highest_rate(drives: Iterable[Stretched], axes: int) -> list[Quantity]:
-    """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds."""
-    found = [(view.driven.axis.given.name, rate_of(view)) for view in drives]
-    if not found:
+    """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds.
+
+    There are none where a drive tells none.
+    """
+    each = [(view.driven.axis.given.name, highest_of(view)) for view in drives]
+    found = [(name, rate) for name, rate in each if rate]
+    if not found or len(found) < len(each):
         return []
     axis, least = min(found, key=lambda one: one[1].rate)
     place = "MATCH(about_highest,[axes_short.highest],0)"

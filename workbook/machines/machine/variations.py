@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
-from workbook.machines.machine.chain import WINDOWS
+from workbook.machines.machine.chain import LINKED, WINDOWS
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
 from workbook.motion.asked import smoothness_for
@@ -80,11 +80,36 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
     return found
 
 
+def linked(axis: dict[str, Any], i: int, k: int) -> None:
+    """Give an axis another mechanism of a changing ratio of its kind, and lifts that it reaches."""
+    crank, offset = 31.0 + 7 * k + i, (0.0, 9.0, -14.0, None, 5.5, 0.0)[(i + k) % SIX]
+    rod = crank * (2.6 + 0.4 * k)
+    axis["mechanism"] |= {
+        "crank": crank, "rod": rod, "offset": offset, "zero": ("inner", "outer", None)[k % 3],
+        "branch": ("behind", "ahead", None)[(i + k) % 3], "position": 0.3 * crank,
+    }  # fmt: skip
+    to_and_fro(axis["phases"], 0.0, 1.3 * crank, k)
+
+
+def to_and_fro(phases: list[dict[str, Any]], low: float, high: float, k: int) -> None:
+    """Give phases lifts between two positions, from 0 and, but once, back to it."""
+    moving = [phase for phase in phases if phase["lift"]]
+    at = 0.0
+    for n, phase in enumerate(moving):
+        goal = low + (high - low) * (1.0 if n == 0 else (0.45 * n + 0.1 * k) % 1.0)
+        back = n == len(moving) - 1 and k != 3
+        phase["lift"] = (0.0 if back else goal) - at
+        at += phase["lift"]
+
+
 def drive(axis: dict[str, Any], i: int, k: int, room: int, products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
     travels = axis["unit"] == "mm"
-    axis["mechanism"] |= {"size": 7.0 + 11 * k if travels else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
+    sized = travels and axis["mechanism"]["kind"] not in LINKED
+    axis["mechanism"] |= {"size": 7.0 + 11 * k if sized else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
+    if axis["mechanism"]["kind"] in LINKED:
+        linked(axis, i, k)
     axis["load"] = {
         "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
         "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k], "windows": forces(i, k, 400.0),

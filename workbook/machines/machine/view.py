@@ -233,14 +233,15 @@ LEAST = chain.AxisLoad()
 
 def driven_by(kind: str) -> dict[str, Any]:
     """Return the entries of some drive with a mechanism."""
-    mechanism = chain.MechanismEntry.model_validate({"kind": kind, "size": 1.0, "efficiency": 1.0})
+    told = {"kind": kind, "size": 1.0, "efficiency": 1.0} | chain.LARGE.get(kind, {})
+    mechanism = chain.MechanismEntry.model_validate(told)
     motor = chain.AxisMotor(inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
     return {"mechanism": mechanism, "motor": motor}
 
 
 def kind_name(number: int, kind: str) -> str:
     """Return the name of the cell that says which mechanism an axis has: by it a file tells that."""
-    return f"drive{number}_{kind.replace(' ', '_')}"
+    return f"drive{number}_{kind.replace(' ', '_').replace('-', '_')}"
 
 
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:

@@ -1,0 +1,326 @@
+"""A drive at places of a motion, and what is found from them alone: reversals, extremes. SI units.
+
+It is how a table of cells works a drive of a changing ratio out; :mod:`engine.machine.demand` goes another way. In a
+stretch direction and process force stay as they are, so everything in it is smooth but where power turns round.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drivetrain.losses import loss_factor
+from engine.laws.base import Array
+from engine.machine.bent import Scales
+from engine.machine.demand import Demand
+from engine.machine.train import Force, Motion3, Train
+from engine.mechanisms.linkage import Linkage
+from engine.motion import Phase
+from engine.motion.pieces import MotionPiece
+
+LOST = 1e-9
+"""of a quantity's size: what is smaller has no sign"""
+LOOKS = np.linspace(0.0, 1.0, 7)
+"""places of a stretch, as shares of it, at which it is asked which way power goes"""
+LONG = 0.3
+"""of a phase: a longer piece is halved"""
+GAUSS = 12
+_RULE = np.polynomial.legendre.leggauss(GAUSS)
+NODES = np.array([-1.0, *_RULE[0], 1.0])
+"""places of a section from −1 to 1: its ends, and those of Gauss's rule"""
+WEIGHTS = np.array([0.0, *_RULE[1], 0.0])
+LAST = (GAUSS - 0.5) * WEIGHTS * np.polynomial.legendre.legval(NODES, [0.0] * (GAUSS - 1) + [1.0])
+"""by which values at the nodes give the last coefficient of their series of Legendre's polynomials"""
+_DISTANCES = NODES[:, None] - NODES + np.eye(NODES.size)
+INTERPOLATING = np.abs(np.prod(_DISTANCES, axis=1)).min() / np.prod(_DISTANCES, axis=1)
+"""weights of the barycentric formula. Source: J.-P. Berrut, L. N. Trefethen, Barycentric Lagrange interpolation, SIAM
+Review 46 (2004) 501–517"""
+FIRST = 2.0 ** np.arange(NODES.size - 1, -1, -1)
+"""powers of 2, which tell the first of several places"""
+WIDE, NARROW = 0.02, 0.001
+"""of half a section: how far apart the places of two parabolas are, one after the other"""
+FARTHEST = 1.0 - WIDE - NARROW, 1.0 - NARROW - NARROW
+"""how far from the middle the places of each lie at most"""
+FINE = 1e5
+"""parts of half a section; places lie in the middle of one, never on a node"""
+FAR, BEYOND = 20.0, 1.5
+"""how far from their places, in their distance, both parabolas are taken to hold"""
+FLAT = 1e-3
+"""of what is next to nothing: how little the last parabola may bend"""
+SUFFICES = 3e-6
+"""of the largest torque: the greatest last coefficient with which the nodes suffice"""
+
+
+class Worked(NamedTuple):
+    """A drive at places: position, speed and acceleration of the load; φ', φ'' and φ̈ of the mechanism's shaft.
+
+    Then what drives the load (N, or Nm), the torque behind the reducer and the motor's (Nm).
+    """
+
+    y: Array
+    v: Array
+    a: Array
+    first: Array
+    second: Array
+    turning: Array
+    force: Array
+    behind: Array
+    torque: Array
+
+    @property
+    def rate(self) -> Array:
+        """Speed of the mechanism's shaft (rad/s)."""
+        return np.asarray(self.first * self.v)
+
+
+@dataclass(frozen=True)
+class Held:
+    """A piece of motion in one direction (1, −1, or 0 at rest) under one force, over an abscissa of a speed (1/s).
+
+    ``within`` is a position of it, which says on which side of a knot its ends are.
+    """
+
+    train: Train
+    linkage: Linkage
+    piece: MotionPiece
+    speed: float
+    going: float
+    force: Force
+    within: float
+
+    @property
+    def acts(self) -> float:
+        """1 where the motor acts, 0 at rest behind a brake."""
+        return 0.0 if not self.going and self.train.drive.holding == "brake" else 1.0
+
+    def turns_back(self, span: tuple[float, float], fastest: float) -> bool:
+        """Whether it moves against its direction at an end of a span, beside a largest |y'|."""
+        return bool((self.going * self.piece.derivative(1, np.array(span))).min() < -LOST * fastest)
+
+    def argument(self, u: float) -> float:
+        """Return the argument of the piece's first sine at a place (rad)."""
+        _, omega, phi = self.piece.sines[0]
+        return omega * u + phi
+
+    def at(self, u: Array) -> Worked:
+        """Return the drive at places of the piece: power goes through each stage by the sign of what is behind it."""
+        train, m = self.train, self.train.drive.mechanism
+        y, v, a = (self.piece.derivative(k, u) * self.speed**k for k in range(3))
+        _, first, second = self.linkage.shaft(y, self.within)
+        turning = second * v**2 + first * a
+        force, (before, last) = self.force.at(Motion3(y, v, a)), m.stages
+        through = loss_factor(force, self.going, last.efficiency, train.method, 0.0)
+        behind = through * force / first + m.on_shaft(1) * turning
+        own = (train.drive.motor_inertia + m.on_shaft(0)) * before.ratio * turning
+        torque = loss_factor(behind, self.going, before.efficiency, train.method, 0.0) * behind / before.ratio + own
+        return Worked(y, v, a, first, second, turning, force, self.acts * behind, self.acts * torque)
+
+
+def half(piece: MotionPiece, phase: Phase) -> float:
+    """Return where the middle of a piece is that takes more than :data:`LONG` of a phase that lifts; 0 of others."""
+    return piece.begin + piece.duration / 2.0 if phase.lift and piece.duration > LONG * phase.duration else 0.0
+
+
+def carried(values: Array, lost: float) -> list[float]:
+    """Return the sign of each value, of one that has none that of the last before it; 0 before the first."""
+    found: list[float] = []
+    for value in values.tolist():
+        before = found[-1] if found else 0.0
+        found.append(before if abs(value) <= lost else math.copysign(1.0, value))
+    return found
+
+
+class Bracket(NamedTuple):
+    """Two places of a stretch, the values of a figure there, and how small a value has no sign."""
+
+    low: float
+    high: float
+    at_low: float
+    at_high: float
+    lost: float
+
+    def within(self, u: float) -> float:
+        """Return a place, or the end that it lies beyond."""
+        return max(self.low, min(self.high, u))
+
+    @property
+    def first(self) -> float:
+        """Where a straight line through both ends is 0."""
+        rise = self.at_high - self.at_low
+        if abs(rise) <= self.lost:
+            return self.low
+        return self.within(self.low - self.at_low * (self.high - self.low) / rise)
+
+    def second(self, at_first: float) -> float:
+        """Return where an inverse parabola through both ends and the first place is 0."""
+        a, b, c, x = self.at_low, self.at_high, at_first, self.first
+        if min(abs(c - a), abs(c - b)) <= self.lost:
+            return x
+        found = self.low * b * c / ((a - b) * (a - c)) + self.high * a * c / ((b - a) * (b - c))
+        return self.within(found + x * a * b / ((c - a) * (c - b)))
+
+    def third(self, at_first: float, at_second: float) -> float:
+        """Return where a straight line through the first and the second place is 0."""
+        one, other, rise = self.first, self.second(at_first), at_second - at_first
+        if abs(rise) <= self.lost:
+            return other
+        return self.within(other - at_second * (other - one) / rise)
+
+
+class Top(NamedTuple):
+    """The largest of a section's values, found from those at its nodes.
+
+    ``node`` is the number, from 1, of the largest; ``fa`` to ``fc`` are its own and its neighbours' values, and how
+    their parabola bends; then a place and the values around it, twice; the largest value.
+    """
+
+    node: int
+    fa: float
+    fb: float
+    fc: float
+    bend: float
+    x1: float
+    a1: float
+    b1: float
+    c1: float
+    x2: float
+    a2: float
+    b2: float
+    c2: float
+    rise: float
+    value: float
+
+
+@dataclass(frozen=True)
+class Polynomial:
+    """The polynomial through values at the nodes of a section; ``lost`` is what of them is next to nothing."""
+
+    values: Array
+    lost: float
+
+    def at(self, x: float) -> float:
+        """Return its value at a place that is no node."""
+        shares = INTERPOLATING / (x - NODES)
+        return float(shares @ self.values / shares.sum())
+
+    @property
+    def node(self) -> int:
+        """The number, from 1, of the first node whose value is the largest."""
+        largest = self.values >= self.values.max() - self.lost
+        return int(NODES.size - math.floor(math.log(float(FIRST @ largest)) / math.log(2.0) + LOST))
+
+    @cached_property
+    def middle(self) -> int:
+        """The number, from 0, of that node, or of the one beside it that has two neighbours."""
+        return max(2, min(NODES.size - 1, self.node)) - 1
+
+    @property
+    def three(self) -> tuple[float, float, float]:
+        """The values there and at both neighbours."""
+        fa, fb, fc = self.values[self.middle - 1 : self.middle + 2].tolist()
+        return fa, fb, fc
+
+    @cached_property
+    def bend(self) -> float:
+        """How much the parabola through them bends: above 0 where it has a highest point."""
+        (a, b, c), (fa, fb, fc) = NODES[self.middle - 1 : self.middle + 2], self.three
+        return float((b - a) * (fb - fc) - (b - c) * (fb - fa))
+
+    @cached_property
+    def vertex(self) -> float:
+        """Where that parabola is highest; the node of the largest value where it is not."""
+        (a, b, c), (fa, fb, fc) = NODES[self.middle - 1 : self.middle + 2], self.three
+        if self.bend <= self.lost:
+            return float(NODES[self.node - 1])
+        return float(b - ((b - a) ** 2 * (fb - fc) - (b - c) ** 2 * (fb - fa)) / (2.0 * self.bend))
+
+    def around(self, x: float, far: float) -> tuple[float, float, float]:
+        """Return the values at a place and beside it."""
+        return self.at(x - far), self.at(x), self.at(x + far)
+
+    @cached_property
+    def top(self) -> Top:
+        """Its largest value in the section."""
+        x1 = beside(self.vertex, FARTHEST[0])
+        one = self.around(x1, WIDE)
+        x2 = beside(x1 + WIDE * highest(one, self.lost), FARTHEST[1])
+        other = _, b, _ = self.around(x2, NARROW)
+        rise = above(other, FLAT * self.lost)
+        return Top(
+            self.node, *self.three, self.bend, x1, *one, x2, *other, rise, max(b + rise, float(self.values.max()))
+        )
+
+
+def beside(x: float, farthest: float) -> float:
+    """Return the middle of the part in which a place lies, no farther out than a limit."""
+    return (math.floor(max(-farthest, min(farthest, x)) * FINE) + 0.5) / FINE
+
+
+def highest(values: tuple[float, float, float], lost: float) -> float:
+    """Return where the parabola through three values is highest, in their distance from the middle; 0 if nowhere."""
+    a, b, c = values
+    bend = 2.0 * b - a - c
+    return max(-FAR, min(FAR, (c - a) / (2.0 * bend))) if bend > lost else 0.0
+
+
+def above(values: tuple[float, float, float], lost: float) -> float:
+    """Return by how much the parabola through three values rises above the one in the middle."""
+    a, b, c = values
+    bend, slope = 2.0 * b - a - c, abs(c - a)
+    if bend <= lost:
+        return 0.0
+    far = slope > 2.0 * BEYOND * bend
+    return BEYOND * (slope - BEYOND * bend) / 2.0 if far else slope**2 / (8.0 * bend)
+
+
+def scales_of(demand: Demand, torque: float, behind: float) -> Scales:
+    """Return what the integrals of a cycle are measured by, from the largest torques of motor and reducer (Nm)."""
+    fastest, time = max(demand.speed.peak, LOST), demand.course.time
+    return Scales(torque**2, torque * fastest * time, behind**3 * fastest, torque * fastest)
+
+
+def lost(size: float) -> float:
+    """Return what is next to nothing beside a size."""
+    return LOST * size
+
+
+def largest(values: Array) -> float:
+    """Return the largest size of values."""
+    return float(np.abs(values).max())
+
+
+def section(span: tuple[float, float], shares: Array, begin: float = 0.0) -> Array:
+    """Return places of a span by their shares, which run from ``begin`` to 1."""
+    low, high = span
+    return np.asarray(low + (high - low) * (shares - begin) / (1.0 - begin))
+
+
+class Sums(NamedTuple):
+    """Of a section ∫T² (Nm² rad), the work at the motor's shaft (J), ∫|S|³ |φ̇| and ∫|φ̇| over the abscissa.
+
+    ``rest`` is the last coefficient of its torque (Nm).
+    """
+
+    square: float
+    work: float
+    cube: float
+    way: float
+    rest: float
+
+
+def sums(held: Held, worked: Worked, span: tuple[float, float]) -> Sums:
+    """Return the integrals of a section from the drive at its nodes."""
+    weights, turning = WEIGHTS * (span[1] - span[0]) / 2.0, worked.rate
+    work = weights @ (worked.torque * turning) * held.train.gear / held.speed
+    cube = weights @ (np.abs(worked.behind) ** 3 * np.abs(turning))
+    found = weights @ worked.torque**2, work, cube, weights @ np.abs(turning), abs(LAST @ worked.torque)
+    return Sums(*map(float, found))
+
+
+def suffices(last: float, torques: Array) -> bool:
+    """Whether nodes suffice by the greatest last coefficient of a section's torque (Nm)."""
+    return last <= SUFFICES * largest(torques)

@@ -1,0 +1,102 @@
+"""Drives of a ratio that depends on position, in cells: against positions differentiated, energy, other samples."""
+
+import math
+
+import pytest
+
+from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from workbook.reading.entries import checked
+
+CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank": 50.0, "rod": 200.0, "offset": 10.0, "position": 15.0}
+RISE = ((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP"))
+MOTOR = {"inertia": 8e-4, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 4500.0}
+FIGURES = ("tmax", "tmin", "rms", "speed", "smax", "smean", "energy", "returned", "power", "jtot", "ok_peak")
+
+
+def linked(*phases, mechanism=CRANK, **entries):
+    """An axis on a mechanism."""
+    more = {"mechanism": mechanism, "load": {"mass": 12.0}, "motor": MOTOR}
+    return axis(1, *(phases or RISE)) | more | entries
+
+
+def small(one, **sizes):
+    """A machine of one axis with little room."""
+    return described([one], **{"phases": 2, "rotors": 2} | sizes)
+
+
+LOSSY = {
+    "load": {"mass": 12.0, "friction": 0.1, "slope": 30.0,
+             "windows": [{"start": 100.0, "stop": 150.0, "force": 400.0}]},
+    "parts": [{"name": "Crank", "count": 1.0, "inertia": 4e-3, "shaft": "mechanism"}],
+    "reducer": {"ratio": 5.0, "efficiency": 0.9}, "shift": 33.0,
+}  # fmt: skip
+
+
+def test_cells_agree_with_the_engine_and_entries_come_back():
+    machine = small(linked(mechanism=CRANK | {"efficiency": 0.85}, **LOSSY))
+    wrong, _ = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+def test_no_result_hangs_on_the_samples():
+    one = linked(mechanism=CRANK | {"efficiency": 0.85}, **LOSSY)
+    few, many = (computed(TEMPLATE, small(one, cycle=cycle)) for cycle in (12, 720))
+    for name in FIGURES:
+        assert few(f"drive1_{name}") == many(f"drive1_{name}"), name
+
+
+def test_over_a_cycle_the_motor_does_the_work_of_friction_and_process_force():
+    """∮ T dφ = μ m g · 2 h + F Δy: without other losses, whatever the crank does in between."""
+    load = {"mass": 12.0, "friction": 0.1, "windows": [{"start": 10.0, "stop": 150.0, "force": 500.0}]}
+    value = computed(TEMPLATE, small(linked(load=load)))
+    net = value("drive1_energy") - value("drive1_returned")
+    assert net == pytest.approx(0.1 * 12.0 * 9.81 * 0.12 + 500.0 * 0.06, rel=1e-9)
+
+
+def test_speed_and_torque_against_differentiated_angles():
+    """φ by the law of cosines over time, differentiated; T = dE/dφ of mass and motor where nothing resists."""
+    value = computed(TEMPLATE, small(linked(), cycle=720))
+    time, r, rod, e = 0.3 / 720, 0.05, 0.2, 0.01
+    inner = math.sqrt((rod - r) ** 2 - e**2) + 0.015
+    x = [inner + y / 1000 for y in value("cycle", "y1")]
+    angle = [
+        math.atan2(e, s) + math.acos((r**2 + s**2 + e**2 - rod**2) / (2 * r * math.hypot(s, e))) for s in x
+    ]  # fmt: skip
+    assert value("drive1_cycle", "phi") == pytest.approx([angle[0] - one for one in angle], abs=1e-12)
+    motion = [-one for one in angle]
+    for k in range(60, 660, 7):
+        rate = (motion[k + 1] - motion[k - 1]) / (2 * time)
+        assert value("drive1_cycle", "rpm")[k] == pytest.approx(rate * 30 / math.pi, abs=0.3)
+
+
+@pytest.mark.sample(1)
+@pytest.mark.parametrize(
+    ("changed", "check", "said"),
+    [
+        ({"position": 0.0}, "reach", "A1 row 1 reaches 0 mm, 0 mm beyond the inner dead centre"),
+        ({"position": 45.0}, "reach", "A1 row 1 reaches 60 mm, 4.866 mm beyond the outer dead centre"),
+        ({"rod": 40.0}, "linked", "the rod is not longer than crank and offset: the crank cannot turn round"),
+        ({"rod": None}, "sized", "a size of the mechanism is empty"),
+        ({"position": 0.01}, "nodes", "too near to a dead centre, or power turns round too often, for the places"),
+    ],
+)
+def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, said):
+    data = small(linked(mechanism=CRANK)).model_dump()
+    data["axes"][0]["mechanism"] |= changed
+    machine = checked(TEMPLATE, data, str)
+    assert machine.design.faults[0].said.startswith(said)
+    value = computed(TEMPLATE, machine)
+    assert value(f"drive1_ok_{check}") == "FAIL"
+    assert all(isinstance(one, float | int) for one in [*value("drive1_pl", "T"), *value("drive1_cycle", "phi")])
+
+
+def test_an_axis_that_does_not_come_back_fails():
+    machine = small(linked((20, 140, 60.0, "CIC"), (190, 330, -30.0, "MTP"), closes="feed"))
+    assert computed(TEMPLATE, machine)("drive1_ok_back") == "FAIL"
+
+
+def test_entries_of_another_mechanism_are_refused():
+    with pytest.raises(ValueError, match="a lead screw has no crank"):
+        small(linked(mechanism={"kind": "lead screw", "size": 10.0, "efficiency": 1.0, "crank": 5.0}))

@@ -1,0 +1,243 @@
+"""Stretches of the motion in cells, where power turns round in them, and sections between all of these."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, WEIGHTS, Worked, section
+from workbook.book.declare import Quantity, Sheet, calc, constant
+from workbook.book.rows import filled
+from workbook.entries.turn import TURN
+from workbook.machines.machine.linked.places import columns, stacked
+from workbook.machines.machine.linked.worked import FIGURES, LinkedWork
+from workbook.machines.machine.stretches import ACTS
+
+LETTERS = ("F", "S", "T")
+"""of the columns of force, torque behind the reducer, torque of the motor"""
+
+
+def begins(table: str, breaks: str, rows: int, spans: list[tuple[float, float]]) -> list[Quantity]:
+    """Return begin and end of each stretch or section of a table between breaks; spare rows repeat the last."""
+    begin = ["=0*[k]", *("=IF([e-1]>=360-timing_eps,[b-1],[e-1])" for _ in range(rows - 1))]
+    after = f"SUMPRODUCT(({breaks}<=[b]+timing_eps)*1)+1"
+
+    def of(k: int) -> list[float]:
+        return filled([span[k] for span in spans], rows, spans[-1][k])
+
+    used = filled([1 for _ in spans], rows, 0)
+    return [
+        calc("b", "begins at", "", "°", begin, of(0), scale=360.0, format="0.0##"),
+        calc("e", "ends at", "", "°", f"=SMALL({breaks},{after})", of(1), scale=360.0, format="0.0##"),
+        calc("on", "is no spare row", "", "",
+             f"=IF([k]=1,1,IF(INDEX([{table}.e],MAX([k]-1,1))>=360-timing_eps,0,1))", used, format="0"),
+    ]  # fmt: skip
+
+
+def bounds(view: LinkedWork, piece: str, ranges: list[tuple[float, float]]) -> list[Quantity]:
+    """Return begin and end from the begin of the piece."""
+    begin = f"INDEX([axis{view.driven.number}_pieces.begin],{piece})"
+    return [
+        calc("ub", "from", "u", "rad", f"=RADIANS([b]-{begin})", [low for low, _ in ranges], scale=1.0),
+        calc("ue", "to", "u", "rad", f"=RADIANS([e]-{begin})", [high for _, high in ranges], scale=1.0),
+    ]  # fmt: skip
+
+
+def stretches_table(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare the stretches: in each, direction and process force stay as they are."""
+    i, rows, driven = view.driven.number, view.rows, view.linked
+    pieces = f"axis{i}_pieces"
+    velocity = velocity_at(view, "(([ub]+[ue])/2)")
+    back = f"MIN([dir]*{velocity_at(view, '[ub]')},[dir]*{velocity_at(view, '[ue]')})<0-check_zero*@vmax"
+    acts, angle = ACTS.format(x="[x]"), f"(([b]+[e])/2+[axes.late.{i}])"
+    helds = view.helds
+    sheet.table(
+        "@st", "Stretches: one direction, one process force", rows,
+        constant("k", "stretch", "k", "", list(range(1, rows + 1))),
+        *begins("@st", "[@breaks.at]", rows, view.spans),
+        calc("q", "piece", "q", "", f"=MATCH(([b]+[e])/2,[{pieces}.begin],1)", view.numbers, format="0"),
+        *bounds(view, "[q]", view.ranges),
+        calc("dir", "direction", "", "", f"=IF(ABS({velocity})>check_zero*@vmax,SIGN({velocity}),0)",
+             [one.going for one in helds], format="0"),
+        calc("back", "turns back", "", "", f"=IF([dir]=0,0,IF({back},1,0))",
+             [int(one.turns_back(span, driven.fastest)) for one, span in zip(helds, view.ranges, strict=True)],
+             format="0"),
+        calc("x", "master angle in its middle", "θ", "°", f"={angle}-360*INT({angle}/360)", view.middles, scale=360.0,
+             format="0.0##"),
+        calc("r", "what resists", "R", "N" if driven.travels else "Nm",
+             f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
+             [one.force.level for one in helds], scale=driven.sizes.force),
+        calc("acts", "the motor acts", "", "", '=IF(AND([dir]=0,@holding="brake"),0,1)', [one.acts for one in helds],
+             format="0", source="not at rest behind a brake"),
+    )  # fmt: skip
+
+
+def velocity_at(view: LinkedWork, u: str) -> str:
+    """Return the formula of y' of a stretch's piece at a place."""
+    rows, text = view.one.pieces, ""
+    for n in range(rows.powers - 1, 0, -1):
+        term = f"{n}*{rows.at.of_piece(f'c{n}', 'q')}"
+        text = f"{term}+{u}*({text})" if text else term
+    for *_, mark in rows.sines:
+        a, om, ph = (rows.at.of_piece(f"{name}{mark}", "q") for name in ("A", "om", "ph"))
+        text += f"+{a}*{om}*COS({om}*{u}+{ph})"
+    return f"({text})"
+
+
+def looks_table(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare the places at which each stretch is looked at, and how often power has turned round up to each."""
+    rows = view.rows
+    numbers = [k for k in range(1, rows + 1) for _ in LOOKS]
+    places = np.concatenate([section(span, LOOKS) for span in view.ranges])
+    helds = [held for held in view.helds for _ in LOOKS]
+    shares = [share for _ in range(rows) for share in LOOKS.tolist()]
+    sheet.row += 1
+    sheet.table(
+        "@look", "Which way power goes: places of each stretch", len(numbers),
+        constant("k", "place", "", "", list(range(1, len(numbers) + 1))),
+        constant("st", "stretch", "", "", numbers),
+        constant("share", "share", "", "", shares),
+        calc("u", "within piece", "u", "rad",
+             "=INDEX([@st.ub],[st])+[share]*(INDEX([@st.ue],[st])-INDEX([@st.ub],[st]))", places, scale=1.0),
+        *columns(view, stacked(view.looks), helds, places),
+        *(column for k in range(len(FIGURES)) for column in signs(view, k)),
+    )  # fmt: skip
+
+
+def signs(view: LinkedWork, k: int) -> list[Quantity]:
+    """Return the sign of a figure, and how often it has changed."""
+    letter, name = LETTERS[k], FIGURES[k]
+    counts = ("1", "IF(@j1>0,1,0)", "IF(@j0>0,1,0)")[k]
+    before, used = f"INDEX([@look.s{letter}],MAX([k]-1,1))", f"INDEX([@st.on],[st])*{counts}"
+    none = f"IF(ABS([{letter}])<=@lost_{letter},1,0)"
+    own = f"{used}*(1-{none})*SIGN([{letter}])"
+    rows = len(view.look(name))
+    kept = [f"={own}", *(f"={own}+{used}*{none}*IF([share]=0,0,1)*[s{letter}-1]" for _ in range(rows - 1))]
+    changed = f"IF(AND([share]>0,[s{letter}]*{before}<0),1,0)"
+    return [
+        calc(f"s{letter}", f"sign of {letter}", "", "", kept,
+             [int(sign) for signs in view.signs[name] for sign in signs], format="0", source="of none that before"),
+        calc(f"n{letter}", "changes up to here", "", "",
+             ["=0*[k]", *(f"=[n{letter}-1]+{changed}" for _ in range(rows - 1))], view.changes(name), format="0"),
+    ]  # fmt: skip
+
+
+def lost_rows(view: LinkedWork) -> list[Quantity]:
+    """Return the rows of what has no sign."""
+    return [
+        calc(f"@lost_{letter}", f"No sign has {letter} up to", "", "",
+             f"=check_zero*MAX(MAX([@look.{letter}]),0-MIN([@look.{letter}]))", view.lost(name), format="0E+00",
+             scale=view.lost(name))
+        for letter, name in zip(LETTERS, FIGURES, strict=True)
+    ]  # fmt: skip
+
+
+def turns_table(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare where power turns round: of the load, in the reducer, in the motor."""
+    rows, turns = view.turn_rows, view.turns
+    ends = [f"MAX([@look.n{letter}])" for letter in LETTERS]
+    sums = ["+".join(ends[: k + 1]) for k in range(len(ends))]
+    figure = f"=IF([k]<={sums[0]},1,IF([k]<={sums[1]},2,IF([k]<={sums[2]},3,0)))"
+    row = (
+        f"=IF([figure]=0,2,IF([figure]=1,MATCH([k],[@look.nF],0),IF([figure]=2,MATCH([k]-({sums[0]}),[@look.nS],0),"
+        f"MATCH([k]-({sums[1]}),[@look.nT],0))))"
+    )
+
+    def of(letters: str) -> str:
+        return f"CHOOSE(MAX([figure],1),{letters})"
+
+    def looked(at: str) -> str:
+        return of(",".join(f"INDEX([@look.{letter}],{at})" for letter in LETTERS))
+
+    def figured(mark: str) -> str:
+        return of(",".join(f"[{letter}{mark}]" for letter in LETTERS))
+
+    lost, one, other = of("@lost_F,@lost_S,@lost_T"), figured("1"), figured("2")
+    line = "[lo]-[glo]*([hi]-[lo])/([ghi]-[glo])"
+    parabola = (
+        "[lo]*[at1]*[ghi]/(([glo]-[at1])*([glo]-[ghi]))+[hi]*[glo]*[at1]/(([ghi]-[glo])*([ghi]-[at1]))"
+        "+[u1]*[glo]*[ghi]/(([at1]-[glo])*([at1]-[ghi]))"
+    )
+    second = "[u2]-[at2]*([u2]-[u1])/([at2]-[at1])"
+    helds = [view.helds[turn.stretch - 1] for turn in turns]
+    size = max(view.sizes.values())
+
+    def within(formula: str) -> str:
+        return f"MAX([lo],MIN([hi],{formula}))"
+
+    def tried(mark: str, worked: list[Worked], places: list[float]) -> list[Quantity]:
+        return columns(view, stacked(worked), helds, np.array(places), mark)
+
+    begin = f"INDEX([axis{view.driven.number}_pieces.begin],[q1])"
+    sheet.table(
+        "@turn", "Where power turns round: at the load (1), in the reducer (2), in the motor (3)", rows,
+        constant("k", "number", "", "", list(range(1, rows + 1))),
+        calc("figure", "of", "", "", figure, [turn.figure for turn in turns], format="0", source="0: a spare row"),
+        calc("row", "before the place", "", "", row, [turn.row for turn in turns], format="0"),
+        calc("st", "stretch", "", "", "=INDEX([@look.st],[row])", [turn.stretch for turn in turns], format="0"),
+        calc("lost", "has no sign up to", "", "", f"={lost}", [turn.bracket.lost for turn in turns], scale=size),
+        calc("lo", "from", "u", "rad", "=INDEX([@look.u],[row]-1)", [turn.bracket.low for turn in turns], scale=1.0),
+        calc("hi", "to", "u", "rad", "=INDEX([@look.u],[row])", [turn.bracket.high for turn in turns], scale=1.0),
+        calc("glo", "there", "", "", f"={looked('[row]-1')}", [turn.bracket.at_low for turn in turns], scale=size),
+        calc("ghi", "and there", "", "", f"={looked('[row]')}", [turn.bracket.at_high for turn in turns], scale=size),
+        calc("u1", "first place", "u", "rad", f"=IF(ABS([ghi]-[glo])<=[lost],[lo],{within(line)})",
+             [turn.bracket.first for turn in turns], scale=1.0, source="chord"),
+        *tried("1", [turn.first for turn in turns], [turn.bracket.first for turn in turns]),
+        calc("at1", "there", "", "", f"={one}", [turn.at_first for turn in turns], scale=size),
+        calc("u2", "second place", "u", "rad",
+             f"=IF(MIN(ABS([at1]-[glo]),ABS([at1]-[ghi]))<=[lost],[u1],{within(parabola)})",
+             [turn.place2 for turn in turns], scale=1.0, source="inverse parabola"),
+        *tried("2", [turn.second for turn in turns], [turn.place2 for turn in turns]),
+        calc("at2", "there", "", "", f"={other}", [turn.at_second for turn in turns], scale=size),
+        calc("u3", "turns at", "u", "rad", f"=IF(ABS([at2]-[at1])<=[lost],[u2],{within(second)})",
+             [turn.place for turn in turns], scale=1.0, source="chord"),
+        calc("at", "angle of its phases", "θ", "°", f"=IF([figure]=0,360,{begin}+DEGREES([u3]))",
+             [turn.angle for turn in turns], scale=360.0, format="0.0##"),
+    )  # fmt: skip
+
+
+def rule_table(sheet: Sheet) -> None:
+    """Declare the nodes of a section, and what they are weighed by."""
+    sheet.table(
+        "@rule", "Nodes of a section: its ends, and Gauss–Legendre's", len(NODES),
+        constant("x", "place", "x", "", NODES.tolist(), source="−1 … 1"),
+        constant("w", "weight", "", "", WEIGHTS.tolist()),
+        constant("last", "of the last coefficient", "", "", LAST.tolist(), source="of Legendre's series"),
+        constant("inter", "of the barycentric formula", "", "", INTERPOLATING.tolist()),
+        constant("first", "which is the first", "", "", FIRST.tolist(), source="powers of 2"),
+    )  # fmt: skip
+
+
+def cuts_table(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare where a section can begin: at stretches, and where power turns round."""
+    formulas = [f"=[@st.b.{k}]" for k in range(1, view.rows + 1)]
+    formulas += [f"=[@turn.at.{k}]" for k in range(1, view.turn_rows + 1)]
+    formulas.append("=360+0")
+    spans = filled([low for low, _ in view.spans], view.rows, view.spans[-1][0])
+    values: list[Any] = [*spans, *(turn.angle for turn in view.turns), TURN]
+    sheet.table(
+        "@cuts", "Where a section can begin", len(formulas),
+        constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
+        calc("at", "angle of its phases", "θ", "°", formulas, values, scale=360.0, format="0.0##"),
+    )  # fmt: skip
+
+
+def nodes_table(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare the drive at the nodes of each section."""
+    rows = view.section_rows
+    ranges = [view.within(held, span) for held, span in view.placed]
+    places = np.concatenate([section(span, NODES, -1.0) for span in ranges])
+    helds = [held for held, _ in view.placed for _ in NODES]
+    numbers = [k for k in range(1, rows + 1) for _ in NODES]
+    parents = [view.parent_rows[k - 1] for k in numbers]
+    sheet.row += 1
+    sheet.table(
+        "@pl", "The drive at the nodes of each section", len(numbers),
+        constant("sec", "section", "", "", numbers),
+        constant("t", "place", "x", "", [x for _ in range(rows) for x in NODES.tolist()]),
+        calc("st", "stretch", "", "", "=INDEX([@sec.st],[sec])", parents, format="0"),
+        calc("u", "within piece", "u", "rad",
+             "=INDEX([@sec.ub],[sec])+(1+[t])/2*(INDEX([@sec.ue],[sec])-INDEX([@sec.ub],[sec]))", places, scale=1.0),
+        *columns(view, stacked(view.worked), helds, places),
+    )  # fmt: skip

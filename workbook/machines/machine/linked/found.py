@@ -1,0 +1,148 @@
+"""Extremes and integrals of sections in cells, each from the drive at the section's nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.machine.places import BEYOND, FAR, FARTHEST, FINE, FLAT, NARROW, NODES, WIDE, Sums, Worked, largest
+from workbook.book.declare import Quantity, Sheet, calc, constant
+from workbook.machines.machine.linked.cut import begins, bounds
+from workbook.machines.machine.linked.worked import LinkedWork
+
+
+class Figure(NamedTuple):
+    """What the largest value of is wanted in a section: its mark, words, column of nodes, formula; the engine's."""
+
+    mark: str
+    words: str
+    column: str
+    formula: str
+    largest: str
+    of: Callable[[Worked], Array]
+
+
+BOTH = "MAX(MAX({f}),0-MIN({f}))"
+FIGURES = (
+    Figure("T", "torque", "T", "{f}", "MAX({f})", lambda one: one.torque),
+    Figure("D", "torque downwards", "T", "(0-{f})", "(0-MIN({f}))", lambda one: -one.torque),
+    Figure("S", "torque behind the reducer", "S", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.behind)),
+    Figure("w", "speed of the shaft", "w", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.rate)),
+    Figure("g", "ratio, its least", "g", "(0-{f})", "(0-MIN({f}))", lambda one: -one.first),
+)
+LOST = {"T": "@lost_T", "S": "@lost_S", "w": "@lost_w", "g": "@lost_g"}
+BARYCENTRIC = "SUMPRODUCT([@rule.inter]/({x}-[@rule.x]),{f})/SUMPRODUCT([@rule.inter]/({x}-[@rule.x]))"
+
+
+def ranges(view: LinkedWork, column: str) -> list[str]:
+    """Return the nodes of each section in a column."""
+    firsts = range(1, 1 + len(view.at_nodes("torque")), len(NODES))
+    return [f"[@pl.{column}.{first}]:[@pl.{column}.{first + len(NODES) - 1}]" for first in firsts]
+
+
+def lost_rows(view: LinkedWork) -> list[Quantity]:
+    """Return the rows of what is next to nothing of speeds and ratios."""
+    return [
+        calc(f"@lost_{column}", f"Next to nothing of {words} is", "", "",
+             f"=check_zero*{BOTH.format(f=f'[@pl.{column}]')}", size, format="0E+00", scale=size)
+        for column, words, size in (("w", "speeds", view.least("rate")), ("g", "ratios", view.least("first")))
+    ]  # fmt: skip
+
+
+def extremes(view: LinkedWork, figure: Figure) -> list[Quantity]:
+    """Return the columns that find the largest value of a figure in each section."""
+    m, of, lost, values = figure.mark, ranges(view, figure.column), LOST[figure.column], figure.of
+    sizes = [largest(values(one)) for one in view.worked]
+    size = max(sizes)
+    tops = view.tops(values, view.node_lost(figure.column))
+    middle = f"MAX(2,MIN({len(NODES) - 1},[k{m}]))"
+    a, b, c = (f"INDEX([@rule.x],{middle}{n})" for n in ("-1", "", "+1"))
+    fa, fb, fc = (f"[{name}{m}]" for name in ("fa", "fb", "fc"))
+
+    def each(formula: str, inner: str = "{f}") -> list[str]:
+        return [formula.replace("{F}", figure.formula.replace("{f}", inner)).replace("{f}", text) for text in of]
+
+    def at(n: str) -> list[str]:
+        return each("={F}", f"INDEX({{f}},{middle}{n})")
+
+    def through(x: str) -> list[str]:
+        return each("=" + BARYCENTRIC.replace("{x}", x).replace("{f}", "{F}"))
+
+    def found(name: str) -> list[float]:
+        return [getattr(top, name) for top in tops]
+
+    def value(name: str, words: str, formula: list[str] | str, of: str) -> Quantity:
+        return calc(f"{name}{m}", words, "", "", formula, found(of), scale=size)
+
+    def around(n: int, far: float) -> list[Quantity]:
+        x = f"[x{n}{m}]"
+        places = (("a", f"({x}-{far!r})"), ("b", x), ("c", f"({x}+{far!r})"))
+        return [value(f"{name}{n}", "around it", through(place), f"{name}{n}") for name, place in places]
+
+    def beside(place: str, farthest: float) -> str:
+        return f"=(INT(MAX(0-{farthest!r},MIN({farthest!r},{place}))*{FINE:.0f})+0.5)/{FINE:.0f}"
+
+    def bent(n: int) -> tuple[str, str]:
+        one, other, third = (f"[{name}{n}{m}]" for name in ("a", "b", "c"))
+        return f"(2*{other}-{one}-{third})", f"({third}-{one})"
+
+    (wide, tilted), (narrow, slope) = bent(1), bent(2)
+    highest = f"IF({wide}>{lost},MAX(0-{FAR!r},MIN({FAR!r},{tilted}/(2*{wide}))),0)"
+    far = f"{BEYOND!r}*(ABS({slope})-{BEYOND!r}*{narrow})/2"
+    rise = f"=IF({narrow}<={FLAT!r}*{lost},0,IF(ABS({slope})>2*{BEYOND!r}*{narrow},{far},{slope}^2/(8*{narrow})))"
+    vertex = f"{b}-(({b}-{a})^2*({fb}-{fc})-({b}-{c})^2*({fb}-{fa}))/(2*[bend{m}])"
+    return [
+        calc(f"k{m}", f"{figure.words}: largest at node", "", "",
+             each(f"={len(NODES)}-INT(LN(SUMPRODUCT(({{F}}>={figure.largest.replace('{f}', '{r}')}-{lost})"
+                  "*[@rule.first]))/LN(2)+check_zero)".replace("{r}", "{f}")), found("node"), format="0"),
+        value("fa", "before it", at("-1"), "fa"), value("fb", "there", at(""), "fb"),
+        value("fc", "behind it", at("+1"), "fc"),
+        value("bend", "bend", f"=({b}-{a})*({fb}-{fc})-({b}-{c})*({fb}-{fa})", "bend"),
+        calc(f"x1{m}", "first place", "x", "",
+             beside(f"IF([bend{m}]<={lost},INDEX([@rule.x],[k{m}]),{vertex})", FARTHEST[0]), found("x1"), scale=1.0),
+        *around(1, WIDE),
+        calc(f"x2{m}", "second place", "x", "",
+             beside(f"[x1{m}]+{WIDE!r}*{highest}", FARTHEST[1]), found("x2"), scale=1.0),
+        *around(2, NARROW),
+        value("rise", "rises above it by", rise, "rise"),
+        calc(f"top{m}", f"{figure.words}: largest", "", "",
+             each(f"=MAX([b2{m}]+[rise{m}],{figure.largest})"), found("value"), scale=size),
+    ]  # fmt: skip
+
+
+def sections_table(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare the sections, with their extremes and integrals."""
+    rows, driven = view.section_rows, view.linked
+    square, work, cube, _ = driven.scales
+    torque, behind, turning = (ranges(view, column) for column in ("T", "S", "w"))
+    half = "=[on]*([ue]-[ub])/2*SUMPRODUCT([@rule.w],"
+    works = [f"{half}{t}*{w})*@i1/@omega" for t, w in zip(torque, turning, strict=True)]
+    cubes = [f"{half}({s}^2)^1.5*({w}^2)^0.5)" for s, w in zip(behind, turning, strict=True)]
+    lasts = [f"=[on]*ABS(SUMPRODUCT([@rule.last],{one}))" for one in torque]
+
+    def of(name: str) -> list[float]:
+        return [getattr(one, name) for one in view.sums]
+
+    sheet.row += 1
+    sheet.table(
+        "@sec", "Sections: in each power keeps its way through every stage", rows,
+        constant("k", "section", "k", "", list(range(1, rows + 1))),
+        *begins("@sec", "[@cuts.at]", rows, view.sections),
+        calc("st", "stretch", "", "", "=MATCH(([b]+[e])/2,[@st.b],1)", view.parent_rows, format="0"),
+        *bounds(view, "INDEX([@st.q],[st])", [view.within(held, span) for held, span in view.placed]),
+        calc("square", "∫T²", "", "", [f"{half}{one}^2)" for one in torque], of("square"), scale=square),
+        calc("work", "work of the motor", "", "J", works, of("work"), scale=work),
+        calc("cube", "∫|S|³ |φ̇|", "", "", cubes, of("cube"), scale=cube),
+        calc("way", "∫|φ̇|", "", "", [f"{half}({one}^2)^0.5)" for one in turning], of("way"), scale=view.rate),
+        calc("rest", "last coefficient of T", "", "Nm", lasts,
+             of("rest"), scale=driven.sizes.torque),
+        *(column for figure in FIGURES for column in extremes(view, figure)),
+    )  # fmt: skip
+
+
+def sums_of(view: LinkedWork) -> Sums:
+    """Return the integrals of all sections together."""
+    return Sums(*map(sum, zip(*view.sums, strict=True)))

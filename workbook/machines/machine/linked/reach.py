@@ -1,0 +1,84 @@
+"""Whether a mechanism reaches every position of its axis: by row and amount, in cells."""
+
+from __future__ import annotations
+
+from engine.machine.bent import middle
+from engine.mechanisms.linkage import Linkage
+from workbook.book.declare import Quantity, Sheet, calc, check, constant
+from workbook.book.rows import filled
+from workbook.book.sentence import amount, figure, rounded
+from workbook.entries.units import shown
+from workbook.machines.machine.linked import kinds
+from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.view import MovingAxis
+
+WORDS = " reaches {} {}, {} {} beyond the {}"
+
+
+def reach_table(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare by how much each phase leaves the reach."""
+    i, axis, n = view.driven.number, view.driven.axis, view.one.machine.machine.sizes.phases
+    reaches = [axis.motion.reaches[k] for k in axis.entered]
+    low, high, *_ = view.linked.linkage.reach
+    unit, size = view.base, view.driven.axis.motion.size(0)
+
+    def of(name: str) -> str:
+        return f"=IF(INDEX([axis{i}.span],[k])>0,INDEX([axis{i}_steps.{name}],2*[k]),(@low+@high)/2)"
+
+    lows, highs = (filled([one[k] for one in reaches], n, middle((low, high))) for k in (0, 1))
+    under, over = [low - one for one in lows], [one - high for one in highs]
+    sheet.table(
+        "@reach", "What each phase reaches", n,
+        constant("k", "row", "k", "", list(range(1, n + 1))),
+        calc("low", "lowest position", "", unit, of("low"), lows, scale=size),
+        calc("high", "highest position", "", unit, of("high"), highs, scale=size),
+        calc("under", "below the reach by", "", unit, "=@low-[low]", under, scale=size),
+        calc("over", "above it by", "", unit, "=[high]-@high", over, scale=size),
+        calc("out", "is out of it", "", "", "=IF(MAX([under],[over])>0-@near_end,1,0)", 0, format="0;;",
+             source="1 where it is"),
+    )  # fmt: skip
+
+
+def reach_check(view: LinkedWork) -> Quantity:
+    """Return the check that every position is reached."""
+    driven, i = view.linked, view.driven.number
+    row = "MATCH(1,[@reach.out],0)"
+
+    def at(name: str) -> str:
+        return f"INDEX([@reach.{name}],{row})"
+
+    def outward(metres: str) -> str:
+        return f"({metres})*1000" if driven.travels else f"DEGREES({metres})"
+
+    unit, lower = driven.entered.unit, f"{at('under')}>={at('over')}"
+    place = f"IF({lower},{at('low')},{at('high')})"
+    end = f"IF({lower},{kinds.end(driven, 'low')},{kinds.end(driven, 'high')})"
+    by = outward(f"MAX(0,{at('under')},{at('over')})")
+    says = (
+        f'[axes.name.{i}]&" row "&{row}&" reaches "&ROUND({outward(place)},9)&" {unit}, "'
+        f'&ROUND({by},3)&" {unit} beyond the "&{end}'
+    )
+    return check("@ok_reach", f"Drive {i}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
+                 "between its dead centres", f":reach{i}", says)  # fmt: skip
+
+
+def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:
+    """Return what is said of the first phase that leaves the reach; nothing where none does."""
+    for row, k in enumerate(axis.entered, 1):
+        errors = [error for y in axis.motion.reaches[k] if (error := linkage.beyond(y))]
+        if errors:
+            found, unit = max(errors, key=lambda error: error.by), axis.given.unit
+            place, by = (shown(one, axis.unit) for one in (found.position, found.by))
+            return f"{axis.given.name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, found.end)
+    return ""
+
+
+def back_check(view: LinkedWork) -> Quantity:
+    """Return the check that the axis comes back every cycle: such a mechanism does not feed on."""
+    driven, i = view.linked, view.driven.number
+    unit, travel = driven.entered.unit, shown(driven.axis.motion.lifts_sum, driven.axis.unit)
+    lifts, cell = f"[axis{i}.h]", f"[axes.travel.{i}]"
+    back = f"ABS(SUM({lifts}))<=check_zero*MAX(MAX({lifts}),0-MIN({lifts}))"
+    return check("@ok_back", f"Drive {i}: the axis comes back every cycle", back, driven.axis.motion.closes,
+                 "its mechanism has ends",
+                 says=amount(cell, travel, "it ends ", f" {unit} from where it begins"))  # fmt: skip

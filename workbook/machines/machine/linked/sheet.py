@@ -1,0 +1,116 @@
+"""The sheet Drive of an axis with a mechanism of a changing ratio."""
+
+from __future__ import annotations
+
+from engine.machine.places import SUFFICES
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.drive.motor import limits_table, plane
+from workbook.entries.units import RPM, shown
+from workbook.machines.machine import chosen, drive
+from workbook.machines.machine.chain import UNSIZED
+from workbook.machines.machine.linked import cut, found, kinds, reach
+from workbook.machines.machine.linked.places import stacked, turned
+from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
+from workbook.machines.machine.stretches import breaks_table, turns_table, windows_table
+
+RESULTS = {
+    "jtot": "=@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2",
+    "tmax": "=MAX([@sec.topT])",
+    "tmin": "=0-MAX([@sec.topD])",
+    "rms": "=SQRT(MAX(0,SUM([@sec.square])/(2*PI())))",
+    "speed": "=@i1*MAX([@sec.topw])*60/(2*PI())",
+    "smax": "=MAX([@sec.topS])",
+    "smean": "=IF(SUM([@sec.way])>0,(SUM([@sec.cube])/SUM([@sec.way]))^(1/3),0)",
+    "energy": "=SUMPRODUCT(([@sec.work]>0)*[@sec.work])",
+    "returned": "=0-SUMPRODUCT(([@sec.work]<0)*[@sec.work])",
+}
+
+
+def linked_sheet(book: Book, view: LinkedWork) -> None:
+    """Declare the sheet."""
+    one, driven = view.one, view.linked
+    i = driven.number
+    sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
+    with sheet.scoped(f"drive{i}_"):
+        drive.entries(sheet, driven, kinds.entries(driven, f"axes.{i - 1}"))
+        drive.parts(sheet, driven, one.machine.machine.sizes.rotors)
+        windows_table(sheet, f"axes.{i - 1}", view)
+        drive.outcome(sheet, one, driven, RESULTS)
+        sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *checks(view))
+        sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
+        sheet.chart(angles(), column=drive.CHART_COLUMN, row=28, width=8, height=18)
+        sheet.heading("Motor and reducer in use")
+        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
+        drive.workings(sheet, one, driven, [
+            calc("@omega", "Master shaft at its rate", "ω", "rad/s", "=timing_omega*@faster", driven.axis.speed),
+            *kinds.sizes(driven),
+        ])  # fmt: skip
+        cycle(sheet, view)
+        reach.reach_table(sheet, view)
+        turns_table(sheet, view)
+        breaks_table(sheet, view)
+        cut.stretches_table(sheet, view)
+        cut.looks_table(sheet, view)
+        sheet.rows(*cut.lost_rows(view))
+        cut.turns_table(sheet, view)
+        cut.rule_table(sheet)
+        cut.cuts_table(sheet, view)
+        found.sections_table(sheet, view)
+        cut.nodes_table(sheet, view)
+        sheet.rows(*found.lost_rows(view))
+        backward = f"MIN([axis{i}.h])<0"
+        limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
+    sheet.print_columns = 18
+    sheet.one_page = True
+
+
+def checks(view: LinkedWork) -> list[Quantity]:
+    """Return the checks of the mechanism: its sizes, where it can bring its load to, and the sheet's own places."""
+    driven, i = view.linked, view.driven.number
+    label, key = f"Drive {i}: ", f"axes.{i - 1}"
+    sizes = ",".join(f"@{name}" for name in kinds.needed(driven))
+    enough = (
+        f"MAX([@sec.rest])<={SUFFICES!r}*MAX(MAX([@pl.T]),0-MIN([@pl.T])),MAX([@st.e])>=360,MAX([@sec.e])>=360,"
+        "MAX([@look.nF])+MAX([@look.nS])+MAX([@look.nT])<=MAX([@turn.k])"
+    )
+    return [
+        check("@ok_sized", f"{label}the mechanism has its sizes", f"COUNT({sizes})={len(kinds.needed(driven))}", True,
+              rule=f"{key}.mechanism:sized", says=f'"{UNSIZED}"'),
+        *kinds.checks(driven),
+        reach.reach_check(view),
+        check("@ok_nodes", f"{label}the sheet has places enough", f"AND({enough})", True,
+              "extremes, RMS torque and energy are exact", f":nodes{i}", f'"{TOO_FEW}"'),
+        reach.back_check(view),
+    ]  # fmt: skip
+
+
+def cycle(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare angle, speed and torque over the cycle, for the charts."""
+    i, driven, samples = view.driven.number, view.linked, stacked(view.samples)
+    told = view.driven.axis.told(view.one.machine.samples)
+    near = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
+    v, a = (f"({power}*INDEX([cycle.{name}{i}],[k]+1))" for power, name in (("@faster", "t"), ("@faster^2", "tt")))
+    y = f"INDEX([cycle.y{i}],[k]+1)-INDEX([cycle.n{i}],[k]+1)*[axes.travel.{i}]"
+    sheet.heading("Table over the cycle")
+    sheet.table(
+        "@cycle", "Angle of the mechanism's shaft, speed and torque of the motor over the cycle", len(told.x),
+        result("rpm", "motor speed", "n", "rpm", "=@i1*[w]*60/(2*PI())",
+               shown(driven.mechanism.turning(0, samples.rate), RPM), source="i_1 φ' ẏ"),
+        result("torque", "motor torque", "T", "Nm", "=[T]+0", samples.torque, scale=driven.sizes.torque),
+        kinds.angle(driven, samples.y),
+        constant("k", "sample", "k", "", list(range(len(told.x)))),
+        calc("st", "stretch", "", "", f"=MATCH({near},[@st.b],1)", view.sampled, format="0"),
+        calc("p", "position", "y", view.base, f"=({y})/1000" if driven.travels else f"=RADIANS({y})", samples.y,
+             scale=view.driven.axis.motion.size(0)),
+        *turned(view, samples, (v, a)),
+    )  # fmt: skip
+
+
+def angles() -> Chart:
+    """Return the chart of the mechanism's shaft over the cycle."""
+    lines = (Series("angle", "[cycle.theta]", "[@cycle.phi]"),)
+    return Chart(
+        "Angle of the mechanism's shaft", "master angle θ [°]", "φ [rad]", lines,
+        "Angle of the mechanism's shaft over one turn of the master shaft", (0, 360, 60),
+    )  # fmt: skip
