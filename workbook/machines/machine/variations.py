@@ -82,6 +82,15 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
 
 def linked(axis: dict[str, Any], i: int, k: int) -> None:
     """Give an axis another mechanism of a changing ratio of its kind, and lifts that it reaches."""
+    if axis["mechanism"]["kind"] == "rocker":
+        lever = 60.0 + 9 * k + i
+        axis["mechanism"] |= {
+            "lever": lever, "link": lever * (2.1 + 0.3 * k), "offset": lever * (0.9, 1.05, 0.7, 1.2, 0.95, 1.0)[k],
+            "angle": 70.0 + 7 * k, "slide": ("behind", "ahead", None)[(i + k) % 3],
+            "direction": ("forward", "backward", None)[k % 3],
+        }  # fmt: skip
+        to_and_fro(axis["phases"], -0.15 * lever, 0.35 * lever, k)
+        return
     crank, offset = 31.0 + 7 * k + i, (0.0, 9.0, -14.0, None, 5.5, 0.0)[(i + k) % SIX]
     rod = crank * (2.6 + 0.4 * k)
     axis["mechanism"] |= {
