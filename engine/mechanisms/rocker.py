@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,6 +14,9 @@ from engine.mechanisms.slide import SlideLinkage, lever_angle
 
 SAME = 1e-9
 """of the link, by which the link may be out of the square to count as square to the slide"""
+
+FAR = 4.0
+"""of lever, link and offset together: no slide goes there"""
 
 DEAD = "dead centre of lever and link"
 SQUARE = "link square to the slide"
@@ -36,9 +40,9 @@ def rocker(
     zero = lever * math.cos(angle) + (1.0 if ahead else -1.0) * math.sqrt(rest)
     across = math.sin(angle - math.atan2(offset, zero))
     side = 1 if across > 0.0 else -1
-    ends = _ends(lever, link, offset, side)
-    low = max(((x, name) for x, name in ends if x < zero), default=None)
-    high = min(((x, name) for x, name in ends if x > zero), default=None)
+    places = ends_of(lever, link, offset, side, zero)
+    low = max(((one.below, one.name) for one in places if one.x < zero), default=None)
+    high = min(((one.above, one.name) for one in places if one.x > zero), default=None)
     if low is None or high is None or abs(across) < SAME:
         raise ValueError(f"rocker: angle is {angle:g} rad; expected lever and link out of line at position 0")
     if direction < 0:
@@ -48,14 +52,44 @@ def rocker(
     return SlideLinkage("rocker", lever, link, offset, side, 1 if direction > 0 else -1, zero, start, reach)
 
 
-def _ends(lever: float, link: float, offset: float, side: int) -> list[tuple[float, str]]:
-    """Return every x of the slide at which the linkage of this side locks, with what happens there."""
+class EndPlace(NamedTuple):
+    """A place ``at`` of the slide at which the linkage may lock, at d from the shaft; the lever's end along the line.
+
+    ``rest`` is its square, less than 0 where it is none. x is that place, or that of y = 0 where the linkage does not
+    lock; ``below`` and ``above`` are x, or far off where x is on the other side.
+    """
+
+    rest: float
+    at: float
+    d: float
+    along: float
+    x: float
+    below: float
+    above: float
+    name: str
+
+
+def ends_of(lever: float, link: float, offset: float, side: int, zero: float) -> list[EndPlace]:
+    """Return the places at which a linkage of this side may lock: lever and link in line, or the link square."""
     both = 1.0, -1.0
-    in_line = [(link + way * lever) ** 2 - offset**2 for way in both]
-    square = [lever**2 - (offset + way * link) ** 2 for way in both]
-    found = [(sign * math.sqrt(rest), DEAD) for rest in in_line if rest >= 0.0 for sign in both]
-    for x in (sign * math.sqrt(rest) for rest in square if rest >= 0.0 for sign in both):
-        psi = float(lever_angle(lever, link, offset, side, np.array(x)))
-        if abs(x - lever * math.cos(psi)) <= SAME * link:
-            found.append((x, SQUARE))
-    return found
+    in_line = [((link + way * lever) ** 2 - offset**2, DEAD) for way in both]
+    square = [(lever**2 - (offset + way * link) ** 2, SQUARE) for way in both]
+    return [
+        _end(lever, link, offset, side, zero, rest, sign, name) for rest, name in (*in_line, *square) for sign in both
+    ]
+
+
+def farther(lever: float, link: float, offset: float) -> float:
+    """Return what is farther than any slide of these lengths."""
+    return FAR * (lever + link + abs(offset))
+
+
+def _end(
+    lever: float, link: float, offset: float, side: int, zero: float, rest: float, sign: float, name: str
+) -> EndPlace:  # fmt: skip
+    at = sign * math.sqrt(rest) if rest >= 0.0 else zero
+    turned = lever * math.cos(float(lever_angle(lever, link, offset, side, np.array(at))))
+    along = at if name == DEAD else turned
+    there = rest >= 0.0 and (name == DEAD or abs(at - along) <= SAME * link)
+    x, far = at if there else zero, farther(lever, link, offset)
+    return EndPlace(rest, at, math.hypot(at, offset), along, x, x if x < zero else -far, x if x > zero else far, name)

@@ -7,6 +7,7 @@ from typing import Any, get_args
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
+from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.switching import TIMES
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
@@ -29,6 +30,11 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         )  # fmt: skip
         if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"])
+    if any(axis["motor"] is not None for axis in data["axes"]):
+        data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
+    for one in data["clearances"]:
+        one |= {name: drawn.uniform(-2, 2) for name in ("first_factor", "second_factor")}
+        one |= {name: drawn.uniform(-200, 200) for name in ("offset", "least")}
     for switch in data["switches"]:
         switch["on"] = times(drawn)
     return data
@@ -51,7 +57,11 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:
     axis["rate"] = drawn.choice((None, drawn.uniform(5, 600)))
     often = drawn.uniform(0, 1)
     force = drawn.choice((0.0, drawn.uniform(-900, 900)))
-    axis["mechanism"] |= {"size": drawn.uniform(2, 300) if travels else 1.0, "efficiency": drawn.uniform(0.3, 1)}
+    kind = axis["mechanism"]["kind"]
+    sized = travels and kind not in LINKED
+    axis["mechanism"] |= {"size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1)}
+    if kind in LINKED:
+        linked(axis, drawn, kind)
     axis["load"] = {
         "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),
         "slope": drawn.choice((0.0, drawn.uniform(-90, 90))), "force": force,
@@ -71,6 +81,31 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
         "holding": drawn.choice(("motor", "brake")),
     }  # fmt: skip
+
+
+def linked(axis: dict[str, Any], drawn: random.Random, kind: str) -> None:
+    """Draw a mechanism of a changing ratio, and positions that most of these reach."""
+    size = drawn.uniform(20, 90)
+    offset = drawn.choice((None, 0.0, drawn.uniform(-0.4, 0.4) * size))
+    if kind == "rocker":
+        low, high = -0.2 * size, 0.3 * size
+        axis["mechanism"] |= {
+            "lever": size, "link": drawn.uniform(1.8, 5) * size, "offset": drawn.uniform(0.6, 1.2) * size,
+            "angle": drawn.uniform(60, 120), "slide": drawn.choice((None, "ahead", "behind")),
+            "direction": drawn.choice((None, "forward", "backward")),
+        }  # fmt: skip
+    else:
+        low, high = 0.0, drawn.uniform(0.2, 1.4) * size
+        axis["mechanism"] |= {
+            "crank": size, "rod": drawn.uniform(2.2, 6) * size, "offset": offset,
+            "position": drawn.uniform(0.2, 0.4) * size, "zero": drawn.choice((None, "inner", "outer")),
+            "branch": drawn.choice((None, "ahead", "behind")),
+        }  # fmt: skip
+    at = 0.0
+    for phase in axis["phases"]:
+        if phase["lift"]:
+            goal = drawn.uniform(low, high)
+            phase["lift"], at = goal - at, goal
 
 
 def phases(drawn: random.Random, room: int, laws: Sequence[str]) -> list[dict[str, Any]]:

@@ -9,6 +9,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.reading.entries import checked
 
 CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank": 50.0, "rod": 200.0, "offset": 10.0, "position": 15.0}
+ROCKER = {"kind": "rocker", "efficiency": 1.0, "lever": 90.0, "link": 240.0, "offset": 95.0, "angle": 80.0}
 RISE = ((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP"))
 MOTOR = {"inertia": 8e-4, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 4500.0}
 FIGURES = ("tmax", "tmin", "rms", "speed", "smax", "smean", "energy", "returned", "power", "jtot", "ok_peak")
@@ -69,6 +70,28 @@ def test_speed_and_torque_against_differentiated_angles():
     for k in range(60, 660, 7):
         rate = (motion[k + 1] - motion[k - 1]) / (2 * time)
         assert value("drive1_cycle", "rpm")[k] == pytest.approx(rate * 30 / math.pi, abs=0.3)
+
+
+@pytest.mark.parametrize("slide", ["ahead", "behind"])
+@pytest.mark.parametrize("direction", ["forward", "backward"])
+@pytest.mark.sample(1)
+def test_a_rocker_agrees_with_the_engine_and_comes_back(slide, direction):
+    told = ROCKER | {"efficiency": 0.8, "slide": slide, "direction": direction}
+    phases = ((20, 140, 25.0, "CIC"), (190, 330, -25.0, "MTP"))
+    machine = small(linked(*phases, mechanism=told, **LOSSY))
+    wrong, _ = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+def test_a_rocker_out_of_reach_fails_by_row_and_amount():
+    data = small(linked(mechanism=ROCKER)).model_dump()
+    data["axes"][0]["phases"][0]["lift"] = 120.0
+    machine = checked(TEMPLATE, data, str)
+    (fault,) = machine.design.faults
+    assert fault.said.startswith("A1 row 1 reaches 120 mm, ")
+    assert fault.said.endswith("mm beyond the dead centre of lever and link")
+    assert computed(TEMPLATE, machine)("drive1_ok_reach") == "FAIL"
 
 
 @pytest.mark.sample(1)

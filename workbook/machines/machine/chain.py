@@ -12,13 +12,25 @@ from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Number, Positive
 
 Kind = Literal[
-    "lead screw", "conveyor", "rack and pinion", "belt", "feed rollers", "rotary table", "gear train", "crank-slider"
+    "lead screw",
+    "conveyor",
+    "rack and pinion",
+    "belt",
+    "feed rollers",
+    "rotary table",
+    "gear train",
+    "crank-slider",
+    "rocker",
 ]
-LARGE: dict[str, dict[str, Any]] = {"crank-slider": {"crank": 1e4, "rod": 5e4, "position": 1e4}}
+LARGE: dict[str, dict[str, Any]] = {
+    "crank-slider": {"crank": 1e4, "rod": 5e4, "position": 1e4},
+    "rocker": {"lever": 1e5, "link": 5e5, "offset": 1e5, "angle": 90.0},
+}
 """of mechanisms of a ratio that changes, sizes with which it reaches wherever an axis goes"""
 TURNING = ("rotary table", "gear train")
 LINKED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "crank-slider": (("crank", "rod"), ("offset", "zero", "branch", "position")),
+    "rocker": (("lever", "link", "angle"), ("offset", "slide", "direction")),
 }
 """of each mechanism of a ratio that changes: the entries that it must have, and those that may be empty"""
 Slope = Annotated[float, Field(ge=-90, le=90)]
@@ -48,6 +60,19 @@ class MechanismEntry(Model):
         default=None,
         description="Of a crank-slider: how far from that dead centre the motion begins, in mm; 0 if empty",
     )
+    lever: Positive | None = Field(default=None, description="Of a rocker: length of the lever, in mm")
+    link: Positive | None = Field(default=None, description="Of a rocker: length of the link, in mm")
+    angle: Number | None = Field(
+        default=None,
+        description="Of a rocker: the lever from the line's direction where the motion begins, in °",
+    )
+    slide: Literal["ahead", "behind"] | None = Field(
+        default=None,
+        description="Of a rocker: the slide ahead of the lever's end, or behind; ahead if empty",
+    )
+    direction: Literal["forward", "backward"] | None = Field(
+        default=None, description="Of a rocker: whether positions grow along the line's direction; forward if empty"
+    )
 
     @model_validator(mode="before")
     @classmethod
@@ -67,6 +92,13 @@ class MechanismEntry(Model):
         own = {name for both in LINKED.get(self.kind, ()) for name in both}
         others = {name for names in LINKED.values() for both in names for name in both} - own
         yield from (name for name in sorted(others) if getattr(self, name) is not None)
+
+
+class PowerEntry(Model):
+    """What all drives share: their efficiency between motor and mains, and the hours of running in a year."""
+
+    efficiency: Efficiency = Field(default=1.0, description="Of a drive, between its motor's shaft and the mains")
+    hours: Annotated[float, Field(ge=0, le=8784)] = Field(default=0.0, description="Hours of running in a year")
 
 
 class ForceWindow(Model):

@@ -54,6 +54,11 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         else:
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, data["laws"], 0.01)
+    if any(axis["motor"] is not None for axis in data["axes"]):
+        data["power"] = {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}
+    for i, one in enumerate(data["clearances"]):
+        one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
+                "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     return data
@@ -77,6 +82,15 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
 
 def linked(axis: dict[str, Any], i: int, k: int) -> None:
     """Give an axis another mechanism of a changing ratio of its kind, and lifts that it reaches."""
+    if axis["mechanism"]["kind"] == "rocker":
+        lever = 60.0 + 9 * k + i
+        axis["mechanism"] |= {
+            "lever": lever, "link": lever * (2.1 + 0.3 * k), "offset": lever * (0.9, 1.05, 0.7, 1.2, 0.95, 1.0)[k],
+            "angle": 70.0 + 7 * k, "slide": ("behind", "ahead", None)[(i + k) % 3],
+            "direction": ("forward", "backward", None)[k % 3],
+        }  # fmt: skip
+        to_and_fro(axis["phases"], -0.15 * lever, 0.35 * lever, k)
+        return
     crank, offset = 31.0 + 7 * k + i, (0.0, 9.0, -14.0, None, 5.5, 0.0)[(i + k) % SIX]
     rod = crank * (2.6 + 0.4 * k)
     axis["mechanism"] |= {

@@ -10,27 +10,38 @@ from engine.machine.bent import Scales
 from engine.machine.limits import Judged, Limits
 from engine.machine.places import scales_of
 from engine.machine.train import Train
+from engine.mechanisms.crank_slider import crank_slider
 from engine.mechanisms.linkage import Linkage
 from engine.mechanisms.registry import LINKED
-from workbook.entries.units import MM, si
+from engine.mechanisms.rocker import rocker
+from workbook.entries.units import DEGREE, MM, si
 from workbook.machines.machine.chain import MechanismEntry
 from workbook.machines.machine.driven import Driven
 
 
 def linkage_of(given: MechanismEntry) -> Linkage:
     """Return the mechanism that is entered. Raises ValueError for sizes that do not go together."""
-    crank, rod, offset, position = (
-        si(one or 0.0, MM) for one in (given.crank, given.rod, given.offset, given.position)
-    )
-    return LINKED[given.kind].make(crank, rod, offset, given.zero or "inner", given.branch or "ahead", position)
+    offset = si(given.offset or 0.0, MM)
+    if given.kind == "rocker":
+        lever, link, angle = si(given.lever or 0.0, MM), si(given.link or 0.0, MM), si(given.angle or 0.0, DEGREE)
+        return rocker(lever, link, offset, angle, given.slide != "behind", -1 if given.direction == "backward" else 1)
+    crank, rod, position = (si(one or 0.0, MM) for one in (given.crank, given.rod, given.position))
+    return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", position)
 
 
-TOO_SHORT = "the rod is not longer than crank and offset: the crank cannot turn round"
+APART = {
+    "crank-slider": "the rod is not longer than crank and offset: the crank cannot turn round",
+    "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
+}
 
 
 def apart(given: MechanismEntry) -> str:
     """Return what is wrong with sizes that do not go together; nothing where they do."""
-    return TOO_SHORT if (given.rod or 0.0) <= (given.crank or 0.0) + abs(given.offset or 0.0) else ""
+    try:
+        linkage_of(given)
+    except ValueError:
+        return APART[given.kind]
+    return ""
 
 
 class LinkedDriven(Driven):
@@ -40,6 +51,11 @@ class LinkedDriven(Driven):
     def linkage(self) -> Linkage:
         """The mechanism."""
         return linkage_of(self.given)
+
+    @property
+    def entered_angle(self) -> float:
+        """Of a rocker, the lever where the motion begins (rad)."""
+        return si(self.given.angle or 0.0, DEGREE)
 
     @cached_property
     def mechanism(self) -> Mechanism:

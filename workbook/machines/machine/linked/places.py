@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.places import Held, Worked, largest
+from engine.machine.places import Held, Worked
 from workbook.book.declare import Quantity, calc
-from workbook.machines.machine.linked import kinds
+from workbook.machines.machine.linked import slides
 from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.motion.sampled import derivative
 
@@ -23,7 +23,7 @@ def columns(view: LinkedWork, at: Worked, helds: list[Held], u: Array, mark: str
         calc(f"p{mark}", "position", "y", base, f"={derivative(rows, 0, mark)}", at.y,
              scale=view.driven.axis.motion.size(0)),
         calc(f"v{mark}", "velocity", "ẏ", f"{base}/s", f"=({derivative(rows, 1, mark)})*@omega", at.v,
-             scale=largest(at.v)),
+             scale=view.driven.axis.fastest),
         calc(f"a{mark}", "acceleration", "ÿ", f"{base}/s²", f"=({derivative(rows, 2, mark)})*@omega^2", at.a,
              scale=hardest),
         *turned(view, at, (f"[v{mark}]", f"[a{mark}]"), mark),
@@ -38,8 +38,8 @@ def turned(view: LinkedWork, at: Worked, rates: tuple[str, str], mark: str = "")
     last = f"IF({force}*{at_st('dir')}<0,@eta2,1/@eta2)*{force}/{g}"
     first = f"IF({behind}*{at_st('dir')}<0,@eta1,1/@eta1)*{behind}/@i1"
     return [
-        *kinds.ratios(view.linked, at, mark),
-        calc(f"w{mark}", "speed of the shaft", "φ̇", "rad/s", f"={g}*{v}", at.rate, scale=largest(at.rate),
+        *slides.ratios(view.linked, at, mark),
+        calc(f"w{mark}", "speed of the shaft", "φ̇", "rad/s", f"={g}*{v}", at.rate, scale=view.rate,
              source="φ' ẏ"),
         calc(f"turn{mark}", "acceleration of the shaft", "φ̈", "rad/s²", f"={h}*{v}^2+{g}*{a}", at.turning,
              source="φ'' ẏ² + φ' ÿ"),

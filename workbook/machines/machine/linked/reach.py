@@ -52,7 +52,7 @@ def reach_check(view: LinkedWork) -> Quantity:
 
     unit, lower = driven.entered.unit, f"{at('under')}>={at('over')}"
     place = f"IF({lower},{at('low')},{at('high')})"
-    end = f"IF({lower},{kinds.end(driven, 'low')},{kinds.end(driven, 'high')})"
+    end = f"IF({lower},{kinds.of(driven).end('low')},{kinds.of(driven).end('high')})"
     by = outward(f"MAX(0,{at('under')},{at('over')})")
     says = (
         f'[axes.name.{i}]&" row "&{row}&" reaches "&ROUND({outward(place)},9)&" {unit}, "'

@@ -9,7 +9,7 @@ from workbook.drive.motor import limits_table, plane
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen, drive
 from workbook.machines.machine.chain import UNSIZED
-from workbook.machines.machine.linked import cut, found, kinds, reach
+from workbook.machines.machine.linked import cut, found, kinds, reach, slides
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
 from workbook.machines.machine.stretches import breaks_table, turns_table, windows_table
@@ -33,7 +33,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
     i = driven.number
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
-        drive.entries(sheet, driven, kinds.entries(driven, f"axes.{i - 1}"))
+        drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
         drive.parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{i - 1}", view)
         drive.outcome(sheet, one, driven, RESULTS)
@@ -44,8 +44,9 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
         drive.workings(sheet, one, driven, [
             calc("@omega", "Master shaft at its rate", "ω", "rad/s", "=timing_omega*@faster", driven.axis.speed),
-            *kinds.sizes(driven),
+            *kinds.of(driven).sizes(driven),
         ])  # fmt: skip
+        kinds.of(driven).table(sheet, driven)
         cycle(sheet, view)
         reach.reach_table(sheet, view)
         turns_table(sheet, view)
@@ -98,7 +99,7 @@ def cycle(sheet: Sheet, view: LinkedWork) -> None:
         result("rpm", "motor speed", "n", "rpm", "=@i1*[w]*60/(2*PI())",
                shown(driven.mechanism.turning(0, samples.rate), RPM), source="i_1 φ' ẏ"),
         result("torque", "motor torque", "T", "Nm", "=[T]+0", samples.torque, scale=driven.sizes.torque),
-        kinds.angle(driven, samples.y),
+        slides.angle(driven, samples.y),
         constant("k", "sample", "k", "", list(range(len(told.x)))),
         calc("st", "stretch", "", "", f"=MATCH({near},[@st.b],1)", view.sampled, format="0"),
         calc("p", "position", "y", view.base, f"=({y})/1000" if driven.travels else f"=RADIANS({y})", samples.y,

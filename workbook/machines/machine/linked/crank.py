@@ -1,0 +1,60 @@
+"""A crank-slider in cells: what is entered, its sizes and its reach."""
+
+from __future__ import annotations
+
+from workbook.book.declare import Quantity, Sheet, calc, given
+from workbook.machines.machine.linked import slides
+from workbook.machines.machine.linked.driven import LinkedDriven
+
+INNER = "SQRT(MAX(0,(@l-@r)^2-@e^2))"
+OUTER = "SQRT((@l+@r)^2-@e^2)"
+ENDS = {"low": ("inner dead centre", "outer dead centre"), "high": ("outer dead centre", "inner dead centre")}
+FITS = "@l>@r+ABS(@e)"
+HOLDS = "rod longer than crank and offset"
+
+
+def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
+    """Return the rows of what is entered."""
+    e, key = driven.given, f"{key}.mechanism"
+    return [
+        given("@crank", "Radius of the crank", "r", "mm", e.crank, f"{key}.crank", format="0.0##"),
+        given("@rod", "Length of the connecting rod", "l", "mm", e.rod, f"{key}.rod", format="0.0##"),
+        given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
+              format="0.0##", source="0 if empty"),
+        given("@zero", "Positions grow from the dead centre", "", "", e.zero, f"{key}.zero", align="left",
+              source="inner, or outer; inner if empty"),
+        given("@branch", "The crank is, of the line from shaft to slide", "", "", e.branch, f"{key}.branch",
+              align="left", source="ahead, or behind; ahead if empty"),
+        given("@position", "From that dead centre to where the motion begins", "y_0", "mm", e.position,
+              f"{key}.position", format="0.0##", source="0 if empty: then it rests in the dead centre"),
+    ]  # fmt: skip
+
+
+def sizes(driven: LinkedDriven) -> list[Quantity]:
+    """Return the rows of the mechanism in m, and of where it can bring its load to."""
+    one = slides.slide_of(driven.linkage)
+    low, high, *_ = one.reach
+    return [
+        calc("@r", "Lever", "r", "m", "=@crank/1000", one.lever),
+        calc("@l", "Link", "l", "m", "=@rod/1000", one.link),
+        calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
+        calc("@side", "Lever ahead (1) or behind (−1)", "s", "", '=IF(@branch="behind",0-1,1)', one.side, format="0"),
+        calc("@sense", "Positions grow away from the shaft (1)", "", "", '=IF(@zero="outer",0-1,1)', one.direction,
+             format="0"),
+        calc("@x0", "Slide from the shaft where the motion begins", "x_0", "m",
+             f"=IF(@zero=\"outer\",{OUTER}-@position/1000,{INNER}+@position/1000)", one.zero,
+             source="√((l ± r)² − e²) in the dead centres"),
+        calc("@low", "Lowest position that is reached", "", "m", "=0-@position/1000", low, source="a dead centre"),
+        calc("@high", "Highest position", "", "m", f"={OUTER}-{INNER}-@position/1000", high, source="the other one"),
+        *slides.begun(one),
+    ]  # fmt: skip
+
+
+def end(which: str) -> str:
+    """Return the formula of the name of an end of the reach, ``low`` or ``high``."""
+    one, other = ENDS[which]
+    return f'IF(@zero="outer","{other}","{one}")'
+
+
+def table(sheet: Sheet, driven: LinkedDriven) -> None:
+    """Declare nothing more: the dead centres are told in closed form."""

@@ -1,0 +1,94 @@
+"""A rocker in cells: what is entered, its sizes and its reach, which ends where lever, link and slide lock."""
+
+from __future__ import annotations
+
+from engine.mechanisms.rocker import SAME, ends_of
+from workbook.book.declare import Quantity, Sheet, calc, constant, given
+from workbook.machines.machine.linked import slides
+from workbook.machines.machine.linked.driven import LinkedDriven
+
+FITS = "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(SIN(@theta-ATAN2(@x0,@e)))>=check_zero,@high<@none,@low>0-@none)"
+HOLDS = "lever, link and slide where the motion begins"
+
+
+def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
+    """Return the rows of what is entered."""
+    e, key = driven.given, f"{key}.mechanism"
+    return [
+        given("@lever", "Length of the lever", "r", "mm", e.lever, f"{key}.lever", format="0.0##"),
+        given("@link", "Length of the link", "l", "mm", e.link, f"{key}.link", format="0.0##"),
+        given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
+              format="0.0##", source="0 if empty"),
+        given("@angle", "Lever where the motion begins, from the line's direction", "ψ_0", "°", e.angle,
+              f"{key}.angle", format="0.0##"),
+        given("@slide", "The slide is, of the lever's end", "", "", e.slide, f"{key}.slide", align="left",
+              source="ahead, or behind; ahead if empty"),
+        given("@direction", "Positions grow along the line", "", "", e.direction, f"{key}.direction", align="left",
+              source="forward, or backward; forward if empty"),
+    ]  # fmt: skip
+
+
+def sizes(driven: LinkedDriven) -> list[Quantity]:
+    """Return the rows of the mechanism in m, and of where it can bring its load to."""
+    one = slides.slide_of(driven.linkage)
+    low, high, *_ = one.reach
+    ahead = "SQRT(MAX(0,@l^2-(@r*SIN(@theta)-@e)^2))"
+    back = '@direction="backward"'
+    return [
+        calc("@r", "Lever", "r", "m", "=@lever/1000", one.lever),
+        calc("@l", "Link", "l", "m", "=@link/1000", one.link),
+        calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
+        calc("@theta", "Lever where the motion begins", "", "rad", "=RADIANS(@angle)", driven.entered_angle),
+        calc("@sense", "Positions grow along the line (1)", "", "", f"=IF({back},0-1,1)", one.direction, format="0"),
+        calc("@x0", "Slide where the motion begins", "x_0", "m",
+             f'=@r*COS(@theta)+IF(@slide="behind",0-1,1)*{ahead}', one.zero, source="r cos ψ ± √(l² − (r sin ψ − e)²)"),
+        calc("@side", "Lever ahead of the line to the slide (1)", "s", "",
+             "=IF(SIN(@theta-ATAN2(@x0,@e))>0,1,0-1)", one.side, format="0"),
+        calc("@none", "Farther than any slide", "", "m", "=4*(@r+@l+ABS(@e))", slides.far(one)),
+        calc("@low", "Lowest position that is reached", "", "m",
+             f"=IF({back},@x0-MIN([@ends.above]),MAX([@ends.below])-@x0)", low, scale=one.link),
+        calc("@high", "Highest position", "", "m",
+             f"=IF({back},@x0-MAX([@ends.below]),MIN([@ends.above])-@x0)", high, scale=one.link),
+        *slides.begun(one),
+    ]  # fmt: skip
+
+
+def table(sheet: Sheet, driven: LinkedDriven) -> None:
+    """Declare the places at which the mechanism may lock."""
+    one = slides.slide_of(driven.linkage)
+    places = ends_of(one.lever, one.link, one.offset, one.side, one.zero)
+    d = "MAX(1E-9*@l,SQRT([at]^2+@e^2))"
+    height, m = slides.HEIGHT.format(d="[d]"), slides.ANGLE.format(d="[d]^2")
+    signs = [1, -1, 1, -1, 1, -1, 1, -1]
+    ways = [1, 1, -1, -1, 1, 1, -1, -1]
+    rests = [f"=(@l+{way}*@r)^2-@e^2" for way in ways[:4]] + [f"=@r^2-(@e+{way}*@l)^2" for way in ways[4:]]
+    square = f"([at]*({m})-@side*@e*{height})/(2*[d]^2)"
+    locks = "OR([k]<=4,ABS([at]-[along])<=" + f"{SAME:.0E}*@l)"
+
+    def of(name: str) -> list[float]:
+        return [getattr(place, name) for place in places]
+
+    sheet.table(
+        "@ends", "Where the mechanism may lock", len(places),
+        constant("k", "place", "", "", list(range(1, len(places) + 1))),
+        constant("name", "what is there", "", "", [place.name for place in places], align="left"),
+        constant("sign", "sign", "", "", signs),
+        calc("rest", "under the root", "", "m²", rests, of("rest"), scale=slides.far(one)),
+        calc("at", "slide at", "x", "m", "=IF([rest]<0,@x0,[sign]*SQRT(MAX(0,[rest])))", of("at"), scale=one.link),
+        calc("d", "to the shaft", "d", "m", f"={d}", of("d"), scale=one.link),
+        calc("along", "lever's end along the line", "c", "m", f"=IF([k]<=4,[at],{square})",
+             of("along"), scale=one.link),
+        calc("x", "locks at", "x", "m", f"=IF(AND([rest]>=0,{locks}),[at],@x0)", of("x"), scale=one.link),
+        calc("below", "below the begin", "", "m", "=IF([x]<@x0,[x],0-@none)", of("below"), scale=one.link),
+        calc("above", "above it", "", "m", "=IF([x]>@x0,[x],@none)", of("above"), scale=one.link),
+    )  # fmt: skip
+
+
+def end(which: str) -> str:
+    """Return the formula of the name of an end of the reach, ``low`` or ``high``."""
+    below, above = (
+        f"INDEX([@ends.name],MATCH({most}([@ends.{side}]),[@ends.{side}],0))"
+        for most, side in (("MAX", "below"), ("MIN", "above"))
+    )
+    one, other = (below, above) if which == "low" else (above, below)
+    return f'IF(@direction="backward",{other},{one})'
