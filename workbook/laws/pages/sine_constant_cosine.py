@@ -29,8 +29,9 @@ class Parts(Shared):
             yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
         if not self.sine + self.constant + self.cosine:
             yield DesignError("", "all of the time is straight", "lasts", fits)
-        sides = [getattr(self, part) * side for part in PARTS[:3] for side in (self.share, 1 - self.share)]
-        yield from too_brief([*sides, self.straight], "", fits | {"share": EVEN})
+        if abs(total - 1) <= SUM_TOLERANCE and self.sine + self.constant + self.cosine:
+            law = SineConstantCosine(**{part: getattr(self, part) for part in PARTS}, share=self.share)
+            yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits | {"share": EVEN})
 
 
 STAGES = Stages({

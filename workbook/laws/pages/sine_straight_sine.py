@@ -20,9 +20,9 @@ class Curved(Shared):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a stage that is next to none."""
-        stages = (self.curved * self.share, 1 - self.curved, self.curved * (1 - self.share))
         fits = self.model_dump() | {"curved": SineStraightSine.curved, "share": EVEN}
-        yield from too_brief(stages, "", fits)
+        law = SineStraightSine(curved=self.curved, share=self.share)
+        yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits)
 
 
 STAGES = Stages({
