@@ -41,9 +41,9 @@ INTERPOLATING = np.abs(np.prod(_DISTANCES, axis=1)).min() / np.prod(_DISTANCES, 
 Review 46 (2004) 501–517"""
 FIRST = 2.0 ** np.arange(NODES.size - 1, -1, -1)
 """powers of 2, which tell the first of several places"""
-WIDE, NARROW = 0.02, 0.001
-"""of half a section: how far apart the places of two parabolas are, one after the other"""
-FARTHEST = 1.0 - WIDE - NARROW, 1.0 - NARROW - NARROW
+WIDTHS = 0.02, 0.005, 0.001
+"""of half a section: how far apart the places of three parabolas are, one after the other"""
+FARTHEST = tuple(1.0 - width - WIDTHS[-1] for width in WIDTHS)
 """how far from the middle the places of each lie at most"""
 FINE = 1e5
 """parts of half a section; places lie in the middle of one, never on a node"""
@@ -175,7 +175,7 @@ class Top(NamedTuple):
     """The largest of a section's values, found from those at its nodes.
 
     ``node`` is the number, from 1, of the largest; ``fa`` to ``fc`` are its own and its neighbours' values, and how
-    their parabola bends; then a place and the values around it, twice; the largest value.
+    their parabola bends; then a place and the values around it, three times; the largest value.
     """
 
     node: int
@@ -191,6 +191,10 @@ class Top(NamedTuple):
     a2: float
     b2: float
     c2: float
+    x3: float
+    a3: float
+    b3: float
+    c3: float
     rise: float
     value: float
 
@@ -245,14 +249,15 @@ class Polynomial:
     @cached_property
     def top(self) -> Top:
         """Its largest value in the section."""
-        x1 = beside(self.vertex, FARTHEST[0])
-        one = self.around(x1, WIDE)
-        x2 = beside(x1 + WIDE * highest(one, self.lost), FARTHEST[1])
-        other = _, b, _ = self.around(x2, NARROW)
-        rise = above(other, FLAT * self.lost)
-        return Top(
-            self.node, *self.three, self.bend, x1, *one, x2, *other, rise, max(b + rise, float(self.values.max()))
-        )
+        places, around = [beside(self.vertex, FARTHEST[0])], []
+        for width, farthest in zip(WIDTHS, FARTHEST[1:], strict=False):
+            around.append(self.around(places[-1], width))
+            places.append(beside(places[-1] + width * highest(around[-1], self.lost), farthest))
+        around.append(self.around(places[-1], WIDTHS[-1]))
+        rise = above(around[-1], FLAT * self.lost)
+        (x1, x2, x3), (one, other, last) = places, around
+        value = max(last[1] + rise, float(self.values.max()))
+        return Top(self.node, *self.three, self.bend, x1, *one, x2, *other, x3, *last, rise, value)
 
 
 def beside(x: float, farthest: float) -> float:
