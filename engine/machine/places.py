@@ -45,11 +45,15 @@ WIDTHS = 0.02, 0.005, 0.001
 """of half a section: how far apart the places of three parabolas are, one after the other"""
 FARTHEST = tuple(1.0 - width - WIDTHS[-1] for width in WIDTHS)
 """how far from the middle the places of each lie at most"""
+LEVEL = 0.01
+"""of what is next to nothing: how little a section's values may differ to be level"""
+KNOWN = 2e4
+"""on a nearly level top a place is known to two parts: 1e-9 of this"""
 FINE = 1e5
 """parts of half a section; places lie in the middle of one, never on a node"""
 FAR, BEYOND = 20.0, 1.5
 """how far from their places, in their distance, both parabolas are taken to hold"""
-FLAT = 1e-3
+FLAT = 0.1
 """of what is next to nothing: how little the last parabola may bend"""
 SUFFICES = 3e-6
 """of the largest torque: the greatest last coefficient with which the nodes suffice"""
@@ -291,6 +295,11 @@ def scales_of(demand: Demand, torque: float, behind: float) -> Scales:
 def lost(size: float) -> float:
     """Return what is next to nothing beside a size."""
     return LOST * size
+
+
+def level(size: float) -> float:
+    """Return by how little values differ that are level, beside their size."""
+    return LEVEL * lost(size)
 
 
 def largest(values: Array) -> float:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.places import BEYOND, FAR, FARTHEST, FINE, FLAT, NODES, WIDTHS, Sums, Worked, largest
+from engine.machine.places import BEYOND, FAR, FARTHEST, FINE, FLAT, KNOWN, LEVEL, NODES, WIDTHS, Sums, Worked, largest
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.machines.machine.linked.cut import begins, bounds
 from workbook.machines.machine.linked.worked import LinkedWork
@@ -33,7 +33,7 @@ FIGURES = (
     Figure("w", "speed of the shaft", "w", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.rate)),
     Figure("g", "ratio, its least", "g", "(0-{f})", "(0-MIN({f}))", lambda one: -one.first),
 )
-LOST = {"T": "@lost_T", "S": "@lost_S", "w": "@lost_w", "g": "@lost_g"}
+LOST = {name: f"{LEVEL!r}*@lost_{name}" for name in ("T", "S", "w", "g")}
 BARYCENTRIC = "SUMPRODUCT([@rule.inter]/({x}-[@rule.x]),{f})/SUMPRODUCT([@rule.inter]/({x}-[@rule.x]))"
 
 
@@ -105,12 +105,12 @@ def extremes(view: LinkedWork, figure: Figure) -> list[Quantity]:
         value("fc", "behind it", at("+1"), "fc"),
         value("bend", "bend", f"=({b}-{a})*({fb}-{fc})-({b}-{c})*({fb}-{fa})", "bend"),
         calc(f"x1{m}", "place 1", "x", "",
-             beside(f"IF([bend{m}]<={lost},INDEX([@rule.x],[k{m}]),{vertex})", FARTHEST[0]), found("x1"), scale=1.0),
+             beside(f"IF([bend{m}]<={lost},INDEX([@rule.x],[k{m}]),{vertex})", FARTHEST[0]), found("x1"), scale=KNOWN),
         *around(1, WIDTHS[0]),
         *(column for n in range(2, len(WIDTHS) + 1) for column in (
             calc(f"x{n}{m}", f"place {n}", "x", "",
                  beside(f"[x{n - 1}{m}]+{WIDTHS[n - 2]!r}*{highest(n - 1)}", FARTHEST[n - 1]), found(f"x{n}"),
-                 scale=1.0),
+                 scale=KNOWN),
             *around(n, WIDTHS[n - 1]))),
         value("rise", "rises above it by", rise, "rise"),
         calc(f"top{m}", f"{figure.words}: largest", "", "",

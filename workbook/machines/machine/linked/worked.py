@@ -23,6 +23,7 @@ from engine.machine.places import (
     carried,
     half,
     largest,
+    level,
     lost,
     section,
     suffices,
@@ -37,6 +38,7 @@ from workbook.machines.machine.stretched import Stretched
 
 FIGURES = ("force", "behind", "torque")
 """what power changes its way with: at the load, in the reducer, in the motor"""
+RATES = {"w": "rate", "g": "first"}
 SPARE_TURNS = 8
 TOO_FEW = "too near to a dead centre, or power turns round too often, for the places of this sheet"
 EACH = len(LOOKS)
@@ -269,9 +271,10 @@ class LinkedWork(Stretched):
         return lost(largest(self.at_nodes(name)))
 
     def node_lost(self, column: str) -> float:
-        """Return the same by the figure's column: of torques as at the places of stretches."""
+        """Return by how little a figure differs where it is level, by its column: torques as at places of stretches."""
         names = {"T": "torque", "S": "behind"}
-        return self.lost(names[column]) if column in names else self.least({"w": "rate", "g": "first"}[column])
+        of_places = column in names
+        return level(self.sizes[names[column]] if of_places else largest(self.at_nodes(RATES[column])))
 
     @property
     def rate(self) -> float:
