@@ -47,6 +47,8 @@ FARTHEST = tuple(1.0 - width - WIDTHS[-1] for width in WIDTHS)
 """how far from the middle the places of each lie at most"""
 LEVEL = 0.01
 """of what is next to nothing: how little a section's values may differ to be level"""
+SAME = 1e-4
+"""of what has no sign: how little two values may differ for a chord through them"""
 KNOWN = 2e4
 """on a nearly level top a place is known to two parts: 1e-9 of this"""
 FINE = 1e5
@@ -167,12 +169,12 @@ class Bracket(NamedTuple):
         found = self.low * b * c / ((a - b) * (a - c)) + self.high * a * c / ((b - a) * (b - c))
         return self.within(found + x * a * b / ((c - a) * (c - b)))
 
-    def third(self, at_first: float, at_second: float) -> float:
-        """Return where a straight line through the first and the second place is 0."""
-        one, other, rise = self.first, self.second(at_first), at_second - at_first
-        if abs(rise) <= self.lost:
+    def chord(self, one: float, other: float, at_one: float, at_other: float) -> float:
+        """Return where a straight line through two places is 0; the second where it is level."""
+        rise = at_other - at_one
+        if abs(rise) <= SAME * self.lost:
             return other
-        return self.within(other - at_second * (other - one) / rise)
+        return self.within(other - at_other * (other - one) / rise)
 
 
 class Top(NamedTuple):

@@ -57,6 +57,9 @@ class Turn(NamedTuple):
     place2: float
     second: Worked
     at_second: float
+    place3: float
+    third: Worked
+    at_third: float
     place: float
     angle: float
 
@@ -207,9 +210,12 @@ class LinkedWork(Stretched):
         first = held.at(np.array([bracket.first]))
         place2 = bracket.second(at_first := float(getattr(first, name)[0]))
         second = held.at(np.array([place2]))
-        place = bracket.third(at_first, at_second := float(getattr(second, name)[0]))
+        place3 = bracket.chord(bracket.first, place2, at_first, at_second := float(getattr(second, name)[0]))
+        third = held.at(np.array([place3]))
+        place = bracket.chord(place2, place3, at_second, at_third := float(getattr(third, name)[0]))
         angle = shown(held.piece.begin + place, DEGREE) if number else TURN
-        return Turn(number, row, stretch + 1, bracket, first, at_first, place2, second, at_second, place, angle)
+        tried = bracket, first, at_first, place2, second, at_second, place3, third, at_third
+        return Turn(number, row, stretch + 1, *tried, place, angle)
 
     @cached_property
     def sections(self) -> list[tuple[float, float]]:
