@@ -14,6 +14,7 @@ from numpy.polynomial import chebyshev
 
 from engine.laws.base import Array
 from engine.machine.course import Course, Stretch, parts
+from engine.machine.demand import Energy
 from engine.machine.searching import Function, crossed, integral, largest
 
 HOUR = 3600.0  # s
@@ -32,6 +33,35 @@ class Supply(NamedTuple):
     def energy_a_year(self, hours: float) -> float:
         """Return the energy from the mains (J) in a year of so many hours."""
         return self.mains_mean * hours * HOUR
+
+
+class Means(NamedTuple):
+    """Mean power (W): from the mains, and in the brake resistor, of a drive that shares its DC bus with no other."""
+
+    mains: float
+    resistor: float
+
+    def energy_a_year(self, hours: float) -> float:
+        """Return the energy from the mains (J) in a year of so many hours."""
+        return self.mains * hours * HOUR
+
+    @property
+    def least(self) -> float:
+        """The least mean power from the mains, if all that comes back were kept and used."""
+        return max(0.0, self.mains - self.resistor)
+
+
+def means(energy: Energy, time: float, efficiency: float) -> Means:
+    """Return them from the energy at a motor's shaft over a cycle; exact.
+
+    A drive takes E/η where its motor drives, and gives back η E where the motor is driven.
+    """
+    return Means(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
+
+
+def together(found: Sequence[Means]) -> Means:
+    """Return the sums over drives."""
+    return Means(math.fsum(one.mains for one in found), math.fsum(one.resistor for one in found))
 
 
 @dataclass(frozen=True)

@@ -41,15 +41,21 @@ INTERPOLATING = np.abs(np.prod(_DISTANCES, axis=1)).min() / np.prod(_DISTANCES, 
 Review 46 (2004) 501–517"""
 FIRST = 2.0 ** np.arange(NODES.size - 1, -1, -1)
 """powers of 2, which tell the first of several places"""
-WIDE, NARROW = 0.02, 0.001
-"""of half a section: how far apart the places of two parabolas are, one after the other"""
-FARTHEST = 1.0 - WIDE - NARROW, 1.0 - NARROW - NARROW
+WIDTHS = 0.02, 0.005, 0.001
+"""of half a section: how far apart the places of three parabolas are, one after the other"""
+FARTHEST = tuple(1.0 - width - WIDTHS[-1] for width in WIDTHS)
 """how far from the middle the places of each lie at most"""
+LEVEL = 0.01
+"""of what is next to nothing: how little a section's values may differ to be level"""
+SAME = 1e-4
+"""of what has no sign: how little two values may differ for a chord through them"""
+KNOWN = 2e4
+"""on a nearly level top a place is known to two parts: 1e-9 of this"""
 FINE = 1e5
 """parts of half a section; places lie in the middle of one, never on a node"""
 FAR, BEYOND = 20.0, 1.5
 """how far from their places, in their distance, both parabolas are taken to hold"""
-FLAT = 1e-3
+FLAT = 0.1
 """of what is next to nothing: how little the last parabola may bend"""
 SUFFICES = 3e-6
 """of the largest torque: the greatest last coefficient with which the nodes suffice"""
@@ -163,19 +169,19 @@ class Bracket(NamedTuple):
         found = self.low * b * c / ((a - b) * (a - c)) + self.high * a * c / ((b - a) * (b - c))
         return self.within(found + x * a * b / ((c - a) * (c - b)))
 
-    def third(self, at_first: float, at_second: float) -> float:
-        """Return where a straight line through the first and the second place is 0."""
-        one, other, rise = self.first, self.second(at_first), at_second - at_first
-        if abs(rise) <= self.lost:
+    def chord(self, one: float, other: float, at_one: float, at_other: float) -> float:
+        """Return where a straight line through two places is 0; the second where it is level."""
+        rise = at_other - at_one
+        if abs(rise) <= SAME * self.lost:
             return other
-        return self.within(other - at_second * (other - one) / rise)
+        return self.within(other - at_other * (other - one) / rise)
 
 
 class Top(NamedTuple):
     """The largest of a section's values, found from those at its nodes.
 
     ``node`` is the number, from 1, of the largest; ``fa`` to ``fc`` are its own and its neighbours' values, and how
-    their parabola bends; then a place and the values around it, twice; the largest value.
+    their parabola bends; then a place and the values around it, three times; the largest value.
     """
 
     node: int
@@ -191,6 +197,10 @@ class Top(NamedTuple):
     a2: float
     b2: float
     c2: float
+    x3: float
+    a3: float
+    b3: float
+    c3: float
     rise: float
     value: float
 
@@ -245,14 +255,15 @@ class Polynomial:
     @cached_property
     def top(self) -> Top:
         """Its largest value in the section."""
-        x1 = beside(self.vertex, FARTHEST[0])
-        one = self.around(x1, WIDE)
-        x2 = beside(x1 + WIDE * highest(one, self.lost), FARTHEST[1])
-        other = _, b, _ = self.around(x2, NARROW)
-        rise = above(other, FLAT * self.lost)
-        return Top(
-            self.node, *self.three, self.bend, x1, *one, x2, *other, rise, max(b + rise, float(self.values.max()))
-        )
+        places, around = [beside(self.vertex, FARTHEST[0])], []
+        for width, farthest in zip(WIDTHS, FARTHEST[1:], strict=False):
+            around.append(self.around(places[-1], width))
+            places.append(beside(places[-1] + width * highest(around[-1], self.lost), farthest))
+        around.append(self.around(places[-1], WIDTHS[-1]))
+        rise = above(around[-1], FLAT * self.lost)
+        (x1, x2, x3), (one, other, last) = places, around
+        value = max(last[1] + rise, float(self.values.max()))
+        return Top(self.node, *self.three, self.bend, x1, *one, x2, *other, x3, *last, rise, value)
 
 
 def beside(x: float, farthest: float) -> float:
@@ -286,6 +297,11 @@ def scales_of(demand: Demand, torque: float, behind: float) -> Scales:
 def lost(size: float) -> float:
     """Return what is next to nothing beside a size."""
     return LOST * size
+
+
+def level(size: float) -> float:
+    """Return by how little values differ that are level, beside their size."""
+    return LEVEL * lost(size)
 
 
 def largest(values: Array) -> float:

@@ -30,6 +30,11 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         )  # fmt: skip
         if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"])
+    if any(axis["motor"] is not None for axis in data["axes"]):
+        data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
+    for one in data["clearances"]:
+        one |= {name: drawn.uniform(-2, 2) for name in ("first_factor", "second_factor")}
+        one |= {name: drawn.uniform(-200, 200) for name in ("offset", "least")}
     for switch in data["switches"]:
         switch["on"] = times(drawn)
     return data

@@ -8,6 +8,7 @@ from pydantic import Field
 from engine.laws.modified_trapezoidal import CLASSIC
 from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
+from workbook.laws.brief import too_brief
 from workbook.laws.family import LawCheck, LawSheet, Parameter
 
 
@@ -23,6 +24,7 @@ class SevenDurations(LawSheet):
             yield DesignError("durations", f"they sum to {figure(total)}; expected 1", "sum", list(CLASSIC))
         if not (sum(self.durations[:3]) and sum(self.durations[4:])):
             yield DesignError("durations", "stages 1 to 3, or 5 to 7, are all 0", "lasts", list(CLASSIC))
+        yield from too_brief(self.durations, "durations", list(CLASSIC))
 
 
 KINDS = ("edge up", "constant", "edge down", "uniform velocity", "edge down", "constant", "edge up")

@@ -7,6 +7,7 @@ from pydantic import Field
 from workbook.laws.family import LawSheet, Parameter
 
 LEAST = 0.01
+EVEN = 0.5
 Between = Annotated[float, Field(ge=LEAST, le=1 - LEAST, allow_inf_nan=False)]
 """a share of the time: sensible are 0.2 to 0.8; far beyond 0.01 and 0.99 figures lose digits"""
 
@@ -14,7 +15,7 @@ Between = Annotated[float, Field(ge=LEAST, le=1 - LEAST, allow_inf_nan=False)]
 class Shared(LawSheet):
     """The share of the time that accelerates."""
 
-    share: Between = 0.5
+    share: Between = EVEN
 
 
 SHARE = Parameter("@share", "Share of the time that accelerates", "λ", "share", "share λ", source="½: symmetric")

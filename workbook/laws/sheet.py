@@ -10,10 +10,14 @@ from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.motion.handover import way
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.machine import Sizes
+from workbook.laws.brief import LEAST_STAGE
 from workbook.laws.library import NamedLaw
 from workbook.laws.page import finite
 from workbook.laws.sampling import Pieces
 from workbook.laws.stack import Row
+
+RISE = 1.0
+"""what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere"""
 
 
 def laws_sheet(
@@ -31,6 +35,8 @@ def laws_sheet(
         constant("break_tolerance", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
                  source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
                         "of a jump"),
+        constant("stage_least", "Least stage of a law", "", "", LEAST_STAGE, format="0E+00",
+                 source="as a share of the rise; a stage is none, or lasts so long"),
     )  # fmt: skip
     stack(sheet, rows, stacked.second_sine)
 
@@ -48,7 +54,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         xi = 0 if at == "first" else 1
         formulas = [one.own(one.page.end(d, at)) for one in laws]
         values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
-        return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values)
+        return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values, scale=RISE)
 
     sheet.table(
         "laws", "The laws by number; a phase takes its law by this name", len(laws),

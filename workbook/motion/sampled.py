@@ -31,15 +31,17 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
     ]  # fmt: skip
 
 
-def derivative(rows: PieceRows, order: int, suffix: str = "") -> str:
-    """Return the formula, without its =, of a derivative of the motion: 0 is y."""
-    at, q, u = rows.at, f"q{suffix}", f"[u{suffix}]"
+def derivative(rows: PieceRows, order: int, suffix: str = "", place: str = "") -> str:
+    """Return the formula, without its =, of a derivative of the motion: 0 is y; at another ``place`` of its piece."""
+    at, q, u = rows.at, f"q{suffix}", place or f"[u{suffix}]"
     text = ""
     for i in range(rows.powers - 1, order - 1, -1):
         share = perm(i, order)
         term = at.of_piece(f"c{i}", q)
         scaled = term if share == 1 else f"{share}*{term}"
         text = f"{scaled}+{u}*({text})" if text else scaled
+    if place:
+        return text + "".join(_turned(at, order, mark, q, u) for *_, mark in rows.sines)
     return text + "".join(_sine(at, order, mark, q, u, suffix) for *_, mark in rows.sines)
 
 
@@ -54,6 +56,11 @@ def in_piece(rows: PieceRows, order: int, u: str) -> str:
         x = f"[om{mark}]*{u}+[ph{mark}]" if u else f"[ph{mark}]"
         text += TURNED[order].format(A=f"[A{mark}]", om=f"[om{mark}]", x=x)
     return f"({text})"
+
+
+def _turned(at: Cells, order: int, mark: str, q: str, u: str) -> str:
+    a, om, ph = (at.of_piece(f"{name}{mark}", q) for name in ("A", "om", "ph"))
+    return TURNED[order].format(A=a, om=om, x=f"{om}*{u}+{ph}")
 
 
 def _sine(at: Cells, order: int, mark: str, q: str, u: str, suffix: str) -> str:

@@ -10,11 +10,16 @@ import pytest
 
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
+from workbook.build import build
 from workbook.commands.export import chosen, slugs
 from workbook.controllers.automatic import automatic
+from workbook.controllers.files import read_table
 from workbook.controllers.handing import certified, tabulated
+from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target
 from workbook.errors import TargetError
+from workbook.reading.entries import read_machine
+from workbook.template import FOLDER
 
 
 @pytest.fixture(autouse=True)
@@ -192,3 +197,19 @@ def test_the_header_tells_number_and_revision_and_the_help_what_is_untested(run,
     assert head.startswith("// Two axes, number CM-7, revision C, axis Press: CODESYS")
     _, out, _ = run("export", "--help")
     assert "untested" in out
+
+
+WITH_AXES = sorted(path.stem for path in FOLDER.glob("*.toml") if path.stem != "motion-laws")
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("template", WITH_AXES)
+def test_all_axes_of_every_template_go_to_every_target_and_can_be_read(template, run, tmp_path):
+    build(read_machine(FOLDER / f"{template}.toml"), tmp_path / "book.xlsx")
+    for name in TARGETS:
+        code, _, err = run("export", "book.xlsx", "--all", "--to", name, "-o", name, "--unverified")
+        assert code == 0, (name, err)
+        files = [path for path in (tmp_path / name).iterdir() if "switches" not in path.name]
+        assert files
+        for path in files:
+            assert read_table(path, target(name)).x.size >= 2

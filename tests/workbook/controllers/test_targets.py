@@ -91,6 +91,14 @@ def test_another_parser_finds_the_points(name: str) -> None:
         assert rows[:-1, 3] == pytest.approx(meant.y2[:-1], abs=1e-12)
 
 
+def test_another_parser_finds_the_stroke_ratios() -> None:
+    one = target("mitsubishi-ratio")
+    head, *ratios = [line for line in one.write(handed(one)).split() if re.fullmatch(r"-?\d+", line)]
+    x = np.linspace(0.0, 360.0, 257)[1:]
+    assert (head, len(ratios)) == ("256", 256)
+    assert np.array(ratios, dtype=float) * 30.0 / 1e9 == pytest.approx(FOUR.course.at(x, left=True).y, abs=2e-8)
+
+
 def test_the_polynomials_of_br_and_of_segments_are_the_motion() -> None:
     br = target("br")
     text = br.write(handed(br))

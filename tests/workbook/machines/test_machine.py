@@ -19,7 +19,8 @@ def described(axes=None, **sizes):
     """The committed machine, with other axes."""
     data = read_machine(TEMPLATE.description).model_dump()
     data["sizes"] |= SMALL | {"motion_pieces": None} | sizes
-    return TEMPLATE.model.model_validate(data | ({} if axes is None else {"axes": axes, "switches": []}))
+    others = {} if axes is None else {"axes": axes, "switches": [], "clearances": [], "power": {}}
+    return TEMPLATE.model.model_validate(data | others)
 
 
 def axis(number=1, *phases, **entries):
@@ -166,7 +167,7 @@ def test_parts_of_a_drive_have_their_room_whichever_axis_it_moves():
 def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(law, tmp_path):
     axes = [driven((0, 90, 2.0, "mine"), (180, 200, -2.0, "CIC"))]
     data = described().model_dump()
-    machine = checked(TEMPLATE, data | {"laws": data["laws"] | {"mine": law}, "axes": axes}, str)
+    machine = checked(TEMPLATE, data | {"laws": data["laws"] | {"mine": law}, "axes": axes, "clearances": []}, str)
     assert [fault.key for fault in machine.design.faults] == ["axes.0.phases.0.law"]
     build(machine, tmp_path / "book.xlsx")
     report = verify(tmp_path / "book.xlsx")

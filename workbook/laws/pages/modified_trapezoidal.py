@@ -1,6 +1,7 @@
 """Modified trapezoidal acceleration with seven durations."""
 
 from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
+from workbook.laws.brief import BRIEF
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, Stages, edged
 from workbook.laws.seven import DURATIONS, LASTS, SUM_IS_1, SevenDurations
 
@@ -22,5 +23,5 @@ PAGE = edged(
         {"durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]},
         {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
     ),
-    checks=(SUM_IS_1, LASTS),
+    checks=(SUM_IS_1, LASTS, BRIEF),
 )

@@ -6,6 +6,7 @@ from pydantic import Field
 
 from engine.laws.s_curve import SCurve
 from workbook.entries.types import Share
+from workbook.laws.brief import BRIEF
 from workbook.laws.edged import FLAT, LINE_IN, LINE_OUT, Stage, Stages, edged
 from workbook.laws.seven import DURATIONS, LASTS, SUM_IS_1, SevenDurations
 
@@ -32,5 +33,5 @@ PAGE = edged(
         {"durations": [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0]},
         {"durations": [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2]},
     ),
-    checks=(SUM_IS_1, LASTS),
+    checks=(SUM_IS_1, LASTS, BRIEF),
 )

@@ -5,9 +5,10 @@ from collections.abc import Iterator
 from engine.laws.sine_constant_cosine import SineConstantCosine
 from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
+from workbook.laws.brief import BRIEF, too_brief
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, Stages, edged, law_of
 from workbook.laws.family import LawCheck, Parameter
-from workbook.laws.shared import SHARE, Shared
+from workbook.laws.shared import EVEN, SHARE, Shared
 
 PARTS = ("sine", "constant", "cosine", "straight")
 
@@ -28,6 +29,9 @@ class Parts(Shared):
             yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
         if not self.sine + self.constant + self.cosine:
             yield DesignError("", "all of the time is straight", "lasts", fits)
+        if abs(total - 1) <= SUM_TOLERANCE and self.sine + self.constant + self.cosine:
+            law = SineConstantCosine(**{part: getattr(self, part) for part in PARTS}, share=self.share)
+            yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits | {"share": EVEN})
 
 
 STAGES = Stages({
@@ -65,5 +69,6 @@ PAGE = edged(
                  '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
         LawCheck("@lasts", "the law starts and stops", "@sine+@constant+@cosine>0", "lasts",
                  '"all of the time is straight"'),
+        BRIEF,
     ),
 )  # fmt: skip

@@ -1,19 +1,28 @@
 """Sine, straight line, sine: from reversal to reversal."""
 
+from collections.abc import Iterator
 from typing import Annotated
 
 from pydantic import Field
 
 from engine.laws.sine_straight_sine import SineStraightSine
+from workbook.entries.types import DesignError
+from workbook.laws.brief import BRIEF, too_brief
 from workbook.laws.edged import SINE_IN, Stage, Stages, edged, law_of
 from workbook.laws.family import Parameter
-from workbook.laws.shared import SHARE, Shared
+from workbook.laws.shared import EVEN, LEAST, SHARE, Shared
 
 
 class Curved(Shared):
     """The share of the time that is curved, and the part of that which accelerates."""
 
-    curved: Annotated[float, Field(gt=0, le=1, allow_inf_nan=False)] = SineStraightSine.curved
+    curved: Annotated[float, Field(ge=LEAST, le=1, allow_inf_nan=False)] = SineStraightSine.curved
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a stage that is next to none."""
+        fits = self.model_dump() | {"curved": SineStraightSine.curved, "share": EVEN}
+        law = SineStraightSine(curved=self.curved, share=self.share)
+        yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits)
 
 
 STAGES = Stages({
@@ -33,5 +42,6 @@ PAGE = edged(
         Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",
                   source="1: simple harmonic"),
     ),
+    checks=(BRIEF,),
     variations=({"share": 0.4, "curved": 0.3}, {"share": 0.7, "curved": 1.0}, {"share": 0.55, "curved": 0.8}),
 )  # fmt: skip

@@ -1,13 +1,14 @@
 """Trapezoidal velocity with two break points."""
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field
 
 from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
 from workbook.book.sentence import figure
 from workbook.entries.types import DesignError
+from workbook.laws.brief import BRIEF, too_brief
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow, ShapeFormulas
 
 
@@ -21,7 +22,14 @@ class BreakPoints(LawSheet):
         """Yield break points that do not follow each other."""
         if self.fall_start < self.rise_end:
             said = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
-            yield DesignError("", said, "order", self.model_dump() | BreakPoints().model_dump(exclude={"lift", "time"}))
+            yield DesignError("", said, "order", self._fits)
+        stages = (self.rise_end, self.fall_start - self.rise_end, 1 - self.fall_start)
+        yield from too_brief(stages, "", self._fits)
+
+    @property
+    def _fits(self) -> dict[str, Any]:
+        whole = TrapezoidalVelocity()
+        return self.model_dump() | {"rise_end": whole.rise_end, "fall_start": whole.fall_start}
 
 
 BEFORE = '"brakes from "&ROUND(@aw,9)&", before "&ROUND(@av,9)'
@@ -46,7 +54,7 @@ PAGE = Page(
         {"rise_end": 0.43, "fall_start": 0.8},
         {"rise_end": 0.5, "fall_start": 0.85},
     ),
-    checks=(ORDER,),
+    checks=(ORDER, BRIEF),
     pieces=(
         PieceRow("acceleration", "y'' = A, y' = Aα, y = ½Aα²", "=@av", c0="=@ca_max"),
         PieceRow("uniform velocity", "y'' = 0, y' = Aα_v, y = Aα_v(α − α_v/2)", "=@aw-@av"),

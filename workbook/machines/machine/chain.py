@@ -94,6 +94,13 @@ class MechanismEntry(Model):
         yield from (name for name in sorted(others) if getattr(self, name) is not None)
 
 
+class PowerEntry(Model):
+    """What all drives share: their efficiency between motor and mains, and the hours of running in a year."""
+
+    efficiency: Efficiency = Field(default=1.0, description="Of a drive, between its motor's shaft and the mains")
+    hours: Annotated[float, Field(ge=0, le=8784)] = Field(default=0.0, description="Hours of running in a year")
+
+
 class ForceWindow(Model):
     """A process force, N or Nm, from one angle of the cycle to another; one that ends before it begins runs across."""
 

@@ -30,8 +30,10 @@ from workbook.machines.machine.chain import (
     AxisMotor,
     AxisPart,
     MechanismEntry,
+    PowerEntry,
     Reducer,
 )
+from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
@@ -110,13 +112,17 @@ class AnyMachine(Exporting):
     master: Master
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
     switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
+    clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
+    power: PowerEntry = PowerEntry()
     selection: Products = Products()
     sizes: SelectionSizes = SelectionSizes()
 
     @classmethod
     def spelled(cls, data: Any) -> Any:
-        """Return a description whose switches tell the keys of their times."""
+        """Return a description whose switches tell the keys of their times, and whose clearances name their axes."""
         told = super().spelled(data)
+        if isinstance(told, Mapping) and "clearances" in told:
+            told = {**told, "clearances": spelled_out(told["clearances"], told.get("axes"))}
         known = isinstance(told, Mapping) and "switches" in told
         return {**told, "switches": spelled(told["switches"])} if known else told
 
@@ -124,6 +130,10 @@ class AnyMachine(Exporting):
     def _fits(self) -> Self:
         require_distinct((axis.name for axis in self.axes), "axis", "axes.{}.name")
         require_distinct((switch.name for switch in self.switches), "switch", "switches.{}.name")
+        require_distinct((one.name for one in self.clearances), "clearance", "clearances.{}.name")
+        require_axes(self.clearances, [axis.name for axis in self.axes])
+        if self.power != PowerEntry() and not any(axis.motor for axis in self.axes):
+            raise EntryError("power", "no axis has a drive; expected none")
         require_room(self.selection, self.sizes)
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):

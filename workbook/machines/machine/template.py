@@ -10,10 +10,12 @@ from workbook.drive.in_short import Highest, InShort, axes_in_short
 from workbook.entries.rules import limits
 from workbook.entries.units import shown
 from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
+from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.driven import Driven
@@ -23,6 +25,7 @@ from workbook.machines.machine.linked.sheet import linked_sheet
 from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.pacing import rate_of
+from workbook.machines.machine.power import power_sheet
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
@@ -67,10 +70,13 @@ def declare(given: AnyMachine) -> Book:
             linked_sheet(book, view)
         elif view:
             drive_sheet(book, view)
+    apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
+    clearances_sheet(book, apart)
+    power_sheet(book, given.power, [view.driven for view in drives.values()])
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)
-    pieces_sheet(book, rows, bool(drives))
+    pieces_sheet(book, rows, bool(drives or apart))
     export_sheet(book, given, [exportable(one) for one in rows])
     return finish(book, "Machine", ("S1", "S3"))
 

@@ -54,6 +54,11 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         else:
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, data["laws"], 0.01)
+    if any(axis["motor"] is not None for axis in data["axes"]):
+        data["power"] = {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}
+    for i, one in enumerate(data["clearances"]):
+        one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
+                "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     return data

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 from functools import cached_property
+from itertools import permutations
 from typing import Any, get_args
 
 import numpy as np
@@ -18,6 +19,7 @@ from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, shown, si
 from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
+from workbook.machines.machine.clearance import ENDS, MOST_CLEARANCES, ClearanceEntry
 from workbook.machines.machine.lanes import Lane, named
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry
 from workbook.motion.through import passed
@@ -201,7 +203,24 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
                 machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": [], "rate": None} | drive)
             )
     told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
-    return machine.model_copy(update={"axes": axes or machine.axes, "switches": told})
+    found = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
+    return machine.model_copy(update=found)
+
+
+def clearances(names: Container[str]) -> list[ClearanceEntry]:
+    """Return the clearances that a file has by its defined names, of axes by their numbers."""
+    numbers = range(1, entered.MOST_AXES + 1)
+    return [
+        ClearanceEntry.model_construct(name=f"Clearance {k}", first=str(one), second=str(other))
+        for k in range(1, MOST_CLEARANCES + 1)
+        for one, other in permutations(numbers, 2)
+        if clearance_name(k, one, other) in names
+    ]
+
+
+def clearance_name(number: int, first: int, second: int) -> str:
+    """Return the name of the cell of a clearance: by it a file tells which axes it is of."""
+    return f"clear{number}_{first}_{second}"
 
 
 def switch_names(names: Container[str]) -> list[str]:
@@ -229,6 +248,8 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
     found: dict[str, Any] = {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
     found |= {f"switches.{i}.on": [] for i in range(len(machine.switches))}
+    for i, one in enumerate(machine.clearances):
+        found |= {f"clearances.{i}.{end}": int(getattr(one, end)) for end in ENDS}
     for i, axis in enumerate(machine.axes):
         if axis.mechanism:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}

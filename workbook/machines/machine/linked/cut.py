@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, WEIGHTS, Worked, section
+from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, SAME, WEIGHTS, Worked, section
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
@@ -159,12 +159,16 @@ def turns_table(sheet: Sheet, view: LinkedWork) -> None:
         "[lo]*[at1]*[ghi]/(([glo]-[at1])*([glo]-[ghi]))+[hi]*[glo]*[at1]/(([ghi]-[glo])*([ghi]-[at1]))"
         "+[u1]*[glo]*[ghi]/(([at1]-[glo])*([at1]-[ghi]))"
     )
-    second = "[u2]-[at2]*([u2]-[u1])/([at2]-[at1])"
     helds = [view.helds[turn.stretch - 1] for turn in turns]
     size = max(view.sizes.values())
 
     def within(formula: str) -> str:
         return f"MAX([lo],MIN([hi],{formula}))"
+
+    def chord(a: int, b: int) -> str:
+        rise = f"([at{b}]-[at{a}])"
+        crossed = within(f"[u{b}]-[at{b}]*([u{b}]-[u{a}])/{rise}")
+        return f"=IF(ABS{rise}<={SAME!r}*[lost],[u{b}],{crossed})"
 
     def tried(mark: str, worked: list[Worked], places: list[float]) -> list[Quantity]:
         return columns(view, stacked(worked), helds, np.array(places), mark)
@@ -190,9 +194,11 @@ def turns_table(sheet: Sheet, view: LinkedWork) -> None:
              [turn.place2 for turn in turns], scale=1.0, source="inverse parabola"),
         *tried("2", [turn.second for turn in turns], [turn.place2 for turn in turns]),
         calc("at2", "there", "", "", f"={other}", [turn.at_second for turn in turns], scale=size),
-        calc("u3", "turns at", "u", "rad", f"=IF(ABS([at2]-[at1])<=[lost],[u2],{within(second)})",
-             [turn.place for turn in turns], scale=1.0, source="chord"),
-        calc("at", "angle of its phases", "θ", "°", f"=IF([figure]=0,360,{begin}+DEGREES([u3]))",
+        calc("u3", "third place", "u", "rad", chord(1, 2), [turn.place3 for turn in turns], scale=1.0, source="chord"),
+        *tried("3", [turn.third for turn in turns], [turn.place3 for turn in turns]),
+        calc("at3", "there", "", "", f"={figured('3')}", [turn.at_third for turn in turns], scale=size),
+        calc("u4", "turns at", "u", "rad", chord(2, 3), [turn.place for turn in turns], scale=1.0, source="chord"),
+        calc("at", "angle of its phases", "θ", "°", f"=IF([figure]=0,360,{begin}+DEGREES([u4]))",
              [turn.angle for turn in turns], scale=360.0, format="0.0##"),
     )  # fmt: skip
 

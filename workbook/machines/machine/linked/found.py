@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.places import BEYOND, FAR, FARTHEST, FINE, FLAT, NARROW, NODES, WIDE, Sums, Worked, largest
+from engine.machine.places import BEYOND, FAR, FARTHEST, FINE, FLAT, KNOWN, LEVEL, NODES, WIDTHS, Sums, Worked, largest
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.machines.machine.linked.cut import begins, bounds
 from workbook.machines.machine.linked.worked import LinkedWork
@@ -33,7 +33,7 @@ FIGURES = (
     Figure("w", "speed of the shaft", "w", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.rate)),
     Figure("g", "ratio, its least", "g", "(0-{f})", "(0-MIN({f}))", lambda one: -one.first),
 )
-LOST = {"T": "@lost_T", "S": "@lost_S", "w": "@lost_w", "g": "@lost_g"}
+LOST = {name: f"{LEVEL!r}*@lost_{name}" for name in ("T", "S", "w", "g")}
 BARYCENTRIC = "SUMPRODUCT([@rule.inter]/({x}-[@rule.x]),{f})/SUMPRODUCT([@rule.inter]/({x}-[@rule.x]))"
 
 
@@ -89,8 +89,11 @@ def extremes(view: LinkedWork, figure: Figure) -> list[Quantity]:
         one, other, third = (f"[{name}{n}{m}]" for name in ("a", "b", "c"))
         return f"(2*{other}-{one}-{third})", f"({third}-{one})"
 
-    (wide, tilted), (narrow, slope) = bent(1), bent(2)
-    highest = f"IF({wide}>{lost},MAX(0-{FAR!r},MIN({FAR!r},{tilted}/(2*{wide}))),0)"
+    def highest(n: int) -> str:
+        bend, slope = bent(n)
+        return f"IF({bend}>{lost},MAX(0-{FAR!r},MIN({FAR!r},{slope}/(2*{bend}))),0)"
+
+    narrow, slope = bent(len(WIDTHS))
     far = f"{BEYOND!r}*(ABS({slope})-{BEYOND!r}*{narrow})/2"
     rise = f"=IF({narrow}<={FLAT!r}*{lost},0,IF(ABS({slope})>2*{BEYOND!r}*{narrow},{far},{slope}^2/(8*{narrow})))"
     vertex = f"{b}-(({b}-{a})^2*({fb}-{fc})-({b}-{c})^2*({fb}-{fa}))/(2*[bend{m}])"
@@ -101,15 +104,17 @@ def extremes(view: LinkedWork, figure: Figure) -> list[Quantity]:
         value("fa", "before it", at("-1"), "fa"), value("fb", "there", at(""), "fb"),
         value("fc", "behind it", at("+1"), "fc"),
         value("bend", "bend", f"=({b}-{a})*({fb}-{fc})-({b}-{c})*({fb}-{fa})", "bend"),
-        calc(f"x1{m}", "first place", "x", "",
-             beside(f"IF([bend{m}]<={lost},INDEX([@rule.x],[k{m}]),{vertex})", FARTHEST[0]), found("x1"), scale=1.0),
-        *around(1, WIDE),
-        calc(f"x2{m}", "second place", "x", "",
-             beside(f"[x1{m}]+{WIDE!r}*{highest}", FARTHEST[1]), found("x2"), scale=1.0),
-        *around(2, NARROW),
+        calc(f"x1{m}", "place 1", "x", "",
+             beside(f"IF([bend{m}]<={lost},INDEX([@rule.x],[k{m}]),{vertex})", FARTHEST[0]), found("x1"), scale=KNOWN),
+        *around(1, WIDTHS[0]),
+        *(column for n in range(2, len(WIDTHS) + 1) for column in (
+            calc(f"x{n}{m}", f"place {n}", "x", "",
+                 beside(f"[x{n - 1}{m}]+{WIDTHS[n - 2]!r}*{highest(n - 1)}", FARTHEST[n - 1]), found(f"x{n}"),
+                 scale=KNOWN),
+            *around(n, WIDTHS[n - 1]))),
         value("rise", "rises above it by", rise, "rise"),
         calc(f"top{m}", f"{figure.words}: largest", "", "",
-             each(f"=MAX([b2{m}]+[rise{m}],{figure.largest})"), found("value"), scale=size),
+             each(f"=MAX([b{len(WIDTHS)}{m}]+[rise{m}],{figure.largest})"), found("value"), scale=size),
     ]  # fmt: skip
 
 

@@ -23,6 +23,7 @@ from engine.machine.places import (
     carried,
     half,
     largest,
+    level,
     lost,
     section,
     suffices,
@@ -37,6 +38,7 @@ from workbook.machines.machine.stretched import Stretched
 
 FIGURES = ("force", "behind", "torque")
 """what power changes its way with: at the load, in the reducer, in the motor"""
+RATES = {"w": "rate", "g": "first"}
 SPARE_TURNS = 8
 TOO_FEW = "too near to a dead centre, or power turns round too often, for the places of this sheet"
 EACH = len(LOOKS)
@@ -55,6 +57,9 @@ class Turn(NamedTuple):
     place2: float
     second: Worked
     at_second: float
+    place3: float
+    third: Worked
+    at_third: float
     place: float
     angle: float
 
@@ -205,9 +210,12 @@ class LinkedWork(Stretched):
         first = held.at(np.array([bracket.first]))
         place2 = bracket.second(at_first := float(getattr(first, name)[0]))
         second = held.at(np.array([place2]))
-        place = bracket.third(at_first, at_second := float(getattr(second, name)[0]))
+        place3 = bracket.chord(bracket.first, place2, at_first, at_second := float(getattr(second, name)[0]))
+        third = held.at(np.array([place3]))
+        place = bracket.chord(place2, place3, at_second, at_third := float(getattr(third, name)[0]))
         angle = shown(held.piece.begin + place, DEGREE) if number else TURN
-        return Turn(number, row, stretch + 1, bracket, first, at_first, place2, second, at_second, place, angle)
+        tried = bracket, first, at_first, place2, second, at_second, place3, third, at_third
+        return Turn(number, row, stretch + 1, *tried, place, angle)
 
     @cached_property
     def sections(self) -> list[tuple[float, float]]:
@@ -269,9 +277,10 @@ class LinkedWork(Stretched):
         return lost(largest(self.at_nodes(name)))
 
     def node_lost(self, column: str) -> float:
-        """Return the same by the figure's column: of torques as at the places of stretches."""
+        """Return by how little a figure differs where it is level, by its column: torques as at places of stretches."""
         names = {"T": "torque", "S": "behind"}
-        return self.lost(names[column]) if column in names else self.least({"w": "rate", "g": "first"}[column])
+        of_places = column in names
+        return level(self.sizes[names[column]] if of_places else largest(self.at_nodes(RATES[column])))
 
     @property
     def rate(self) -> float:

@@ -1,0 +1,57 @@
+"""A stage of a law is none, or lasts: what lasts less is refused by the design and by the cells alike."""
+
+import pytest
+
+from tests.workbook.cells import computed, disagreeing
+from tests.workbook.laws.test_families import COMPOSER
+from workbook.laws.brief import LEAST_STAGE
+from workbook.reading.entries import checked, counted, read_machine
+
+SAID = "a stage lasts less than 0.0001 of the rise; expected that, or none"
+
+
+def entries(least):
+    """Laws one stage of which, or two, last so long."""
+    return {
+        "TVP 1": {"family": "TVP", "rise_end": least, "fall_start": 0.6},
+        "TVP 2": {"family": "TVP", "rise_end": 0.5, "fall_start": 0.5 + least},
+        "TVP 3": {"family": "TVP", "rise_end": 0.3, "fall_start": 1.0 - least},
+        "MTP 1": {"family": "MTP", "durations": [least, 0.25, 0.125, 0.0, 0.125, 0.25, 0.25 - least]},
+        "MTP 2": {"family": "MTP", "durations": [0.125, 0.25 - least, 0.125, least, 0.125, 0.25, 0.125]},
+        "SCV 1": {"family": "SCV", "durations": [0.25, least, 0.25 - least, 0.0, 0.125, 0.25, 0.125]},
+        "SCC 1": {"family": "SCC", "sine": 2 * least, "constant": 0.5 - 2 * least, "cosine": 0.5, "straight": 0.0},
+        "SCC 2": {"family": "SCC", "sine": 0.25, "constant": 0.5, "cosine": 0.25 - least, "straight": least},
+        "SGS 1": {"family": "SGS", "curved": 1.0 - least},
+    }
+
+
+def described(laws):
+    data = read_machine(COMPOSER.description).model_dump()
+    data["sizes"] |= {"cycle": 12, "law": 10, "motion_pieces": 90}
+    data["laws"] |= laws
+    data["motion"]["cycle"] = "open"
+    data["motion"]["phases"] = [{"law": name, "lift": 10.0, "duration": 20.0} for name in laws]
+    return checked(COMPOSER, data, counted)
+
+
+def test_cells_and_engine_agree_down_to_the_least_stage():
+    machine = described(entries(1.01 * LEAST_STAGE))
+    assert machine.design.faults == ()
+    wrong, _ = disagreeing(COMPOSER, machine)
+    assert wrong == []
+
+
+def test_none_is_no_brief_stage():
+    assert (
+        described({name: one for name, one in entries(0.0).items() if name not in ("TVP 1", "TVP 3")}).design.faults
+        == ()
+    )
+
+
+@pytest.mark.parametrize("least", [1e-8, 1e-5, 0.99 * LEAST_STAGE])
+def test_what_lasts_less_is_told_by_law(least):
+    machine = described(entries(least))
+    assert [fault.said for fault in machine.design.faults] == [SAID] * len(entries(least))
+    value = computed(COMPOSER, machine)
+    said = [text for text in value("checks", "says") if text]
+    assert len([text for text in said if SAID in text]) == len(entries(least))

@@ -1,0 +1,106 @@
+"""Axes that must stay apart: their least gap in cells, against samples and closed forms."""
+
+import math
+import random
+
+import numpy as np
+import pytest
+
+from tests.mutation.machines import machine as drawn_machine
+from tests.tiers import nights, seed
+from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from workbook.laws.shelf import LawShelf
+from workbook.machines.machine.apart import Apart
+from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.view import Whole
+
+PUNCH = axis(1, (30, 90, 20.0, "CIC"), (150, 210, -20.0, "CIC"))
+FEED = axis(2, (60, 140, 50.0, "MTP"), (200, 280, -50.0, "MTP"), shift=12.5)
+ARM = axis(3, (0, 100, 90.0, "CIC"), (180, 300, -90.0, "CIC"), unit="°")
+GAP = {"name": "Gap", "first": "A1", "second": "A2"}
+
+
+def machine(*clearances, axes=(PUNCH, FEED, ARM), **sizes):
+    """A machine with clearances."""
+    data = described(list(axes), phases=2, **sizes).model_dump() | {"clearances": [GAP | one for one in clearances]}
+    return TEMPLATE.model.model_validate(data)
+
+
+def views(given):
+    """The engine's view of the clearances."""
+    shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
+    whole = Whole(given, shelf.laws)
+    rows = [AxisRows(whole, one, shelf.stack) for one in whole.axes]
+    return [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
+
+
+def sampled(one, count):
+    """The gap at so many places of the turn, by the motions themselves."""
+    x = np.linspace(0.0, 2 * math.pi, count)
+    return one.given.offset + sum(f * shifted.over_cycle(x).y for f, shifted in one.terms), x
+
+
+def test_the_least_gap_is_that_of_a_fine_table_and_no_more():
+    made = machine({"first_factor": -1.0, "second_factor": 0.3, "offset": 8.0}, {"name": "Other", "second": "A3"})
+    value = computed(TEMPLATE, made)
+    for k, one in enumerate(views(made)):
+        gaps, x = sampled(one, 200_001)
+        least, at = value("clearances", "gap")[k], value("clearances", "at")[k]
+        assert least == pytest.approx(gaps.min(), abs=1e-6)
+        assert least <= gaps.min() + 1e-12
+        assert gaps[np.abs(x - math.radians(at)).argmin()] == pytest.approx(least, abs=1e-3)
+
+
+def test_a_gap_to_an_axis_at_rest_is_lowest_at_the_end_of_the_rise():
+    """Offset less travel; it stays there, and the first place counts."""
+    value = computed(TEMPLATE, machine({"first_factor": -1.0, "second_factor": 0.0, "offset": 25.0}))
+    assert value("clearances", "gap") == [pytest.approx(5.0, rel=1e-12)]
+    assert value("clearances", "at") == [pytest.approx(90.0, rel=1e-12)]
+
+
+def test_two_cycloids_meet_in_the_middle():
+    """Equal and opposite: the gap is offset − h where one has risen as far as the other has still to go."""
+    up, down = axis(1, (0, 120, 20.0, "CIC")), axis(2, (60, 180, -20.0, "CIC"))
+    value = computed(TEMPLATE, machine({"first_factor": -1.0, "second_factor": -1.0, "offset": 30.0}, axes=(up, down)))
+    one = views(machine({"first_factor": -1.0, "second_factor": -1.0, "offset": 30.0}, axes=(up, down)))[0]
+    assert value("clearances", "at") == [pytest.approx(90.0, abs=1e-6)]
+    assert value("clearances", "gap")[0] == pytest.approx(sampled(one, 7201)[0].min(), abs=1e-9)
+
+
+def test_the_check_says_where_and_by_how_much():
+    made = machine({"first_factor": -1.0, "second_factor": 0.0, "offset": 25.0, "least": 6.5})
+    value = computed(TEMPLATE, made)
+    assert value("clear1_kept") == "FAIL"
+    assert value("clear1_kept_says") == "Gap: 5 mm at 90°, 1.5 mm too little"
+    assert computed(TEMPLATE, machine({"first_factor": -1.0, "second_factor": 0.0, "offset": 25.0, "least": 5.0}))(
+        "clear1_kept"
+    ) == "OK"  # fmt: skip
+
+
+def test_clearances_come_back_from_a_book_by_the_names_of_their_axes():
+    made = machine({"least": 1.0}, {"name": "Other", "first": "A3", "second": "A1", "offset": 2.0})
+    assert entered(TEMPLATE, made) == (made, [])
+
+
+def test_the_samples_change_nothing():
+    few, many = (computed(TEMPLATE, machine({"second_factor": 0.4}, cycle=cycle)) for cycle in (12, 720))
+    for column in ("gap", "at"):
+        assert few("clearances", column) == many("clearances", column)
+
+
+@pytest.mark.parametrize(
+    ("entry", "said"), [({"first": "A9"}, "no axis is named 'A9'"), ({"second": "a1"}, "is the first axis too")]
+)
+def test_an_axis_that_is_not_there_is_refused(entry, said):
+    with pytest.raises(ValueError, match=said):
+        machine(entry)
+
+
+@pytest.mark.parametrize("number", [*range(2), *nights(60)])
+def test_random_gaps_agree_with_closed_forms(request, number):
+    told = f"gap {number}"
+    drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
+    made = drawn_machine(machine({}, {"name": "Other", "first": "A3"}), drawn)
+    wrong, _ = disagreeing(TEMPLATE, made)
+    assert [cell for cell in wrong if cell.startswith("clear")] == []
