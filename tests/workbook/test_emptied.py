@@ -11,6 +11,7 @@ from workbook.entries import rules
 from workbook.entries.design import designed
 from workbook.errors import InputError
 from workbook.judging.verify import verify
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 
@@ -67,28 +68,51 @@ def test_a_coefficient_without_a_duration_makes_no_rise_of_two(tmp_path):
     machine = machine_of("motion-composer")
     build(machine, tmp_path / "book.xlsx")
     place = TEMPLATES["motion-composer"].declare(machine).blocks["OWN_pieces"]
-    for row in (1, place.size - 1):
-        book = openpyxl.load_workbook(tmp_path / "book.xlsx")
-        book[place.sheet.title].cell(place.row + row, place.columns["c3"]).value = 2.5
-        book.save(tmp_path / "edited.xlsx")
-        report = verify(tmp_path / "edited.xlsx")
-        assert report.findings == []
-        assert any(f"duration, row {row + 1}: empty" in c.says for c in report.failing)
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    book[place.sheet.title].cell(place.row + 1, place.columns["c3"]).value = 2.5
+    book.save(tmp_path / "edited.xlsx")
+    report = verify(tmp_path / "edited.xlsx")
+    assert report.findings == []
+    assert any("duration, row 2: empty" in c.says for c in report.failing)
 
 
-@pytest.mark.parametrize("name", ["actuator-sizing", "machine"])
-def test_a_row_left_blank_is_blamed_alone_or_not_at_all(name, tmp_path):
-    """What is entered below it lacks a name, or is whole and leaves it between."""
-    machine = machine_of(name)
-    held = len(machine.selection.reducers)
-    roomy = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"reducers": held + 3})})
+BETWEEN = [("motion-composer", "phases"), ("motion-composer", "OWN_pieces"), ("cutting-machine", "axis2"),
+           ("actuator-sizing", "phases"), ("actuator-sizing", "reducers"), ("machine", "axis2"),
+           ("machine", "drive1_parts"), ("machine", "drive1_windows"), ("machine", "motors")]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "table"), BETWEEN)
+@pytest.mark.sample(5)
+def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_path):
+    machine = read_machine(TEMPLATES[name].description)
+    short = {"cycle": 12, "law": 10, "own_law": 20}
+    roomy = machine.model_copy(update={"sizes": machine.sizes.model_copy(update=short)})
     build(roomy, tmp_path / "book.xlsx")
-    place = TEMPLATES[name].declare(roomy).blocks["reducers"]
-    for column, value, blamed in (("mass", 2.5, held + 1), ("name", "X 1", held)):
-        book = openpyxl.load_workbook(tmp_path / "book.xlsx")
-        book[place.sheet.title].cell(place.row + held + 1, place.columns[column]).value = value
-        book.save(tmp_path / "edited.xlsx")
-        with pytest.raises(InputError) as refused:
-            inputs(tmp_path / "edited.xlsx")
-        (line,) = refused.value.lines
-        assert f"!B{place.row + blamed} " in line
+    place = TEMPLATES[name].declare(roomy).blocks[table]
+    entered = [q for q in place.quantities if q.role == "input"]
+    used = [i for i in range(place.size) if any(q.value[i] is not None for q in entered)]
+    free = used[-1] + 1 if used else 0, default=0)
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    sheet, last = book[place.sheet.title], entered[-1]
+    value = next((v for v in last.value if v is not None), 1.0)
+    sheet.cell(place.row + free + 1, place.columns[last.name]).value = value
+    book.save(tmp_path / "edited.xlsx")
+    with pytest.raises(InputError) as refused:
+        inputs(tmp_path / "edited.xlsx")
+    (line,) = refused.value.lines
+    assert place.sheet.title in line
+    assert f"nothing is entered in row {free + 1} of the table {table}" in line
+
+
+def test_a_point_that_cannot_be_is_told_by_its_row(tmp_path):
+    """A law with a name of its own, of a family that has numbers only in rows."""
+    machine = machine_of("motion-laws")
+    build(machine, tmp_path / "book.xlsx")
+    declared = TEMPLATES["motion-laws"].declare(machine)
+    place = next(block for name, block in declared.blocks.items() if name.endswith("_points") and "SPL" in name)
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    book[place.sheet.title].cell(place.row, place.columns["xi"]).value = -1.0
+    book.save(tmp_path / "edited.xlsx")
+    report = verify(tmp_path / "edited.xlsx")
+    assert report.findings == []
+    assert any("row 1" in c.says for c in report.failing)

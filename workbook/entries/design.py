@@ -130,7 +130,10 @@ def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: d
     rule = ruled(path, tried)
     found = at(example, rule)
     if found is NONE or found is None:
-        return rules.within(*rules.field_at(model, rule))
+        kind, constraints = rules.field_at(model, rule)
+        if not (isinstance(kind, type) and issubclass(kind, BaseModel)):
+            return rules.within(kind, constraints)
+        found = kind().model_dump()
     return refilled(at(tried, path), found)
 
 

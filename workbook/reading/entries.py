@@ -51,7 +51,7 @@ class Entries:
         self.template = self._template()
         self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
         self.missing: list[str] = []
-        self._spare: list[str] = []
+        self._between: list[str] = []
         self._emptied: list[str] = []
         self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = numbered(file.places)
@@ -62,7 +62,7 @@ class Entries:
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
-        self._fit(layout)
+        self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
         self.moved = mend(file, layout)
         for block in layout.blocks.values():
             self._read_block(block)
@@ -81,11 +81,13 @@ class Entries:
                               for (sheet, n), what in self.gone.items()])  # fmt: skip
         if self.disputed:
             raise InputError(self.disputed)
+        if self._between and not self._lost():
+            raise InputError(self._between[:1])
         data, named = self._by_name()
         try:
             machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
         except InputError as refused:
-            raise InputError(self._lost() or self._beside_spare(refused.lines)) from None
+            raise InputError(self._lost() or refused.lines) from None
         machine.laws.built_as(self._built(named))
         return machine
 
@@ -101,11 +103,6 @@ class Entries:
             f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
             for (sheet, row), torn in tables.items()
         ]
-
-    def _beside_spare(self, lines: list[str]) -> list[str]:
-        """Return lines without those of rows in which nothing is entered, if there are others."""
-        blank = tuple(f"{self.file.path.name}: {cell}: " for cell in self._spare)
-        return [line for line in lines if not line.startswith(blank)] or lines
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return what is entered with the book's own laws by their names, and for each of these names its key."""
@@ -147,10 +144,10 @@ class Entries:
         places = self.file.places
         return {size: places[block].rows - extra for size, block, extra in self.template.sized(places)}
 
-    def _fit(self, layout: Book) -> None:
+    def _fit(self, layout: Book, grown: set[int]) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""
         self.file.fits |= fitted(self.file, layout)
-        self._ends = ends_lost(self.file, layout)
+        self._ends = ends_lost(self.file, layout, grown)
         for name, fit in self.file.fits.items():
             self.file.places[name] = fit.place
         for size, block, extra in self.template.sized(self.file.fits):
@@ -178,7 +175,10 @@ class Entries:
                 self._emptied += [q.key.replace("*", str(i)) for (_, q), value in zip(inputs, rows[i], strict=True)
                                   if value is None and self._must_be_there(q.key)]  # fmt: skip
             else:
-                self._spare += [f"{place.cell(i, j)} ({q.label})" for j, q in inputs]
+                self._between.append(
+                    f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1} of the "
+                    f"table {block.name}, but below it; fill it, or move up what is below"
+                )
 
     def _must_be_there(self, key: str) -> bool:
         """Whether an empty cell of an entry is not what a description without it means."""

@@ -7,7 +7,7 @@ which of its columns, by the headings above them and by where formulas stand.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from typing import Any
 
 from workbook.book.address import Address, Fit, Place
@@ -32,13 +32,18 @@ def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
     return fits
 
 
-def ends_lost(file: BookFile, layout: Book) -> dict[tuple[str, int], list[str]]:
-    """Return the tables of entries that lack rows at their end, by sheet and row."""
+def ends_lost(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple[str, int], list[str]]:
+    """Return the tables of entries that lack rows at their end, by sheet and row; those of sizes ``grown`` do not."""
     found: dict[tuple[str, int], list[str]] = {}
     for name, block in layout.blocks.items():
         place = file.places.get(name)
         entered = block.is_table and any(q.role == "input" for q in block.quantities)
-        if place is not None and entered and block.size > file.fits.get(name, Fit(place)).size:
+        if (
+            place is not None
+            and entered
+            and block.size not in grown
+            and block.size > file.fits.get(name, Fit(place)).size
+        ):
             found.setdefault((place.sheet, place.cell(place.rows - 1, 0).row + 1), []).append(name)
     return found
 
