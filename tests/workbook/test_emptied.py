@@ -91,7 +91,7 @@ def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_pat
     place = TEMPLATES[name].declare(roomy).blocks[table]
     entered = [q for q in place.quantities if q.role == "input"]
     used = [i for i in range(place.size) if any(q.value[i] is not None for q in entered)]
-    free = used[-1] + 1 if used else 0, default=0)
+    free = used[-1] + 1 if used else 0
     book = openpyxl.load_workbook(tmp_path / "book.xlsx")
     sheet, last = book[place.sheet.title], entered[-1]
     value = next((v for v in last.value if v is not None), 1.0)
