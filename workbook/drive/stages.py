@@ -28,8 +28,8 @@ def gears_table(sheet: Sheet, gears: Sequence[Gear], rows: int, key: str) -> Non
     """Declare the gears between motor and last element, kept at ``key`` of the description."""
     sheet.table(
         "@gears", "Gears, from the motor on: leave empty what is not there", rows,
-        constant("k", "gear", "k", "", list(range(1, rows + 1))),
         given("name", "gear", "", "", filled([g.name for g in gears], rows, None), f"{key}.*.name"),
+        constant("k", "gear", "k", "", list(range(1, rows + 1))),
         given("ratio", "ratio", "N", "",
               filled([g.ratio for g in gears], rows, None), f"{key}.*.ratio", format="0.0##",
               source="speed before / behind"),
@@ -51,8 +51,8 @@ def parts_table(
     reflected = [machine.at_motor(part.reflected, part.shaft, method) for part in parts]
     sheet.table(
         "@parts", "Rotating parts: enter an inertia, or a cylinder's diameter, length and density", rows,
-        constant("k", "number", "k", "", list(range(1, rows + 1))),
         entry("name", "part", "", "", ""),
+        constant("k", "number", "k", "", list(range(1, rows + 1))),
         entry("count", "count", "", "", "0"),
         entry("inertia", "inertia of one", "J", "kg m²", "General"),
         entry("diameter", "diameter", "d", "mm"),

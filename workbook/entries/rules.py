@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 
 from workbook.book.declare import Quantity
 from workbook.book.limits import Limit
-from workbook.entries.types import LARGEST, SMALLEST
+from workbook.entries.types import LARGEST, SMALLEST, EmptyCell
 from workbook.laws.entries import TakesLaw
 from workbook.laws.registry import RISING
 
@@ -100,7 +100,8 @@ def must_be_there(model: type[BaseModel], key: str) -> bool:
     if is_required(model, key):
         return True
     _, constraints = field_at(model, key)
-    return default_at(model, key) not in (None, 0, "", [], {}) and not takes_law(constraints)
+    read = takes_law(constraints) or any(isinstance(c, EmptyCell) for c in constraints)
+    return default_at(model, key) not in (None, 0, "", [], {}) and not read
 
 
 def default_at(model: type[BaseModel], key: str) -> Any:

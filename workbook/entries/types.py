@@ -26,6 +26,10 @@ class EntryError(ValueError):
         self.field = field
 
 
+class EmptyCell:
+    """Marks an entry whose cell may be empty, and is then read as its default."""
+
+
 class DesignError(EntryError):
     """Numbers that do not go together: the book is built with them, and its check of this ``rule`` says FAIL.
 

@@ -71,8 +71,8 @@ def inertia_table(sheet: Sheet, machine: Cutting) -> None:
     sheet.row += 1
     sheet.table(
         "rotors", f"Rotating parts ({S1}): leave the teeth empty for what turns with the rollers", n,
-        constant("k", "number", "k", "", list(range(1, n + 1))),
         given("name", "part", "", "", entered("name"), "drive.rotors.*.name"),
+        constant("k", "number", "k", "", list(range(1, n + 1))),
         given("count", "count", "", "", entered("count"), "drive.rotors.*.count", format="0"),
         given("inertia", "inertia of one", "J", "kg m²",
               entered("inertia"), "drive.rotors.*.inertia", format="0.0000##"),

@@ -107,8 +107,8 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
     sheet.row += 1
     sheet.table(
         "axes", "Axes", len(axes),
-        constant("k", "number", "k", "", list(range(1, len(axes) + 1))),
         given("group", "group", "", "", [a.group for a in axes], "timing.axes.*.group"),
+        constant("k", "number", "k", "", list(range(1, len(axes) + 1))),
         given("name", "axis", "", "", [a.name for a in axes], "timing.axes.*.name"),
         given("closes", "over a cycle", "", "",
               [a.closes for a in axes], "timing.axes.*.closes", source="returns to its position, or feeds on"),

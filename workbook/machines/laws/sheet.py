@@ -50,9 +50,9 @@ def chosen(sheet: Sheet, view: Compared) -> None:
     """Declare the laws that are drawn."""
     sheet.table(
         "curves", "One law each row; leave spare rows empty", MOST_CURVES,
-        constant("k", "curve", "k", "", list(range(1, MOST_CURVES + 1))),
         given("law", "law", "", "",
               filled(view.entered, MOST_CURVES, None), "comparison.curves.*.law", choices="=law_code"),
+        constant("k", "curve", "k", "", list(range(1, MOST_CURVES + 1))),
         calc("no", "number", "", "",
              '=MATCH(IF([law]="",[curves.law.first],[law]),law_code,0)', [one.number for one in view.curves],
              format="0", source="of a spare row that of the first"),

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 
 from workbook.drive.entries import Efficiency, RotatingParts
 from workbook.entries.texts import LOOKED_UP
-from workbook.entries.types import Angle, DesignError, Model, NotNegative, Number, Positive
+from workbook.entries.types import Angle, DesignError, EmptyCell, Model, NotNegative, Number, Positive
 
 Kind = Literal[
     "lead screw",
@@ -149,8 +149,8 @@ class Reducer(Model):
     """What stands between motor and mechanism, by its name in the catalogue, or by its figures."""
 
     name: Product = ""
-    ratio: Positive = 1.0  # motor over mechanism
-    efficiency: Efficiency = 1.0
+    ratio: Annotated[Positive, EmptyCell()] = 1.0  # motor over mechanism
+    efficiency: Annotated[Efficiency, EmptyCell()] = 1.0
     inertia: NotNegative = 0.0  # kg m², at the motor's shaft
     peak_torque: Positive | None = None  # Nm, behind it
     mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed

@@ -58,8 +58,8 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
     size = f"ABS([offset])+ABS([factor1])*{high.format('{i}')}+ABS([factor2])*{high.format('{j}')}"
     sheet.table(
         "clearances", "Clearances", len(apart),
-        constant("k", "number", "k", "", [one.number for one in apart]),
         given("name", "clearance", "", "", [one.given.name for one in apart], "clearances.*.name"),
+        constant("k", "number", "k", "", [one.number for one in apart]),
         calc("first", "axis", "", "", axis(0), [one.rows[0].axis.given.name for one in apart], align="left"),
         given("factor1", "factor", "", "", [one.given.first_factor for one in apart], "clearances.*.first_factor",
               format="0.0##"),

@@ -64,6 +64,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         outcome(sheet, one, driven, STRAIGHT, highest(view))
         sheet.checks(*checks(driven), laws_check(driven, one))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
+        sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
         workings(sheet, one, driven, ratios(driven))
@@ -76,7 +77,6 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
-    sheet.one_page = True
 
 
 def size(driven: Driven) -> list[Quantity]:
@@ -129,8 +129,8 @@ def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     sheet.row += 1
     sheet.table(
         "@parts", "Rotating parts: leave spare rows empty", rows,
-        constant("k", "number", "k", "", list(range(1, rows + 1))),
         given("name", "part", "", "", filled([p.name for p in e], rows, None), f"{key}.name"),
+        constant("k", "number", "k", "", list(range(1, rows + 1))),
         given("count", "count", "", "", filled([p.count for p in e], rows, None), f"{key}.count", format="0"),
         given("inertia", "inertia of one", "J", "kg m²", filled([p.inertia for p in e], rows, None),
               f"{key}.inertia", format="General"),

@@ -11,10 +11,7 @@ from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.driven import Driven
 
 KWH = 3.6e6  # J
-NOTE = (
-    "A drive takes the energy of its motor over its efficiency; what comes back, times the efficiency, goes into its "
-    "brake resistor. Drives on a common DC bus take what is between both sums."
-)
+NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 
 
 def alone(driven: Driven, efficiency: float) -> Means:
@@ -39,14 +36,14 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Driven]) -
     sheet.heading("Results")
     sheet.rows(
         result("power_mains", "Mean power from the mains, each drive alone", "P", "W", "=SUM([power.mains])",
-               whole.mains, scale=floor, source="without a common DC bus; each drive at the rate that it is sized at"),
+               whole.mains, scale=floor, source="without a common DC bus"),
         result("power_resistors", "Mean power in the brake resistors", "", "W", "=SUM([power.resistor])",
                whole.resistor, scale=floor),
         result("power_year", "Energy a year", "E", "kWh", "=power_mains*power_hours/1000",
                shown(whole.energy_a_year(given_power.hours), KWH), scale=floor),
         result("power_least", "Mean power from the mains on a common DC bus, at least", "", "W",
                "=MAX(0,power_mains-power_resistors)", whole.least, scale=floor,
-               source="if all that comes back is used; at most as each drive alone"),
+               source="if all that comes back is used"),
     )  # fmt: skip
     scopes = [f"drive{one.number}_" for one in drives]
     sheet.table(

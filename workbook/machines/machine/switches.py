@@ -48,8 +48,8 @@ def entries(sheet: Sheet, machine: Whole) -> None:
                                format="0.0##"))  # fmt: skip
     sheet.table(
         "switches", "Switches: a row each; leave spare times empty", len(lanes),
-        constant("k", "number", "k", "", [lane.number for lane in lanes]),
         given("name", "switch", "", "", [lane.given.name for lane in lanes], "switches.*.name"),
+        constant("k", "number", "k", "", [lane.number for lane in lanes]),
         *times,
         result("on", "on in all", "", "°", f"={summed('span')}", [shown(one.switch.total, DEGREE) for one in lanes]),
         result("time", "on for", "t", "s", "=RADIANS([on])/timing_omega",

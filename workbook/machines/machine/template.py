@@ -119,7 +119,7 @@ def highest_rate(drives: Iterable[Stretched], axes: int) -> list[Quantity]:
     told = [f"INDEX({column},{place})" if axes > 1 else column for column in names]
     return [
         result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least.rate,
-               source="at which all drives hold all limits"),
+               source="of all drives"),
         result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
                f"{axis}: {least.limit}", align="right"),
     ]  # fmt: skip

@@ -67,8 +67,8 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
     sheet.row += 1
     sheet.table(
         "axes", "Axes", n,
-        constant("k", "number", "k", "", [a.number for a in axes]),
         given("group", "group", "", "", [a.given.group for a in axes], "axes.*.group"),
+        constant("k", "number", "k", "", [a.number for a in axes]),
         given("name", "axis", "", "", [a.given.name for a in axes], "axes.*.name"),
         given("closes", "over a cycle", "", "", [a.given.closes for a in axes], "axes.*.closes",
               source="returns to its position, or feeds on"),

@@ -40,6 +40,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *checks(view))
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         sheet.chart(angles(), column=drive.CHART_COLUMN, row=28, width=8, height=18)
+        sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
         drive.workings(sheet, one, driven, [
@@ -63,7 +64,6 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
-    sheet.one_page = True
 
 
 def checks(view: LinkedWork) -> list[Quantity]:
