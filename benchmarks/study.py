@@ -42,7 +42,7 @@ def study(designs: int, folder: Path) -> Plan:
     ]
     told = {"title": "Feeding axis", "vary": varied, "results": NAMES, "minimise": ["drive1_rms"]}
     machine = read_machine(MACHINE)
-    write_inputs(machine.model_copy(update={"axes": machine.axes[:1]}), folder / "feed.toml")
+    write_inputs(machine.model_copy(update={"axes": machine.axes[:1], "clearances": []}), folder / "feed.toml")
     return planned(Study.model_validate(told), folder / "feed.toml", "benchmark")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import ConfigDict, Field, model_validator
 
 from workbook.drive.entries import Efficiency, RotatingParts
 from workbook.entries.texts import LOOKED_UP
@@ -40,8 +40,15 @@ UNSIZED = "a size of the mechanism is empty"
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
+def size_by_kind(made: dict[str, Any]) -> None:
+    """Let the schema of a mechanism do without the size: not every kind has one."""
+    made["required"] = [name for name in made["required"] if name != "size"]
+
+
 class MechanismEntry(Model):
     """What makes the motor's turning the axis' motion: its size is a screw's lead, a diameter or a radius in mm."""
+
+    model_config = ConfigDict(json_schema_extra=size_by_kind)
 
     kind: Kind = Field(description="What turns the motor's motion into the axis'")
     size: Positive  # 1 where the axis turns with it, or other entries tell its size

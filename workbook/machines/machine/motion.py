@@ -80,6 +80,7 @@ def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
         columns += ends.turns.of_pieces(room) if ends else []
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
                      *columns, taken=taken)  # fmt: skip
+        sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     ends_tables(sheet, [(f"axis {one.axis.number}", one.ends) for one in axes if one.ends])
     if driven and not any(one.ends for one in axes):
         sheet.heading("Grid and rule", "What drives find crossings and integrals with.")
