@@ -108,7 +108,7 @@ def highest_rates(axes: Sequence[InShort]) -> list[Quantity]:
     return [
         result("sized", "sized at", "n", "cycles/min", own, [MACHINES if at is None else at for *_, at in values],
                align="right"),
-        result("highest", "highest rate", "n_max", "cycles/min", cells[0], [rate for rate, *_ in values], format="0.0",
+        result("highest", "highest rate", "n", "cycles/min", cells[0], [rate for rate, *_ in values], format="0.0",
                align="right", source="at which it holds all limits"),
         result("binds", "limit that binds there", "", "", cells[1], [limit for _, limit, _ in values], align="right"),
     ]  # fmt: skip

@@ -18,7 +18,7 @@ from workbook.controllers.handing import certified, tabulated
 from workbook.controllers.names import TARGETS
 from workbook.controllers.registry import target
 from workbook.errors import TargetError
-from workbook.reading.entries import read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 
 

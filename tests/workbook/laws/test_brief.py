@@ -5,7 +5,7 @@ import pytest
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.laws.test_families import COMPOSER
 from workbook.laws.brief import LEAST_STAGE
-from workbook.reading.entries import checked, counted, read_machine
+from workbook.reading.descriptions import checked, counted, read_machine
 
 SAID = "a stage lasts less than 0.0001 of the rise; expected that, or none"
 

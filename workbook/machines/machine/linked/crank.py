@@ -25,7 +25,7 @@ def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
               source="inner, or outer; inner if empty"),
         given("@branch", "The crank is, of the line from shaft to slide", "", "", e.branch, f"{key}.branch",
               align="left", source="ahead, or behind; ahead if empty"),
-        given("@position", "From that dead centre to where the motion begins", "y_0", "mm", e.position,
+        given("@position", "From there to where the motion begins", "y_0", "mm", e.position,
               f"{key}.position", format="0.0##", source="0 if empty: then it rests in the dead centre"),
     ]  # fmt: skip
 

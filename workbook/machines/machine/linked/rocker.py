@@ -19,7 +19,7 @@ def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
         given("@link", "Length of the link", "l", "mm", e.link, f"{key}.link", format="0.0##"),
         given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
               format="0.0##", source="0 if empty"),
-        given("@angle", "Lever where the motion begins, from the line's direction", "ψ_0", "°", e.angle,
+        given("@angle", "Lever from the line where the motion begins", "ψ_0", "°", e.angle,
               f"{key}.angle", format="0.0##"),
         given("@slide", "The slide is, of the lever's end", "", "", e.slide, f"{key}.slide", align="left",
               source="ahead, or behind; ahead if empty"),

@@ -54,7 +54,7 @@ def ratios(driven: LinkedDriven, at: Worked, mark: str = "") -> list[Quantity]:
         calc(f"X{mark}", FORM, "x", "m", f"=@x0+@sense*{col('p')}", found.x, source="x_0 ± y"),
         calc(f"d{mark}", "to the shaft", "d", "m", f"=MAX(1E-9*@l,SQRT({x}^2+@e^2))", found.d, source="√(x² + e²)"),
         calc(f"K{mark}", "4 areas of the triangle", "K", "m²", f"={HEIGHT.format(d=d)}", found.k,
-             source="√((l+r−d)(l−r+d)(d+r−l)(d+r+l))"),
+             source="Heron: 4 A"),
         calc(f"c{mark}", "lever's end along the line", "c", "m", f"=({x}*({m})-@side*@e*{k})/(2*{d}^2)", found.c,
              source="(x M − s e K)/(2 d²)", scale=one.lever),
         calc(f"kx{mark}", "slope of K", "K_x", "m", f"=2*{x}*(@r^2+@l^2-{d}^2)/{k}", found.slope,
