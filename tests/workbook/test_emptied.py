@@ -8,7 +8,7 @@ import pytest
 from tests.workbook.test_unfinished import small
 from workbook.build import build, inputs
 from workbook.entries import rules
-from workbook.entries.design import designed
+from workbook.entries.design import designed, fitting
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
@@ -116,3 +116,12 @@ def test_a_point_that_cannot_be_is_told_by_its_row(tmp_path):
     report = verify(tmp_path / "edited.xlsx")
     assert report.findings == []
     assert any("row 1" in c.says for c in report.failing)
+
+
+def test_what_stands_for_a_table_that_the_example_lacks_is_made_only_where_it_can_be():
+    """A law of its own name is all defaults; a mechanism has entries that nobody can guess."""
+    model, example = TEMPLATES["machine"].model, read_machine(TEMPLATES["machine"].description).model_dump()
+    bare = example | {"axes": [axis | {"mechanism": None} for axis in example["axes"]]}
+    assert fitting(model, "axes.0.mechanism", bare, {"axes": [{"mechanism": {}}]}) == 1.0  # refused, and no traceback
+    named = {"laws": {"Soft": {"family": "PO5"}}}
+    assert fitting(model, "laws.Soft", {"laws": {}}, named)["lift"] == 100.0

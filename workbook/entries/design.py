@@ -131,7 +131,7 @@ def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: d
     found = at(example, rule)
     if found is NONE or found is None:
         kind, constraints = rules.field_at(model, rule)
-        if not (isinstance(kind, type) and issubclass(kind, BaseModel)):
+        if not (isinstance(kind, type) and issubclass(kind, BaseModel)) or rules.has_required(kind):
             return rules.within(kind, constraints)
         found = kind().model_dump()
     return refilled(at(tried, path), found)

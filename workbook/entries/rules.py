@@ -95,6 +95,11 @@ def is_required(model: type[BaseModel], key: str) -> bool:
     return field is None or bool(field.is_required())
 
 
+def has_required(model: type[BaseModel]) -> bool:
+    """Whether a table has entries without a default, so that none of it can be made from nothing."""
+    return any(field.is_required() for field in model.model_fields.values())
+
+
 def must_be_there(model: type[BaseModel], key: str) -> bool:
     """Whether a cell must hold the entry: a description without it has a default that an empty cell is not."""
     if is_required(model, key):
