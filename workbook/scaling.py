@@ -29,6 +29,7 @@ class Column(NamedTuple):
         return np.array(self.values)[self.places]
 
 
+Worked = dict[str, Callable[[], Any]]
 Results = Mapping[str, Callable[[], Any]]
 """by name, what works a result out"""
 

@@ -34,7 +34,7 @@ AT_ONCE = 1 << 18
 
 
 class Gears(NamedTuple):
-    """Motors with their reducers, arrays of one length: J (kg m²) on the motor's shaft, i, η, and which of the rates."""
+    """Motors with their reducers, arrays of one length: J (kg m²) on the motor's shaft, i, η, and which rate."""
 
     inertia: Array
     ratio: Array
@@ -45,7 +45,8 @@ class Gears(NamedTuple):
         """Yield them in parts of which each has no more than :data:`AT_ONCE` values, ``width`` for each motor."""
         step = max(1, AT_ONCE // width)
         for begin in range(0, len(self.inertia), step):
-            yield Gears(*(values[begin : begin + step] for values in self))
+            one = slice(begin, begin + step)
+            yield Gears(self.inertia[one], self.ratio[one], self.efficiency[one], self.rate[one])
 
 
 class Torques(NamedTuple):
@@ -182,9 +183,10 @@ class Geared:
         u = np.stack([lines.low, lines.high], axis=-1)
         alpha = self.turns * (self.speeds**2)[:, None, None] * self.rows.over(4).at(u, 2)
         torque = lines.mass[..., None] * alpha + lines.level[..., None]
-        each = (alpha, torque, np.broadcast_to(lines.back[..., None], u.shape))
-        alphas, torques, backs = (np.moveaxis(one, 1, 0).reshape(len(self.speeds), -1) for one in each)
-        return alphas, torques, backs
+        back = np.broadcast_to(lines.back[..., None], u.shape)
+        rates = len(self.speeds)
+        alphas, torques = (np.moveaxis(one, 1, 0).reshape(rates, -1) for one in (alpha, torque))
+        return alphas, torques, np.moveaxis(back, 1, 0).reshape(rates, -1)
 
     @property
     def behind(self) -> Array:
@@ -200,7 +202,8 @@ class Geared:
 
     def _moments(self, some: slice) -> Moments:
         """Return the integrals at some of the rates."""
-        low, high, mass, level, back = (values[:, some, :, None] for values in self.lines)
+        low, high, mass, level = (values[:, some, :, None] for values in self.lines[:4])
+        back = self.lines.back[:, some, :, None]
         speed = self.speeds[some, None, None]
         grid, weights = rule(NODES)
         u, rows = low + (high - low) * grid, self.rows.over(4)
@@ -249,7 +252,8 @@ class Geared:
 
     def _works(self, gears: Gears) -> Works:
         """Return the work of some motors: arrays of parts, motors, and what lies between cuts."""
-        low, high, mass, level, back = (values[:, gears.rate] for values in self.lines)
+        low, high, mass, level = (values[:, gears.rate] for values in self.lines[:4])
+        back = self.lines.back[:, gears.rate]
         driving, driven = (values[:, None] for values in shares(gears))
         share, speed = np.where(back, driven, driving), self.speeds[gears.rate, None]
         slope, rest = (gears.inertia * gears.ratio)[:, None] + share * mass, share * level

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cached_property, partial
 from typing import Any
 
@@ -15,6 +15,7 @@ from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of, turn_time
 from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.laws.family import COEFFICIENTS
+from workbook.laws.library import laws, named
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.entries import AnyMachine
@@ -22,7 +23,7 @@ from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told, view_of_drive
 from workbook.machines.machine.view import MovingAxis, Whole
-from workbook.scaling import Column, Results, Scaling
+from workbook.scaling import Column, Results, Scaling, Worked
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
 MASTER = "master.rate"
@@ -38,16 +39,15 @@ def part(key: str) -> str:
 
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
-    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
-    whole = Whole(machine, shelf.laws)
-    rows = Rows(whole, shelf)
+    whole = Whole(machine, laws(machine.laws))
+    rows = Rows(machine)
     rate = columns.get(MASTER, Column([machine.master.rate], ONE.places))
     faster = ratio_of(rate.each, machine.master.rate)
-    found: dict[str, Callable[[], Any]] = {
+    found: Worked = {
         "about_rate": lambda: rate.each, "timing_rate": lambda: rate.each,
         "about_cycle": partial(cycles, rate), "timing_cycle": partial(cycles, rate),
     }  # fmt: skip
-    for one in shelf.named:
+    for one in named(machine.laws):
         if one.page.has_sheet:
             found |= {one.own(f"@{name}"): partial(getattr, one.law.coefficients, name) for name, *_ in COEFFICIENTS}
     drives = []
@@ -69,31 +69,33 @@ def cycles(rate: Column) -> Any:
 class Rows:
     """The axes of a machine as its book cuts them, when they are asked for."""
 
-    def __init__(self, whole: Whole, shelf: LawShelf) -> None:
-        self.whole, self.shelf = whole, shelf
-        self._found: dict[int, AxisRows] = {}
+    def __init__(self, machine: AnyMachine) -> None:
+        self.machine = machine
 
-    def of(self, axis: MovingAxis) -> AxisRows:
-        """Return the rows of an axis."""
-        if axis.number not in self._found:
-            self._found[axis.number] = AxisRows(self.whole, axis, self.shelf.stack)
-        return self._found[axis.number]
+    @cached_property
+    def each(self) -> list[AxisRows]:
+        """The axes."""
+        shelf = LawShelf(self.machine.laws, self.machine.sizes, bool(self.machine.laws.of("LIN")))
+        whole = Whole(self.machine, shelf.laws)
+        return [AxisRows(whole, axis, shelf.stack) for axis in whole.axes]
+
+    def of(self, number: int) -> AxisRows:
+        """Return an axis by its number, from 1."""
+        return self.each[number - 1]
 
     @cached_property
     def apart(self) -> list[Apart]:
         """The clearances."""
-        rows = [self.of(axis) for axis in self.whole.axes]
-        return [Apart(one, k, rows) for k, one in enumerate(self.whole.machine.clearances, 1)]
+        return [Apart(one, k, self.each) for k, one in enumerate(self.machine.clearances, 1)]
 
 
 def drive_of(axis: MovingAxis, rows: Rows, columns: Mapping[str, Column]) -> Studied:
     """Return the drive of an axis with many motors and reducers, at many rates."""
-    machine = rows.whole.machine
-    kind = Studied if constant(view_of_drive(axis, machine.selection).demand.course) else EachStudied
-    return kind(axis, machine, columns, partial(rows.of, axis))
+    kind = Studied if constant(view_of_drive(axis, rows.machine.selection).demand.course) else EachStudied
+    return kind(axis, rows.machine, columns, partial(rows.of, axis.number))
 
 
-def of_axis(axis: MovingAxis, faster: Any) -> Results:
+def of_axis(axis: MovingAxis, faster: Any) -> Worked:
     """Return the results of an axis alone, at rates that are so many times that of the machine."""
     i, given = axis.number, axis.given
     phases = {
@@ -123,7 +125,7 @@ def of_whole(axis: MovingAxis, figure: str, faster: Any, power: int) -> Any:
     return at_rate(getattr(axis, figure), faster, power)
 
 
-def of_clearance(rows: Rows, k: int) -> Results:
+def of_clearance(rows: Rows, k: int) -> Worked:
     """Return the results of a clearance, from 1."""
     return {
         f"clearances.gap.{k}": lambda: rows.apart[k - 1].gap.least,
@@ -132,14 +134,14 @@ def of_clearance(rows: Rows, k: int) -> Results:
     }
 
 
-def of_drives(machine: AnyMachine, drives: list[Studied]) -> Results:
+def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     """Return the results of all drives together."""
 
     def whole() -> Means:
         return together([one.mains for one in drives])
 
     hours = machine.power.hours
-    found: dict[str, Callable[[], Any]] = {
+    found: Worked = {
         "power_mains": lambda: whole().mains,
         "power_resistors": lambda: whole().resistor,
         "power_year": lambda: shown(whole().energy_a_year(hours), KWH),
