@@ -171,7 +171,7 @@ def test_all_laws_are_those_with_the_same_ends_that_the_machine_takes(tmp_path):
 
 
 def test_a_result_that_only_the_book_has_comes_from_it(tmp_path):
-    plan = planned(tmp_path, laws("MTP", "CUB"), results=["MTP_av", "MTP_cj", "drive1_rms"])
+    plan = planned(tmp_path, laws("MTP", "CUB"), results=["MTP_k", "MTP_cj", "drive1_rms"])
     one = Evaluator(plan)
     assert not one.swift
     table = one.table(0, plan.space.columns(0, 2))
