@@ -23,7 +23,7 @@ from engine.machine.demand import Demand
 from engine.machine.limits import ReducerLimits
 from engine.machine.searching import rule
 
-TRIALS = 6
+TRIALS = 5
 FAR = 1e12
 """x beyond which is not looked: a million times the rate"""
 BELOW = 1e-9
