@@ -88,7 +88,7 @@ class Powering:
 
         part = kept(SHARES)
         place = first + (last - first) * (part + (kept((part + SHARES) / PARTS) + 0.5) / PARTS) / PARTS
-        return Top(part, place, self.power(place))
+        return Top(part, place, self.power(place) if abs(last - first) > LOST else 0.0)
 
     @cached_property
     def tops(self) -> tuple[Top, Top]:

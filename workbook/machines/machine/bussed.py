@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -72,7 +73,7 @@ class Bus:
         for cut in cuts:
             if cut > kept[-1] + self.near and kept[-1] < TURN - self.near:
                 kept.append(cut)
-        return list(zip(kept, kept[1:], strict=False))[: self.room]
+        return list(pairwise(kept))[: self.room]
 
     @property
     def enough(self) -> bool:
@@ -98,12 +99,12 @@ class Bus:
     @cached_property
     def alone(self) -> Array:
         """What all drives take from the mains without a common bus (W) at both ends of each span."""
-        return np.maximum(self.power, 0.0).sum(axis=0) / self.efficiency
+        return np.asarray(np.maximum(self.power, 0.0).sum(axis=0) / self.efficiency)
 
     @cached_property
     def common(self) -> Array:
         """What they draw together (W), below 0 what goes into the resistor, at both ends of each span."""
-        return self.alone - np.maximum(-self.power, 0.0).sum(axis=0) * self.efficiency
+        return np.asarray(self.alone - np.maximum(-self.power, 0.0).sum(axis=0) * self.efficiency)
 
     @property
     def areas(self) -> list[float]:

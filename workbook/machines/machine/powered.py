@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from engine.machine.powering import PARTS, Powering
+from engine.machine.powering import PARTS
 from workbook.book.declare import Quantity, calc, result
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import A, V
 
 J = "(6*[c3]+{u}*(24*[c4]+{u}*60*[c5])-[A]*[om]^3*COS([om]*{u}+[ph]))"
 """y''' of the motion at a place of a stretch's piece"""
-PAST = "(({u}-[p{n}])*([z4]-[z0])>0)"
-"""whether a place is past a bend of the torque"""
+PAST = "([x{n}]*(({u}-[p{n}])*([z4]-[z0])>0)+(1-[x{n}])*(([p{n}]-[z0])^2<([p{n}]-[z4])^2))"
+"""whether a place is past a bend of the torque: of a stretch that does not pass it, all of its places or none"""
 SLOPE = "([g1]+{first}*[s1]+{second}*[s2])"
 LINE = "([b0]+[g1]*{y}+{first}*[s1]*({y}-[y1])+{second}*[s2]*({y}-[y2]))"
 PLACES = ("pwb", "pwe", "pwa", "pwc", "pwk")
@@ -81,7 +81,7 @@ def top(view: Stretched, name: str, bent: str, low: str, high: str) -> list[Quan
              f"=IF([on]*ABS([dir])=0,[z0],[{low}]+{width}*([{part}]+({fine}+0.5)/{PARTS})/{PARTS})",
              view.powering(lambda one: one.tops[k].place, last), scale=1.0),
         calc(f"pw{name}", "power there", "P", "W",
-             f"=[on]*@turning*[dir]*{at(V, f'[{place}]')}*{torque(f'[{place}]')}",
+             f"=[on]*(ABS{width}>check_zero)*@turning*[dir]*{at(V, f'[{place}]')}*{torque(f'[{place}]')}",
              view.powering(lambda one: one.tops[k].power, 0.0), scale=view.most_power),
     ]  # fmt: skip
 

@@ -125,7 +125,8 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
         "@breaks", "Where a stretch can begin", len(formulas),
         constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
         calc("at", "angle of its phases", "θ", "°", formulas,
-             [*view.begins, *chain(*view.turned), *view.edges, view.turn_begin, *further, TURN], scale=360.0, format="0.0##"),
+             [*view.begins, *chain(*view.turned), *view.edges, view.turn_begin, *further, TURN], scale=360.0,
+             format="0.0##"),
     )  # fmt: skip
 
 
