@@ -28,15 +28,23 @@ class Top(NamedTuple):
     power: float
 
 
+def flat_up_to(torque: float, acceleration: float, speed: float) -> float:
+    """Return the slope of the power, over the motor's speed for y' = 1, up to which it counts as none.
+
+    From the largest torque (Nm) and acceleration (per s²) of a motion whose abscissa advances at a speed (1/s).
+    """
+    return LOST * torque * acceleration / speed**2
+
+
 @dataclass(frozen=True)
 class Powering:
     """The power over a stretch: up to where the torque passes 0 the motor drives, or is driven; then the other way.
 
-    ``steep`` is the largest torque times the largest y'': by it the slope of the power is measured.
+    ``flat`` is the slope of the power, over the speed of the motor for y' = 1, up to which it counts as none.
     """
 
     part: BentPart
-    steep: float
+    flat: float
 
     @property
     def turns(self) -> float:
@@ -47,7 +55,7 @@ class Powering:
         """Return |y'|; below 0 where it turns back."""
         return np.asarray(self.part.going * self.part.piece.derivative(1, u))
 
-    def powers(self, u: Array) -> Array:
+    def watts(self, u: Array) -> Array:
         """Return the power (W) at places (rad)."""
         one = self.part
         if not one.going:
@@ -55,14 +63,14 @@ class Powering:
         ahead = one.going * one.speed**2 * one.piece.derivative(2, u)
         return np.asarray(one.bends.torques(ahead) * self.turns * self.way(u))
 
-    def power(self, u: float) -> float:
+    def _power(self, u: float) -> float:
         """Return the power (W) at a place."""
-        return float(self.powers(np.array([u]))[0])
+        return float(self.watts(np.array([u]))[0])
 
     @cached_property
     def ends(self) -> tuple[float, float]:
         """The power at begin and end: the limits from inside (W)."""
-        return self.power(self.part.low), self.power(self.part.high)
+        return self._power(self.part.low), self._power(self.part.high)
 
     def _slope(self, u: Array, bent: bool) -> Array:
         """Return dP/du over the motor's speed for y' = 1; ``bent`` where the torque may have bent."""
@@ -84,11 +92,11 @@ class Powering:
 
         def kept(shares: Array) -> int:
             slopes = way * self._slope(first + (last - first) * shares, bent)
-            return min(PARTS - 1, int(np.count_nonzero(slopes > LOST * self.steep)))
+            return min(PARTS - 1, int(np.count_nonzero(slopes > self.flat)))
 
         part = kept(SHARES)
         place = first + (last - first) * (part + (kept((part + SHARES) / PARTS) + 0.5) / PARTS) / PARTS
-        return Top(part, place, self.power(place) if abs(last - first) > LOST else 0.0)
+        return Top(part, place, self._power(place) if abs(last - first) > LOST else 0.0)
 
     @cached_property
     def tops(self) -> tuple[Top, Top]:
@@ -99,7 +107,7 @@ class Powering:
     def at_bends(self) -> float:
         """The power (W) where the torque bends, the larger by size; 0 where it does not."""
         one = self.part
-        found = [abs(self.power(self._nearer(k))) for k in (1, 2) if one.going and one.crosses(one.levels[k])]
+        found = [abs(self._power(self._nearer(k))) for k in (1, 2) if one.going and one.crosses(one.levels[k])]
         return -one.bends.sign * max(found, default=0.0)
 
     def _nearer(self, k: int) -> float:

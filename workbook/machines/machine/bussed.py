@@ -1,143 +1,84 @@
-"""The engine's view of drives on a common DC bus: their power at places of the turn, joined by straight lines."""
+"""The engine's view of drives on a common DC bus."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import cached_property
-from itertools import pairwise
-
-import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.bent import middle, turned
-from engine.machine.powering import Powering
+from engine.machine.sharing import Jump, Running, Sharing, room_for
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
-from workbook.entries.units import DEGREE, si
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.machines.machine.stretched import STEP, Stretched
 
 FULL, MORE = 3, 12
 """drives of which all stretches have room, and stretches of each further one"""
+NONE = Jump(0.0, 0.0, 0.0)
 
 
 class Bus:
     """Drives of constant ratios over one turn, those that run at the machine's rate together on a bus."""
 
     def __init__(self, drives: Sequence[Stretched], entered: PowerEntry) -> None:
-        self.all_drives = drives
+        self.all_drives, self.entered = drives, entered
         self.drives = [one for one in drives if not isinstance(one, LinkedWork)]
-        self.efficiency, self.hours = entered.efficiency, entered.hours
-        self.near = drives[0].near
 
-    @property
-    def shared(self) -> list[Stretched]:
-        """The drives that share the bus: one at a rate of its own has no place in the turn."""
-        return [one for one in self.drives if one.driven.entered.rate is None]
+    def shares(self, one: Stretched) -> bool:
+        """Whether a drive is on the bus: one at a rate of its own has no place in the turn."""
+        return one in self.drives and one.driven.entered.rate is None
 
-    @property
-    def breaks(self) -> list[tuple[float, float, float]]:
-        """Where each stretch begins, and by how much the power jumps there: of each drive alone, and on the bus."""
-        found = []
-        for one in self.drives:
-            each = [self.jump(one, k) if one in self.shared else (0.0, 0.0, 0.0) for k in range(len(one.powers))]
-            found += filled(each, one.rows, (each[-1][0], 0.0, 0.0))
-        return found
+    def row(self, one: Stretched) -> int:
+        """Return the row of a drive in the table of all drives, from 1."""
+        return self.all_drives.index(one) + 1
 
-    def jump(self, one: Stretched, k: int) -> tuple[float, float, float]:
-        """Return the same of a stretch."""
-        late = one.driven.axis.given.shift
-        low, high = one.spans[k]
-        begin = max(0.0, turned(middle((low, high)), late, TURN) - 0.5 * (high - low))
-        before, after = one.powers[k - 1].ends[1], one.powers[k].ends[0]
-        alone = max(0.0, after) / self.efficiency - max(0.0, before) / self.efficiency
-        return begin, alone, self.drawn(after) - self.drawn(before)
+    @cached_property
+    def running(self) -> list[Running]:
+        """The drives that can be on it."""
+        return [Running(tuple(one.powers), tuple(one.spans), one.driven.axis.given.shift) for one in self.drives]
 
-    def drawn(self, power: float) -> float:
-        """Return what a drive draws for a power at its shaft (W); below 0 what it gives back."""
-        return power / self.efficiency if power > 0.0 else power * self.efficiency
+    @cached_property
+    def lines(self) -> Sharing:
+        """Their power, joined by straight lines."""
+        each = zip(self.drives, self.running, strict=True)
+        shared = tuple(running for one, running in each if self.shares(one))
+        return Sharing(shared, self.entered.efficiency, TURN, STEP, self.all_drives[0].near, self.room)
 
     @property
     def room(self) -> int:
-        """Rows of the table: for the grid, and for places where power may jump."""
-        rows = [one.rows for one in self.drives]
-        return round(TURN / STEP) + sum(rows[:FULL]) + MORE * len(rows[FULL:])
-
-    @cached_property
-    def spans(self) -> list[tuple[float, float]]:
-        """What lies between grid and breaks, in degrees of the master shaft, as far as there is room."""
-        cuts = sorted({TURN, *(STEP * n for n in range(round(TURN / STEP))), *(one[0] for one in self.breaks)})
-        kept = [0.0]
-        for cut in cuts:
-            if cut > kept[-1] + self.near and kept[-1] < TURN - self.near:
-                kept.append(cut)
-        return list(pairwise(kept))[: self.room]
+        """Rows of the table."""
+        return room_for([one.rows for one in self.drives], TURN, STEP, FULL, MORE)
 
     @property
-    def enough(self) -> bool:
-        """Whether there is."""
-        return self.spans[-1][1] >= TURN - self.near
-
-    def within(self, one: Stretched, span: tuple[float, float]) -> tuple[float, float]:
-        """Return the power of a drive at begin and end of a span (W)."""
-        if one not in self.shared:
-            return 0.0, 0.0
-        at = turned(middle(span), -one.driven.axis.given.shift, TURN)
-        begins = [low for low, _ in one.spans]
-        found: Powering = one.powers[int(np.searchsorted(begins, at, side="right")) - 1]
-        half = 0.5 * si(span[1] - span[0], DEGREE)
-        u = si(at, DEGREE) - found.part.piece.begin
-        return found.power(u - half), found.power(u + half)
-
-    @cached_property
-    def power(self) -> Array:
-        """Power of each drive (W) at begin and end of each span: drives, spans, ends."""
-        return np.array([[self.within(one, span) for span in self.spans] for one in self.drives])
-
-    @cached_property
-    def alone(self) -> Array:
-        """What all drives take from the mains without a common bus (W) at both ends of each span."""
-        return np.asarray(np.maximum(self.power, 0.0).sum(axis=0) / self.efficiency)
-
-    @cached_property
-    def common(self) -> Array:
-        """What they draw together (W), below 0 what goes into the resistor, at both ends of each span."""
-        return np.asarray(self.alone - np.maximum(-self.power, 0.0).sum(axis=0) * self.efficiency)
+    def jumps(self) -> list[Jump]:
+        """Where each stretch of each drive begins, a row each."""
+        found: list[Jump] = []
+        for one, running in zip(self.drives, self.running, strict=True):
+            each = self.lines.jumps(running) if self.shares(one) else [NONE]
+            found += filled(each, one.rows, Jump(each[-1].at, 0.0, 0.0))
+        return found
 
     @property
-    def areas(self) -> list[float]:
-        """What straight lines have above 0 in each span (W°)."""
-        return [area(high - low, a, b) for (low, high), (a, b) in zip(self.spans, self.common.tolist(), strict=True)]
-
-    @property
-    def mean(self) -> float:
-        """Mean of what they draw together, above 0 (W)."""
-        return math.fsum(self.areas) / TURN
-
-    @property
-    def net(self) -> float:
-        """Mean of what they draw together (W)."""
-        each = zip(self.spans, self.common.tolist(), strict=True)
-        return math.fsum((high - low) * (a + b) / 2.0 for (low, high), (a, b) in each) / TURN
+    def power(self) -> list[list[float]]:
+        """The power of each drive at each row (W): none of one that is not on the bus."""
+        found = iter(self.lines.power.tolist())
+        rests = self.rowed([0.0 for _ in self.lines.spans])
+        return [self.rowed([at for at, _ in next(found)]) if self.shares(one) else rests for one in self.drives]
 
     @property
     def size(self) -> float:
         """The largest power of all together (W)."""
-        return max(1e-3, float(np.abs(self.power).sum(axis=0).max()))
+        return max(1e-3, self.lines.size)
 
     def off(self, one: Stretched) -> float:
         """Return by how much the straight lines of a drive are off at most (W)."""
-        return one.most_off if one in self.shared else 0.0
+        return one.most_off if self.shares(one) else 0.0
 
     def rowed(self, values: Sequence[float]) -> list[float]:
-        """Return values of spans; spare rows repeat the last."""
+        """Return values of lines; spare rows repeat the last."""
         return filled(values, self.room, values[-1])
 
-
-def area(width: float, a: float, b: float) -> float:
-    """Return what a straight line between two values has above 0."""
-    if min(a, b) >= 0.0:
-        return width * (a + b) / 2.0
-    return width * max(a, b) ** 2 / (2.0 * abs(a - b)) if max(a, b) > 0.0 else 0.0
+    def ends(self, values: Array, end: int) -> list[float]:
+        """Return values at begins or ends of the rows; spare rows repeat the last."""
+        return self.rowed(values[:, end].tolist())

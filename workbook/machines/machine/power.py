@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from engine.machine.bus import Means, means, together
+from engine.machine.bus import Means, means, peaks, together
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.entries.units import shown
 from workbook.machines.machine.bus_table import breaks_table, bus_table, lines_chart
@@ -47,9 +47,9 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]
     sheet.rows(*totals(together(each), given_power, floor))
     if bus.drives:
         sheet.heading("Results: on a common DC bus", TOGETHER)
-        sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if work in bus.shared], floor))
+        sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if bus.shares(work)], floor))
         sheet.checks(check("power_room", "Power: the sheet has rows for all places where power may jump",
-                           "MAX([bus.e])>=360-timing_eps", bus.enough, says=f'"{ROOM}"'))  # fmt: skip
+                           "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=f'"{ROOM}"'))  # fmt: skip
         sheet.chart(lines_chart(), column=CHART_COLUMN, row=5, width=9, height=20)
     drives_table(sheet, drives, each, bus, floor)
     if bus.drives:
@@ -74,28 +74,28 @@ def totals(whole: Means, entered: PowerEntry, floor: float) -> list[Quantity]:
 
 def common(bus: Bus, each: Sequence[Means], floor: float) -> list[Quantity]:
     """Return the results of drives on a common bus, and by how much they are off at most."""
-    size, net = max(bus.size, floor), together(each)
-    lines, exact = bus.common, net.mains - net.resistor
-    mains, resistor = max(0.0, float(lines.max())), max(0.0, -float(lines.min()))
+    size, net, lines = max(bus.size, floor), together(each), bus.lines
+    mains, resistor = max(0.0, float(lines.common.max())), max(0.0, -float(lines.common.min()))
+    found = Means(lines.mean, lines.mean - lines.net)
     own = "SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))"
     return [
         result("bus_alone", "Peak power from the mains without the bus, of these drives", "", "W",
-               "=MAX(MAX([bus.alone]),MAX([bus.alone_e]))", float(bus.alone.max()), scale=size),
+               "=MAX(MAX([bus.alone]),MAX([bus.alone_e]))", float(lines.alone.max()), scale=size),
         result("bus_mains_peak", "Peak power from the mains", "P_max", "W",
                "=MAX(0,MAX([bus.sum]),MAX([bus.sum_e]))", mains, scale=size),
-        result("bus_mains", "Mean power from the mains", "P", "W", "=SUM([bus.above])/360", bus.mean, scale=size),
+        result("bus_mains", "Mean power from the mains", "P", "W", "=SUM([bus.above])/360", found.mains, scale=size),
         result("bus_resistor_peak", "Peak power in the brake resistor", "", "W",
                "=MAX(0,0-MIN([bus.sum]),0-MIN([bus.sum_e]))", resistor, scale=size),
         result("bus_resistor", "Mean power in the brake resistor", "", "W",
-               "=bus_mains-SUMPRODUCT(([bus.e]-[bus.b])*[bus.on],([bus.sum]+[bus.sum_e])/2)/360", bus.mean - bus.net,
+               "=bus_mains-SUMPRODUCT(([bus.e]-[bus.b])*[bus.on],([bus.sum]+[bus.sum_e])/2)/360", found.resistor,
                scale=size),
         result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours/1000",
-               shown(Means(bus.mean, 0.0).energy_a_year(bus.hours), KWH), scale=size, source="of these drives"),
+               shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, source="of these drives"),
         result("bus_off", "None of these is off by more than", "", "W", "=SUM([power.off])",
                sum(map(bus.off, bus.drives)), scale=size,
                source="Σ |P''| δ²/8 + |ΔP'| δ/4: straight lines between places"),
         calc("bus_net_off", "Their means are off by", "", "W",
-             f"=ABS(bus_mains-bus_resistor-{own})", abs(bus.net - exact), scale=size,
+             f"=ABS(bus_mains-bus_resistor-{own})", abs(found.net - net.net), scale=size,
              source="mains less resistor, beside the exact one"),
         constant("bus_step", "Places of the sum are apart by", "δ", "°", STEP, source="or less: and every jump"),
     ]  # fmt: skip
@@ -106,8 +106,8 @@ def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means
     driven = [one.driven for one in drives]
     scopes = [f"drive{one.number}_" for one in driven]
     scale, peak = max(one.scales.work for one in driven), max(one.most_power for one in drives)
-    efficiency, energies = bus.efficiency, [one.demand.energy for one in driven]
-    power = [one.demand.power for one in driven]
+    energies, power = [one.demand.energy for one in driven], [one.demand.power for one in driven]
+    most = [peaks(one.highest.value, one.lowest.value, bus.entered.efficiency) for one in power]
     linked = [isinstance(one, LinkedWork) for one in drives]
 
     def of(formula: str, other: str = "=0*[k]") -> list[str]:
@@ -127,13 +127,13 @@ def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means
         result("mains", "mean power from the mains", "P", "W", "=[driving]/power_efficiency/[time]",
                [one.mains for one in each], scale=floor),
         result("peak", "peak", "P_max", "W", [f"={scope}pmax/power_efficiency" for scope in scopes],
-               [max(0.0, one.highest.value) / efficiency for one in power], scale=peak, source="exact"),
+               [one.mains for one in most], scale=peak, source="exact"),
         result("resistor", "mean power in its resistor", "", "W", "=[returned]*power_efficiency/[time]",
                [one.resistor for one in each], scale=floor),
         result("burnt", "peak", "", "W", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
-               [max(0.0, -one.lowest.value) * efficiency for one in power], scale=peak, source="exact"),
+               [one.resistor for one in most], scale=peak, source="exact"),
         calc("bus", "on the common bus", "", "", of('=IF({0}own_rate="",1,0)'),
-             [int(one in bus.shared) for one in drives], format="0", source="1: yes"),
+             [int(bus.shares(one)) for one in drives], format="0", source="1: yes"),
         calc("off", "its lines are off by at most", "", "W", of("=[bus]*MAX([{0}st.off])"),
              [0.0 if links else bus.off(one) for one, links in zip(drives, linked, strict=True)], scale=bus.size),
     )  # fmt: skip

@@ -13,9 +13,9 @@ import numpy as np
 from engine.drivetrain import Load
 from engine.drivetrain.bends import Bends
 from engine.laws.base import Array
-from engine.machine.bent import LOST, PLACES, BentPart, going, inside, middle, stretches, turned, turning
+from engine.machine.bent import PLACES, BentPart, going, inside, middle, stretches, turned, turning
 from engine.machine.pace import Pace
-from engine.machine.powering import Powering
+from engine.machine.powering import Powering, flat_up_to
 from engine.machine.train import Window
 from engine.motion.pieces import MotionPiece
 from workbook.book.rows import filled
@@ -119,7 +119,7 @@ class Stretched:
     @cached_property
     def powers(self) -> list[Powering]:
         """Their power."""
-        return [Powering(part, self.flat / LOST) for part in self.parts]
+        return [Powering(part, self.flat) for part in self.parts]
 
     def powering(self, figure: Callable[[Powering], Any], spare: Any = None) -> list[Any]:
         """Return a figure of each stretch's power; spare rows have another, or repeat the last."""
@@ -129,13 +129,13 @@ class Stretched:
     @property
     def turning(self) -> float:
         """Speed of the motor (rad/s) for y' = 1."""
-        return self.driven.mechanism.ratio * self.driven.axis.speed
+        return self.powers[0].turns
 
     @property
     def flat(self) -> float:
         """The slope of the power over that, up to which it counts as none."""
         driven = self.driven
-        return LOST * driven.demand.torque.peak * driven.axis.hardest / driven.axis.speed**2
+        return flat_up_to(driven.demand.torque.peak, driven.axis.hardest, driven.axis.speed)
 
     @property
     def most_power(self) -> float:
