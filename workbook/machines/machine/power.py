@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from engine.machine.bus import Means, means, peaks, together
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.sentence import Said
 from workbook.entries.units import shown
 from workbook.machines.machine.bus_table import breaks_table, bus_table, lines_chart
 from workbook.machines.machine.bussed import Bus
@@ -49,7 +50,7 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]
         sheet.heading("Results: on a common DC bus", TOGETHER)
         sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if bus.shares(work)], floor))
         sheet.checks(check("power_room", "Power: the sheet has rows for all places where power may jump",
-                           "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=f'"{ROOM}"'))  # fmt: skip
+                           "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=Said(f'"{ROOM}"', ROOM)))  # fmt: skip
         sheet.chart(lines_chart(), column=CHART_COLUMN, row=5, width=9, height=20)
     drives_table(sheet, drives, each, bus, floor)
     if bus.drives:
