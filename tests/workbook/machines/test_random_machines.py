@@ -11,17 +11,20 @@ import random
 import numpy as np
 import pytest
 
+from engine.machine.pace import LIMITS
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
 from workbook.laws.library import laws
+from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked
 
 G = 9.81
 SAME = ("rms", "speed", "smax", "smean", "energy", "returned", "power", "highest", "jtot", "pmax", "pmin")
+CHECKS = dict(zip(LIMITS, ("speed", "reducer_speed", "peak", "reducer_peak", "rms", "reducer_mean"), strict=True))
 RACK = {"kind": "rack and pinion", "size": 50.0, "efficiency": 0.9}
 
 
@@ -142,3 +145,42 @@ def test_no_result_hangs_on_the_samples(request, number):
     few, many = ({q.name: q.value for block in book.blocks.values() if not block.is_table for q in block.quantities}
                  for book in books)  # fmt: skip
     assert few == many
+
+
+def near(drawn, value):
+    """A limit near to what is asked for, below or above; so high at times that it hardly binds."""
+    return max(value, 1e-6) * (drawn.uniform(0.6, 3.0) if drawn.random() < 0.7 else 1e4)
+
+
+def limited(drawn, data):
+    """The same machine with limits near to what its drive asks for."""
+    made = valid(data)
+    found = Driven(Whole(made, laws(made.laws)).axes[0], made.selection).demand
+    rpm, behind = found.speed.peak * 30 / math.pi, found.shaft_torque(1).peak
+    axis = data["axes"][0]
+    motor = {"rated_torque": near(drawn, found.rms_torque), "peak_torque": near(drawn, found.torque.peak),
+             "max_speed": near(drawn, rpm)}  # fmt: skip
+    reducer = {"peak_torque": near(drawn, behind), "mean_torque": near(drawn, found.mean_shaft_torque(1)),
+               "max_speed": near(drawn, rpm)}  # fmt: skip
+    return data | {"axes": [axis | {"motor": axis["motor"] | motor, "reducer": axis["reducer"] | reducer}]}
+
+
+def failing(data, rate):
+    """The limits that checks of the drive's sheet say are not held at a rate."""
+    value = computed(TEMPLATE, valid(data | {"master": {"rate": rate}}))
+    return {limit for limit, name in CHECKS.items() if value(f"drive1_ok_{name}") == "FAIL"}
+
+
+@pytest.mark.parametrize("number", [*range(1), *nights(200)])
+def test_at_the_highest_rate_every_limit_holds_and_above_it_the_named_one_fails(request, number):
+    drawn = told(request, number)
+    data = limited(drawn, one_axis(drawn))
+    value = computed(TEMPLATE, valid(data))
+    rate, limit = value("drive1_highest"), value("drive1_binds")
+    if limit == "none":
+        assert failing(data, 1000 * data["master"]["rate"]) == set()
+    elif rate == 0.0:
+        assert limit in failing(data, 0.01 * data["master"]["rate"])
+    else:
+        assert failing(data, rate) == set()
+        assert limit in failing(data, 1.001 * rate)
