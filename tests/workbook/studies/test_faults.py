@@ -296,12 +296,13 @@ sent.sizes, sent.verify_one = lambda places: [-1 for _ in places], verify_one
 
 @POSIX
 def test_workers_that_do_not_see_the_books_are_sent_them(tmp_path):
-    machine = read_machine(TEMPLATES["motion-laws"].description)
-    small = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"law": 4, "own_law": 4})})
+    machine = read_machine(TEMPLATES["motion-composer"].description)
+    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     books = tmp_path / "books"
     books.mkdir()
-    for name in ("a", "b", "c"):
-        build(small, books / f"{name}.xlsx")
+    build(machine.model_copy(update={"sizes": sizes}), books / "a.xlsx")
+    for name in ("b", "c"):
+        (books / f"{name}.xlsx").write_bytes((books / "a.xlsx").read_bytes())
     with cluster(tmp_path, BLIND.format(folder=str(books))) as (address, _):
         until_ready(address)
         told = [sys.executable, "-m", "workbook", "verify", str(books), "--scheduler", address]

@@ -102,7 +102,7 @@ def test_the_command_writes_results_a_page_and_the_picked_book(tmp_path):
         constraints={"drive1_res_rms": {"min": 1.0}, "drive1_ok_speed": "OK"},
     )  # fmt: skip
     done = run(study, "--pick", 1, "-o", "best.xlsx", "--jobs", 1, "--unverified", cwd=tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout
     assert "formula cells agree" in done.stdout
     found = rows(tmp_path / "study.csv")
     assert len(found) == 3 * 2 * 19 * 16
