@@ -17,6 +17,7 @@ from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import highest, pace_columns, pace_tables
+from workbook.machines.machine.selecting import behind
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import (
     ACTS,
@@ -72,8 +73,10 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         lines(sheet, driven)
         turns_table(sheet, view)
         breaks_table(sheet, view)
-        stretches_table(sheet, view, *pace_columns(view))
+        stretches_table(sheet, view, *pace_columns(view), *(behind.columns(view) if behind.asks(view) else ()))
         pace_tables(sheet, view)
+        if behind.asks(view):
+            behind.means(sheet, view)
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18
