@@ -11,7 +11,6 @@ from workbook.entries.texts import LOOKED_UP, NO_FORMULA
 from workbook.entries.types import EntryError, Positive
 from workbook.selection.entries import Products
 
-
 Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
 
@@ -26,7 +25,9 @@ class Choice(Products):
         default=10.0, description="Largest inertia at the motor over the motor's of a usable pair"
     )
     least_margin: Positive = Field(default=1.2, description="Least rated torque over RMS torque of a usable pair")
-    greatest_margin: Positive = Field(default=10.0, description="Greatest rated torque over RMS torque of a usable pair")
+    greatest_margin: Positive = Field(
+        default=10.0, description="Greatest rated torque over RMS torque of a usable pair"
+    )
     torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
 
     @model_validator(mode="after")
@@ -34,5 +35,7 @@ class Choice(Products):
         own = [name for name in type(self).model_fields if name not in {*Products.model_fields, "axis"}]
         told = [name for name in own if getattr(self, name) != type(self).model_fields[name].default]
         if self.axis is None and told:
-            raise EntryError(told[0], "no axis is told for the sheet Selection; expected selection.axis, or none of this")
+            raise EntryError(
+                told[0], "no axis is told for the sheet Selection; expected selection.axis, or none of this"
+            )
         return self

@@ -164,7 +164,9 @@ class AnyMachine(Exporting):
         name, names = self.selection.axis, [self.axes[i].name for i in self.choosable]
         if name is not None and place_of(name, names) < 0:
             expected = f"one of {', '.join(names)}" if names else "none: no axis has a drive of constant ratio"
-            raise EntryError("selection.axis", f"no axis with a drive of constant ratio is named {name!r}; expected {expected}")
+            raise EntryError(
+                "selection.axis", f"no axis with a drive of constant ratio is named {name!r}; expected {expected}"
+            )
 
     def _find_room(self) -> None:
         """Settle the room for the pieces of an axis: those of its phases, and a rest between each two."""

@@ -76,8 +76,10 @@ def choose(data: dict[str, Any], names: list[str], k: int) -> None:
     if data["selection"]["axis"] is not None:
         data["selection"] |= {
             "axis": names[k % len(names)], "rank": RANKS[k % len(RANKS)],
-            "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k], "least_margin": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
-            "greatest_margin": (1e6, 300.0, 1e9, 1e6, 10.0, 1e9)[k], "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
+            "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
+            "least_margin": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
+            "greatest_margin": (1e6, 300.0, 1e9, 1e6, 10.0, 1e9)[k],
+            "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
         }  # fmt: skip
 
 

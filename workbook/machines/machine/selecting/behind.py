@@ -7,6 +7,8 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 
 from __future__ import annotations
 
+from operator import methodcaller
+
 from engine.machine.bent import Away, away
 from engine.machine.geared import Geared
 from workbook.book.declare import Quantity, Sheet, calc
@@ -31,21 +33,22 @@ def scales_of(view: Stretched) -> Away:
 def columns(view: Stretched) -> list[Quantity]:
     """Return the columns of the stretches: ∫S² and ∫αS on both sides of where S turns round, ∫α², and the fastest."""
     scale, ends = scales_of(view), [f"ABS({V.format(u=u)})" for u in ("[ub]", "[ue]")]
+    turns = f"AND(MIN([yb],[ye])<0-{LOST},MAX([yb],[ye])>{LOST})"
     columns = []
     for n, lines in ((1, FIRST), (2, SECOND)):
         part = ORDER[lines[0][1]], ORDER[lines[-1][2]]
         where = f"on line{'s' if n > 1 else ''} {' and '.join(line for line, _, _ in lines)}"
         columns += [
             calc(f"bs{n}", f"∫S² {where}", "", "", over(lines, "{torque}^2", 2),
-                 view.counted(lambda p, part=part: p.behind("square", part, scale.square)), scale=scale.square),
+                 view.counted(methodcaller("behind", "square", part, scale.square)), scale=scale.square),
             calc(f"bp{n}", f"∫αS {where}", "", "", over(lines, "(0-[sign]*@i2*{y})*{torque}", 1),
-                 view.counted(lambda p, part=part: p.behind("product", part, scale.product)), scale=scale.product),
+                 view.counted(methodcaller("behind", "product", part, scale.product)), scale=scale.product),
         ]  # fmt: skip
     return [
         *columns,
         calc("bq", "∫α²", "", "", integral("", "z0", "z4", "(@i2*{y})^2"),
              view.counted(lambda p: p.turned(scale.turned)), scale=scale.turned),
-        calc("vm", "no faster than", "|y'|", "", f"=IF(AND(MIN([yb],[ye])<0-{LOST},MAX([yb],[ye])>{LOST}),@vmax,MAX({','.join(ends)}))",
+        calc("vm", "no faster than", "|y'|", "", f"=IF({turns},@vmax,MAX({','.join(ends)}))",
              view.of(lambda p: p.fastest_here), source="in the stretch"),
     ]  # fmt: skip
 
@@ -73,7 +76,9 @@ def means(sheet: Sheet, view: Stretched) -> None:
         first, second = (f"SUMPRODUCT([@st.{mark}{n}]*([@st.sign]{sign}0))" for n, sign in ((1, same), (2, other)))
         return f"=({first}+{second}{more})/(2*PI())"
 
-    sheet.heading("Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque.")
+    sheet.heading(
+        "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
+    )
     sheet.rows(
         calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", "=SUM([@st.bq])/(2*PI())", own, scale=scale.turned),
         calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²",

@@ -30,7 +30,8 @@ def point(sheet: Sheet, k: int, speed: str, torque: str, used: Used) -> None:
     """Declare a point."""
     sheet.table(
         f"@use{k}", f"Pair {k}" if k else "The drive's pair", 1,
-        calc("speed", "speed", "", "", speed, [used.speed]), calc("torque", "RMS torque", "", "", torque, [used.torque]),
+        calc("speed", "speed", "", "", speed, [used.speed]),
+        calc("torque", "RMS torque", "", "", torque, [used.torque]),
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""What the drives tell the sheet Selection: each in a row, the named one by its cells, and the ends of its stretches."""
+"""What the drives tell the sheet Selection: a row each, the named one by its cells, the ends of its stretches."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.selecting.behind import scales_of
 from workbook.machines.machine.selecting.view import AS_ENTERED, Choosing
+
+FAST = "INDEX([@@st.vm],[st])*timing_omega*@@faster*@@i2"
 
 
 def told() -> list[tuple[str, str, str, str]]:
@@ -72,10 +74,11 @@ def held(view: Choosing) -> Sequence[Quantity]:
     """Return the names of the motor and the reducer of the drive, and the motor's curve."""
     curve = view.held_curve
     return [
-        calc("@held_motor", "Its motor", "", "", f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))',
-             view.held_motor, align="left"),
+        calc("@held_motor", "Its motor", "", "",
+             f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', view.held_motor, align="left"),
         calc("@held_reducer", "Its reducer", "", "",
-             f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', view.held_reducer, align="left"),
+             f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', view.held_reducer,
+             align="left"),
         calc("@held_knee", "its peak torque holds up to", "n_1", "rpm",
              "=IF(@held_row=0,0,INDEX([@motors.knee],MAX(1,@held_row)))", shown(curve.knee, RPM)),
         calc("@held_fall", "its fall beyond", "", "Nm/rpm",
@@ -107,5 +110,5 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         calc("driving", "where it drives the load", "", "Nm", "=IF([torque]*[way]<0,0,[torque])", points.driving,
              scale=behind),
         calc("driven", "where the load drives it", "", "Nm", "=[torque]-[driving]", points.driven, scale=behind),
-        calc("w", "no faster than", "ω", "rad/s", of("INDEX([@@st.vm],[st])*timing_omega*@@faster*@@i2"), points.speed, scale=scale.alpha),
+        calc("w", "no faster than", "ω", "rad/s", of(FAST), points.speed, scale=scale.alpha),
     )  # fmt: skip

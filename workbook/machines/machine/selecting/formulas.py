@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from workbook.machines.machine.selecting.view import Choosing
 
 
@@ -27,8 +29,9 @@ def peak_of(inertia: str, ratio: str, eta: str) -> str:
     return largest(torque_of(inertia, ratio, eta))
 
 
-def spare_of(peak: str, knee: str, fall: str, asked_peak: str, inertia: str, ratio: str, eta: str) -> str:
+def spare_of(curve: Sequence[str], asked_peak: str, gears: Sequence[str]) -> str:
     """Return the formula of what is left at least below a motor's curve."""
+    (peak, knee, fall), (inertia, ratio, eta) = curve, gears
     with_speed = largest(torque_of(inertia, ratio, eta), f"{fall}*{ratio}*30/PI()*[@points.w]")
     return f"MIN({peak}-{asked_peak},{peak}+{fall}*{knee}-{with_speed})"
 

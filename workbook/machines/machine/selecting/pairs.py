@@ -33,13 +33,16 @@ def grids(sheet: Sheet, view: Choosing) -> None:
          view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
 
 
-def grid(sheet: Sheet, view: Choosing, name: str, title: str, formula: Any, values: list[list[Any]], **more: Any) -> None:
+def grid(
+    sheet: Sheet, view: Choosing, name: str, title: str, formula: Any, values: list[list[Any]], **more: Any
+) -> None:
     """Declare a table of the pairs: a row a motor, a column a reducer."""
     down, across = view.rooms
     heads(sheet, view, name)
     sheet.table(
         f"@{name}", title, down,
-        result("motor", "motor", "", "", "=INDEX([motors.name],[k])&\"\"", filled(view.motors.names, down, ""), align="left"),
+        result("motor", "motor", "", "", "=INDEX([motors.name],[k])&\"\"", filled(view.motors.names, down, ""),
+               align="left"),
         constant("k", "number", "k", "", list(range(1, down + 1))),
         *(result(f"r{c}", f"reducer {c}", "", "", f"={formula(c)}", values[c - 1], **more)
           for c in range(1, across + 1)),
@@ -93,14 +96,24 @@ def products(sheet: Sheet, view: Choosing) -> None:
     """Declare what the catalogue says of motors and reducers, what each makes of the axis, and what pairs sort by."""
     sheet.heading("Workings: motors, reducers, and what pairs are sorted by")
     rank = ",".join(f'@rank="{one}"' for one in RANKS)
-    numbers = "".join(f'IF(@rank="{one}",{n},' for n, one in enumerate(RANKS, 1)) + "0" + ")" * len(RANKS) if rank else ""
+    numbers = (
+        "".join(f'IF(@rank="{one}",{n},' for n, one in enumerate(RANKS, 1)) + "0" + ")" * len(RANKS) if rank else ""
+    )
     sheet.rows(calc("@rank_no", "Number of what they are ranked by", "", "", f"={numbers}", view.rank, format="0"))
     sheet.row += 1
     motors(sheet, view)
     reducers(sheet, view)
     keys = view.spread(np.where(np.isfinite(view.keys), view.keys, -1.0), -1.0)
     told = [["–" if key < 0.0 else key for key in column] for column in keys]
-    grid(sheet, view, "key", "What pairs are sorted by: score, then place", lambda c: key(view, c), told, format="General")
+    grid(
+        sheet,
+        view,
+        "key",
+        "What pairs are sorted by: score, then place",
+        lambda c: key(view, c),
+        told,
+        format="General",
+    )
 
 
 def key(view: Choosing, c: int) -> str:
@@ -123,13 +136,15 @@ def motors(sheet: Sheet, view: Choosing) -> None:
     """Declare the motors of the catalogue, 0 in spare rows."""
     m, n = view.motors, view.rooms[0]
     count = len(m.names)
-    columns = (("jm", "inertia", "kg m²", "inertia", m.inertia), ("rated", "rated torque", "Nm", "rated", m.rated_torque),
+    columns = (("jm", "inertia", "kg m²", "inertia", m.inertia),
+               ("rated", "rated torque", "Nm", "rated", m.rated_torque),
                ("peak", "peak torque", "Nm", "peak", m.peak_torque),
                ("nmax", "largest speed", "rpm", "nmax", shown(m.max_speed, RPM)))  # fmt: skip
+    known = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for _, _, _, column, _ in columns)
     sheet.table(
         "@motors", "Motors of the catalogue", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
-        calc("on", "in use", "", "", f"=IF({'*'.join(f'COUNT(INDEX([motors.{c}],[k]))' for _, _, _, c, _ in columns)}=1,1,0)",
+        calc("on", "in use", "", "", f"=IF({known}=1,1,0)",
              filled(filled([], count, 1), n, 0), format="0"),
         *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]),0)", filled(values, n))
           for name, label, unit, column, values in columns),

@@ -119,7 +119,7 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
 def own_pair(view: Choosing) -> list[Quantity]:
     """Return what the drive's pair does."""
     own, torque = view.own, max(view.own.peak, 1e-3)
-    gears = "@held_j", "@held_i", "@held_eta"
+    gears, held = ("@held_j", "@held_i", "@held_eta"), ("@held_peak", "@held_knee", "@held_fall")
     return [
         result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms_of(*gears)}", own.rms, scale=torque,
                source="that of the drive's sheet"),
@@ -130,7 +130,7 @@ def own_pair(view: Choosing) -> list[Quantity]:
         result("@own_inertias", "Inertia ratio", "", "",
                "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),
         result("@own_spare", "Reserve below the motor's curve, at least", "", "Nm",
-               f"={spare_of('@held_peak', '@held_knee', '@held_fall', '@own_peak', *gears)}", own.spare, scale=torque,
+               f"={spare_of(held, '@own_peak', gears)}", own.spare, scale=torque,
                source="of a motor of the catalogue with its curve, else below its peak torque"),
     ]  # fmt: skip
 
@@ -171,7 +171,12 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
         return if_there(f"INDEX({whole(view, table)},MAX(1,[m]),MAX(1,[r]))")
 
     across = f"{view.rooms[1]}"
-    gears = at("[@motors.jm]", "m") + "+" + at("[@reducers.jt]", "r"), at("[@reducers.i]", "r"), at("[@reducers.eta]", "r")
+    gears = (
+        at("[@motors.jm]", "m") + "+" + at("[@reducers.jt]", "r"),
+        at("[@reducers.i]", "r"),
+        at("[@reducers.eta]", "r"),
+    )
+    curve = [at(f"[@motors.{column}]", "m") for column in ("peak", "knee", "fall")]
     sheet.row += 1
     sheet.table(
         "@best", f"The best {BEST} pairs (S5, steps 6 and 7)", BEST,
@@ -188,8 +193,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
         result("inertias", "inertia ratio", "", "",
                if_there(f"{at('[@reducers.j]', 'r')}/{at('[@motors.jm]', 'm')}"), of("inertias"), format=DASH),
         result("spare", "left below the curve, at least", "", "Nm",
-               if_there(spare_of(at("[@motors.peak]", "m"), at("[@motors.knee]", "m"), at("[@motors.fall]", "m"), "[peak]",
-                                 f"({gears[0]})", *gears[1:])),
+               if_there(spare_of(curve, "[peak]", (f"({gears[0]})", *gears[1:]))),
                of("spare"), scale=torque, source="exact below the knee", format='0.0##;-0.0##;0.0'),
         result("reducer", "reducer", "", "", '=IF([m]>0,INDEX([reducers.name],[r]),"–")',
                filled([view.reducers.names[r] for _, r in pairs], BEST, "–"), align="left"),

@@ -158,8 +158,9 @@ class Choosing:
         gears = tuple(float(one[m, r]) for one in g.gears)
         rms = float(g.rms[m, r])
         margin = shares_of(self.motors.rated_torque[m], g.rms[m, r])
-        return Figures(rms, float(margin), float(g.peak[m, r]), shown(float(g.speed[r]), RPM), float(g.inertia_ratio[m, r]),
-                       reserve(self.points, (gears[0], gears[1], gears[2]), self.curve(m)))  # fmt: skip
+        spare = reserve(self.points, (gears[0], gears[1], gears[2]), self.curve(m))
+        peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
+        return Figures(rms, float(margin), peak, speed, float(g.inertia_ratio[m, r]), spare)
 
     def named(self, count: int) -> list[str]:
         """Return the names of the first pairs."""
