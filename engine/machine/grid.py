@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from engine.choice.catalogue import Motors, Reducers
 from engine.choice.task import Task
+from engine.drivetrain import Motor
 from engine.laws.base import Array
 from engine.machine.geared import Geared, Gears
 
@@ -74,6 +75,18 @@ def reserve(points: Points, gears: tuple[float, float, float], curve: Curve) -> 
     torque = np.abs(turned + points.driving / (eta * ratio) + points.driven * eta / ratio)
     beyond = curve.peak + curve.fall * curve.knee - float((torque + curve.fall * ratio * points.speed).max())
     return min(curve.peak - float(torque.max()), beyond)
+
+
+class Used(NamedTuple):
+    """Speed over the motor's largest, RMS torque over its rated torque."""
+
+    speed: float
+    torque: float
+
+
+def used(motor: Motor, speed: float, rms: float) -> Used:
+    """Return what a speed (rad/s) and an RMS torque (Nm) use of a motor."""
+    return Used(speed / motor.max_speed, rms / motor.rated_torque)
 
 
 @dataclass(frozen=True)
@@ -145,6 +158,12 @@ class Grid:
     def fits(self) -> NDArray[np.bool_]:
         """Whether each reducer holds torque and speed."""
         return (self.behind <= self.reducers.max_output_torque) & (self.speed <= self.reducers.max_input_speed)
+
+    def use(self, motor: int, reducer: int) -> Used:
+        """Return what a pair uses of its motor."""
+        m = self.motors
+        speed, torque = self.speed[reducer] / m.max_speed[motor], self.rms[motor, reducer] / m.rated_torque[motor]
+        return Used(float(speed), float(torque))
 
     @cached_property
     def verdicts(self) -> NDArray[np.str_]:

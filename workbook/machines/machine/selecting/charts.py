@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from engine.machine.grid import Used
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Sheet, calc
-from workbook.machines.machine.selecting.view import Choosing, Used
+from workbook.machines.machine.selecting.view import Choosing
 
 NAMED = 6
 """pairs that a chart shows"""
@@ -16,13 +17,13 @@ def uses(sheet: Sheet, view: Choosing) -> None:
     sheet.heading("Workings: as drawn in the chart")
     sheet.rows(*(
         calc(f"@name{k}", f"Pair {k}", "", "",
-             f'=IF([@best.m.{k}]>0,[@best.motor.{k}]&" + "&[@best.reducer.{k}],"–")', names[k - 1], align="left")
+             f'=IF([@order.m.{k}]>0,[@best.motor.{k}]&" + "&[@best.reducer.{k}],"–")', names[k - 1], align="left")
         for k in range(1, NAMED + 1)
     ))  # fmt: skip
     for k in range(1, NAMED + 1):
-        row, there = f"INDEX([motors.nmax],[@best.m.{k}])", f"[@best.m.{k}]>0"
+        row, there = f"INDEX([motors.nmax],MAX(1,[@order.m.{k}]))", f"[@order.m.{k}]>0"
         point(sheet, k, f"=IF({there},[@best.n.{k}]/{row},0-1)",
-              f"=IF({there},[@best.rms.{k}]/INDEX([motors.rated],[@best.m.{k}]),0-1)", view.used(k - 1))  # fmt: skip
+              f"=IF({there},IF([@best.margin.{k}]>0,1/[@best.margin.{k}],0),0-1)", view.used(k - 1))  # fmt: skip
     point(sheet, 0, "=@own_speed/@held_nmax", "=@own_rms/@held_rated", view.own_use)
 
 

@@ -9,7 +9,7 @@ from workbook.machines.machine.selecting.view import Choosing
 
 def whole(view: Choosing, table: str) -> str:
     """Return the range of a table of all pairs."""
-    return f"[@{table}.r1.first]:[@{table}.r{view.rooms[1]}.last]"
+    return f"[@{table}1.v.first]:[@{table}{view.rooms[1]}.v.last]"
 
 
 def torque_of(inertia: str, ratio: str, eta: str) -> str:

@@ -27,6 +27,7 @@ def grids(sheet: Sheet, view: Choosing) -> None:
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
     torque = max(float(g.peak.max()), 1e-3)
     grid(sheet, view, "word", "Which pairs can do it", verdict, view.spread(g.verdicts, "–"), align="center")
+    sheet.not_printed_below()
     grid(sheet, view, "rms", "RMS torque of the motor [Nm]", lambda c: if_on(c, rms_of(*pair(c))),
          view.spread(g.rms, 0.0), format=DASH, scale=torque)  # fmt: skip
     grid(sheet, view, "peak", "Peak torque of the motor [Nm]", lambda c: if_on(c, peak_of(*pair(c))),
@@ -36,31 +37,27 @@ def grids(sheet: Sheet, view: Choosing) -> None:
 def grid(
     sheet: Sheet, view: Choosing, name: str, title: str, formula: Any, values: list[list[Any]], **more: Any
 ) -> None:
-    """Declare a table of the pairs: a row a motor, a column a reducer."""
-    down, across = view.rooms
-    heads(sheet, view, name)
-    sheet.table(
+    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above."""
+    (down, across), r = view.rooms, view.reducers
+    names, reductions = filled(r.names, across, ""), filled(r.reduction, across)
+    sheet.row += 1
+    heads = sheet.table(
+        f"@{name}_heads", "Reducers: name, reduction", 2,
+        constant("what", "", "", "", ["name", "reduction"]), constant("k", "", "", "", [1, 2], format=";;"),
+    )  # fmt: skip
+    for c in range(1, across + 1):
+        told = [f'=[reducers.name.{c}]&""', f"=[@reducers.i.{c}]+0"]
+        each = calc("v", f"reducer {c}", "", "", told, [names[c - 1], reductions[c - 1]], align="left")
+        sheet.beside(heads, f"@{name}_head{c}", each)
+    rows = sheet.table(
         f"@{name}", title, down,
-        result("motor", "motor", "", "", "=INDEX([motors.name],[k])&\"\"", filled(view.motors.names, down, ""),
+        result("motor", "motor", "", "", '=INDEX([motors.name],[k])&""', filled(view.motors.names, down, ""),
                align="left"),
         constant("k", "number", "k", "", list(range(1, down + 1))),
-        *(result(f"r{c}", f"reducer {c}", "", "", f"={formula(c)}", values[c - 1], **more)
-          for c in range(1, across + 1)),
     )  # fmt: skip
-
-
-def heads(sheet: Sheet, view: Choosing, name: str) -> None:
-    """Declare the names of the reducers above a table of pairs."""
-    across = view.rooms[1]
-    names = filled(view.reducers.names, across, "")
-    sheet.row += 1
-    sheet.table(
-        f"@{name}_heads", "Reducers", 1,
-        constant("k", "", "", "", [0], format=";;"),
-        constant("none", "", "", "", [0], format=";;"),
-        *(calc(f"r{c}", f"reducer {c}", "", "", f"=[reducers.name.{c}]&\"\"", [names[c - 1]], align="left")
-          for c in range(1, across + 1)),
-    )  # fmt: skip
+    for c in range(1, across + 1):
+        each = result("v", f"reducer {c}", "", "", f"={formula(c)}", values[c - 1], **more)
+        sheet.beside(rows, f"@{name}{c}", each)
 
 
 def pair(c: int) -> tuple[str, str, str]:
@@ -76,7 +73,7 @@ def if_on(c: int, formula: str) -> str:
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first."""
-    rms, peak, rated = f"INDEX([@rms.r{c}],[k])", f"INDEX([@peak.r{c}],[k])", "INDEX([@motors.rated],[k])"
+    rms, peak, rated = f"INDEX([@rms{c}.v],[k])", f"INDEX([@peak{c}.v],[k])", "INDEX([@motors.rated],[k])"
     tests = (
         (f"INDEX([@motors.on],[k])*[@reducers.on.{c}]=0", "–"),
         (f"[@reducers.fits.{c}]=0", "reducer"),
@@ -95,10 +92,9 @@ def verdict(c: int) -> str:
 def products(sheet: Sheet, view: Choosing) -> None:
     """Declare what the catalogue says of motors and reducers, what each makes of the axis, and what pairs sort by."""
     sheet.heading("Workings: motors, reducers, and what pairs are sorted by")
-    rank = ",".join(f'@rank="{one}"' for one in RANKS)
-    numbers = (
-        "".join(f'IF(@rank="{one}",{n},' for n, one in enumerate(RANKS, 1)) + "0" + ")" * len(RANKS) if rank else ""
-    )
+    numbers = "0"
+    for n, one in reversed(list(enumerate(RANKS, 1))):
+        numbers = f'IF(@rank="{one}",{n},{numbers})'
     sheet.rows(calc("@rank_no", "Number of what they are ranked by", "", "", f"={numbers}", view.rank, format="0"))
     sheet.row += 1
     motors(sheet, view)
@@ -118,7 +114,7 @@ def products(sheet: Sheet, view: Choosing) -> None:
 
 def key(view: Choosing, c: int) -> str:
     """Return the formula of what a pair is sorted by."""
-    share = f"INDEX([@rms.r{c}],[k])/INDEX([@motors.rated],[k])"
+    share = f"INDEX([@rms{c}.v],[k])/INDEX([@motors.rated],[k])"
     match = f"[@reducers.balance.{c}]/{pair(c)[0]}"
     sums = [f"INDEX([@motors.{one}],[k])+[@reducers.{one}.{c}]" for one in ("mass", "cost")]
     lone = f"EXP(ABS(LN({match}))/2)"
@@ -129,7 +125,7 @@ def key(view: Choosing, c: int) -> str:
     known = f"IF(@rank_no<4,1,IF(@rank_no=4,INDEX([@motors.weighs],[k])*[@reducers.weighs.{c}],"
     known += f"INDEX([@motors.costs],[k])*[@reducers.costs.{c}]))=1"
     place = f"([k]-1)*{view.rooms[1]}+{c - 1}"
-    return f'IF(INDEX([@word.r{c}],[k])="yes",IF({known},ROUND({score}*{PARTS},0)*{view.rows}+{place},"–"),"–")'
+    return f'IF(INDEX([@word{c}.v],[k])="yes",IF({known},ROUND({score}*{PARTS},0)*{view.rows}+{place},"–"),"–")'
 
 
 def motors(sheet: Sheet, view: Choosing) -> None:

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.book.rows import filled
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
 from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.selecting.best import best_table, order_table
 from workbook.machines.machine.selecting.charts import chart, uses
 from workbook.machines.machine.selecting.drives import chosen, drives_table, points_table
 from workbook.machines.machine.selecting.formulas import peak_of, rms_of, spare_of, whole
 from workbook.machines.machine.selecting.pairs import grids, products
-from workbook.machines.machine.selecting.view import BEST, Choosing
+from workbook.machines.machine.selecting.view import Choosing
 from workbook.machines.machine.stretched import Stretched
 from workbook.selection.entries import SelectionSizes
 
 TITLE = "Selection"
-DASH = '0.0##;-0.0##;"–"'
 ABOUT = (
     "A motor and a reducer are chosen where their names are entered, on the sheet of the drive: this sheet shows which "
     "pairs of the catalogue can do it."
@@ -40,8 +37,8 @@ def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: S
         best_table(sheet, view)
         chart(sheet)
         grids(sheet, view)
-        sheet.not_printed_below()
         products(sheet, view)
+        order_table(sheet, view)
         sheet.heading("Workings: the axes")
         chosen(sheet, view)
         drives_table(sheet, view)
@@ -150,67 +147,3 @@ def message(view: Choosing) -> str:
         return "none of the best pairs stays below its motor's curve"
     usable = bool((view.grid.verdicts == "yes").any())
     return "no usable pair has the figures to rank it by" if usable else "no pair of the catalogue can do it"
-
-
-def best_table(sheet: Sheet, view: Choosing) -> None:
-    """Declare the list of the best pairs."""
-    pairs, found = view.ranked[:BEST], view.listed
-    keys = [float(view.keys[pair]) for pair in pairs]
-    torque = max([view.own.peak, *(one.peak for one in found), 1e-3])
-
-    def of(figure: str) -> list[float]:
-        return filled([getattr(one, figure) for one in found], BEST)
-
-    def at(column: str, place: str) -> str:
-        return f"INDEX({column},MAX(1,[{place}]))"
-
-    def if_there(formula: str) -> str:
-        return f"=IF([m]>0,{formula},0)"
-
-    def pair(table: str) -> str:
-        return if_there(f"INDEX({whole(view, table)},MAX(1,[m]),MAX(1,[r]))")
-
-    across = f"{view.rooms[1]}"
-    gears = (
-        at("[@motors.jm]", "m") + "+" + at("[@reducers.jt]", "r"),
-        at("[@reducers.i]", "r"),
-        at("[@reducers.eta]", "r"),
-    )
-    curve = [at(f"[@motors.{column}]", "m") for column in ("peak", "knee", "fall")]
-    sheet.row += 1
-    sheet.table(
-        "@best", f"The best {BEST} pairs (S5, steps 6 and 7)", BEST,
-        result("motor", "motor", "", "", '=IF([m]>0,INDEX([motors.name],[m]),"–")',
-               filled([view.motors.names[m] for m, _ in pairs], BEST, "–"), align="left"),
-        constant("place", "place", "", "", list(range(1, BEST + 1))),
-        result("i", "reduction", "i", "", if_there(at("[@reducers.i]", "r")),
-               filled([float(view.reducers.reduction[r]) for _, r in pairs], BEST), format=DASH),
-        result("rms", "RMS torque", "T_rms", "Nm", pair("rms"), of("rms"), format=DASH, scale=torque),
-        result("margin", "margin", "", "", f"=IF([rms]>0,{at('[motors.rated]', 'm')}/[rms],0)", of("margin"),
-               source="T_N/T_rms", format=DASH),
-        result("peak", "peak torque", "T_max", "Nm", pair("peak"), of("peak"), format=DASH, scale=torque),
-        result("n", "largest speed", "n", "rpm", if_there(at("[@reducers.n]", "r")), of("speed"), format='0;-0;"–"'),
-        result("inertias", "inertia ratio", "", "",
-               if_there(f"{at('[@reducers.j]', 'r')}/{at('[@motors.jm]', 'm')}"), of("inertias"), format=DASH),
-        result("spare", "left below the curve, at least", "", "Nm",
-               if_there(spare_of(curve, "[peak]", (f"({gears[0]})", *gears[1:]))),
-               of("spare"), scale=torque, source="exact below the knee", format='0.0##;-0.0##;0.0'),
-        result("reducer", "reducer", "", "", '=IF([m]>0,INDEX([reducers.name],[r]),"–")',
-               filled([view.reducers.names[r] for _, r in pairs], BEST, "–"), align="left"),
-        calc("holds", "below its curve", "", "", "=IF([m]>0,IF([spare]>=0,1,0),0)",
-             filled([int(one.spare >= 0.0) for one in found], BEST, 0), format="0"),
-        calc("key", "sorted by", "", "", f"=IF([place]<=@count,SMALL({whole(view, 'key')},[place]),0)",
-             filled(keys, BEST), format="0"),
-        calc("at", "pair", "", "", f"=[key]-{view.rows}*INT(([key]+0.5)/{view.rows})",
-             filled([m_r(view, one) for one in pairs], BEST, 0), format="0"),
-        calc("m", "row of the motor", "", "", f"=IF([place]<=@count,INT(([at]+0.5)/{across})+1,0)",
-             filled([m + 1 for m, _ in pairs], BEST, 0), format="0"),
-        calc("r", "row of the reducer", "", "", f"=IF([place]<=@count,[at]-{across}*([m]-1)+1,0)",
-             filled([r + 1 for _, r in pairs], BEST, 0), format="0"),
-        blank="[m]=0",
-    )  # fmt: skip
-
-
-def m_r(view: Choosing, pair: tuple[int, int]) -> int:
-    """Return the number of a pair among all rows and columns, from 0."""
-    return int(np.ravel_multi_index(pair, view.rooms))

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from engine.laws.base import Array
 from engine.machine.bent import BentPart
 from engine.machine.geared import Geared, Gears, shares_of
-from engine.machine.grid import RANKS, Curve, Grid, Points, Wanted, points, reserve
+from engine.machine.grid import RANKS, Curve, Grid, Points, Used, Wanted, points, reserve, used
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
-from workbook.entries.units import RPM, shown
+from workbook.entries.units import RPM, shown, si
 from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.selecting.behind import scales_of
 from workbook.machines.machine.stretched import Stretched
@@ -38,13 +38,6 @@ class Figures(NamedTuple):
     speed: float
     inertias: float
     spare: float
-
-
-class Used(NamedTuple):
-    """Speed over the motor's largest, RMS torque over its rated torque."""
-
-    speed: float
-    torque: float
 
 
 class Choosing:
@@ -74,7 +67,7 @@ class Choosing:
     @property
     def rows(self) -> int:
         """Pairs of the grid, spare rows and columns among them."""
-        return int(np.prod(self.rooms))
+        return np.zeros(self.rooms).size
 
     @property
     def beta_scale(self) -> float:
@@ -95,6 +88,10 @@ class Choosing:
     def ranked(self) -> list[tuple[int, int]]:
         """The ranked pairs, best first."""
         return self.grid.best(self.given.rank, self.rooms[1], self.rows)
+
+    def place(self, pair: tuple[int, int]) -> int:
+        """Return the number of a pair in the grid, from 0, motor by motor."""
+        return int(np.ravel_multi_index(pair, self.rooms))
 
     @cached_property
     def points(self) -> Points:
@@ -171,14 +168,12 @@ class Choosing:
         """Return what one of the best pairs uses of its motor, by its place from 0; left of all where there is none."""
         if place >= len(self.ranked):
             return Used(-1.0, -1.0)
-        (m, r), g = self.ranked[place], self.grid
-        return Used(g.speed[r] / self.motors.max_speed[m], g.rms[m, r] / self.motors.rated_torque[m])
+        return self.grid.use(*self.ranked[place])
 
     @property
     def own_use(self) -> Used:
         """What the drive's pair uses of its motor."""
-        motor = self.driven.motor_used
-        return Used(self.own.speed / motor.max_speed, self.own.rms / motor.rated_torque)
+        return used(self.driven.motor_used.motor, si(self.own.speed, RPM), self.own.rms)
 
     @cached_property
     def proposed(self) -> int | None:
