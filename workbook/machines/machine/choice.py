@@ -15,7 +15,8 @@ Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), 
 
 
 class Choice(Products):
-    """The catalogues; with an axis, a sheet Selection that looks for its motor and reducer."""
+    """The catalogues, those that come with the templates where none are told or by the word; with an axis, a sheet
+    Selection that looks for its motor and reducer."""
 
     axis: Called | None = Field(
         default=None, description="Axis with a drive of constant ratio that the sheet Selection looks at; else no sheet"
