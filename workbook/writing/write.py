@@ -146,6 +146,9 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     widths = WIDTHS | sheet.widths
     for column in range(1, max(used, LAST_PAGE_COLUMN, sheet.print_columns) + 1):
         page.column_dimensions[get_column_letter(column)].width = widths.get(column, COLUMN_WIDTH)
+    if sheet.folded:
+        first, last = (get_column_letter(column) for column in (sheet.folded, used))
+        page.column_dimensions.group(first, last, hidden=True)
     page.sheet_view.showGridLines = False
     page.freeze_panes = "A4"
     page.protection.sheet = True
