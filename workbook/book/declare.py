@@ -287,6 +287,7 @@ class Sheet:
         """
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
+        self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
         own = self._own((quantity,))
         self._place(
             Block(in_scope(name, self.scope), self, block.row, column, own, block.size, block.title, lead=block)
