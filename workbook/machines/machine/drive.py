@@ -76,12 +76,9 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         breaks_table(sheet, view)
         sheet.row += 1
         sheet.rows(*power_rows(view))
-        stretches_table(
-            sheet, view, *power_columns(view), *pace_columns(view), *(behind.columns(view) if behind.asks(view) else ())
-        )
+        stretches_table(sheet, view, *power_columns(view), *pace_columns(view), *behind.columns(view))
         pace_tables(sheet, view)
-        if behind.asks(view):
-            behind.means(sheet, view)
+        behind.means(sheet, view)
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18

@@ -32,6 +32,8 @@ def scales_of(view: Stretched) -> Away:
 
 def columns(view: Stretched) -> list[Quantity]:
     """Return the columns of the stretches: ∫S² and ∫αS on both sides of where S turns round, ∫α², and the fastest."""
+    if not asks(view):
+        return []
     scale, ends = scales_of(view), [f"ABS({V.format(u=u)})" for u in ("[ub]", "[ue]")]
     turns = f"AND(MIN([yb],[ye])<0-{LOST},MAX([yb],[ye])>{LOST})"
     columns = []
@@ -67,6 +69,8 @@ def over(lines: tuple[tuple[str, str, str], ...], inner: str, power: int) -> str
 
 def means(sheet: Sheet, view: Stretched) -> None:
     """Declare the five means over the cycle, and what else hangs on no motor and no reducer."""
+    if not asks(view):
+        return
     driven, scale = view.driven, scales_of(view)
     geared = Geared(driven.demand.course)
     own, (mixed, mixed_back), (square, square_back) = geared.squares
