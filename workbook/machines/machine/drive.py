@@ -61,11 +61,10 @@ def drive_sheet(book: Book, view: Stretched) -> None:
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven, size(driven))
-        parts(sheet, driven, one.machine.machine.sizes.rotors)
-        windows_table(sheet, f"axes.{driven.number - 1}", view)
         outcome(sheet, one, driven, STRAIGHT, [*power_peaks(view, PEAKS), *highest(view)])
         sheet.checks(*checks(driven), laws_check(driven, one))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
+        tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
@@ -126,6 +125,13 @@ def loads(driven: Driven, key: str) -> list[Quantity]:
               format="General" if unit == "kg m²" else "0.0##", source=source)
         for name, label, symbol, unit, source in rows
     ]  # fmt: skip
+
+
+def tables(sheet: Sheet, view: Stretched) -> None:
+    """Declare what is entered row by row: rotating parts, process forces."""
+    sheet.heading("Enter: parts and process forces")
+    parts(sheet, view.driven, view.one.machine.machine.sizes.rotors)
+    windows_table(sheet, f"axes.{view.driven.number - 1}", view)
 
 
 def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
