@@ -12,12 +12,13 @@ from functools import cached_property
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from engine.choice.catalogue import Motors, Reducers
 from engine.choice.task import Task
 from engine.drivetrain import Motor
 from engine.laws.base import Array
+from engine.machine.course import Course
 from engine.machine.geared import Geared, Gears
 
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
@@ -77,6 +78,67 @@ def reserve(points: Points, gears: tuple[float, float, float], curve: Curve) -> 
     return min(curve.peak - float(torque.max()), beyond)
 
 
+class Squares(NamedTuple):
+    """⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ where S drives the load, and where the load drives it."""
+
+    own: float
+    mixed: float
+    mixed_back: float
+    behind: float
+    behind_back: float
+
+
+@dataclass(frozen=True)
+class Behind:
+    """What a course asks for behind its first stage, at its own speed."""
+
+    course: Course
+
+    @cached_property
+    def geared(self) -> Geared:
+        """The same for many motors."""
+        return Geared(self.course, np.array([self.course.speed]))
+
+    @property
+    def squares(self) -> Squares:
+        """Means over the cycle."""
+        return Squares(*(float(values[0]) for values in self.geared.moments[:5]))
+
+    @property
+    def speed(self) -> float:
+        """Largest speed of the shaft (rad/s)."""
+        return float(self.geared.speed(gears(1.0, 1.0, 1.0))[0])
+
+    def speed_of_motor(self, ratio: float) -> float:
+        """Return the largest speed of a motor before a reducer (rad/s)."""
+        return ratio * self.speed
+
+    @property
+    def torque(self) -> float:
+        """Largest torque (Nm)."""
+        return float(self.geared.behind[0])
+
+    @property
+    def inertia(self) -> float:
+        """Inertia at the shaft (kg m²)."""
+        return float(self.geared.inertia(np.ones(1))[0])
+
+    def rms(self, some: Gears) -> Array:
+        """Return the RMS torque of motors (Nm)."""
+        return self.geared.rms_torque(some)
+
+    def peak(self, some: Gears) -> Array:
+        """Return the largest torque of motors (Nm)."""
+        return self.geared.torques(some).peak
+
+
+def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike) -> Gears:
+    """Return motors with their reducers in a line: J (kg m²), i, η."""
+    each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency)))
+    lined = [one.reshape(-1) for one in each]
+    return Gears(lined[0], lined[1], lined[2], np.zeros(lined[0].size, dtype=np.intp))
+
+
 class Used(NamedTuple):
     """Speed over the motor's largest, RMS torque over its rated torque."""
 
@@ -93,43 +155,51 @@ def used(motor: Motor, speed: float, rms: float) -> Used:
 class Grid:
     """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²)."""
 
-    geared: Geared
+    load: Behind
     motors: Motors
     reducers: Reducers
     beside: float
     wanted: Wanted
 
     @cached_property
+    def inertias(self) -> Array:
+        """J of each pair (kg m²)."""
+        return self.motors.inertia[:, None] + self.beside_motor
+
+    @cached_property
     def gears(self) -> Gears:
-        """J, i and η of each pair."""
+        """J, i and η of each pair, motor by motor."""
+        return gears(self.inertias, 1.0 / self.reducers.ratio, self.reducers.efficiency)
+
+    def pair(self, motor: int, reducer: int) -> tuple[float, float, float]:
+        """Return J, i and η of a pair."""
         r = self.reducers
-        inertia = self.motors.inertia[:, None] + r.inertia + self.beside
-        return Gears(*(np.array(one) for one in np.broadcast_arrays(inertia, 1.0 / r.ratio, r.efficiency)))
+        return float(self.inertias[motor, reducer]), 1.0 / float(r.ratio[reducer]), float(r.efficiency[reducer])
 
     @cached_property
     def rms(self) -> Array:
         """RMS torque of each motor (Nm)."""
-        return self.geared.rms_torque(self.gears)
+        return self.load.rms(self.gears).reshape(self.inertias.shape)
 
     @cached_property
     def peak(self) -> Array:
         """Largest torque of each motor (Nm)."""
-        return self.geared.torques(self.gears).peak
+        return self.load.peak(self.gears).reshape(self.inertias.shape)
 
     @cached_property
     def speed(self) -> Array:
         """Largest speed of the motor before each reducer (rad/s)."""
-        return self.geared.speed(1.0 / self.reducers.ratio)
+        return np.asarray(self.load.speed / self.reducers.ratio)
 
     @cached_property
     def at_motor(self) -> Array:
         """Inertia at the motor without it (kg m²), of each reducer."""
-        return self.beside_motor + self.geared.inertia(1.0 / self.reducers.ratio)
+        return np.asarray(self.beside_motor + self.load.inertia * self.reducers.ratio**2)
 
     @cached_property
     def inertia_ratio(self) -> Array:
         """The same over each motor's."""
-        return self.at_motor / self.motors.inertia[:, None]
+        return np.asarray(self.at_motor / self.motors.inertia[:, None])
 
     @property
     def beside_motor(self) -> Array:
@@ -139,9 +209,9 @@ class Grid:
     @property
     def task(self) -> Task:
         """What the course asks for behind the reducer, as S5 tells it."""
-        own, mixed, square = self.geared.squares
-        fastest = self.geared.demand.speed.peak
-        return Task.of_figures(math.sqrt(own), math.sqrt(sum(square)), sum(mixed), fastest)
+        means = self.load.squares
+        torque = math.sqrt(means.behind + means.behind_back)
+        return Task.of_figures(math.sqrt(means.own), torque, means.mixed + means.mixed_back, self.load.speed)
 
     @property
     def load_factor(self) -> float:
@@ -152,7 +222,7 @@ class Grid:
     @cached_property
     def behind(self) -> float:
         """The torque that a reducer must hold (Nm)."""
-        return self.wanted.torque_factor * self.geared.demand.shaft_torque(1).peak
+        return self.wanted.torque_factor * self.load.torque
 
     @cached_property
     def fits(self) -> NDArray[np.bool_]:
@@ -182,9 +252,11 @@ class Grid:
     @cached_property
     def balance(self) -> Array:
         """The inertia with the motor (kg m²) that each reducer balances: J α_rms/τ = τ S_rms/η. Source: S5, (14)."""
-        own, _, behind = self.geared.squares
-        r = self.reducers
-        return np.asarray(r.ratio**2 / r.efficiency * np.sqrt(sum(behind) / own) if own else np.zeros(r.ratio.shape))
+        r, means = self.reducers, self.load.squares
+        if not means.own:
+            return np.zeros(r.ratio.shape)
+        share = math.sqrt((means.behind + means.behind_back) / means.own)
+        return np.asarray(r.ratio**2 / r.efficiency * share)
 
     def scores(self, rank: Rank) -> Array:
         """Return what pairs are ranked by, the lowest first; NaN of one without the figure.
@@ -198,7 +270,7 @@ class Grid:
         if rank == "margin":
             return np.asarray(share)
         if rank == "inertia match":
-            x = np.broadcast_to(self.balance, share.shape) / self.gears.inertia
+            x = np.broadcast_to(self.balance, share.shape) / self.inertias
             return np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0)
         name = "size" if rank == "mass" else "cost"
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))

@@ -11,8 +11,7 @@ from engine.drivetrain import KINDS, Drive, Load, Motor, Part, Stage
 from engine.laws import Dwell, law
 from engine.machine.course import Course
 from engine.machine.demand import Demand
-from engine.machine.geared import Geared
-from engine.machine.grid import RANKS, Curve, Grid, Wanted, points, reserve, used
+from engine.machine.grid import RANKS, Behind, Curve, Grid, Wanted, points, reserve, used
 from engine.machine.train import Train, Window
 from engine.motion import Motion
 
@@ -35,7 +34,7 @@ def course(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0):
 
 
 def grid(wanted=WIDE):
-    return Grid(Geared(course()), MOTORS, REDUCERS, BESIDE.inertia, wanted)
+    return Grid(Behind(course()), MOTORS, REDUCERS, BESIDE.inertia, wanted)
 
 
 @pytest.mark.parametrize("motor", [0, 1])
@@ -78,7 +77,7 @@ def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_o
     assert wide.best("cost", 2, 4) == []
     match = wide.best("inertia match", 2, 4)[0]
     best = min(((m, r) for m in (0, 1) for r in (0, 1)), key=lambda p: abs(math.log(
-        wide.balance[p[1]] / wide.gears.inertia[p])))  # fmt: skip
+        wide.balance[p[1]] / wide.inertias[p])))  # fmt: skip
     assert match == best
     assert len(RANKS) == 5
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from operator import methodcaller
 
 from engine.machine.bent import Away, away
-from engine.machine.geared import Geared
+from engine.machine.grid import Behind
 from workbook.book.declare import Quantity, Sheet, calc
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import LINES, LOST, ORDER, V, integral
@@ -72,8 +72,8 @@ def means(sheet: Sheet, view: Stretched) -> None:
     if not asks(view):
         return
     driven, scale = view.driven, scales_of(view)
-    geared = Geared(driven.demand.course)
-    own, (mixed, mixed_back), (square, square_back) = geared.squares
+    load = Behind(driven.demand.course)
+    own, mixed, mixed_back, square, square_back = load.squares
     held = "SUMPRODUCT([@st.on]*([@st.dir]=0)*([@st.ue]-[@st.ub])*([@st.hold]*@eta1*@i1)^2)"
 
     def mean(mark: str, same: str, other: str, more: str = "") -> str:
@@ -93,8 +93,8 @@ def means(sheet: Sheet, view: Stretched) -> None:
              mixed, scale=scale.product),
         calc("@ask_product_back", "… where the load drives it", "", "W/s", mean("bp", "<", ">"),
              mixed_back, scale=scale.product),
-        calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", geared.demand.speed.peak),
-        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j1+@m/@i2^2", geared.course.train.drive.mechanism.inertia()),
+        calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
+        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j1+@m/@i2^2", load.inertia),
         calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", "=@j0-@jm-@j_reducer",
              driven.beside_motor),
     )  # fmt: skip

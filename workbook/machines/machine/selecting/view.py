@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from engine.laws.base import Array
 from engine.machine.bent import BentPart
-from engine.machine.geared import Geared, Gears, shares_of
-from engine.machine.grid import RANKS, Curve, Grid, Points, Used, Wanted, points, reserve, used
+from engine.machine.geared import shares_of
+from engine.machine.grid import RANKS, Behind, Curve, Grid, Points, Used, Wanted, gears, points, reserve, used
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, shown, si
@@ -53,16 +53,16 @@ class Choosing:
         self.motors, self.reducers = engine_motors(given.motors), engine_reducers(given.reducers)
 
     @cached_property
-    def geared(self) -> Geared:
+    def load(self) -> Behind:
         """What the cycle asks for behind the reducer."""
-        return Geared(self.driven.demand.course)
+        return Behind(self.driven.demand.course)
 
     @cached_property
     def grid(self) -> Grid:
         """All pairs."""
         g = self.given
         wanted = Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor)
-        return Grid(self.geared, self.motors, self.reducers, self.driven.beside_motor, wanted)
+        return Grid(self.load, self.motors, self.reducers, self.driven.beside_motor, wanted)
 
     @property
     def rows(self) -> int:
@@ -152,10 +152,9 @@ class Choosing:
 
     def _figures(self, m: int, r: int) -> Figures:
         g = self.grid
-        gears = tuple(float(one[m, r]) for one in g.gears)
         rms = float(g.rms[m, r])
         margin = shares_of(self.motors.rated_torque[m], g.rms[m, r])
-        spare = reserve(self.points, (gears[0], gears[1], gears[2]), self.curve(m))
+        spare = reserve(self.points, g.pair(m, r), self.curve(m))
         peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
         return Figures(rms, float(margin), peak, speed, float(g.inertia_ratio[m, r]), spare)
 
@@ -185,9 +184,9 @@ class Choosing:
         """The pair that the drive has."""
         d = self.driven
         inertia = d.at_motor
-        gears = Gears(*(np.array([one]) for one in (inertia, d.reducer.ratio, d.reducer.efficiency)))
-        rms, peak = float(self.geared.rms_torque(gears)[0]), float(self.geared.torques(gears).peak[0])
-        speed = shown(float(self.geared.speed(gears.ratio)[0]), RPM)
+        pair = gears(inertia, d.reducer.ratio, d.reducer.efficiency)
+        rms, peak = float(self.load.rms(pair)[0]), float(self.load.peak(pair)[0])
+        speed = shown(self.load.speed_of_motor(d.reducer.ratio), RPM)
         motor = d.motor_used
         spare = reserve(self.points, (inertia, d.reducer.ratio, d.reducer.efficiency), self.held_curve)
         margin = shares_of(np.array(motor.rated_torque), np.array(rms))
@@ -202,13 +201,13 @@ class Choosing:
 
 def figures_of(view: Stretched) -> list[tuple[float, float]]:
     """Return what the sheet of a drive tells of the shaft behind its reducer, and of its motor, each with its scale."""
-    d, geared, scale = view.driven, Geared(view.driven.demand.course), scales_of(view)
-    own, (mixed, mixed_back), (square, square_back) = geared.squares
+    d, load, scale = view.driven, Behind(view.driven.demand.course), scales_of(view)
+    own, mixed, mixed_back, square, square_back = load.squares
     return [
         (own, scale.turned), (square, scale.square), (square_back, scale.square),
         (mixed, scale.product), (mixed_back, scale.product),
-        (geared.demand.speed.peak, 0.0), (geared.demand.shaft_torque(1).peak, d.sizes.behind),
-        (geared.course.train.drive.mechanism.inertia(), 0.0), (d.beside_motor, 0.0), (d.mechanism.ratio_from(1), 0.0),
+        (load.speed, 0.0), (load.torque, d.sizes.behind),
+        (load.inertia, 0.0), (d.beside_motor, 0.0), (d.mechanism.ratio_from(1), 0.0),
         (d.at_motor, 0.0), (d.motor_used.inertia, 0.0), (d.reducer.ratio, 0.0), (d.reducer.efficiency, 0.0),
         (d.motor_used.rated_torque, 0.0), (d.motor_used.peak_torque, 0.0),
         (d.motor_used.max_speed, 0.0),
