@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from workbook.reading.refusal import Refusal, shown
 
-MOST_CELLS = 600_000  # of the rectangles around the cells of all sheets: openpyxl fills them
+MOST_CELLS = 1_500_000  # of the rectangles around the cells of all sheets: openpyxl fills them
 MOST_IN_ROWS = 7 * MOST_CELLS  # elements and attributes inside of rows
 MOST_OUTSIDE = 1_000_000  # elements, attributes and ranges outside of rows
 MOST_OF = {"definedName": 20_000, "si": 200_000, "sheet": 250}
