@@ -56,7 +56,9 @@ def of_axes(count: int) -> Machine:
     data = given.model_dump(exclude={"switches", "clearances"})
     driven = [axis for axis in data["axes"] if axis["motor"]]
     axes = [driven[k % len(driven)] | {"name": f"Axis {k + 1}", "shift": 13.0 * k} for k in range(count)]
-    return type(given).model_validate(data | {"axes": axes, "switches": [], "clearances": []})
+    selection = data["selection"] | {"axis": axes[0]["name"]}
+    others = {"switches": [], "clearances": [], "selection": selection}
+    return type(given).model_validate(data | {"axes": axes} | others)
 
 
 def against_libreoffice(name: str, machine: Machine, folder: Path) -> list[str]:
