@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from engine.machine.places import SUFFICES
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
@@ -9,7 +11,7 @@ from workbook.drive.motor import limits_table, plane
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen, drive
 from workbook.machines.machine.chain import UNSIZED
-from workbook.machines.machine.linked import cut, found, kinds, reach, slides
+from workbook.machines.machine.linked import cut, found, kinds, reach
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
 from workbook.machines.machine.stretches import breaks_table, turns_table, windows_table
@@ -34,6 +36,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
         drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
+        kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
         drive.parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{i - 1}", view)
         drive.outcome(sheet, one, driven, RESULTS)
@@ -51,6 +54,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         cycle(sheet, view)
         reach.reach_table(sheet, view)
         turns_table(sheet, view)
+        kinds.of(driven).passing(sheet, view)
         breaks_table(sheet, view)
         cut.stretches_table(sheet, view)
         cut.looks_table(sheet, view)
@@ -70,13 +74,12 @@ def checks(view: LinkedWork) -> list[Quantity]:
     """Return the checks of the mechanism: its sizes, where it can bring its load to, and the sheet's own places."""
     driven, i = view.linked, view.driven.number
     label, key = f"Drive {i}: ", f"axes.{i - 1}"
-    sizes = ",".join(f"@{name}" for name in kinds.needed(driven))
     enough = (
         f"MAX([@sec.rest])<={SUFFICES!r}*MAX(MAX([@pl.T]),0-MIN([@pl.T])),MAX([@st.e])>=360,MAX([@sec.e])>=360,"
         "MAX([@look.nF])+MAX([@look.nS])+MAX([@look.nT])<=MAX([@turn.k])"
     )
     return [
-        check("@ok_sized", f"{label}the mechanism has its sizes", f"COUNT({sizes})={len(kinds.needed(driven))}", True,
+        check("@ok_sized", f"{label}the mechanism has its sizes", kinds.of(driven).SIZED, True,
               rule=f"{key}.mechanism:sized", says=f'"{UNSIZED}"'),
         *kinds.checks(driven),
         reach.reach_check(view),
@@ -89,6 +92,7 @@ def checks(view: LinkedWork) -> list[Quantity]:
 def cycle(sheet: Sheet, view: LinkedWork) -> None:
     """Declare angle, speed and torque over the cycle, for the charts."""
     i, driven, samples = view.driven.number, view.linked, stacked(view.samples)
+    within = np.array([view.helds[number - 1].within for number in view.sampled])
     told = view.driven.axis.told(view.one.machine.samples)
     near = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
     v, a = (f"({power}*INDEX([cycle.{name}{i}],[k]+1))" for power, name in (("@faster", "t"), ("@faster^2", "tt")))
@@ -99,12 +103,12 @@ def cycle(sheet: Sheet, view: LinkedWork) -> None:
         result("rpm", "motor speed", "n", "rpm", "=@i1*[w]*60/(2*PI())",
                shown(driven.mechanism.turning(0, samples.rate), RPM), source="i_1 φ' ẏ"),
         result("torque", "motor torque", "T", "Nm", "=[T]+0", samples.torque, scale=driven.sizes.torque),
-        slides.angle(driven, samples.y),
+        kinds.of(driven).angle(driven, samples.y, within),
         constant("k", "sample", "k", "", list(range(len(told.x)))),
         calc("st", "stretch", "", "", f"=MATCH({near},[@st.b],1)", view.sampled, format="0"),
         calc("p", "position", "y", view.base, f"=({y})/1000" if driven.travels else f"=RADIANS({y})", samples.y,
              scale=view.driven.axis.motion.size(0)),
-        *turned(view, samples, (v, a)),
+        *turned(view, samples, (v, a), within),
     )  # fmt: skip
 
 
