@@ -1,6 +1,7 @@
 """Make the pictures of the README from the committed workbooks; needs LibreOffice and pdftoppm.
 
 .venv/bin/python -m docs.pictures
+.venv/bin/python -m docs.pictures --all    (a contact sheet of every page of every workbook, not committed)
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from docs.contact import contact
 from tests.functions.calc import Calc
 from workbook.functions import oxt
 from workbook.template import FOLDER
@@ -61,4 +63,7 @@ def main(wanted: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    if sys.argv[1:] == ["--all"]:
+        print(f"Made {contact()}")
+    else:
+        main(sys.argv[1:])

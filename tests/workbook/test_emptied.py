@@ -37,7 +37,7 @@ CASES = [(name, *place) for name in TEMPLATES for key, place in defaulted(name).
 
 
 @pytest.mark.parametrize(("name", "block", "column"), CASES)
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_an_emptied_entry_is_missing_and_not_its_default(name, block, column, tmp_path):
     machine = machine_of(name)
     build(machine, tmp_path / "book.xlsx")
@@ -82,7 +82,7 @@ BETWEEN = [("motion-composer", "phases"), ("motion-composer", "OWN_pieces"), ("c
 
 
 @pytest.mark.parametrize(("name", "table"), BETWEEN)
-@pytest.mark.sample(5)
+@pytest.mark.sample(2)
 def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_path):
     machine = read_machine(TEMPLATES[name].description)
     short = {"cycle": 12, "law": 10, "own_law": 20}

@@ -27,7 +27,7 @@ DAY, MACHINES = 7, 16  # random machines of each layout, the same every day
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 
 
-@pytest.fixture(scope="module", params=by_day([*TEMPLATES, STATIONS], "machine", "motion-composer"))
+@pytest.fixture(scope="module", params=by_day([*TEMPLATES, STATIONS], "machine"))
 def layout(request):
     return smaller(read_machine(FOLDER / f"{request.param}.toml"))
 

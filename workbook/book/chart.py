@@ -41,7 +41,7 @@ class Series:
 
 @dataclass(frozen=True)
 class Chart:
-    """An XY chart: lines between points, never splines. An axis title ``=name`` shows the cell of that name.
+    """An XY chart: lines between points, never splines. An axis title ``=name`` shows the cell of that name, "" none.
 
     A range is least, largest and step; a largest or a step of None is left to the program.
     """
@@ -53,7 +53,8 @@ class Chart:
     about: str
     x_range: tuple[float, float | None, float | None] | None = None
     y_range: tuple[float, float | None, float | None] | None = None
-    hide_y: bool = False
+    lanes: bool = False
+    """each line in a lane of its own, named where it begins; heights have no figures"""
     log_y: bool = False
 
     def within(self, scope: str) -> Chart:

@@ -153,6 +153,8 @@ class Sheet:
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
     print_rows: int = 0
+    folded: int = 0
+    """the column from which on there are workings alone: an outline of them is folded"""
     one_page: bool = False
     widths: dict[int, float] = field(default_factory=dict)
     """of columns that differ from those of other sheets"""

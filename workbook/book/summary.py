@@ -70,7 +70,7 @@ def summary_sheet(book: Book, machine: Identified, purpose: str, key_results: li
     sheet.rows(
         given("book_title", "Machine", "", "", machine.title, "title", align="left"),
         *(
-            given(f"book_{key}", label, "", "", getattr(machine, key), key, format="@", align="left")
+            given(f"book_{key}", label, "", "", getattr(machine, key), key, align="left")
             for key, label in (
                 ("number", "Machine number"), ("revision", "Revision"), ("author", "Author"), ("date", "Date"),
             )

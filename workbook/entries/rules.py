@@ -54,7 +54,7 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
         rule, expected = DataValidation("list", formula1=q.choices), "one entry of the list"
     elif get_origin(kind) is Literal:
         rule = DataValidation("list", formula1=f'"{",".join(get_args(kind))}"')
-    elif kind is str:
+    elif is_free_text(model, q):
         rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
     else:
         rule = number_rule(constraints)
@@ -65,6 +65,11 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     rule.prompt = clip(f"Enter {expected}{unit}.", 255)
     rule.error = clip(f"Expected {expected}{unit}.", 255)
     return rule
+
+
+def is_free_text(model: type[BaseModel], q: Quantity) -> bool:
+    """Whether a cell is for a text that the engineer makes up: no figure, no word of a list."""
+    return q.role == "input" and not q.choices and field_at(model, q.key)[0] is str
 
 
 @cache

@@ -12,8 +12,16 @@ from pydantic import AfterValidator, Field
 from workbook.entries.types import EntryError
 
 NO_FORMULA = r"^[^=]"
-NO_NAME = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA|TRUE|FALSE|[+-]?[0-9.,]+(?:E[+-]?[0-9]+)?%?", re.IGNORECASE)
-"""what a program takes for an error value, a truth value or a number"""
+ERROR = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA", re.IGNORECASE)
+"""what a program takes for an error value"""
+NO_NAME = re.compile(
+    r"TRUE|FALSE|[+-]?[0-9.,]+(?:E[+-]?[0-9]+)?\s?%?"
+    r"|[0-9]+(?:\s?[-/.:\s]\s?[0-9]+)*[-/.:]?(?:\s[AP]M?)?"
+    r"|(?:[0-9]+[-\s])?(?:JAN(?:UARY)?|FEB(?:RUARY)?|MAR(?:CH)?|APR(?:IL)?|MAY|JUNE?|JULY?|AUG(?:UST)?"
+    r"|SEP(?:TEMBER)?|OCT(?:OBER)?|NOV(?:EMBER)?|DEC(?:EMBER)?)[-\s]?[0-9]+(?:[-\s][0-9]+)?",
+    re.IGNORECASE,
+)
+"""what a program takes for a truth value, a number, a date or a time when it is chosen from a list"""
 PATTERN = "*?~"
 
 
@@ -23,6 +31,8 @@ def one_line(text: str) -> str:
         if category(character) in ("Cc", "Cs", "Zl", "Zp") or is_none(ord(character)):
             raise EntryError("", f"holds the character U+{ord(character):04X}; expected a text in one line, "
                                  "of characters that a cell can show")  # fmt: skip
+    if ERROR.fullmatch(text):
+        raise EntryError("", f"{text!r} reads as an error value; expected a text")
     return text
 
 

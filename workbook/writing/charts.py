@@ -6,6 +6,7 @@ from openpyxl.chart import Reference, ScatterChart
 from openpyxl.chart.axis import ChartLines, NumericAxis
 from openpyxl.chart.data_source import NumDataSource, NumRef, StrData, StrRef, StrVal
 from openpyxl.chart.error_bar import ErrorBars
+from openpyxl.chart.label import DataLabel, DataLabelList
 from openpyxl.chart.layout import Layout, ManualLayout
 from openpyxl.chart.legend import Legend
 from openpyxl.chart.marker import Marker
@@ -27,6 +28,7 @@ WIDTH = 19050  # of a line: 1.5 points
 LOG_BASE = 10
 SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
+NAMES = 3.0  # cm left of the plot, where the lines have their names there
 LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for one of more lines than so many
 
 
@@ -37,8 +39,10 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
         drawn.series.append(line(series, book, COLOURS[i % len(COLOURS)]))
+        if chart.lanes:
+            drawn.series[-1].dLbls = named(series, book, series.color or COLOURS[i % len(COLOURS)])
     drawn.graphical_properties = GraphicalProperties(ln=LineProperties(noFill=True))  # no frame
-    drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 else None
+    drawn.legend = Legend(legendPos="b") if legend(chart) else None
     axes(drawn, chart, book)
     return drawn
 
@@ -114,7 +118,8 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
         (drawn.x_axis, chart.x, chart.x_range),
         (drawn.y_axis, chart.y, chart.y_range),
     ):
-        axis.title = linked(title[1:], book, 1000) if title.startswith("=") else heading(title, 1000)
+        if title:
+            axis.title = linked(title[1:], book, 1000) if title.startswith("=") else heading(title, 1000)
         axis.delete = False  # Excel hides an axis that does not say so
         axis.number_format, axis.majorTickMark = "General", "out"
         axis.majorGridlines = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
@@ -123,12 +128,35 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     if chart.log_y:
         drawn.y_axis.scaling.logBase = LOG_BASE
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
-    if chart.hide_y:
+    if chart.lanes:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
-    room = 0.88 - below(len(chart.series)) / drawn.height
-    drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=0.13, y=0.12, w=0.82, h=room))
+    room, left = 0.88 - below(chart) / drawn.height, max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
+    drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
 
 
-def below(lines: int) -> float:
-    """Return the room below the plot of so many lines in cm: for labels and title, and for the legend."""
-    return BELOW + (LONG_LEGEND if lines > LONG else LEGEND if lines > 1 else 0.0)
+def legend(chart: Chart) -> bool:
+    """Whether a chart has a legend: of several lines that do not say their names themselves."""
+    return len(chart.series) > 1 and not chart.lanes
+
+
+def below(chart: Chart) -> float:
+    """Return the room below the plot of a chart in cm: for labels and title, and for the legend."""
+    if not legend(chart):
+        return BELOW
+    return BELOW + (LONG_LEGEND if len(chart.series) > LONG else LEGEND)
+
+
+def named(series: Series, book: Book, ink: str) -> DataLabelList:
+    """Return the labels of a line: its name, left of its first point; of one that crosses the lanes behind its last."""
+    text = CharacterProperties(sz=1000, b=True, solidFill=ink)
+    look = RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=text), endParaRPr=text)])
+    shown = {
+        "showLegendKey": False,
+        "showVal": False,
+        "showCatName": False,
+        "showPercent": False,
+        "showBubbleSize": False,
+    }
+    at, side = (len(book.values(series.x)) - 1, "r") if series.dashed else (0, "l")
+    first = DataLabel(idx=at, dLblPos=side, txPr=look, showSerName=True, **shown)
+    return DataLabelList(dLbl=[first], showSerName=False, **shown)

@@ -28,6 +28,8 @@ WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
 LINE_HEIGHTS = {"header": 14, "equation": 12}
+AS_TYPED = "@"
+"""the format of a cell that keeps 4711, or 3-4, as a text"""
 """in points, of the texts that wrap"""
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
@@ -75,7 +77,7 @@ def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workb
         page, content = sheets[sheet.title], cells[sheet.title]
         write_texts(sheet, page, content, styles)
         for block in sheet.blocks:
-            write_block(block, page, content, styles)
+            write_block(block, page, content, styles, model)
             validate(block, page, model)
         for chart, row, column, width, height in sheet.charts:
             page.add_chart(charts.draw(chart, book, *size(column, width, height)), f"{get_column_letter(column)}{row}")
@@ -106,13 +108,16 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
             cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + 2, cells.heights.get(text.row, 0))
 
 
-def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles) -> None:
+def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel]) -> None:
     """Write the cells of one block, each column in one style."""
     looks: dict[str, int] = {}
     for q in block.quantities:
         seen = sample(q)
         looks[q.name] = styles.quantity(
-            q.role, number_format(q, seen), style.alignment(q, seen, block.is_table), block.is_table
+            q.role,
+            AS_TYPED if rules.is_free_text(model, q) else number_format(q, seen),
+            style.alignment(q, seen, block.is_table),
+            block.is_table,
         )
     for _, q, _, row, column, content, value in block.cells():
         if q.formula is None:
@@ -141,6 +146,9 @@ def set_up_page(sheet: Sheet, page: Worksheet) -> None:
     widths = WIDTHS | sheet.widths
     for column in range(1, max(used, LAST_PAGE_COLUMN, sheet.print_columns) + 1):
         page.column_dimensions[get_column_letter(column)].width = widths.get(column, COLUMN_WIDTH)
+    if sheet.folded:
+        first, last = (get_column_letter(column) for column in (sheet.folded, used))
+        page.column_dimensions.group(first, last, hidden=True)
     page.sheet_view.showGridLines = False
     page.freeze_panes = "A4"
     page.protection.sheet = True

@@ -26,7 +26,7 @@ from workbook.witnesses.registry import WITNESSES
 QUICK_WITNESSES = ("pycel", "formualizer", "ironcalc")
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 ALL_TEN = [path.stem for path in committed()]
-DAY = ("cutting-machine",)
+DAY = ("motion-composer",)
 """through LibreOffice and by every witness; the others by night"""
 TWO = by_day(ALL_TEN, *DAY)
 
@@ -87,7 +87,7 @@ def silent(path, count, witnesses):
     return report
 
 
-@pytest.mark.parametrize("name", by_day(ALL_TEN, "machine", "motion-composer", "flying-cutter"))
+@pytest.mark.parametrize("name", by_day(ALL_TEN, "machine", "motion-composer"))
 def test_own_cells_are_no_finding(name, filled):
     book = filled(name)
     report = silent(book.path, book.count, present(*QUICK_WITNESSES))

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbook.build import build
+from workbook.build import build, inputs
+from workbook.entries.rules import field_at
 from workbook.entries.texts import looked_up, place_of, require_distinct
 from workbook.entries.types import EntryError
 from workbook.errors import InputError
@@ -28,7 +29,9 @@ TABLES = {
 NO_NAMES = {
     "A~1": "~", "A?": "?", "*": "*", " A": "blank", "A ": "blank", "\u00a0A": "blank", "#N/A": "value", "#n/a": "value",
     "#REF!": "value", "#DIV/0!": "value", "#NAME?": "value", "#SPILL!": "value", "TRUE": "value", "false": "value",
-    "12": "value", "1e5": "value", "-1,5": "value", "50%": "value", "=A": "=", "A\tB": "U+0009", "A\u0085": "U+0085",
+    "12": "value", "1e5": "value", "-1,5": "value", "50%": "value", "1-2": "value", "3/4": "value",
+    "1 1/2": "value", "8:30": "value", "8 a": "value", "2026-11-22": "value", "Mar1": "value", "5 Dec 26": "value",
+    "=A": "=", "A\tB": "U+0009", "A\u0085": "U+0085",
 }  # fmt: skip
 ALIKE = [("MC01", "mc01"), ("I", "\u0131"), ("i", "\u0131"), ("i", "\u0130"), ("Straße", "STRASSE"), ("K", "\u212a"),
          ("Ä", "ä"), ("A", "\uff21"), ("é", "e\u0301"), ("s", "\u017f"), ("Σ", "ς"), ("A", "A")]  # fmt: skip
@@ -71,8 +74,10 @@ def test_names_that_some_program_takes_for_one_are_refused(table, name, other):
 
 
 @pytest.mark.parametrize(
-    "name", ["12 kW", "No. 3", "#3", "Schweißzange", "k\u0131sa", "A[1]", "A|B", "<A>", "a.b", "漢字", "'A"]
-)
+    "name",
+    ["12 kW", "No. 3", "MARK 2", "1-A", "S1.2", "A 1-2", "#3", "Schweißzange", "k\u0131sa", "A[1]", "A|B", "<A>", "a.b",
+     "漢字", "'A"],
+)  # fmt: skip
 def test_other_names_are_names(name):
     assert looked_up(name) == name
 
@@ -151,3 +156,42 @@ def test_a_sheet_takes_a_law_and_an_axis_in_any_case(small, tmp_path):
     workbook.save(path)
     report = verify(path, ["pycel", "formualizer"])
     assert report.findings == []
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_a_text_that_reads_as_a_value_stays_the_text_that_is_typed(name, tmp_path):
+    """Programs keep 4711, 3-4 or 1E5 in a cell of the format of texts, and make a number or a date of it elsewhere."""
+    template = TEMPLATES[name]
+    machine = read_machine(template.description)
+    build(machine, tmp_path / "book.xlsx")
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    texts = 0
+    for block in template.declare(machine).blocks.values():
+        for q in block.quantities:
+            kind = field_at(template.model, q.key)[0] if q.role == "input" else None
+            cells = [book[block.sheet.title].cell(block.row + k, block.columns[q.name]) for k in range(block.size)]
+            typed = kind is str and not q.choices
+            texts += typed
+            assert {cell.number_format == "@" for cell in cells} == {typed}, (block.name, q.name)
+    assert texts >= 5
+
+
+@pytest.mark.parametrize(("name", "key"), [
+    ("motion-composer", "motion.lift_unit"), ("motion-composer", "title"), ("motion-composer", "laws.OWN.name"),
+])  # fmt: skip
+@pytest.mark.parametrize("value", ["#N/A", "#ref!", "#DIV/0!"])
+def test_an_error_value_is_no_text(name, key, value, tmp_path):
+    """Pasted, it would go through every formula that shows the text."""
+    template = TEMPLATES[name]
+    machine = read_machine(template.description)
+    build(machine, tmp_path / "book.xlsx")
+    block, q = next((b, q) for b in template.declare(machine).blocks.values() for q in b.quantities if q.key == key)
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    cell = book[block.sheet.title].cell(block.row, block.columns[q.name])
+    cell.value = value
+    book.save(tmp_path / "edited.xlsx")
+    with pytest.raises(InputError) as refused:
+        inputs(tmp_path / "edited.xlsx")
+    (line,) = refused.value.lines
+    assert f"{block.sheet.title}!{cell.coordinate} ({q.label})" in line
+    assert "reads as an error value; expected a text" in line

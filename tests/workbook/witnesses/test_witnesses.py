@@ -17,7 +17,7 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 
 
-@pytest.fixture(scope="module", params=by_day(TEMPLATES, "machine", "motion-composer"))
+@pytest.fixture(scope="module", params=by_day(TEMPLATES, "motion-composer"))
 def book(request, tmp_path_factory):
     """A small book of each template."""
     path = tmp_path_factory.mktemp("book") / "book.xlsx"

@@ -46,7 +46,7 @@ build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
 """
 
 
-@pytest.fixture(scope="module", params=by_day(TEMPLATES, "motion-composer", "actuator-sizing"))
+@pytest.fixture(scope="module", params=by_day(TEMPLATES, "motion-composer"))
 def template(request):
     return TEMPLATES[request.param]
 

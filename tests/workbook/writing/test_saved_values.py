@@ -76,7 +76,7 @@ def differing(path, book, witness):
 
 
 @pytest.mark.parametrize("witness", OTHERS)
-@pytest.mark.parametrize("name", by_day(TEMPLATES, "machine", "motion-composer"))
+@pytest.mark.parametrize("name", by_day(TEMPLATES, "motion-composer"))
 @pytest.mark.sample(3)
 def test_other_programs_compute_what_is_saved(name, witness, tmp_path):
     template = TEMPLATES[name]

@@ -118,7 +118,7 @@ class Judge:
         self.title()
         limits = (self.chart.x_range, self.chart.y_range)
         for n, (axis, limit) in enumerate(zip(self.found.axes, limits, strict=True)):
-            self.axis("xy"[n], axis, limit, self.chart.log_y if n else False, self.chart.hide_y if n else False)
+            self.axis("xy"[n], axis, limit, self.chart.log_y if n else False, self.chart.lanes if n else False)
             self.axis_title("xy"[n], self.found.titles[n], (self.chart.x, self.chart.y)[n])
 
     def say(self, kind: str, found: Any, expected: Any, what: str) -> None:

@@ -179,10 +179,10 @@ def in_lane(i: int, axis: engine_timing.Axis, at: Array, floor: int) -> Quantity
 def draw_diagram(sheet: Sheet, numbers: range) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
     chart = Chart(
-        "Timing diagram", "master angle θ [°]", "axes, the first at the top",
+        "Timing diagram", "master angle θ [°]", "",
         tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.lane{i}]") for i in numbers),
         "Timing diagram: rises, dwells and returns of each axis over one turn of the master shaft",
-        (0, 360, 30), (0, 3, 1), hide_y=True,
+        (0, 360, 30), (0, 3, 1), lanes=True,
     )  # fmt: skip
     sheet.chart(chart, column=10, row=5, width=8, height=21)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.book.declare import FIRST, Book, Sheet, calc, constant, given, result
 from workbook.entries.units import shown
 from workbook.machines.machine.lanes import named
 from workbook.machines.machine.motion import AxisRows
@@ -11,7 +11,8 @@ from workbook.machines.machine.phases import axis_checks, phases_table
 from workbook.machines.machine.view import MovingAxis, Whole, unit_name
 
 LANE_SHARE = 0.8
-CHART_COLUMN = 15
+PHASE, PASSING = 12, 4
+"""columns of what is entered of a phase and comes out of it, and of those where movements hand over at speed"""
 
 
 def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
@@ -24,15 +25,10 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
         calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
-        calc("timing_eps", "Tolerance of an angle", "ε", "°",
-             "=360*break_tolerance", machine.near, format="0E+00",
-             source="an angle this close to a phase's start is taken as the start"),
-        constant("timing_lane", "Height of an axis in the diagram", "", "",
-                 LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip
-    draw_diagram(sheet, machine)
+    columns = PHASE + PASSING * any(one.ends is not None for one in axes)
+    draw_diagram(sheet, machine, columns)
     axes_table(sheet, machine)
-    sheet.row = max(sheet.row, sheet.charts[0][1] + sheet.charts[0][4] + 1)
     for one in axes:
         i = one.axis.number
         sheet.heading(f"Axis {i}")
@@ -42,9 +38,16 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         )
         phases_table(sheet, one)
         axis_checks(sheet, one)
-    draw_curves(sheet, machine)
-    sheet.print_columns = 22
-    sheet.widths = {12: 14}
+    draw_curves(sheet, machine, columns)
+    sheet.heading("Workings")
+    sheet.rows(
+        calc("timing_eps", "Tolerance of an angle", "ε", "°",
+             "=360*break_tolerance", machine.near, format="0E+00",
+             source="an angle this close to a phase's start is taken as the start"),
+        constant("timing_lane", "Height of an axis in the diagram", "", "",
+                 LANE_SHARE, format="0.0", source="as a share of its lane"),
+    )  # fmt: skip
+    sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
 
 
 def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
@@ -76,7 +79,6 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
               source="velocity, acceleration, jerk"),
         given("shift", "shift", "", "°", [a.given.shift for a in axes], "axes.*.shift", format="0.0##",
               source="later than its phases say"),
-        calc("late", "shift", "", "°", "=[shift]+0", [a.given.shift for a in axes], format="0.0##"),
         calc("travel", "travel a cycle", "Σh", unit,
              each("SUM([{0}.h])"), [shown(a.motion.lifts_sum, a.unit) for a in axes]),
         calc("low", "lowest position", "", unit,
@@ -85,6 +87,7 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
              each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes]),
         result("v", "greatest velocity", "ẏ", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
         result("a", "greatest acceleration", "ÿ", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
+        calc("late", "shift, as taken", "", "°", "=[shift]+0", [a.given.shift for a in axes], format="0.0##"),
     )  # fmt: skip
 
 
@@ -93,7 +96,7 @@ def outward(axis: MovingAxis, formula: str) -> str:
     return f"{formula}*1000" if axis.given.unit == "mm" else f"DEGREES({formula})"
 
 
-def draw_diagram(sheet: Sheet, machine: Whole) -> None:
+def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
     n = len(machine.axes) + len(machine.lanes)
     lines = [Series(f"=axis{a.number}_name", "[cycle.theta]", f"[cycle.lane{a.number}]") for a in machine.axes]
@@ -101,16 +104,19 @@ def draw_diagram(sheet: Sheet, machine: Whole) -> None:
         Series(f"={named(one.number)}", f"[switch_lanes.x{one.number}]", f"[switch_lanes.y{one.number}]")
         for one in machine.lanes
     ]
-    switches, bars = (", then switches", ", bars where a switch is on") if machine.lanes else ("", "")
+    bars = ", bars where a switch is on" if machine.lanes else ""
     chart = Chart(
-        "Timing diagram", "master angle θ [°]", f"axes{switches}, the first at the top", tuple(lines),
+        "Timing diagram", "master angle θ [°]", "", tuple(lines),
         f"Timing diagram: rises, rests and returns of each axis over one turn of the master shaft{bars}",
-        (0, 360, 30), (0, n, 1), hide_y=True,
+        (0, 360, 30), (0, n, 1), lanes=True,
     )  # fmt: skip
-    sheet.chart(chart, column=CHART_COLUMN, row=5, width=8, height=max(21, 6 + n + n))
+    sheet.row += 1
+    height = 5 + n + n // 2
+    sheet.chart(chart, FIRST, sheet.row, columns, height)
+    sheet.row += height
 
 
-def draw_curves(sheet: Sheet, machine: Whole) -> None:
+def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the charts of position, velocity and acceleration of all axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
     kinds = (
@@ -124,5 +130,5 @@ def draw_curves(sheet: Sheet, machine: Whole) -> None:
                       for a in machine.axes),
                 f"{title} of each axis over the master angle", (0, 360, 60))
           for column, label, title in kinds),
-        width=6, height=18,
+        width=(columns + 2) // 3, height=18,
     )  # fmt: skip

@@ -155,10 +155,10 @@ def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
         line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
         sheet.chart(
             Chart(
-                f"Timing diagram: {title}", "master angle θ [°]", "from below: as in the legend",
+                f"Timing diagram: {title}", "master angle θ [°]", "",
                 (moved, *lines_of(machine, lane), line),
                 f"Timing diagram of transfer and tools over one turn of the master shaft: {title}",
-                (0, 360, 30), (0, top, 1), hide_y=True,
+                (0, 360, 30), (0, top, 1), lanes=True,
             ),
             column=next(columns), row=5, width=WIDE, height=18,
         )  # fmt: skip
