@@ -13,6 +13,11 @@ NEAR = 1e-12
 """of what a mechanism reaches: what differs by less is equal"""
 
 
+def close(low: float, high: float) -> float:
+    """Return what is equal beside a reach."""
+    return NEAR * (high - low)
+
+
 class Passed(NamedTuple):
     """Where in a piece y passes a level (rad): not before, round by round; y there and at the end of the bracket."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.laws.base import Array
 from engine.mechanisms.table import PositionTable
@@ -49,9 +50,9 @@ class Cubics(NamedTuple):
         return cls(width, rise, chord, free, limit, slope, begin, end, 3.0 - 2.0 * begin - end, begin + end - 2.0)
 
     @property
-    def sharp(self) -> Array:
+    def sharp(self) -> NDArray[np.bool_]:
         """Whether each part is much less steep at an end than on the whole."""
-        return np.minimum(self.begin, self.end) < 1.0 / STEEPEST
+        return np.asarray(np.minimum(self.begin, self.end) < 1.0 / STEEPEST)
 
 
 class Inverted(NamedTuple):
@@ -77,7 +78,7 @@ class Inverted(NamedTuple):
 
         def newton(t: Array, low: Array) -> Array:
             found = t - (value(t) - height) / (b + t * (2.0 * c2 + 3.0 * t * c3))
-            return np.clip(found, low, low + 1.0 / PARTS**2)
+            return np.asarray(np.clip(found, low, low + 1.0 / PARTS**2))
 
         def counted(at: Array, width: float) -> Array:
             below = value(at + width * GRID[:, None]) < height - NEAR

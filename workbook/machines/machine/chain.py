@@ -54,8 +54,8 @@ def size_by_kind(made: dict[str, Any]) -> None:
 class TablePoint(Model):
     """A point of a table: an angle of the shaft in °, and the position of the load there, in mm or °."""
 
-    angle: Number
-    position: Number
+    angle: Number = Field(description="Of a point of the table: angle of the shaft, in °")
+    position: Number = Field(description="Of a point of the table: position of the load, in the axis' unit")
 
 
 class MechanismEntry(Model):

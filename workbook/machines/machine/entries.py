@@ -109,7 +109,9 @@ class Axis(Model):
 class MachineSizes(SelectionSizes):
     """How large the tables are built: also the points of a mechanism that is told by a table."""
 
-    positions: Annotated[int, Field(ge=3, le=40)] = 12
+    positions: Annotated[int, Field(ge=3, le=40)] = Field(
+        default=12, description="Rows for the points of a mechanism that is told by a table"
+    )
 
 
 class AnyMachine(Exporting):

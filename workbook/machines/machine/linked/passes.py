@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.machine.passing import NEAR, Passed, passed, passing_piece
+from engine.machine.passing import Passed, close, passed, passing_piece
 from engine.mechanisms.linkage import near_end
 from engine.mechanisms.table import PositionTable
 from workbook.book.declare import Sheet, calc, constant
@@ -15,6 +15,7 @@ from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.linked.driven import LinkedDriven
 from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.stretches import FINER
 from workbook.motion.sampled import derivative
 
 INNER = "check_zero/1000*(@high-@low)"
@@ -86,7 +87,7 @@ class Passes:
         if not here:
             return Pass(phase, point, level, way, 0, 1, pieces[0].duration, NOWHERE, TURN)
         own = [piece for piece in pieces if piece.phase == axis.places[k]]
-        lost = NEAR * (linkage.reach.high - linkage.reach.low)
+        lost = close(linkage.reach.low, linkage.reach.high)
         piece = own[passing_piece(own, level, way, lost)]
         found = passed(piece, level, way, lost)
         angle = shown(piece.begin + found.place, DEGREE)
@@ -107,7 +108,7 @@ def passing(sheet: Sheet, one: AxisRows, found: Passes) -> None:
         return derivative(one.pieces, 0, place=f"({place})")
 
     def round_of(k: int) -> str:
-        at, width = (f"[a{k}]" if k else "0"), f"[d]/{100**k}"
+        at, width = (f"[a{k}]" if k else "0"), f"[d]{FINER[k]}"
         kept = f"MIN(99,SUMPRODUCT(([way]*({y(f'{at}+{width}*[grid.at]')})<{beyond})*1))"
         return f"=IF([here]=0,0,{at}+{width}*{kept}/100)"
 

@@ -92,7 +92,7 @@ def cubics(driven: LinkedDriven, rows: int) -> list[Quantity]:
         return filled(values, rows, spare)
 
     return [
-        calc("on", "is used", "", "", "=IF(COUNT([angle],[position])=2,1,0)", of([1] * len(y)), format="0"),
+        calc("on", "is used", "", "", "=IF(COUNT([angle],[position])=2,1,0)", of([1 for _ in y]), format="0"),
         calc("phi", "angle", "φ", "rad", "=RADIANS([angle])", of(angle)),
         calc("y", "position", "y", base, f"={metres}", of(y)),
         calc("w", "to the next", "Δφ", "rad", part(f"MAX(1E-12,{at('phi')}-[phi])", "1"), of(found.width, 1.0)),
