@@ -8,7 +8,9 @@ from typing import NamedTuple
 from engine.flying.cut import Cut
 from engine.laws import Dwell, Law
 from engine.laws.base import BREAK_TOLERANCE
+from engine.motion.joining import Rates
 from engine.motion.pieces import MotionPiece, Scaled, pieces_of
+from engine.motion.smoothness import Joint, Smoothness, joints
 
 
 class Stretch(NamedTuple):
@@ -57,6 +59,27 @@ def stretches(cut: Cut) -> tuple[Stretch, Stretch, Stretch, Stretch]:
         Stretch(Scaled(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v), cut.repositioning_time, 0,
                 int(cut.tool_time > 0.0)),
     )  # fmt: skip
+
+
+def spans(cut: Cut) -> list[tuple[float, float]]:
+    """Return from where to where the motion has each of its pieces, counted from their origins (s)."""
+    found = cut_pieces(cut)
+    ends = [*(piece.begin for piece in found[1:]), cut.cycle_time]
+    return [(piece.begin - piece.origin, end - piece.origin) for piece, end in zip(found, ends, strict=True)]
+
+
+def cut_joints(cut: Cut, smooth: Smoothness) -> tuple[Joint, ...]:
+    """Return where the pieces of the tool's motion begin, and what jumps there of what must not.
+
+    Jumps are measured by the tool's highest speed and acceleration, and by this over the time of the law.
+    """
+    return joints(cut_pieces(cut), rates_of(cut), smooth, spans=spans(cut))
+
+
+def rates_of(cut: Cut) -> Rates:
+    """Return the sizes of velocity, acceleration and jerk by which jumps are measured: m/s, m/s², m/s³."""
+    hardest = cut.max_acceleration
+    return Rates(max(abs(v) for v in cut.speed_range), hardest, hardest / cut.moving_time)
 
 
 def cut_pieces(cut: Cut) -> list[MotionPiece]:

@@ -46,9 +46,14 @@ class Means(NamedTuple):
         return self.mains * hours * HOUR
 
     @property
+    def net(self) -> float:
+        """What is used up on the way (W)."""
+        return self.mains - self.resistor
+
+    @property
     def least(self) -> float:
         """The least mean power from the mains, if all that comes back were kept and used."""
-        return max(0.0, self.mains - self.resistor)
+        return max(0.0, self.net)
 
 
 def means(energy: Energy, time: float, efficiency: float) -> Means:
@@ -57,6 +62,18 @@ def means(energy: Energy, time: float, efficiency: float) -> Means:
     A drive takes E/η where its motor drives, and gives back η E where the motor is driven.
     """
     return Means(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
+
+
+class Peaks(NamedTuple):
+    """Largest power (W): from the mains, and into the brake resistor, of a drive that shares its DC bus with none."""
+
+    mains: float
+    resistor: float
+
+
+def peaks(highest: float, lowest: float, efficiency: float) -> Peaks:
+    """Return them from the highest and the lowest power at a motor's shaft (W)."""
+    return Peaks(max(0.0, highest) / efficiency, max(0.0, -lowest) * efficiency)
 
 
 def together(found: Sequence[Means]) -> Means:

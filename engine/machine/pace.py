@@ -23,7 +23,7 @@ from engine.machine.demand import Demand
 from engine.machine.limits import ReducerLimits
 from engine.machine.searching import rule
 
-TRIALS = 6
+TRIALS = 5
 FAR = 1e12
 """x beyond which is not looked: a million times the rate"""
 BELOW = 1e-9
@@ -127,7 +127,8 @@ class Pace:
         """Return where y passes the first (1) or the second (2) level of its stretch at a rate, if it does."""
         level, lost = self.of(lambda part: part.levels[index]), LOST * self.of(lambda part: part.largest)
         ends = np.array([part.ends for part in self.parts])
-        above = x * (ends.max(axis=1) - lost) > level
+        behind = self.parts[0].bends.drive.mechanism.on_shaft
+        above = (x * (ends.max(axis=1) - lost) > level) & (behind(1) + behind(2) > 0.0)
         within = above & (x * (ends.min(axis=1) + lost) < level)
         low, high = self.sides
 

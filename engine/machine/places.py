@@ -82,6 +82,11 @@ class Worked(NamedTuple):
         """Speed of the mechanism's shaft (rad/s)."""
         return np.asarray(self.first * self.v)
 
+    @property
+    def power(self) -> Array:
+        """Torque of the motor times speed of the mechanism's shaft (W, over the reducer's ratio)."""
+        return np.asarray(self.torque * self.rate)
+
 
 @dataclass(frozen=True)
 class Held:

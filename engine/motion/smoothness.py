@@ -96,17 +96,22 @@ class Joint(NamedTuple):
 
 
 def joints(
-    pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True
-) -> tuple[Joint, ...]:
-    """Return where the pieces of a motion begin; of a periodic one, the first follows the last."""
+    pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True,
+    spans: Sequence[tuple[float, float]] = (),
+) -> tuple[Joint, ...]:  # fmt: skip
+    """Return where the pieces of a motion begin; of a periodic one, the first follows the last.
+
+    ``spans`` are the begin and end of each piece, from its origin, where a motion does not have them whole.
+    """
     found: list[Joint] = []
-    lasting = [piece for piece in pieces if piece.duration > 0.0]
-    last = Joint(0.0, 0, lasting[-1].phase, _ends(lasting[-1])[1], -1, Rates(), 0)
+    whole = spans or [(0.0, piece.duration) for piece in pieces]
+    lasting = [(piece, span) for piece, span in zip(pieces, whole, strict=True) if piece.duration > 0.0]
+    last = Joint(0.0, 0, lasting[-1][0].phase, _ends(*lasting[-1])[1], -1, Rates(), 0)
     before = last._replace(phase=-1, end=Rates())
-    for piece in pieces:
+    for piece, span in zip(pieces, whole, strict=True):
         if piece.duration > 0.0:
             one = last if before.lasting == 0 else before
-            begin, end = _ends(piece)
+            begin, end = _ends(piece, span)
             joined = periodic or before.lasting > 0
             jump = Rates(*(y - x for x, y in zip(one.end, begin, strict=True))) if joined else Rates()
             order = _order(jump, scales, smooth)
@@ -117,8 +122,8 @@ def joints(
     return tuple(found)
 
 
-def _ends(piece: MotionPiece) -> tuple[Rates, Rates]:
-    _, v, a, j = piece.at(np.array([0.0, piece.duration]))
+def _ends(piece: MotionPiece, span: tuple[float, float]) -> tuple[Rates, Rates]:
+    _, v, a, j = piece.at(np.array(span))
     begin, end = (Rates(*values) for values in zip(v.tolist(), a.tolist(), j.tolist(), strict=True))
     return begin, end
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from engine.motion import Motion
-from engine.motion.joining import slope
+from engine.motion import Motion, Phase
+from engine.motion.joining import Rates, slope
 from engine.motion.smoothness import ORDERS, Joint, joints, scales_of, shortfalls
 from workbook.book.declare import Quantity, calc, check
 from workbook.book.rows import filled
@@ -64,9 +64,19 @@ class Joints:
     crashes when a cell is entered and a column is then inserted.
     """
 
-    def __init__(self, rows: PieceRows, motion: Motion, asked: Asked) -> None:
-        self.rows, self.motion, self.asked = rows, motion, asked
-        self.found = joints(rows.pieces, scales_of(motion), asked.smooth, asked.periodic)
+    def __init__(
+        self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates, smooth: bool,
+        phases: Sequence[Phase] = (),
+    ) -> None:  # fmt: skip
+        self.rows, self.asked, self.found, self._phases = rows, asked, tuple(found), phases
+        self._scales, self._smooth = scales, smooth
+
+    @classmethod
+    def of(cls, rows: PieceRows, motion: Motion, asked: Asked) -> Joints:
+        """Return the joints of a motion of phases."""
+        scales = scales_of(motion)
+        found = joints(rows.pieces, scales, asked.smooth, asked.periodic)
+        return cls(rows, asked, found, scales, not shortfalls(motion, asked.smooth, asked.periodic), motion.phases)
 
     def order(self) -> Quantity:
         """Return the row that says how many derivatives must be continuous."""
@@ -77,7 +87,9 @@ class Joints:
 
     def columns(self, room: int) -> list[Quantity]:
         """Return the columns beside the pieces of the motion."""
-        table, scales = self.rows.at.pieces, scales_of(self.motion)
+        at, table, scales = self.rows.at, self.rows.at.pieces, self._scales
+        opened = "([begin]-[origin])" if at.opens else ""
+        until = f"(IF([r]<{room},INDEX([{table}.begin],MIN([r]+1,{room})),{at.end})-[origin])" if at.opens else "[d]"
 
         def of(figure: Callable[[Joint], Any], spare: Any) -> list[Any]:
             return filled((figure(joint) for joint in self.found), room, spare)
@@ -86,7 +98,7 @@ class Joints:
         first = f"[{table}.{{0}}1.last]" if not wraps else f"IF({wraps},[{table}.{{0}}1.last],{{1}})"
         ends = [
             calc(f"{name}1", f"{word} reached", "", "",
-                 f"=IF([d]>0,{in_piece(self.rows, n, '[d]')},IF([r]=1,0,[{name}1-1]))",
+                 f"=IF([d]>0,{in_piece(self.rows, n, until)},IF([r]=1,0,[{name}1-1]))",
                  of(partial(ended, n), last.end[n - 1]), scale=scales[n - 1],
                  source="at its end")
             for n, (name, word) in enumerate(zip(RATES, ORDERS, strict=True), 1)
@@ -96,7 +108,7 @@ class Joints:
                  f"=IF([d]>0,{begin}-IF([n]=1,{first.format(name, begin)},INDEX([{table}.{name}1],[r]-1)),0)",
                  of(partial(jumped, n), 0.0), scale=scales[n - 1], source="at its begin")
             for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, ("'", "''", "'" "''"), strict=True), 1)
-            for begin in [in_piece(self.rows, n, "")]
+            for begin in [in_piece(self.rows, n, opened)]
         ]  # fmt: skip
         return [
             calc("n", "pieces that last, so far", "", "",
@@ -124,9 +136,8 @@ class Joints:
 
     def check(self, name: str, label: str) -> Quantity:
         """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
-        ok = not shortfalls(self.motion, self.asked.smooth, self.asked.periodic)
         holds = f"SUM([{self.rows.at.pieces}.fault])=0"
-        return check(name, label, holds, ok, ABOUT, says=Said(self._says(), self._said()))
+        return check(name, label, holds, self._smooth, ABOUT, says=Said(self._says(), self._said()))
 
     def _says(self) -> str:
         table, asked = self.rows.at.pieces, self.asked
@@ -172,8 +183,8 @@ class Joints:
         what = ORDERS[joint.order - 1]
         jump = f"{what} jumps by {figure(abs(joint.size))} {unit}"
         used = sorted({one.phase for one in self.rows.pieces})
-        beside = [self.motion.phases[used.index(row)] for row in (joint.before, piece.phase)]
-        slopes = [slope(one) for one in beside] if self.rows.at.ends else []
+        beside = [used.index(row) for row in (joint.before, piece.phase)] if self.rows.at.ends else []
+        slopes = [slope(self._phases[k]) for k in beside]
         straight = [figure(one) for one in slopes if one is not None]
         why = f": straight lines of {' and '.join(straight)}" if len(straight) > 1 else ""
         return f"{head}{rows}at {x}{asked.place[1]}: {jump}{why}"

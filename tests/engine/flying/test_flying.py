@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.flying import Cut, Tool, flying_saw, generalized_torque, rotary_drum, sizes
-from engine.flying.pieces import cut_pieces
+from engine.flying.pieces import cut_joints, cut_pieces, rates_of
 from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
 from engine.motion.pieces import evaluated
 
@@ -50,6 +50,38 @@ def test_position_is_the_integral_of_speed_and_ends_one_pitch_on(law, length, wa
     assert np.abs(travelled - motion.speed * step).max() <= 1e-7
     assert np.abs(np.diff(motion.speed)).max() <= 1.001 * cut.max_acceleration * step + 1e-12
     assert cut.at(cut.cycle_time).position == pytest.approx(DRUM.design_length, abs=1e-12)
+
+
+@settings(max_examples=60)
+@given(laws, lengths, beyond)
+def test_what_jumps_at_the_joints_is_what_the_motion_shows_on_either_side(law, length, way):
+    """A wait interrupts the law in the middle of a piece; from the closed forms, just before and just behind."""
+    cut = Cut(DRUM, length, 1.2, law, way)
+    near, scales = 1e-6 * cut.cycle_time, rates_of(cut)
+    apart = [joint for joint in cut_joints(cut, "jerk") if joint.jump]
+    begins = np.array([joint.x for joint in apart])
+    assert len(begins) > 1
+    crowded = np.diff(begins, append=cut.cycle_time) < 4 * near
+    before, behind = (cut.at((begins + side * near) % cut.cycle_time) for side in (-1, 1))
+    for n, name in enumerate(("speed", "acceleration")):
+        seen = getattr(behind, name) - getattr(before, name)
+        told = np.array([joint.jump[n] for joint in apart])
+        assert np.abs(np.where(crowded, 0.0, seen - told)).max() <= 1e-3 * scales[n]
+
+
+@pytest.mark.parametrize("way", ["standstill", "reversal"])
+@pytest.mark.parametrize("length", [0.15, 0.9])
+def test_the_tool_is_as_smooth_as_its_law(length, way):
+    """Whether it waits or not: at its fastest instant a law without a jump has no acceleration."""
+
+    def least(law):
+        cut = Cut(DRUM, length, 1.2, law, way)
+        return [max(joint.order for joint in cut_joints(cut, s)) for s in ("velocity", "acceleration", "jerk")]
+
+    assert least(Cycloidal()) == least(ModifiedTrapezoidal()) == [0, 0, 3]
+    assert least(TrapezoidalVelocity(0.2, 0.3)) == [0, 2, 2]
+    septic = next(law for law in RESTING if law.name == "Polynomial 4-5-6-7")
+    assert least(septic)[:2] == [0, 0]
 
 
 @settings(max_examples=40)

@@ -180,6 +180,18 @@ def test_the_variations_show_every_case_and_fail_every_limit():
         assert shown(f"fly_ok_{limit}") == {"OK", "FAIL"}
 
 
+@pytest.mark.parametrize(("law", "length", "asked", "said"), [
+    ("ACS", 180.0, "acceleration", "works at line speed to moves by its law at 0 s: acceleration jumps by 46.76"),
+    ("CIC", 900.0, "jerk", "works at line speed to moves by its law at 0 s: jerk jumps by "),
+    ("ACS", 180.0, "velocity", ""), ("CIC", 180.0, "acceleration", ""), ("CIC", 900.0, "acceleration", ""),
+])  # fmt: skip
+def test_the_tool_is_as_smooth_as_asked_or_the_joint_is_named(law, length, asked, said):
+    """Constant acceleration begins with 4 h v_L²/(L_p − L_T)²."""
+    value = computed(TEMPLATE, described(law=law, product_length=length, smoothness=asked))
+    assert value("fly_ok_smooth") == ("FAIL" if said else "OK")
+    assert value("fly_ok_smooth_says").startswith(said or "what must not jump")
+
+
 @pytest.mark.parametrize(
     ("changed", "line"),
     [

@@ -1,16 +1,23 @@
 """Energy of a machine's drives: against the engine's sum over all drives' power, and by the hour."""
 
+import random
+
 import pytest
 
 from engine.machine.bus import Drivetrains
-from tests.workbook.cells import computed, entered
+from tests.mutation.machines import machine as drawn_machine
+from tests.tiers import nights, seed
+from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
 from workbook.laws.library import laws
+from workbook.machines.machine import bussed
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.view import Whole
 
+PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
+         {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
 POWER = PowerEntry(efficiency=0.9, hours=4000.0)
 AXES = [driven(*RISE, reducer={"ratio": 3.0, "efficiency": 0.8}),
         driven(*RISE, shift=30.0, load={"mass": 8.0, "slope": 90.0}) | {"name": "A2"}]  # fmt: skip
@@ -21,16 +28,68 @@ def machine(axes=AXES, power=POWER):
     return small(axes).model_copy(update={"power": power})
 
 
+def together(made):
+    """The drives of a machine at its rate, by the engine's search over their courses."""
+    axes = Whole(made, laws(made.laws)).axes
+    courses = tuple(Driven(one, made.selection).demand.course for one in axes if one.given.rate is None)
+    return Drivetrains(courses, made.power.efficiency)
+
+
+def off(value, exact):
+    """By how much the figures of the common bus are off, and what they say that it is at most."""
+    figures = [value(f"bus_{name}") for name in ("mains_peak", "mains", "resistor_peak", "resistor")]
+    return max(abs(one - other) for one, other in zip(figures, exact, strict=True)), value("bus_off")
+
+
 def test_the_sums_are_those_of_the_power_of_all_drives():
     made = machine()
-    value, whole = computed(TEMPLATE, made), Whole(made, laws(made.laws))
-    courses = tuple(Driven(one, made.selection).demand.course for one in whole.axes)
-    together = Drivetrains(courses, POWER.efficiency)
-    alone, common = together.supply(False), together.supply(True)
+    value = computed(TEMPLATE, made)
+    alone, common = together(made).supply(False), together(made).supply(True)
     assert value("power_mains") == pytest.approx(alone.mains_mean, rel=1e-9)
     assert value("power_resistors") == pytest.approx(alone.resistor_mean, rel=1e-9)
     assert value("power_year") == pytest.approx(alone.energy_a_year(4000.0) / 3.6e6, rel=1e-9)
     assert value("power_least") < common.mains_mean < value("power_mains")
+    by, at_most = off(value, common)
+    assert 1e-5 * common.mains_peak < by <= at_most < 0.1 * common.mains_peak
+    assert value("bus_net_off") <= at_most
+    assert abs(value("bus_alone") - alone.mains_peak) <= at_most
+
+
+def test_the_peaks_of_each_drive_are_those_of_its_power():
+    value = computed(TEMPLATE, machine())
+    for k, one in enumerate(together(machine()).courses):
+        supply = Drivetrains((one,), POWER.efficiency).supply(False)
+        assert value("power", "peak")[k] == pytest.approx(supply.mains_peak, rel=1e-9)
+        assert value("power", "burnt")[k] == pytest.approx(supply.resistor_peak, rel=1e-9)
+        assert value(f"drive{k + 1}_pmax") == pytest.approx(supply.mains_peak * POWER.efficiency, rel=1e-9)
+
+
+def test_one_drive_is_its_own_bus():
+    value = computed(TEMPLATE, machine(AXES[:1]))
+    for name, column in (("mains_peak", "peak"), ("mains", "mains"), ("resistor_peak", "burnt")):
+        assert value(f"bus_{name}") == pytest.approx(value("power", column)[0], abs=value("bus_off"))
+
+
+@pytest.mark.parametrize("number", [*range(1), *nights(60)])
+def test_random_drives_are_off_by_no_more_than_the_sheet_says(request, number):
+    """With process forces, and in every cell as the engine."""
+    told = f"power {number}"
+    drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
+    made = drawn_machine(machine([AXES[0] | {"load": {"mass": 20.0, "windows": PRESS}}, AXES[1]]), drawn)
+    made = made.model_copy(update={"axes": [axis.model_copy(update={"rate": None}) for axis in made.axes]})
+    assert disagreeing(TEMPLATE, made)[0] == []
+    by, at_most = off(computed(TEMPLATE, made), together(made).supply(True))
+    assert by <= at_most * (1 + 1e-9)
+
+
+def test_too_many_places_where_power_may_jump_fail(monkeypatch):
+    monkeypatch.setattr(bussed, "FULL", 0)
+    monkeypatch.setattr(bussed, "MORE", 0)
+    made = machine([AXES[0], AXES[1] | {"shift": 31.3}])
+    value = computed(TEMPLATE, made)
+    assert value("power_room") == "FAIL"
+    assert "sizes.motion_pieces" in value("power_room_says")
+    assert disagreeing(TEMPLATE, made)[0] == []
 
 
 def test_a_drive_at_a_rate_of_its_own_counts_at_that_rate():
@@ -38,6 +97,8 @@ def test_a_drive_at_a_rate_of_its_own_counts_at_that_rate():
     assert slow("power", "time") == [pytest.approx(1.2)]
     energy = slow("drive1_energy") / 0.9 / 1.2
     assert slow("power_mains") == pytest.approx(energy, rel=1e-12)
+    assert slow("power", "bus") == [0]
+    assert (slow("bus_mains_peak"), slow("bus_mains"), slow("bus_off")) == (0.0, 0.0, 0.0)
 
 
 def test_the_entries_come_back_and_a_machine_without_drives_has_none():

@@ -34,7 +34,7 @@ def joints(machine: Sized, rows: PieceRows) -> Joints:
         machine.given.smoothness, "act_smooth", "act_order", ("MAX([phases.v])", "MAX([phases.amax])"), ('" s"', " s"),
         units,
     )  # fmt: skip
-    return Joints(rows, machine.sizing.motion, asked)
+    return Joints.of(rows, machine.sizing.motion, asked)
 
 
 def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:

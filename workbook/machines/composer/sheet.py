@@ -45,7 +45,7 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.heading("Results")
     results(sheet, machine)
     sheet.row += 1
-    joints, ends = Joints(rows, machine.motion, asked(machine)), handing(machine, rows)
+    joints, ends = Joints.of(rows, machine.motion, asked(machine)), handing(machine, rows)
     checks(sheet, machine, joints, ends)
     draw_position(sheet)
     sheet.heading(

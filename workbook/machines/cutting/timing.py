@@ -75,7 +75,7 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
     axes_table(sheet, machine)
     draw_diagram(sheet, range(1, len(timing.axes) + 1))
     sheet.row = max(sheet.row, 26)
-    joints = [Joints(found, axis.motion, asked(machine, i))
+    joints = [Joints.of(found, axis.motion, asked(machine, i))
               for i, (axis, found) in enumerate(zip(machine.axes, rows, strict=True), 1)]  # fmt: skip
     ends = handing(machine, rows)
     for i, (of_axis, of_joints, of_ends) in enumerate(zip(rows, joints, ends, strict=True), 1):

@@ -11,6 +11,7 @@ from workbook.book.sentence import figure
 from workbook.entries.exported import Exporting
 from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
+from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
@@ -77,6 +78,7 @@ class CutterEntry(Model):
     line_speed: Positive  # m/min
     product_length: Positive  # mm
     law: RisingLaw
+    smoothness: Smoothness = "acceleration"
     beyond: Literal["standstill", "reversal"] = "standstill"
     drum: DrumEntry
     saw: SawEntry

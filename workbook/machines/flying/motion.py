@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from engine.flying.pieces import Stretch, cut_pieces, stretches
+from engine.flying.pieces import Stretch, cut_joints, cut_pieces, rates_of, stretches
 from workbook.book.declare import Sheet, calc, constant
 from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import Flying
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, phase_table_columns, pieces_in_all, pieces_table
+from workbook.motion.smooth import Asked, Joints
 from workbook.motion.stack import last_before
 
 AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "m", "s", drifts=True, opens=True)
@@ -21,15 +22,27 @@ def rows_of(machine: Flying, stack: Pieces) -> PieceRows:
     return rows_of_parts(AT, stretches(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
 
 
+def joints_of(machine: Flying, rows: PieceRows) -> Joints:
+    """Return the joints of the tool's pieces, and how smooth it must be."""
+    smooth, cut = machine.given.smoothness, machine.cut
+    largest = ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
+    units = tuple((f'"{unit}"', unit) for unit in ("m/s", "m/s²", "m/s³"))
+    asked = Asked(smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS)
+    found = cut_joints(cut, smooth)
+    return Joints(rows, asked, found, rates_of(cut), not any(joint.order for joint in found))
+
+
 def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
     """Declare the parts of the cycle, and the pieces of the tool's motion."""
     sheet.heading("Workings: the tool's motion as pieces", ABOUT)
     sheet.note(WHERE)
     standing(sheet, machine, stack)
     parts_table(sheet, machine, stretches(machine.cut), rows)
-    sheet.rows(pieces_in_all(rows))
+    joints = joints_of(machine, rows)
+    sheet.rows(pieces_in_all(rows), joints.order())
     sheet.row += 1
-    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
+    columns = joints.columns(machine.room)
+    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size, *columns)
 
 
 def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:

@@ -10,7 +10,9 @@ from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
 from workbook.machines.flying.view import CASES, Flying, does
+from workbook.motion.asked import ABOUT as CONTINUOUS
 from workbook.motion.pieces import ROOM
+from workbook.motion.smooth import Joints
 
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 DOES = (
@@ -19,7 +21,7 @@ DOES = (
 )
 
 
-def cutter_sheet(book: Book, machine: Flying) -> None:
+def cutter_sheet(book: Book, machine: Flying, joints: Joints) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Cutter", "The tool works at line speed, and makes up for the product's length in between.")
     entries(sheet, machine)
@@ -28,7 +30,7 @@ def cutter_sheet(book: Book, machine: Flying) -> None:
     kinematics(sheet, machine)
     load(sheet, machine)
     sheet.row += 1
-    verdicts(sheet, machine)
+    verdicts(sheet, machine, joints)
     beside(sheet)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     cases(sheet, machine)
@@ -49,6 +51,8 @@ def entries(sheet: Sheet, machine: Flying) -> None:
         given("fly_line", "Line speed", "v_L", "m/min", e.line_speed, "cutter.line_speed", **plain),
         given("fly_law", "Law of the superimposed motion", "", "",
               e.law, "cutter.law", choices="=law_code", align="center", source="of those on the sheet Laws"),
+        given("fly_smooth", "What must be continuous", "", "",
+              e.smoothness, "cutter.smoothness", align="center", source=CONTINUOUS),
         given("fly_kind", "Kind of machine", "", "",
               e.kind, "cutter.kind", align="center", source="its tools go round, or its slide comes back"),
         given("fly_tools", "Drum: number of tools", "n", "", drum.tools, "cutter.drum.tools", format="0"),
@@ -170,7 +174,7 @@ PIECES = 'fly_pieces&" pieces, and room for "&MAX([tool_pieces.r])'
 IN_STEP = 'ROUND(fly_tools,9)&" tools in step over "&ROUND(fly_angle,9)&"° each take more than 360°"'
 
 
-def verdicts(sheet: Sheet, machine: Flying) -> None:
+def verdicts(sheet: Sheet, machine: Flying, joints: Joints) -> None:
     """Declare the checks."""
     holds, cut, limits = machine.holds, machine.cut, machine.given.limits
     stroke = 0.0 if machine.is_drum else shown(cut.stroke, MM)
@@ -189,6 +193,7 @@ def verdicts(sheet: Sheet, machine: Flying) -> None:
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
               f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none",
               says=exceeding("fly_stroke", "fly_room", "mm", stroke, machine.given.saw.stroke)),
+        joints.check("fly_ok_smooth", "The tool moves as smoothly as asked"),
         check("fly_ok_length", "The products leave time to re-position",
               "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T", ":length",
               f'"a product of "&{SHORT}&" mm; expected at least "&ROUND(fly_lt*fly_longer,9)&" mm"'),

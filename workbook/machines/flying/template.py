@@ -13,7 +13,7 @@ from workbook.machines.flying.check import check
 from workbook.machines.flying.cycle import cycle_sheet
 from workbook.machines.flying.entries import FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
-from workbook.machines.flying.motion import rows_of
+from workbook.machines.flying.motion import joints_of, rows_of
 from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.turning import turning_sheet
 from workbook.machines.flying.variations import variants
@@ -58,9 +58,9 @@ def declare(given: FlyingCutter) -> Book:
             result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta, scale=scale.power_rate),
         ],
     )  # fmt: skip
-    cutter_sheet(book, view)
-    lengths_sheet(book, view)
     rows = rows_of(view, shelf.stack)
+    cutter_sheet(book, view, joints_of(view, rows))
+    lengths_sheet(book, view)
     cycle_sheet(book, view, rows, shelf.stack)
     selection_sheet(book, LOAD, choosing(view, given))
     turning_sheet(book, view, shelf.named, shelf.stack)

@@ -8,6 +8,7 @@ from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, own_in, single_humped, variations, vary_laws
 from workbook.machines.flying.entries import DRUM, FlyingCutter
+from workbook.motion.asked import smoothness_for
 from workbook.selection.variations import vary_selection
 
 RISING = [
@@ -36,7 +37,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     load |= {"inertia": 0.01 * next(scale), "mass": 3.0 * k, "torque": (0.0, 2.5, -1.5, 0.0, 4.0, 0.7)[k]}
     entries["limits"] = limits(k, scale)
     entries["line_speed"] = 35.0 + 21 * k
-    entries |= product(entries, k) | {"law": law}
+    entries |= product(entries, k) | {"law": law, "smoothness": smoothness_for(turn)}
     vary_selection(data["selection"], k, data["sizes"])
     return data
 

@@ -17,6 +17,7 @@ from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import highest, pace_columns, pace_tables
+from workbook.machines.machine.powered import PEAKS, power_columns, power_peaks, power_rows
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import (
     ACTS,
@@ -61,7 +62,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         entries(sheet, driven, size(driven))
         parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
-        outcome(sheet, one, driven, STRAIGHT, highest(view))
+        outcome(sheet, one, driven, STRAIGHT, [*power_peaks(view, PEAKS), *highest(view)])
         sheet.checks(*checks(driven), laws_check(driven, one))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         sheet.not_printed_below()
@@ -72,7 +73,9 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         lines(sheet, driven)
         turns_table(sheet, view)
         breaks_table(sheet, view)
-        stretches_table(sheet, view, *pace_columns(view))
+        sheet.row += 1
+        sheet.rows(*power_rows(view))
+        stretches_table(sheet, view, *power_columns(view), *pace_columns(view))
         pace_tables(sheet, view)
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
@@ -293,10 +296,10 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
         calc("dir", "direction", "", "",
              f"=SIGN(INDEX([{t}_steps.h],INDEX([{t}_pieces.p],INDEX([cycle.q{i}],[k]+1))))", going, format="0",
              source="of the phase"),
-        calc("window", "process force", "", "", f"=SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
-             driven.forces(going, angles), scale=driven.sizes.force),
         calc("force", "at the load", "F", "",
-             f"=@steady+[dir]*@rub+[window]+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force),
+             f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))"
+             f"+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force,
+             source="with process forces"),
         calc("behind", "torque of the mechanism's shaft", "T_1", "Nm",
              f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*@faster^2*INDEX([cycle.tt{i}],[k]+1)", behind,
              scale=driven.sizes.behind, source="f F/i_2 + J_1 i_2 ÿ"),

@@ -195,11 +195,6 @@ class Driven:
             found[:, k] = drive.torque(a[k], going[k]), torques[1], torques[2]
         return Samples(self.mechanism.turning(0, v), *found)
 
-    def forces(self, going: Array, angles: Array) -> list[float]:
-        """Return the process forces at master angles (N, or Nm), in the direction of positive motion."""
-        held = zip(going.tolist(), angles.tolist(), strict=True)
-        return [float(sum(w.load.resisting(way) for w in self.acting(angle))) for way, angle in held]
-
 
 def under(bends: Bends, windows: tuple[Window, ...], going: float) -> Bends:
     """Return a direction of motion with process forces more; at rest, without what opposes a motion."""

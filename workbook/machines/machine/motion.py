@@ -33,7 +33,7 @@ class AxisRows:
         self.axis, self.machine = axis, machine
         self.steps = machine.machine.sizes.phases + machine.machine.sizes.phases + 1
         self.pieces: PieceRows = rows_of(self.at, axis.motion, stack, self.steps, axis.places)
-        self.joints = Joints(self.pieces, axis.motion, self.asked)
+        self.joints = Joints.of(self.pieces, axis.motion, self.asked)
         self.ends = StepEnds(self.pieces, axis, f"COUNT([{self.name}.stop])") if machine.hands_over else None
 
     @property

@@ -138,7 +138,7 @@ def crossing(view: Stretched, name: str, at: str, index: str, found: Crossing) -
     part, level, trial = f"k{name}", f"[y{index}]", int(name.rpartition("_")[2])
     before = f"p{index}_{trial - 1}"
     same = f"IF([@pace.gap.{trial + 1}]=0,[{{}}]," if trial > 1 else "("
-    above, within = f"{at}*(MAX([yb],[ye])-{LOST})>{level}", f"{at}*(MIN([yb],[ye])+{LOST})<{level}"
+    above, within = f"AND(@j1+@m>0,{at}*(MAX([yb],[ye])-{LOST})>{level})", f"{at}*(MIN([yb],[ye])+{LOST})<{level}"
     last, rise = PARTS - 1, "([z4]-[z0])"
 
     def counted(u: str) -> str:

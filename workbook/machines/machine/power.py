@@ -1,17 +1,28 @@
-"""The sheet Power: what the drives take from the mains and burn in their resistors on average, exact."""
+"""The sheet Power: what the drives take from the mains and burn in their resistors, each alone and on a common bus."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from engine.machine.bus import Means, means, together
-from workbook.book.declare import Book, calc, constant, given, result
+from engine.machine.bus import Means, means, peaks, together
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.sentence import Said
 from workbook.entries.units import shown
+from workbook.machines.machine.bus_table import breaks_table, bus_table, lines_chart
+from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.stretched import STEP, Stretched
 
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
+TOGETHER = (
+    "On a common DC bus drives use what others give back; what is left goes into one resistor. A drive at a rate of "
+    "its own has no place in the turn, and one whose ratio changes is not summed here: they count alone."
+)
+ROOM = "more places where power may jump than this sheet has rows for; build it with larger sizes.motion_pieces"
+CHART_COLUMN = 8
 
 
 def alone(driven: Driven, efficiency: float) -> Means:
@@ -19,46 +30,111 @@ def alone(driven: Driven, efficiency: float) -> Means:
     return means(driven.demand.energy, driven.demand.course.time, efficiency)
 
 
-def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Driven]) -> None:
+def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]) -> None:
     """Declare the sheet, where there are drives."""
     if not drives:
         return
     sheet = book.sheet("Power", "Energy of the drives: from the mains, in brake resistors, over a year.")
-    each = [alone(one, given_power.efficiency) for one in drives]
-    whole = together(each)
-    floor = max(1e-3, *(one.scales.power for one in drives))
+    bus = Bus(drives, given_power)
+    each = [alone(one.driven, given_power.efficiency) for one in drives]
+    floor = max(1e-3, *(one.driven.scales.power for one in drives))
     sheet.heading("Enter", NOTE)
     sheet.rows(
         given("power_efficiency", "Efficiency of a drive", "η", "", given_power.efficiency, "power.efficiency",
               format="0.0##", source="between its motor's shaft and the mains"),
         given("power_hours", "Hours of running a year", "", "h", given_power.hours, "power.hours", format="0.##"),
     )  # fmt: skip
-    sheet.heading("Results")
-    sheet.rows(
-        result("power_mains", "Mean power from the mains, each drive alone", "P", "W", "=SUM([power.mains])",
-               whole.mains, scale=floor, source="without a common DC bus"),
+    sheet.heading("Results: each drive alone")
+    sheet.rows(*totals(together(each), given_power, floor))
+    if bus.drives:
+        sheet.heading("Results: on a common DC bus", TOGETHER)
+        sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if bus.shares(work)], floor))
+        sheet.checks(check("power_room", "Power: the sheet has rows for all places where power may jump",
+                           "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=Said(f'"{ROOM}"', ROOM)))  # fmt: skip
+        sheet.chart(lines_chart(), column=CHART_COLUMN, row=5, width=9, height=20)
+    drives_table(sheet, drives, each, bus, floor)
+    if bus.drives:
+        sheet.not_printed_below()
+        breaks_table(sheet, bus)
+        bus_table(sheet, bus)
+
+
+def totals(whole: Means, entered: PowerEntry, floor: float) -> list[Quantity]:
+    """Return the results of drives that share no bus."""
+    return [
+        result("power_mains", "Mean power from the mains", "P", "W", "=SUM([power.mains])",
+               whole.mains, scale=floor, source="exact, without a common DC bus"),
         result("power_resistors", "Mean power in the brake resistors", "", "W", "=SUM([power.resistor])",
                whole.resistor, scale=floor),
         result("power_year", "Energy a year", "E", "kWh", "=power_mains*power_hours/1000",
-               shown(whole.energy_a_year(given_power.hours), KWH), scale=floor),
-        result("power_least", "Mean power from the mains on a common DC bus, at least", "", "W",
-               "=MAX(0,power_mains-power_resistors)", whole.least, scale=floor,
-               source="if all that comes back is used"),
-    )  # fmt: skip
-    scopes = [f"drive{one.number}_" for one in drives]
+               shown(whole.energy_a_year(entered.hours), KWH), scale=floor),
+        result("power_least", "Mean power from the mains if all that comes back is used", "", "W",
+               "=MAX(0,power_mains-power_resistors)", whole.least, scale=floor, source="no bus can do better"),
+    ]  # fmt: skip
+
+
+def common(bus: Bus, each: Sequence[Means], floor: float) -> list[Quantity]:
+    """Return the results of drives on a common bus, and by how much they are off at most."""
+    size, net, lines = max(bus.size, floor), together(each), bus.lines
+    mains, resistor = max(0.0, float(lines.common.max())), max(0.0, -float(lines.common.min()))
+    found = Means(lines.mean, lines.mean - lines.net)
+    own = "SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))"
+    return [
+        result("bus_alone", "Peak power from the mains without the bus, of these drives", "", "W",
+               "=MAX(MAX([bus.alone]),MAX([bus.alone_e]))", float(lines.alone.max()), scale=size),
+        result("bus_mains_peak", "Peak power from the mains", "P_max", "W",
+               "=MAX(0,MAX([bus.sum]),MAX([bus.sum_e]))", mains, scale=size),
+        result("bus_mains", "Mean power from the mains", "P", "W", "=SUM([bus.above])/360", found.mains, scale=size),
+        result("bus_resistor_peak", "Peak power in the brake resistor", "", "W",
+               "=MAX(0,0-MIN([bus.sum]),0-MIN([bus.sum_e]))", resistor, scale=size),
+        result("bus_resistor", "Mean power in the brake resistor", "", "W",
+               "=bus_mains-SUMPRODUCT(([bus.e]-[bus.b])*[bus.on],([bus.sum]+[bus.sum_e])/2)/360", found.resistor,
+               scale=size),
+        result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours/1000",
+               shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, source="of these drives"),
+        result("bus_off", "None of these is off by more than", "", "W", "=SUM([power.off])",
+               sum(map(bus.off, bus.drives)), scale=size,
+               source="Σ |P''| δ²/8 + |ΔP'| δ/4: straight lines between places"),
+        calc("bus_net_off", "Their means are off by", "", "W",
+             f"=ABS(bus_mains-bus_resistor-{own})", abs(found.net - net.net), scale=size,
+             source="mains less resistor, beside the exact one"),
+        constant("bus_step", "Places of the sum are apart by", "δ", "°", STEP, source="or less: and every jump"),
+    ]  # fmt: skip
+
+
+def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means], bus: Bus, floor: float) -> None:
+    """Declare a row for each drive: its energy, mean and peak powers, and what it adds to the error of the sum."""
+    driven = [one.driven for one in drives]
+    scopes = [f"drive{one.number}_" for one in driven]
+    scale, peak = max(one.scales.work for one in driven), max(one.most_power for one in drives)
+    energies, power = [one.demand.energy for one in driven], [one.demand.power for one in driven]
+    most = [peaks(one.highest.value, one.lowest.value, bus.entered.efficiency) for one in power]
+    linked = [isinstance(one, LinkedWork) for one in drives]
+
+    def of(formula: str, other: str = "=0*[k]") -> list[str]:
+        return [other if links else formula.format(scope) for scope, links in zip(scopes, linked, strict=True)]
+
     sheet.table(
         "power", "Drives", len(drives),
-        constant("k", "number of the axis", "k", "", [one.number for one in drives]),
-        calc("axis", "axis", "", "", [f"=[axes.name.{one.number}]" for one in drives],
-             [one.entered.name for one in drives], align="left"),
+        constant("k", "number of the axis", "k", "", [one.number for one in driven]),
+        calc("axis", "axis", "", "", [f"=[axes.name.{one.number}]" for one in driven],
+             [one.entered.name for one in driven], align="left"),
         calc("time", "cycle", "t_c", "s", [f"=60/{scope}rate" for scope in scopes],
-             [one.demand.course.time for one in drives]),
+             [one.demand.course.time for one in driven]),
         calc("driving", "its motor drives with", "E", "J", [f"={scope}energy+0" for scope in scopes],
-             [one.demand.energy.driving for one in drives], scale=max(one.scales.work for one in drives)),
+             [one.driving for one in energies], scale=scale),
         calc("returned", "comes back to it", "", "J", [f"={scope}returned+0" for scope in scopes],
-             [one.demand.energy.regenerated for one in drives], scale=max(one.scales.work for one in drives)),
+             [one.regenerated for one in energies], scale=scale),
         result("mains", "mean power from the mains", "P", "W", "=[driving]/power_efficiency/[time]",
                [one.mains for one in each], scale=floor),
+        result("peak", "peak", "P_max", "W", [f"={scope}pmax/power_efficiency" for scope in scopes],
+               [one.mains for one in most], scale=peak, source="exact"),
         result("resistor", "mean power in its resistor", "", "W", "=[returned]*power_efficiency/[time]",
                [one.resistor for one in each], scale=floor),
+        result("burnt", "peak", "", "W", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
+               [one.resistor for one in most], scale=peak, source="exact"),
+        calc("bus", "on the common bus", "", "", of('=IF({0}own_rate="",1,0)'),
+             [int(bus.shares(one)) for one in drives], format="0", source="1: yes"),
+        calc("off", "its lines are off by at most", "", "W", of("=[bus]*MAX([{0}st.off])"),
+             [0.0 if links else bus.off(one) for one, links in zip(drives, linked, strict=True)], scale=bus.size),
     )  # fmt: skip

@@ -15,6 +15,7 @@ from engine.drivetrain.bends import Bends
 from engine.laws.base import Array
 from engine.machine.bent import PLACES, BentPart, going, inside, middle, stretches, turned, turning
 from engine.machine.pace import Pace
+from engine.machine.powering import Powering, flat_up_to
 from engine.machine.train import Window
 from engine.motion.pieces import MotionPiece
 from workbook.book.rows import filled
@@ -23,6 +24,9 @@ from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.motion import AxisRows
+
+STEP = 3.0
+"""of the sheet Power's own grid, in degrees of the master shaft"""
 
 
 class Stretched:
@@ -79,7 +83,13 @@ class Stretched:
     def spans(self) -> list[tuple[float, float]]:
         """Begin and end of each stretch, in degrees."""
         further = [angle for angle, _ in self.further]
-        return stretches([*self.begins, *chain(*self.turned), *self.edges, *further], TURN, self.near)
+        cuts = [*self.begins, *chain(*self.turned), *self.edges, self.turn_begin, *further]
+        return stretches(cuts, TURN, self.near)
+
+    @property
+    def turn_begin(self) -> float:
+        """Where the turn of the master shaft begins, in degrees of the motion as it is told."""
+        return turned(0.0, -self.driven.axis.given.shift, TURN)
 
     @property
     def further(self) -> list[tuple[float, str]]:
@@ -105,6 +115,47 @@ class Stretched:
         motor, driven = self.driven.motor, self.driven
         limits = motor.rated_torque, motor.peak_torque, motor.max_speed, driven.reducer.limits
         return Pace(tuple(self.parts), driven.demand, *limits)
+
+    @cached_property
+    def powers(self) -> list[Powering]:
+        """Their power."""
+        return [Powering(part, self.flat) for part in self.parts]
+
+    def powering(self, figure: Callable[[Powering], Any], spare: Any = None) -> list[Any]:
+        """Return a figure of each stretch's power; spare rows have another, or repeat the last."""
+        last = figure(self.powers[-1]) if spare is None else spare
+        return filled(map(figure, self.powers), self.rows, last)
+
+    @property
+    def turning(self) -> float:
+        """Speed of the motor (rad/s) for y' = 1."""
+        return self.powers[0].turns
+
+    @property
+    def flat(self) -> float:
+        """The slope of the power over that, up to which it counts as none."""
+        driven = self.driven
+        return flat_up_to(driven.demand.torque.peak, driven.axis.hardest, driven.axis.speed)
+
+    @property
+    def most_power(self) -> float:
+        """The largest power (W)."""
+        power = self.driven.demand.power
+        return max(power.highest.value, -power.lowest.value, 1e-3)
+
+    @property
+    def most_snap(self) -> float:
+        """The largest fourth derivative of y."""
+        return max(1e-9, *(one.snap for one in self.powers))
+
+    def off(self, one: Powering) -> float:
+        """Return by how much straight lines between the places of the sheet Power are off at most (W)."""
+        return one.off(si(STEP, DEGREE), self.one.machine.machine.power.efficiency)
+
+    @cached_property
+    def most_off(self) -> float:
+        """The largest of these (W)."""
+        return max(map(self.off, self.powers))
 
     def rowed(self, values: Array) -> list[float]:
         """Return values of the stretches, 0 in spare rows."""

@@ -118,13 +118,15 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
         for edge in ("start", "stop"):
             told = f"([@windows.{edge}.{n}]-[axes.late.{i}])"
             formulas.append(f'=IF([@windows.{edge}.{n}]="",360,{told}-360*INT({told}/360))')
-    formulas += [*(formula for _, formula in view.further), "=360+0"]
+    late = f"(0-[axes.late.{i}])"
+    formulas += [f"={late}-360*INT({late}/360)", *(formula for _, formula in view.further), "=360+0"]
     further = [angle for angle, _ in view.further]
     sheet.table(
         "@breaks", "Where a stretch can begin", len(formulas),
         constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
         calc("at", "angle of its phases", "θ", "°", formulas,
-             [*view.begins, *chain(*view.turned), *view.edges, *further, TURN], scale=360.0, format="0.0##"),
+             [*view.begins, *chain(*view.turned), *view.edges, view.turn_begin, *further, TURN], scale=360.0,
+             format="0.0##"),
     )  # fmt: skip
 
 

@@ -72,7 +72,7 @@ def declare(given: AnyMachine) -> Book:
             drive_sheet(book, view)
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
     clearances_sheet(book, apart)
-    power_sheet(book, given.power, [view.driven for view in drives.values()])
+    power_sheet(book, given.power, list(drives.values()))
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)

@@ -94,7 +94,7 @@ def of_transfer(machine: Overlapping, pieces: Pieces) -> Joints:
         moved.smoothness, "overlap_smooth", "overlap_order", largest(TRANSFER), ('"°"', "°"), UNITS,
         ("overlap_transfer", moved.name), names=MOVES,
     )  # fmt: skip
-    return Joints(transfer_rows(machine, pieces), filled_turn(machine.transfer.phases), asked)
+    return Joints.of(transfer_rows(machine, pieces), filled_turn(machine.transfer.phases), asked)
 
 
 def of_tool(station: Station, pieces: Pieces) -> Joints:
@@ -103,7 +103,7 @@ def of_tool(station: Station, pieces: Pieces) -> Joints:
         station.given.smoothness, "@smooth", "@order", largest(OF_TOOL["a"]),
         ('"° after its arrival"', "° after its arrival"), UNITS, ("@name", station.given.name), names=WAYS,
     )  # fmt: skip
-    return Joints(tool_rows(station, "a", pieces), station.as_set.motion, asked)
+    return Joints.of(tool_rows(station, "a", pieces), station.as_set.motion, asked)
 
 
 def tool_rows(station: Station, schedule: str, pieces: Pieces) -> PieceRows:

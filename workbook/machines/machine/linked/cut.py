@@ -250,4 +250,6 @@ def nodes_table(sheet: Sheet, view: LinkedWork) -> None:
         calc("u", "within piece", "u", "rad",
              "=INDEX([@sec.ub],[sec])+(1+[t])/2*(INDEX([@sec.ue],[sec])-INDEX([@sec.ub],[sec]))", places, scale=1.0),
         *columns(view, stacked(view.worked), helds, places),
+        calc("P", "power, over the reducer's ratio", "", "W", "=[T]*[w]", view.at_nodes("power"),
+             scale=max(1e-9, float(np.abs(view.at_nodes("power")).max()))),
     )  # fmt: skip

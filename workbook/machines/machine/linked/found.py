@@ -32,8 +32,10 @@ FIGURES = (
     Figure("S", "torque behind the reducer", "S", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.behind)),
     Figure("w", "speed of the shaft", "w", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.rate)),
     Figure("g", "ratio, its least", "g", "(0-{f})", "(0-MIN({f}))", lambda one: -one.first),
+    Figure("P", "power", "P", "{f}", "MAX({f})", lambda one: one.power),
+    Figure("Q", "power that comes back", "P", "(0-{f})", "(0-MIN({f}))", lambda one: -one.power),
 )
-LOST = {name: f"{LEVEL!r}*@lost_{name}" for name in ("T", "S", "w", "g")}
+LOST = {name: f"{LEVEL!r}*@lost_{name}" for name in ("T", "S", "w", "g", "P")}
 BARYCENTRIC = "SUMPRODUCT([@rule.inter]/({x}-[@rule.x]),{f})/SUMPRODUCT([@rule.inter]/({x}-[@rule.x]))"
 
 
@@ -44,11 +46,12 @@ def ranges(view: LinkedWork, column: str) -> list[str]:
 
 
 def lost_rows(view: LinkedWork) -> list[Quantity]:
-    """Return the rows of what is next to nothing of speeds and ratios."""
+    """Return the rows of what is next to nothing of speeds, ratios and powers."""
     return [
         calc(f"@lost_{column}", f"Next to nothing of {words} is", "", "",
              f"=check_zero*{BOTH.format(f=f'[@pl.{column}]')}", size, format="0E+00", scale=size)
-        for column, words, size in (("w", "speeds", view.least("rate")), ("g", "ratios", view.least("first")))
+        for column, words, size in (("w", "speeds", view.least("rate")), ("g", "ratios", view.least("first")),
+                                    ("P", "powers", view.least("power")))
     ]  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from workbook.machines.machine.chain import UNSIZED
 from workbook.machines.machine.linked import cut, found, kinds, reach
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
+from workbook.machines.machine.powered import power_peaks
 from workbook.machines.machine.stretches import breaks_table, turns_table, windows_table
 
 RESULTS = {
@@ -27,6 +28,8 @@ RESULTS = {
     "energy": "=SUMPRODUCT(([@sec.work]>0)*[@sec.work])",
     "returned": "=0-SUMPRODUCT(([@sec.work]<0)*[@sec.work])",
 }
+PEAKS = "@i1*MAX([@sec.topP])", "0-@i1*MAX([@sec.topQ])"
+"""highest and lowest power"""
 
 
 def linked_sheet(book: Book, view: LinkedWork) -> None:
@@ -39,7 +42,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
         drive.parts(sheet, driven, one.machine.machine.sizes.rotors)
         windows_table(sheet, f"axes.{i - 1}", view)
-        drive.outcome(sheet, one, driven, RESULTS)
+        drive.outcome(sheet, one, driven, RESULTS, power_peaks(view, PEAKS))
         sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *checks(view))
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         sheet.chart(angles(), column=drive.CHART_COLUMN, row=28, width=8, height=18)

@@ -40,7 +40,7 @@ from workbook.machines.machine.stretched import Stretched
 
 FIGURES = ("force", "behind", "torque")
 """what power changes its way with: at the load, in the reducer, in the motor"""
-RATES = {"w": "rate", "g": "first"}
+RATES = {"w": "rate", "g": "first", "P": "power"}
 SPARE_TURNS = 8
 TOO_FEW = "too near to a dead centre, or power turns round too often, for the places of this sheet"
 EACH = len(LOOKS)

@@ -1,0 +1,111 @@
+"""The sum of all drives' power in cells, at places of a grid and wherever one of them may jump."""
+
+from __future__ import annotations
+
+import re
+
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Sheet, calc, constant
+from workbook.book.rows import filled
+from workbook.entries.turn import TURN
+from workbook.machines.machine.bussed import Bus
+from workbook.machines.machine.powered import at, line
+from workbook.machines.machine.stretched import Stretched
+from workbook.machines.machine.stretches import V
+
+OWN = re.compile(r"\[(\w+)\]")
+PLACE = "(([ub]+[ue])/2+({x}-[x])*PI()/180)"
+"""u at a master angle, by that in the middle of a stretch"""
+NEXT = "IF([e]>=360-timing_eps,1,MIN([bus.k.last],[k]+1))"
+"""the row behind one: behind the last of the turn its first"""
+WITHIN = "(2*({x}+timing_eps-[x])*PI()/180>=[ub]-[ue])*(2*({x}+timing_eps-[x])*PI()/180<[ue]-[ub])*[on]*[dir]"
+
+
+def breaks_table(sheet: Sheet, bus: Bus) -> None:
+    """Declare where the stretches of all drives begin, and by how much the power jumps there."""
+    found = bus.jumps
+    places, jumps, drawn = [], [], []
+    for one in bus.drives:
+        i = one.driven.number
+        shares, last = f"[power.bus.{bus.row(one)}]", one.rows
+        for k in range(1, last + 1):
+            x, b, e, on, power = (f"[drive{i}_st.{name}.{k}]" for name in ("x", "b", "e", "on", "pwb"))
+            before = f"[drive{i}_st.pwe.{k - 1 or last}]"
+            places.append(f"={shares}*MAX(0,{x}-({e}-{b})/2)")
+            up = f"MAX(0,{power})-MAX(0,{before})"
+            down = f"MAX(0,0-{power})-MAX(0,0-{before})"
+            jumps.append(f"={shares}*{on}*({up})/power_efficiency")
+            drawn.append(f"=[alone]-{shares}*{on}*({down})*power_efficiency")
+    size = len(found)
+    sheet.row += 1
+    sheet.table(
+        "jumps", "Where power may jump: where stretches of drives begin", size + 1,
+        constant("n", "number", "", "", list(range(1, size + 2))),
+        calc("at", "master angle", "θ", "°", [*places, "=360+0"], [*(one.at for one in found), TURN], scale=TURN,
+             format="0.0##"),
+        calc("alone", "from the mains, alone", "", "W", [*jumps, "=0+0"], [*(one.alone for one in found), 0.0],
+             scale=bus.size),
+        calc("common", "on the bus", "", "W", [*drawn, "=0+0"], [*(one.common for one in found), 0.0], scale=bus.size),
+    )  # fmt: skip
+
+
+def power_at(bus: Bus, one: Stretched) -> str:
+    """Return the formula of a drive's power at the begin of a row: of the stretch that holds behind it."""
+    i = one.driven.number
+    u = PLACE.replace("{x}", "@b@")
+    text = f"{WITHIN.replace('{x}', '@b@')}*{at(V, u)}*{line(u)}"
+    own = OWN.sub(rf"[drive{i}_st.\1]", text).replace("@b@", "[b]")
+    return f"=IF([power.bus.{bus.row(one)}]=0,0,drive{i}_turning*SUMPRODUCT({own}))"
+
+
+def bus_table(sheet: Sheet, bus: Bus) -> None:
+    """Declare the power of each drive at all places, and the sums at both ends of what lies between."""
+    room, lines = bus.room, bus.lines
+    numbers = [one.driven.number for one in bus.drives]
+    drives = f"[p{numbers[0]}]:[p{numbers[-1]}]"
+    jumps = f"SUMPRODUCT({same('[jumps.at]')}*[jumps.{{1}}])"
+    after = f"IF(AND([k]=[bus.k.last],[e]<360-timing_eps),[{{0}}],INDEX([bus.{{0}}],{NEXT})-{jumps})"
+    begin = ["=0*[k]", *("=IF([e-1]>=360-timing_eps,[b-1],[e-1])" for _ in range(room - 1))]
+    grid = "bus_step*(INT(([b]+timing_eps)/bus_step)+1)"
+    beyond = "SMALL([jumps.at],SUMPRODUCT(([jumps.at]<=[b]+timing_eps)*1)+1)"
+    c, d, rowed = "[sum]", "[sum_e]", bus.rowed
+    above = f"IF(MIN({c},{d})>=0,({c}+{d})/2,IF(MAX({c},{d})<=0,0,MAX({c},{d})^2/(2*ABS({c}-{d}))))"
+    sheet.row += 1
+    sheet.table(
+        "bus", "Power of the drives over the turn: joined by straight lines", room,
+        calc("b", "master angle", "θ", "°", begin, rowed([low for low, _ in lines.spans]), scale=TURN,
+             format="0.0##"),
+        calc("sum", "from the bus", "P", "W",
+             f"=[alone]-SUMPRODUCT(({drives}<0)*(0-{drives}))*power_efficiency", bus.ends(lines.common, 0),
+             scale=bus.size, source="of all drives together"),
+        calc("alone", "without a common bus", "P", "W", f"=SUMPRODUCT(({drives}>0)*{drives})/power_efficiency",
+             bus.ends(lines.alone, 0), scale=bus.size, source="of those that take"),
+        *(calc(f"p{one.driven.number}", f"axis {one.driven.number}: at its motor", "P", "W", power_at(bus, one),
+               values, scale=one.most_power)
+          for one, values in zip(bus.drives, bus.power, strict=True)),
+        constant("k", "row", "", "", list(range(1, room + 1))),
+        calc("e", "up to", "", "°", f"=MIN(360,{grid},{beyond})", rowed([high for _, high in lines.spans]),
+             scale=TURN, format="0.0##"),
+        calc("on", "is no spare row", "", "",
+             "=IF([k]=1,1,IF(INDEX([bus.e],MAX([k]-1,1))>=360-timing_eps,0,1))", filled([1 for _ in lines.spans], room),
+             format="0"),
+        calc("alone_e", "alone, before the next", "", "W", f"={after.format('alone', 'alone')}",
+             bus.ends(lines.alone, 1), scale=bus.size),
+        calc("sum_e", "together, before the next", "", "W", f"={after.format('sum', 'common')}",
+             bus.ends(lines.common, 1), scale=bus.size),
+        calc("above", "above 0, times its width", "", "W°", f"=[on]*([e]-[b])*{above}", filled(lines.areas, room),
+             scale=bus.size),
+    )  # fmt: skip
+
+
+def same(at_breaks: str) -> str:
+    """Return the condition that breaks are at the end of a row; the end of the turn is its begin."""
+    return f"(({at_breaks}-IF([e]>=360-timing_eps,0,[e]))^2<=timing_eps^2)"
+
+
+def lines_chart() -> Chart:
+    """Return the chart of the power over the turn."""
+    lines = (Series("on a common bus", "[bus.b]", "[bus.sum]"),
+             Series("each drive alone, from the mains", "[bus.b]", "[bus.alone]", dashed=True))  # fmt: skip
+    return Chart("Power over the turn", "master angle θ [°]", "P [W]", lines,
+                 "Power from the mains over one turn of the master shaft", (0, 360, 60))  # fmt: skip

@@ -1,0 +1,84 @@
+"""The engine's view of drives on a common DC bus."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from engine.laws.base import Array
+from engine.machine.sharing import Jump, Running, Sharing, room_for
+from workbook.book.rows import filled
+from workbook.entries.turn import TURN
+from workbook.machines.machine.chain import PowerEntry
+from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.stretched import STEP, Stretched
+
+FULL, MORE = 3, 12
+"""drives of which all stretches have room, and stretches of each further one"""
+NONE = Jump(0.0, 0.0, 0.0)
+
+
+class Bus:
+    """Drives of constant ratios over one turn, those that run at the machine's rate together on a bus."""
+
+    def __init__(self, drives: Sequence[Stretched], entered: PowerEntry) -> None:
+        self.all_drives, self.entered = drives, entered
+        self.drives = [one for one in drives if not isinstance(one, LinkedWork)]
+
+    def shares(self, one: Stretched) -> bool:
+        """Whether a drive is on the bus: one at a rate of its own has no place in the turn."""
+        return one in self.drives and one.driven.entered.rate is None
+
+    def row(self, one: Stretched) -> int:
+        """Return the row of a drive in the table of all drives, from 1."""
+        return self.all_drives.index(one) + 1
+
+    @cached_property
+    def running(self) -> list[Running]:
+        """The drives that can be on it."""
+        return [Running(tuple(one.powers), tuple(one.spans), one.driven.axis.given.shift) for one in self.drives]
+
+    @cached_property
+    def lines(self) -> Sharing:
+        """Their power, joined by straight lines."""
+        each = zip(self.drives, self.running, strict=True)
+        shared = tuple(running for one, running in each if self.shares(one))
+        return Sharing(shared, self.entered.efficiency, TURN, STEP, self.all_drives[0].near, self.room)
+
+    @property
+    def room(self) -> int:
+        """Rows of the table."""
+        return room_for([one.rows for one in self.drives], TURN, STEP, FULL, MORE)
+
+    @property
+    def jumps(self) -> list[Jump]:
+        """Where each stretch of each drive begins, a row each."""
+        found: list[Jump] = []
+        for one, running in zip(self.drives, self.running, strict=True):
+            each = self.lines.jumps(running) if self.shares(one) else [NONE]
+            found += filled(each, one.rows, Jump(each[-1].at, 0.0, 0.0))
+        return found
+
+    @property
+    def power(self) -> list[list[float]]:
+        """The power of each drive at each row (W): none of one that is not on the bus."""
+        found = iter(self.lines.power.tolist())
+        rests = self.rowed([0.0 for _ in self.lines.spans])
+        return [self.rowed([at for at, _ in next(found)]) if self.shares(one) else rests for one in self.drives]
+
+    @property
+    def size(self) -> float:
+        """The largest power of all together (W)."""
+        return max(1e-3, self.lines.size)
+
+    def off(self, one: Stretched) -> float:
+        """Return by how much the straight lines of a drive are off at most (W)."""
+        return one.most_off if self.shares(one) else 0.0
+
+    def rowed(self, values: Sequence[float]) -> list[float]:
+        """Return values of lines; spare rows repeat the last."""
+        return filled(values, self.room, values[-1])
+
+    def ends(self, values: Array, end: int) -> list[float]:
+        """Return values at begins or ends of the rows; spare rows repeat the last."""
+        return self.rowed(values[:, end].tolist())
