@@ -56,9 +56,10 @@ class Cubics(NamedTuple):
 
 
 class Inverted(NamedTuple):
-    """Positions in a table: number of the part, from 1; share of its rise; t, step by step."""
+    """Positions in a table: number of the part, from 1; b, c2, c3 of it; share of its rise; t, step by step."""
 
     part: Array
+    coefficients: tuple[Array, Array, Array]
     height: Array
     rough: Array
     fine: Array
@@ -89,4 +90,4 @@ class Inverted(NamedTuple):
         low, high = value(fine), value(fine + 1.0 / PARTS**2)
         chord = fine + np.clip((height - low) / (high - low), 0.0, 1.0) / PARTS**2
         step = newton(chord, fine)
-        return cls(k + 1, height, rough, fine, chord, step, newton(step, fine))
+        return cls(k + 1, (b, c2, c3), height, rough, fine, chord, step, newton(step, fine))

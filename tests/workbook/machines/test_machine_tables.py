@@ -66,7 +66,7 @@ def test_no_result_hangs_on_the_samples_and_the_motor_does_the_work_of_friction_
     assert net == pytest.approx(0.1 * 12.0 * 9.81 * 0.04 + 500.0 * 0.02, rel=1e-9)
 
 
-@pytest.mark.sample(1)
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     ("points", "check", "said"),
     [

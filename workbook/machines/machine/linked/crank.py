@@ -62,5 +62,5 @@ def end(which: str) -> str:
     return f'IF(@zero="outer","{other}","{one}")'
 
 
-def table(sheet: Sheet, driven: LinkedDriven) -> None:
+def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
     """Declare nothing more: the dead centres are told in closed form."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from collections.abc import Callable, Iterator
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -10,13 +11,14 @@ import numpy as np
 from engine.machine.passing import Passed, close, passed, passing_piece
 from engine.mechanisms.linkage import near_end
 from engine.mechanisms.table import PositionTable
+from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Sheet, calc, constant
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.linked.driven import LinkedDriven
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretches import FINER
-from workbook.motion.sampled import derivative
+from workbook.motion.sampled import in_piece
 
 INNER = "check_zero/1000*(@high-@low)"
 
@@ -94,18 +96,39 @@ class Passes:
         return Pass(phase, point, level, way, 1, pieces.index(piece) + 1, piece.duration, found, angle)
 
 
+def coefficients(one: AxisRows, size: float) -> Iterator[tuple[str, Callable[[MotionPiece], float], float]]:
+    """Yield each figure of a piece that y hangs on: its column, what it is, its scale."""
+    for n in range(one.pieces.powers):
+        yield f"c{n}", partial(of_power, n), one.axis.motion.size(n)
+    for k, sine in enumerate(one.pieces.sines):
+        for j, (name, scale) in enumerate((("A", size), ("om", 0.0), ("ph", 1.0))):
+            yield f"{name}{sine.mark}", partial(of_wave, k, j), scale
+
+
+def of_power(n: int, piece: MotionPiece) -> float:
+    """Return a coefficient of a piece."""
+    return piece.c[n]
+
+
+def of_wave(k: int, j: int, piece: MotionPiece) -> float:
+    """Return amplitude, frequency or phase of a sine of a piece."""
+    return piece.sines[k][j]
+
+
 def passing(sheet: Sheet, one: AxisRows, found: Passes) -> None:
     """Declare where each phase passes each point of the table but the first and the last."""
     i, each = found.driven.number, found.each
+    pieces = list(one.pieces.pieces)
     t, size, count = f"axis{i}_pieces", found.driven.axis.motion.size(0), f"axis{i}_count"
-    begins = f"[{t}.c0]" + "".join(f"+[{t}.A{sine.mark}]*SIN([{t}.ph{sine.mark}])" for sine in one.pieces.sines)
+    begins = f"[{t}.c0]" + "".join(f"+[{t}.A{sine.mark}]*SIN([{t}.ph{sine.mark}]+0)" for sine in one.pieces.sines)
+    # +0: IronCalc takes the sine of a bare range for an error
     beyond, near = f"[way]*[level]-{INNER}", "0-@near_end"
     own = f"([{t}.p]=2*[phase])*([{t}.r]<={count})*([way]*({begins})<{beyond})"
     passes = f"[point]<@count,[way]<>0,[level]-INDEX([@reach.low],[phase])>{near}"
     unit = found.driven.axis.base
 
     def y(place: str) -> str:
-        return derivative(one.pieces, 0, place=f"({place})")
+        return in_piece(one.pieces, 0, f"({place})")
 
     def round_of(k: int) -> str:
         at, width = (f"[a{k}]" if k else "0"), f"[d]{FINER[k]}"
@@ -123,13 +146,16 @@ def passing(sheet: Sheet, one: AxisRows, found: Passes) -> None:
         "@pass", "Where phases pass points of the table", found.rows,
         constant("phase", "row", "", "", of("phase")),
         constant("point", "point", "", "", of("point")),
-        calc("level", "position", "y", unit, "=INDEX([@points.y],[point])", of("level"), scale=size),
+        calc("level", "position", "y", unit, "=INDEX([@cubics.y],[point])", of("level"), scale=size),
         calc("way", "direction", "", "", f"=SIGN(INDEX([axis{i}_steps.h],2*[phase]))", of("way"), format="0"),
         calc("here", "is passed", "", "",
              f"=IF(AND({passes},INDEX([@reach.high],[phase])-[level]>{near}),1,0)", of("here"), format="0"),
         calc("q", "piece", "q", "",
              f"=IF([here]=0,1,INDEX([axis{i}_steps.before],2*[phase])+MAX(1,SUMPRODUCT({own})))", of("piece"),
              format="0"),
+        *(calc(name, "of the piece", name, "", f"=INDEX([{t}.{name}],[q])",
+               [get(pieces[row.piece - 1]) for row in each], scale=scale)
+          for name, get, scale in coefficients(one, size)),
         calc("d", "its duration", "d", "rad", f"=INDEX([{t}.d],[q])", of("duration"), scale=1.0),
         *(calc(f"a{k}", "not before", "u", "rad", round_of(k - 1), [row.found.rounds[k - 1] for row in each],
                scale=1.0)

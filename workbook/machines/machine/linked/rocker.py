@@ -59,7 +59,7 @@ def sizes(driven: LinkedDriven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def table(sheet: Sheet, driven: LinkedDriven) -> None:
+def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
     """Declare the places at which the mechanism may lock."""
     one = slides.slide_of(driven.linkage)
     places = ends_of(one.lever, one.link, one.offset, one.side, one.zero)

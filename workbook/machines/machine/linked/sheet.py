@@ -53,7 +53,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
             calc("@omega", "Master shaft at its rate", "ω", "rad/s", "=timing_omega*@faster", driven.axis.speed),
             *kinds.of(driven).sizes(driven),
         ])  # fmt: skip
-        kinds.of(driven).table(sheet, driven)
+        kinds.of(driven).table(sheet, driven, one.machine.machine.sizes.positions)
         cycle(sheet, view)
         reach.reach_table(sheet, view)
         turns_table(sheet, view)

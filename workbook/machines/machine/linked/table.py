@@ -23,10 +23,12 @@ from workbook.machines.machine.linked.driven import FALLS, SHARP, LinkedDriven
 from workbook.machines.machine.linked.worked import LinkedWork
 
 SIZED = "@count>=2"
-FITS = "SUM([@points.falls])+SUM([@points.sharp])=0"
+FITS = "SUM([@cubics.falls])+SUM([@cubics.sharp])=0"
 HOLDS = "angle and position rise from point to point"
 WITHIN = "within its table"
-PART = "INDEX([@points.{name}],[sg{mark}])"
+PART = "INDEX([@cubics.{name}],[sg{mark}])"
+COEFFICIENTS = {"kb": "b", "kc": "c2", "kd": "c3"}
+"""columns of a place, by those of the cubics"""
 SOURCE = "Fritsch and Carlson 1980"
 
 
@@ -40,11 +42,11 @@ def wrong(unit: str) -> str:
         pieces = [quoted(piece) for piece in words.split("{}")]
         return "&".join(part for pair in zip(pieces, [*figures, '""'], strict=True) for part in pair)
 
-    row = "MATCH(1,[@points.falls],0)"
+    row = "MATCH(1,[@cubics.falls],0)"
     shown = [f"ROUND({at(column, place)},9)" for place in (row, f"{row}-1") for column in ("angle", "position")]
     falls = told(FALLS, row, *shown[:2], quoted(unit), *shown[2:], quoted(unit))
-    bend = "MATCH(1,[@points.sharp],0)"
-    return f"IF(SUM([@points.falls])>0,{falls},{told(SHARP, bend, f'({bend}+1)')})"
+    bend = "MATCH(1,[@cubics.sharp],0)"
+    return f"IF(SUM([@cubics.falls])>0,{falls},{told(SHARP, bend, f'({bend}+1)')})"
 
 
 def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
@@ -53,29 +55,30 @@ def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
 
 
 def entered(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
-    """Declare the points, and the cubics between them."""
+    """Declare the points."""
     e, key, unit = driven.given.points, f"axes.{driven.number - 1}.mechanism.points.*", driven.entered.unit
     sheet.row += 1
     sheet.table(
         "@points", "Points of the table: leave spare rows empty", rows,
+        constant("k", "point", "k", "", list(range(1, rows + 1))),
         given("angle", "angle of the shaft", "φ", "°", filled([p.angle for p in e], rows, None), f"{key}.angle",
               format="0.0##", source="rises strictly"),
         given("position", "position of the load", "y", unit, filled([p.position for p in e], rows, None),
               f"{key}.position", format="0.0##", source="rises strictly"),
-        constant("k", "point", "k", "", list(range(1, rows + 1))),
-        *cubics(driven, rows),
     )  # fmt: skip
 
 
 def cubics(driven: LinkedDriven, rows: int) -> list[Quantity]:
-    """Return the columns of points in rad and m, of slopes, and of the cubic of each part."""
+    """Return the columns of points in rad and SI, of slopes, and of the cubic of each part."""
     one, found = table_of(driven.linkage), Cubics.of(table_of(driven.linkage))
     angle, y, _ = one.columns
-    metres, base = ("[position]/1000", "m") if driven.travels else ("RADIANS([position])", "rad")
+    metres, base = ("={}/1000", "m") if driven.travels else ("=RADIANS({})", "rad")
+    angles, positions = ([f"[@points.{name}.{k}]" for k in range(1, rows + 1)] for name in ("angle", "position"))
+    entered = [f"=IF(COUNT({one},{other})=2,1,0)" for one, other in zip(angles, positions, strict=True)]
     after = f"MIN([k]+1,{rows})"
 
     def at(name: str, place: str = after) -> str:
-        return f"INDEX([@points.{name}],{place})"
+        return f"INDEX([@cubics.{name}],{place})"
 
     def part(formula: str, spare: str = "0") -> str:
         return f"=IF([k]<@count,{formula},{spare})"
@@ -92,9 +95,9 @@ def cubics(driven: LinkedDriven, rows: int) -> list[Quantity]:
         return filled(values, rows, spare)
 
     return [
-        calc("on", "is used", "", "", "=IF(COUNT([angle],[position])=2,1,0)", of([1 for _ in y]), format="0"),
-        calc("phi", "angle", "φ", "rad", "=RADIANS([angle])", of(angle)),
-        calc("y", "position", "y", base, f"={metres}", of(y)),
+        calc("on", "is used", "", "", entered, of([1 for _ in y]), format="0"),
+        calc("phi", "angle", "φ", "rad", [f"=RADIANS({one})" for one in angles], of(angle)),
+        calc("y", "position", "y", base, [metres.format(one) for one in positions], of(y)),
         calc("w", "to the next", "Δφ", "rad", part(f"MAX(1E-12,{at('phi')}-[phi])", "1"), of(found.width, 1.0)),
         calc("rise", "to the next", "Δy", base, part(f"MAX(1E-12,{at('y')}-[y])", "1"), of(found.rise, 1.0)),
         calc("chord", "slope to the next", "Δy/Δφ", "", part("[rise]/[w]"), of(found.chord)),
@@ -120,9 +123,9 @@ def sizes(driven: LinkedDriven) -> list[Quantity]:
     low, high, *_ = driven.linkage.reach
     base = driven.axis.base
     return [
-        calc("@count", "Points of the table", "", "", "=SUM([@points.on])", len(driven.given.points), format="0"),
-        calc("@low", "Lowest position that is reached", "", base, "=INDEX([@points.y],1)", low, scale=high - low),
-        calc("@high", "Highest position", "", base, "=INDEX([@points.y],MAX(1,@count))", high, scale=high - low),
+        calc("@count", "Points of the table", "", "", "=SUM([@cubics.on])", len(driven.given.points), format="0"),
+        calc("@low", "Lowest position that is reached", "", base, "=INDEX([@cubics.y],1)", low, scale=high - low),
+        calc("@high", "Highest position", "", base, "=INDEX([@cubics.y],MAX(1,@count))", high, scale=high - low),
         calc("@near_end", "So near to an end counts as beyond it", "", base, "=0-check_zero*(@high-@low)",
              near_end(driven.linkage), format="0E+00", source="below 0: so far beyond counts as at it"),
     ]  # fmt: skip
@@ -133,8 +136,13 @@ def end(which: str) -> str:
     return quoted("begin of the table" if which == "low" else "end of the table")
 
 
-def table(sheet: Sheet, driven: LinkedDriven) -> None:
-    """Declare nothing more: the ends are the first and the last point."""
+def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
+    """Declare the cubics between the points."""
+    sheet.table(
+        "@cubics", "The monotone cubic through the points", rows,
+        constant("k", "point", "k", "", list(range(1, rows + 1))),
+        *cubics(driven, rows),
+    )  # fmt: skip
 
 
 def passing(sheet: Sheet, view: LinkedWork) -> None:
@@ -150,7 +158,7 @@ def held(driven: LinkedDriven, position: str, within: list[float]) -> list[Quant
         calc("ym", "position in its middle", "y", driven.axis.base, f"={position}-@near_end", within,
              scale=driven.axis.motion.size(0), source="a hair further"),
         calc("sg", "part of the table", "", "",
-             "=MAX(1,MIN(@count-1,SUMPRODUCT([@points.on]*([@points.y]<=[ym]))))", parts, format="0"),
+             "=MAX(1,MIN(@count-1,SUMPRODUCT([@cubics.on]*([@cubics.y]<=[ym]))))", parts, format="0"),
     ]  # fmt: skip
 
 
@@ -165,11 +173,13 @@ def ratios(driven: LinkedDriven, at: Worked, within: Array, mark: str = "") -> l
     def col(name: str) -> str:
         return f"[{name}{mark}]"
 
+    b, c2, c3 = (col(name) for name in COEFFICIENTS)
+
     def cubic(t: str) -> str:
-        return f"{t}*({of('b')}+{t}*({of('c2')}+{t}*{of('c3')}))"
+        return f"{t}*({b}+{t}*({c2}+{t}*{c3}))"
 
     def slope(t: str) -> str:
-        return f"({of('b')}+{t}*(2*{of('c2')}+{t}*3*{of('c3')}))"
+        return f"({b}+{t}*(2*{c2}+{t}*3*{c3}))"
 
     def counted(at: str, step: str) -> str:
         place = f"({at}+{step}*[grid.at])"
@@ -188,6 +198,8 @@ def ratios(driven: LinkedDriven, at: Worked, within: Array, mark: str = "") -> l
         calc(f"sg{mark}", "part of the table", "", "", "=INDEX([@st.sg],[st])", found.part.tolist(), format="0"),
         calc(f"eta{mark}", "share of its rise", "", "", f"=({col('p')}-{of('y')})/{of('rise')}", found.height,
              scale=1.0),
+        *(calc(f"{name}{mark}", "of its cubic", column, "", f"={of(column)}", coefficients, scale=3.0)
+          for (name, column), coefficients in zip(COEFFICIENTS.items(), found.coefficients, strict=True)),
         calc(f"ta{mark}", "t, not before", "", "", counted("0", "1"), found.rough, scale=1.0),
         calc(f"tb{mark}", "t, not before", "", "", counted(col("ta"), "0.01"), found.fine, scale=1.0),
         calc(f"tc{mark}", "t", "", "", f"={fine}+0.0001*MAX(0,MIN(1,{chord}))", found.chord, scale=1.0,
@@ -197,7 +209,7 @@ def ratios(driven: LinkedDriven, at: Worked, within: Array, mark: str = "") -> l
         calc(f"g{mark}", "ratio", "φ'", f"rad/{base}", f"={of('w')}/({of('rise')}*{slope(t)})", at.first,
              source="1/(dy/dφ)"),
         calc(f"h{mark}", "its change", "φ''", f"rad/{base}²",
-             f"=0-{of('w')}*(2*{of('c2')}+6*{t}*{of('c3')})/({of('rise')}^2*{slope(t)}^3)", at.second, scale=rates,
+             f"=0-{of('w')}*(2*{c2}+6*{t}*{c3})/({of('rise')}^2*{slope(t)}^3)", at.second, scale=rates,
              source="−y''/y'³"),
     ]  # fmt: skip
 
