@@ -16,6 +16,7 @@ from rich.table import Table
 
 from workbook.build import build
 from workbook.cluster import cores, pool
+from workbook.entries.machine import Machine
 from workbook.judging.many import verify_many
 from workbook.judging.one import Target, verify_one
 from workbook.judging.verify import verify
@@ -26,6 +27,7 @@ from workbook.witnesses.libreoffice import LibreOffice, convert
 ROUNDS = 3
 COUNTS = (1, 4, 16, 64)
 JOBS = (1, 2)
+AXES = (1, 5, 12, 24)
 SMALL = {"cycle": 4, "law": 4, "own_law": 4}
 GOAL = 1.0  # verifying over LibreOffice's opening, recalculating and saving
 
@@ -48,10 +50,19 @@ def command(book: Path) -> None:
     subprocess.run(run, check=True, capture_output=True, env=kept)
 
 
-def against_libreoffice(template: Template, folder: Path) -> list[str]:
+def of_axes(count: int) -> Machine:
+    """Return a machine of so many axes, each with a drive: those of the committed one, over and over."""
+    given = read_machine(TEMPLATES["machine"].description)
+    data = given.model_dump(exclude={"switches", "clearances"})
+    driven = [axis for axis in data["axes"] if axis["motor"]]
+    axes = [driven[k % len(driven)] | {"name": f"Axis {k + 1}", "shift": 13.0 * k} for k in range(count)]
+    return type(given).model_validate(data | {"axes": axes, "switches": [], "clearances": []})
+
+
+def against_libreoffice(name: str, machine: Machine, folder: Path) -> list[str]:
     """One row: cells, cells a second within a process; seconds of the command and of LibreOffice, and their ratio."""
-    book = folder / f"{template.name}.xlsx"
-    build(read_machine(template.description), book)
+    book = folder / f"{name}.xlsx"
+    build(machine, book)
     cells = verify(book).compared
     target, made = Target(book, named=True), folder / "made"
     within, ours, theirs = best(
@@ -59,7 +70,7 @@ def against_libreoffice(template: Template, folder: Path) -> list[str]:
     )
     verdict = f"≤ {GOAL:g} " + ("met" if ours <= GOAL * theirs else "missed")
     rate = f"{cells / within:,.0f}"
-    return [template.name, f"{cells:,}", rate, f"{ours:.2f}", f"{theirs:.2f}", f"{ours / theirs:.2f}", verdict]
+    return [name, f"{cells:,}", rate, f"{ours:.2f}", f"{theirs:.2f}", f"{ours / theirs:.2f}", verdict]
 
 
 def growth(template: Template, folder: Path) -> tuple[int, dict[int, list[float]]]:
@@ -98,7 +109,9 @@ def main() -> None:
             title=f"verify / LibreOffice's open, recalculate and save; best of {ROUNDS}",
         )
         for template in TEMPLATES.values():
-            table.add_row(*against_libreoffice(template, Path(folder)))
+            table.add_row(*against_libreoffice(template.name, read_machine(template.description), Path(folder)))
+        for count in AXES:
+            table.add_row(*against_libreoffice(f"{count} axes with drives", of_axes(count), Path(folder)))
         console.print(table)
     with tempfile.TemporaryDirectory() as folder:
         cells, times = growth(TEMPLATES["cutting-machine"], Path(folder))

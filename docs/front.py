@@ -11,7 +11,7 @@ from typing import Any
 from xml.etree.ElementTree import tostring
 
 from workbook.pool import HERE
-from workbook.reports.study import name_of, picture
+from workbook.reports.study import names_of, picture
 from workbook.studies.evaluate import Evaluator
 from workbook.studies.folder import Parts
 from workbook.studies.named import require_names
@@ -35,12 +35,12 @@ def main() -> None:
     drawn = tostring(picture(plan.study, found.best, named), encoding="unicode")
     (HERE_LIES / "front.svg").write_text(drawn + "\n", encoding="utf-8", newline="\n")
     print(f"{found.designs:,} designs, {found.feasible:,} feasible")
-    for place, one in enumerate(found.best, 1):
+    for name, one in zip(names_of(found.best), found.best, strict=True):
         table = Evaluator(plan).table(0, plan.space.columns(*place_of(plan, one.entries | S1)))
         before = float(table.results["drive1_rms"][0])
         saved = 1.0 - one.results["drive1_rms"] / before
         print(
-            f"{name_of(one, place, len(found.best))}; stop {one.entries[STOP]:g}: {one.results['drive1_rms']:.2f}"
+            f"{name}; stop {one.entries[STOP]:g}: {one.results['drive1_rms']:.2f}"
             f" Nm, jerk {one.results['axis1.j.1']:,.0f} m/s³; {saved:.0%} less than {before:.2f} Nm by MTP to 80°"
         )
 

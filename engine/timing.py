@@ -32,6 +32,18 @@ def turn_time(rate: float) -> float:
     return FULL_TURN / shaft_speed(rate)
 
 
+def ratio_of(rates: Array, rate: float) -> Array:
+    """Return how many times faster each of some rates is than another one."""
+    return np.asarray(rates / rate)
+
+
+def at_rate(figure: float, faster: Array, power: int) -> Array:
+    """Return a figure that grows with this power of the rate, at a rate so many times higher: 1 of ẏ, 2 of ÿ, 3 of it
+    derived once more.
+    """
+    return np.asarray(figure * faster**power)
+
+
 def lane(y: Array, reach: tuple[float, float], floor: float, share: float) -> Array:
     """Return an axis as a timing diagram shows it: its travel as a share of a lane of height 1 that begins at a floor.
 

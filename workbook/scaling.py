@@ -23,7 +23,13 @@ class Column(NamedTuple):
     values: Sequence[Any]
     places: NDArray[np.intp]
 
+    @property
+    def each(self) -> Values:
+        """The value in each design."""
+        return np.array(self.values)[self.places]
 
+
+Worked = dict[str, Callable[[], Any]]
 Results = Mapping[str, Callable[[], Any]]
 """by name, what works a result out"""
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import chebyshev
@@ -15,6 +15,7 @@ from numpy.polynomial import chebyshev
 from engine.laws.base import Array
 from engine.machine.course import Course, Stretch, parts
 from engine.machine.demand import Energy
+from engine.machine.geared import Works
 from engine.machine.searching import Function, crossed, integral, largest
 
 HOUR = 3600.0  # s
@@ -36,27 +37,30 @@ class Supply(NamedTuple):
 
 
 class Means(NamedTuple):
-    """Mean power (W): from the mains, and in the brake resistor, of a drive that shares its DC bus with no other."""
+    """Mean power (W): from the mains, and in the brake resistor, of a drive that shares its DC bus with no other.
 
-    mains: float
-    resistor: float
+    Of one drive, or of many designs of it.
+    """
 
-    def energy_a_year(self, hours: float) -> float:
+    mains: Any
+    resistor: Any
+
+    def energy_a_year(self, hours: float) -> Any:
         """Return the energy from the mains (J) in a year of so many hours."""
         return self.mains * hours * HOUR
 
     @property
-    def net(self) -> float:
+    def net(self) -> Any:
         """What is used up on the way (W)."""
         return self.mains - self.resistor
 
     @property
-    def least(self) -> float:
+    def least(self) -> Any:
         """The least mean power from the mains, if all that comes back were kept and used."""
-        return max(0.0, self.net)
+        return np.maximum(0.0, self.net)
 
 
-def means(energy: Energy, time: float, efficiency: float) -> Means:
+def means(energy: Energy | Works, time: Any, efficiency: float) -> Means:
     """Return them from the energy at a motor's shaft over a cycle; exact.
 
     A drive takes E/η where its motor drives, and gives back η E where the motor is driven.
@@ -78,7 +82,7 @@ def peaks(highest: float, lowest: float, efficiency: float) -> Peaks:
 
 def together(found: Sequence[Means]) -> Means:
     """Return the sums over drives."""
-    return Means(math.fsum(one.mains for one in found), math.fsum(one.resistor for one in found))
+    return Means(sum(one.mains for one in found), sum(one.resistor for one in found))
 
 
 @dataclass(frozen=True)

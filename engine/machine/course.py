@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -169,6 +170,16 @@ def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
     return [root(f, slope, one[0], other[0]) for one, other in pairwise(kept) if (one[1] > 0.0) != (other[1] > 0.0)]
 
 
+class Span(NamedTuple):
+    """A part of a piece, from ``low`` to ``high``, in which direction and process force stay as they are."""
+
+    piece: MotionPiece
+    low: float
+    high: float
+    going: float
+    force: Force
+
+
 @dataclass(frozen=True)
 class Told:
     """A motion over one cycle as a table of pieces, from ``begin`` on over a ``total`` of its abscissa."""
@@ -211,14 +222,26 @@ class Course:
     @cached_property
     def stretches(self) -> tuple[Stretch, ...]:
         """All stretches, in the order of the motion as it is told. Raises OutOfReachError."""
-        pieces = [piece for piece in self.told.pieces if piece.duration > 0.0]
-        fastest = max(_largest(position(piece).derivative(), piece.duration) for piece in pieces)
-        return tuple(stretch for piece in pieces for stretch in self._of(piece, fastest))
+        return tuple(stretch for span in self.spans for stretch in self._split(*span))
 
-    def _of(self, piece: MotionPiece, fastest: float) -> Iterator[Stretch]:
-        """Yield the stretches of a piece of a motion with a largest |y'|."""
+    @cached_property
+    def spans(self) -> tuple[Span, ...]:
+        """All spans, in the order of the motion as it is told. Raises OutOfReachError."""
+        return tuple(span for piece in self._moved for span in self._of(piece))
+
+    @property
+    def _moved(self) -> list[MotionPiece]:
+        return [piece for piece in self.told.pieces if piece.duration > 0.0]
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest |y'| of the motion."""
+        return max(_largest(position(piece).derivative(), piece.duration) for piece in self._moved)
+
+    def _of(self, piece: MotionPiece) -> Iterator[Span]:
+        """Yield the spans of a piece."""
         velocity = position(piece).derivative()
-        moves = _largest(velocity, piece.duration) > NOISE * fastest
+        moves = _largest(velocity, piece.duration) > NOISE * self.fastest
         cuts = [0.0, piece.duration, *self._edges(piece)]
         if moves:
             cuts += [*sign_changes(velocity, 0.0, piece.duration), *self._knots(piece)]
@@ -226,7 +249,7 @@ class Course:
             middle = 0.5 * (low + high)
             going = float(np.sign(velocity(middle))) if moves else 0.0
             force = self.train.force(going, piece.begin + middle + self.shift, self.told.total)
-            yield from self._split(piece, low, high, going, force)
+            yield Span(piece, low, high, going, force)
 
     def _edges(self, piece: MotionPiece) -> Iterator[float]:
         """Yield the edges of windows within a piece."""

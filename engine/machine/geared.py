@@ -1,9 +1,10 @@
-"""What a course asks of any motor behind any reducer: found once behind the reducer, then for all at once. SI units.
+"""What a motion asks of many motors behind many reducers at many rates: found once for all of them. SI units.
 
 Speed, acceleration and torque of the shaft behind a reducer hang neither on it nor on the motor. Before it, with J all
-that turns with the motor, T = J i α + f S/i: f is 1/η where S drives the load and η where the load drives it. So the
-squares of T are sums of three integrals, its peaks lie at extremes of α, and its power turns round once in every part
-in which α only rises or only falls.
+that turns with the motor, T = J i α + f S/i: f is 1/η where S drives the load and η where the load drives it. Over a
+part in which α only rises or only falls, S turns round once at most at each rate, and so does the power of each motor:
+squares of T are sums of three integrals, its peaks lie at ends. :class:`engine.machine.demand.Demand` finds the same of
+one drive at one rate, also behind a ratio that changes, by its stretches.
 """
 
 from __future__ import annotations
@@ -18,23 +19,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drivetrain.chain import Mechanism, Stage
-from engine.drivetrain.losses import gives_back
+from engine.drivetrain.losses import gives_back, loss_factor
 from engine.laws.base import Array
 from engine.laws.ladder import zeros
-from engine.machine.course import Course, Stretch, trimmed
-from engine.machine.demand import Demand
-from engine.machine.searching import integral
+from engine.machine.course import Course, Span, position, trimmed
+from engine.machine.rows import Rows, rows_of
+from engine.machine.searching import rule
 
-HALVES = 30
+HALVES = 40
 """of a part, to find where power turns round: work errs by the square of what is left"""
+NODES = 32
+AT_ONCE = 1 << 18
+"""values of which arrays are made"""
 
 
 class Gears(NamedTuple):
-    """Motors with their reducers, arrays of one length: J (kg m²) on the motor's shaft, i, η."""
+    """Motors with their reducers, arrays of one length: J (kg m²) on the motor's shaft, i, η, and which rate."""
 
     inertia: Array
     ratio: Array
     efficiency: Array
+    rate: NDArray[np.intp]
+
+    def parts(self, width: int) -> Iterator[Gears]:
+        """Yield them in parts of which each has no more than :data:`AT_ONCE` values, ``width`` for each motor."""
+        step = max(1, AT_ONCE // width)
+        for begin in range(0, len(self.inertia), step):
+            one = slice(begin, begin + step)
+            yield Gears(self.inertia[one], self.ratio[one], self.efficiency[one], self.rate[one])
 
 
 class Torques(NamedTuple):
@@ -56,116 +68,218 @@ class Works(NamedTuple):
     regenerated: Array
 
 
-class Part(NamedTuple):
-    """A part of a stretch in which α only rises or only falls: S = ``mass`` α + ``level``."""
+class Lines(NamedTuple):
+    """Every part at every rate, cut where a torque turns round: arrays of parts, rates, and what lies between cuts.
 
-    stretch: Stretch
-    low: float
-    high: float
-    back: bool
-    mass: float
-    level: float
+    From ``low`` to ``high`` S = ``mass`` α + ``level``; ``back`` where it is driven by the load.
+    """
 
-    def alpha(self, u: Array) -> Array:
-        """Return α (rad/s²)."""
-        return self.stretch.shaft(u).acceleration
+    low: Array
+    high: Array
+    mass: Array
+    level: Array
+    back: NDArray[np.bool_]
+
+
+class Moments(NamedTuple):
+    """By rate: ⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ where S drives the load, and where the load drives it; the mean torque S (Nm)."""
+
+    own: Array
+    mixed: Array
+    mixed_back: Array
+    behind: Array
+    behind_back: Array
+    mean: Array
 
 
 @dataclass(frozen=True)
 class Geared:
     """A course as the shaft behind its first stage knows it; that stage, the motor and what turns with it do not count.
 
-    Raises ValueError for a ratio that depends on position, or a viscous resistance: there S is no line over α.
+    Its abscissa advances at each of ``speeds`` (1/s) instead of its own. Raises ValueError for a ratio that depends on
+    position, or a viscous resistance: there S is no line over α.
     """
 
     course: Course
+    speeds: Array
 
     def __post_init__(self) -> None:
-        train = self.course.train
-        if train.linkage or train.viscous:
+        if not constant(self.course):
             raise ValueError("a ratio that changes, or a viscous resistance; expected constant ratios without one")
-        drive = replace(train.drive, mechanism=bare(train.drive.mechanism), motor_inertia=0.0)
-        object.__setattr__(self, "course", replace(self.course, train=replace(train, drive=drive)))
 
-    @cached_property
-    def demand(self) -> Demand:
-        """What is asked for behind the stage: its shaft 1 is the same as the motor's, 0."""
-        return Demand(self.course)
+    @property
+    def mechanism(self) -> Mechanism:
+        """What is behind the first stage."""
+        return self.course.train.drive.mechanism
+
+    @property
+    def turns(self) -> float:
+        """Angle of the shaft behind the first stage over the way of the load (rad/m or 1)."""
+        return self.mechanism.ratio_from(1)
 
     def inertia(self, ratio: Array) -> Array:
         """Return what is behind the stage at the shafts of motors (kg m²), J/i²."""
-        return np.asarray(self.course.train.drive.mechanism.inertia() / ratio**2)
+        return np.asarray(bare(self.mechanism).inertia() / ratio**2)
 
-    def speed(self, ratio: Array) -> Array:
+    def speed(self, gears: Gears) -> Array:
         """Return the largest speed of motors (rad/s)."""
-        return np.asarray(ratio * self.demand.speed.peak)
-
-    def mean_power(self, works: Works) -> Array:
-        """Return the mean power at the shafts of motors (W)."""
-        return np.asarray((works.driving - works.regenerated) / self.course.time)
+        return np.asarray(gears.ratio * abs(self.turns) * self.course.fastest * self.speeds[gears.rate])
 
     @cached_property
-    def parts(self) -> tuple[Part, ...]:
-        """All parts, in the order of the motion."""
-        return tuple(part for stretch in self.course.stretches for part in parts_of(stretch))
+    def spans(self) -> list[Span]:
+        """The parts, in the order of the motion."""
+        return [part for span in self.course.spans for part in monotone(span)]
+
+    @cached_property
+    def rows(self) -> Rows:
+        """Their pieces."""
+        return rows_of([span.piece for span in self.spans])
+
+    def of(self, figure: Callable[[Span], float]) -> Array:
+        """Return a figure of each part."""
+        return np.array([figure(span) for span in self.spans], dtype=np.float64)
+
+    @cached_property
+    def going(self) -> Array:
+        """The direction of each part."""
+        return self.of(lambda span: span.going)
+
+    @cached_property
+    def lines(self) -> Lines:
+        """The parts at each rate."""
+        low, high = (self.of(end)[:, None] for end in (lambda span: span.low, lambda span: span.high))
+        rows, square = self.rows.over(2), self.speeds**2
+        cuts = [low + 0.0 * square, high + 0.0 * square]
+        going, level = self.going[:, None], self.of(lambda span: span.force.level)[:, None]
+        for shaft in range(self.mechanism.last, 0, -1):
+
+            def torque(u: Array, shaft: int = shaft) -> Array:
+                mass, rest = self._chain(square * rows.at(u, 2), going, level, shaft)
+                return mass * square * rows.at(u, 2) + rest
+
+            cuts.append(turning(torque, low, high + 0.0 * square))
+        ends = np.sort(np.stack(cuts, axis=-1), axis=-1)
+        begin, end = ends[..., :-1], ends[..., 1:]
+        bent = square[:, None] * self.rows.over(3).at(0.5 * (begin + end), 2)
+        mass, rest = self._chain(bent, going[..., None], level[..., None], 1)
+        back = gives_back(mass * bent + rest, going[..., None], 0.0) & (self.course.train.method == "physical")
+        held = (going[..., None] != 0.0) | (self.course.train.drive.holding != "brake")
+        return Lines(begin, end, held * mass / self.turns, held * rest, back)
+
+    def _chain(self, bent: Array, going: Array, level: Array, shaft: int) -> tuple[Array, Array]:
+        """Return what drives a shaft at accelerations of the load, as a line over these: slope and level."""
+        m, method = self.mechanism, self.course.train.method
+        mass, rest = np.full(bent.shape, m.on_shaft(m.last)), level + 0.0 * bent
+        for k in range(m.last - 1, shaft - 1, -1):
+            stage = m.stages[k]
+            share = loss_factor(mass * bent + rest, going, stage.efficiency, method, 0.0) / stage.ratio
+            mass, rest = share * mass + m.on_shaft(k) * m.ratio_from(k), share * rest
+        return mass, rest
 
     @cached_property
     def points(self) -> tuple[Array, Array, NDArray[np.bool_]]:
-        """α, S, and whether the load drives, where a torque can be largest or lowest: no other lies outside them."""
-        found: set[tuple[float, float, bool]] = set()
-        for part in self.parts:
-            u = np.array([part.low, part.high])
-            pairs = zip(part.alpha(u).tolist(), part.stretch.torque(u, 1).tolist(), strict=True)
-            found.update((*pair, part.back) for pair in pairs)
-        kept = np.array([one for one in found if not all(beaten(one, found, way) for way in (1.0, -1.0))])
-        return kept[:, 0], kept[:, 1], kept[:, 2] > 0.0
+        """α, S, and whether the load drives, by rate where a torque can be largest or lowest."""
+        lines = self.lines
+        u = np.stack([lines.low, lines.high], axis=-1)
+        alpha = self.turns * (self.speeds**2)[:, None, None] * self.rows.over(4).at(u, 2)
+        torque = lines.mass[..., None] * alpha + lines.level[..., None]
+        back = np.broadcast_to(lines.back[..., None], u.shape)
+        rates = len(self.speeds)
+        alphas, torques = (np.moveaxis(one, 1, 0).reshape(rates, -1) for one in (alpha, torque))
+        return alphas, torques, np.moveaxis(back, 1, 0).reshape(rates, -1)
+
+    @property
+    def behind(self) -> Array:
+        """The largest torque behind the stage at each rate (Nm)."""
+        return np.asarray(np.abs(self.points[1]).max(axis=1))
 
     @cached_property
-    def squares(self) -> tuple[float, tuple[float, float], tuple[float, float]]:
-        """⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ over the cycle, each where S drives the load and where the load drives it."""
-        speed, torque = (float(np.abs(values).max()) for values in self.points[:2])
-        own, mixed, behind = 0.0, [0.0, 0.0], [0.0, 0.0]
-        for part in self.parts:
-            own += over(part, lambda a, _: a**2, speed**2)
-            mixed[part.back] += over(part, lambda a, s: a * s, speed * torque)
-            behind[part.back] += over(part, lambda _, s: s**2, torque**2)
-        total = self.course.told.total
-        return own / total, (mixed[0] / total, mixed[1] / total), (behind[0] / total, behind[1] / total)
+    def moments(self) -> Moments:
+        """Integrals over the cycle."""
+        step = max(1, AT_ONCE // (self.lines.low[:, 0].size * (NODES + 1)))
+        each = [self._moments(slice(at, at + step)) for at in range(0, len(self.speeds), step)]
+        return Moments(*(np.concatenate(values) for values in zip(*each, strict=True)))
+
+    def _moments(self, some: slice) -> Moments:
+        """Return the integrals at some of the rates."""
+        low, high, mass, level = (values[:, some, :, None] for values in self.lines[:4])
+        back = self.lines.back[:, some, :, None]
+        speed = self.speeds[some, None, None]
+        grid, weights = rule(NODES)
+        u, rows = low + (high - low) * grid, self.rows.over(4)
+        alpha, way = self.turns * speed**2 * rows.at(u, 2), np.abs(rows.at(u, 1))
+        torque = mass * alpha + level
+
+        def mean(values: Array) -> Array:
+            over = (high - low)[..., 0] * (values @ weights)
+            return np.asarray(over.sum(axis=(0, 2))) / self.course.told.total
+
+        mixed, behind, moving = alpha * torque, torque**2, way * np.abs(self.going)[:, None, None, None]
+        cubes, ways = mean(np.abs(torque) ** 3 * moving), mean(moving)
+        none = np.zeros(cubes.shape)
+        return Moments(
+            mean(alpha**2), mean(~back * mixed), mean(back * mixed), mean(~back * behind), mean(back * behind),
+            np.cbrt(np.divide(cubes, ways, out=none, where=ways > 0.0)),
+        )  # fmt: skip
 
     def rms_torque(self, gears: Gears) -> Array:
         """Return the RMS torque of each motor (Nm): J² i² ⟨α²⟩ + 2 J ⟨α f S⟩ + ⟨f² S²⟩/i², the root of it.
 
         Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
         """
-        own, mixed, behind = self.squares
-        inertia, ratio, eta = gears
-        square = (inertia * ratio) ** 2 * own + 2.0 * inertia * (mixed[0] / eta + mixed[1] * eta)
-        square = square + (behind[0] / eta**2 + behind[1] * eta**2) / ratio**2
+        inertia, ratio, eta, rate = gears
+        own, mixed, mixed_back, behind, behind_back, _ = (values[rate] for values in self.moments)
+        square = (inertia * ratio) ** 2 * own + 2.0 * inertia * (mixed / eta + mixed_back * eta)
+        square = square + (behind / eta**2 + behind_back * eta**2) / ratio**2
         return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
     def torques(self, gears: Gears) -> Torques:
         """Return the lowest and highest torque of each motor (Nm)."""
-        turned, driving, driven = gears.inertia * gears.ratio, *shares(gears)
-        low, high = np.full(turned.shape, np.inf), np.full(turned.shape, -np.inf)
-        for alpha, torque, back in zip(*self.points, strict=True):
-            found = turned * alpha + (driven if back else driving) * torque
-            np.minimum(low, found, out=low)
-            np.maximum(high, found, out=high)
-        return Torques(low, high)
+        lowest, highest = [], []
+        for some in gears.parts(self.points[0].shape[1]):
+            alpha, torque, back = (values[some.rate] for values in self.points)
+            driving, driven = (values[:, None] for values in shares(some))
+            found = (some.inertia * some.ratio)[:, None] * alpha + np.where(back, driven, driving) * torque
+            lowest.append(found.min(axis=1))
+            highest.append(found.max(axis=1))
+        return Torques(np.concatenate(lowest), np.concatenate(highest))
 
     def works(self, gears: Gears) -> Works:
-        """Return the work of each motor over a cycle (J), parted where the power turns round."""
-        turned, driving, driven = gears.inertia * gears.ratio, *shares(gears)
-        found = Works(np.zeros(turned.shape), np.zeros(turned.shape))
-        for part in self.parts:
-            share = driven if part.back else driving
-            slope, level = turned + share * part.mass, share * part.level
-            place = turning(part, slope, level)
-            for low, high in ((np.array(part.low), place), (place, np.array(part.high))):
-                work = gears.ratio * worked(part, slope, level, low, high)
-                found.driving[...] += np.maximum(work, 0.0)
-                found.regenerated[...] += np.maximum(-work, 0.0)
-        return found
+        """Return the work of each motor over a cycle (J), parted where its power turns round."""
+        width = self.lines.low[:, 0].size
+        each = [self._works(some) for some in gears.parts(width)]
+        return Works(*(np.concatenate(values) for values in zip(*each, strict=True)))
+
+    def _works(self, gears: Gears) -> Works:
+        """Return the work of some motors: arrays of parts, motors, and what lies between cuts."""
+        low, high, mass, level = (values[:, gears.rate] for values in self.lines[:4])
+        back = self.lines.back[:, gears.rate]
+        driving, driven = (values[:, None] for values in shares(gears))
+        share, speed = np.where(back, driven, driving), self.speeds[gears.rate, None]
+        slope, rest = (gears.inertia * gears.ratio)[:, None] + share * mass, share * level
+        rows = self.rows.over(3)
+        ends = [slope * self.turns * speed**2 * rows.at(u, 2) + rest for u in (low, high)]
+        place = high.copy()
+        at = np.nonzero(((ends[0] > 0.0) != (ends[1] > 0.0)) & (self.going[:, None, None] != 0.0))
+        own, bend = self.rows.taken(at[0]), (slope * self.turns * speed**2)[at]
+        place[at] = turning(lambda u: bend * own.at(u, 2) + rest[at], low[at], high[at])
+        found = np.zeros((2, len(gears.ratio)))
+        for begin, end in ((low, place), (place, high)):
+            squares = rows.at(end, 1) ** 2 - rows.at(begin, 1) ** 2
+            way = self.turns * (rows.at(end, 0) - rows.at(begin, 0))
+            work = gears.ratio[:, None] * (slope * (self.turns * speed) ** 2 * squares / 2.0 + rest * way)
+            found += [np.maximum(way * work, 0.0).sum(axis=(0, 2)) for way in (1.0, -1.0)]
+        return Works(*found)
+
+
+def constant(course: Course) -> bool:
+    """Whether all that a course asks for is a line over the acceleration."""
+    return course.train.linkage is None and not course.train.viscous
+
+
+def mean_power(works: Works, time: Array) -> Array:
+    """Return the mean power at the shafts of motors over cycles of so long (W)."""
+    return np.asarray((works.driving - works.regenerated) / time)
 
 
 def shares_of(limit: Array, value: Array) -> Array:
@@ -185,54 +299,22 @@ def shares(gears: Gears) -> tuple[Array, Array]:
     return 1.0 / (gears.efficiency * gears.ratio), gears.efficiency / gears.ratio
 
 
-def parts_of(stretch: Stretch) -> Iterator[Part]:
-    """Yield the parts of a stretch."""
-    middle = np.array([0.5 * (stretch.low + stretch.high)])
-    back = bool(gives_back(stretch.torque(middle, 1), stretch.going, 0.0)[0])
-    ratio, weights = stretch.train.drive.mechanism.ratio_from(1), stretch.weights[1]
-    mass = weights.force * stretch.force.mass / ratio**2 + weights.inertia
-    level = weights.force * stretch.force.level / ratio
-    slope = trimmed(stretch.curves[2].derivative())
-    turns = [u for u in zeros(slope, stretch.piece.duration) if stretch.low < u < stretch.high]
-    for low, high in pairwise((stretch.low, *turns, stretch.high)):
-        yield Part(stretch, low, high, back, mass, level)
+def monotone(span: Span) -> Iterator[Span]:
+    """Yield the parts of a span in which its acceleration only rises or only falls."""
+    slope = trimmed(position(span.piece).derivative().derivative().derivative())
+    turns = [u for u in zeros(slope, span.piece.duration) if span.low < u < span.high]
+    for low, high in pairwise((span.low, *turns, span.high)):
+        yield span._replace(low=low, high=high)
 
 
-def beaten(one: tuple[float, float, bool], others: set[tuple[float, float, bool]], way: float) -> bool:
-    """Whether another point gives no less torque than this one, upwards (1) or downwards (−1), whatever the gears."""
-    alpha, torque, back = one
-    return any(
-        other != one and other[2] == back and way * other[0] >= way * alpha and way * other[1] >= way * torque
-        for other in others
-    )
-
-
-def over(part: Part, function: Callable[[Array, Array], Array], scale: float) -> float:
-    """Return the integral over a part of a function of α and S that grows to a scale."""
-    return integral(lambda u: function(part.alpha(u), part.stretch.torque(u, 1)), part.low, part.high, scale)
-
-
-def turning(part: Part, slope: Array, level: Array) -> Array:
-    """Return where ``slope`` α + ``level`` changes its sign in a part, by halving; its end where it does not."""
-    first, last = part.alpha(np.array([part.low, part.high])).tolist()
-    at_low, at_high = slope * first + level, slope * last + level
-    place = np.full(slope.shape, part.high)
-    turns = np.flatnonzero((at_low > 0.0) != (at_high > 0.0))
-    if not part.stretch.going or not turns.size:
-        return place
-    low, width = np.full(turns.size, part.low), part.high - part.low
-    slope, level, up = slope[turns], level[turns], at_low[turns] > 0.0
+def turning(torque: Callable[[Array], Array], low: Array, high: Array) -> Array:
+    """Return where functions change their sign between two places, by halving; the second where they do not."""
+    up = torque(low) > 0.0
+    turns = up != (torque(high) > 0.0)
+    if not turns.any():
+        return np.asarray(high)
+    at, width = low + 0.0 * high, high - low
     for _ in range(HALVES):
-        width *= 0.5
-        same = (slope * part.alpha(low + width) + level > 0.0) == up
-        low += np.where(same, width, 0.0)
-    place[turns] = low + width
-    return place
-
-
-def worked(part: Part, slope: Array, level: Array, low: Array, high: Array) -> Array:
-    """Return ∫(``slope`` α + ``level``) dφ of the shaft between two places: slope Δ(ω²)/2 + level Δφ."""
-    stretch = part.stretch
-    begin, end = stretch.load(low), stretch.load(high)
-    ratio = stretch.train.drive.mechanism.ratio_from(1)
-    return np.asarray(slope * (ratio**2 * (end.v**2 - begin.v**2)) / 2.0 + level * ratio * (end.y - begin.y))
+        width = 0.5 * width
+        at = at + np.where((torque(at + width) > 0.0) == up, width, 0.0)
+    return np.where(turns, at + width, high)

@@ -6,6 +6,7 @@ import openpyxl
 import pytest
 
 from tests.workbook.test_unfinished import small
+from workbook.book.rows import as_rows
 from workbook.build import build, inputs
 from workbook.entries import rules
 from workbook.entries.design import designed, fitting
@@ -27,7 +28,8 @@ def defaulted(name):
         for q in block.quantities:
             key = re.sub(r"\.\d+(?=\.|$)", ".*", q.key)
             optional = q.role == "input" and not rules.is_required(template.model, key)
-            if optional and rules.must_be_there(template.model, key):
+            held = as_rows(q.value, block.size, q.name)[0]
+            if optional and held is not None and rules.must_be_there(template.model, key):
                 found.setdefault(key, (block.name, q.name))
     return found
 

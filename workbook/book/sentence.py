@@ -63,6 +63,13 @@ class Said(NamedTuple):
     says: str
     said: str
 
+    def then(self, other: Said) -> Said:
+        """Return this sentence with another behind it."""
+        return Said("&".join(filter(None, [self.says, other.says])), self.said + other.said)
+
+
+NOTHING = Said("", "")
+
 
 def amount(cell: str, value: float, before: str, after: str) -> Said:
     """Return a sentence on one amount, rounded for people."""

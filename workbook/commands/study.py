@@ -65,22 +65,23 @@ def ran(
 ) -> Summary:  # fmt: skip
     """Run a study to its end, write results, what is known of them, and the page."""
     others = [results.with_suffix(".json"), results.with_suffix(".html")]
-    for one in (results, *others):
-        refuse_existing(one, force)
-    begin = time.perf_counter()
     parts = Parts(results, plan.digest, plan.space.size)
+    over = force or (resume and parts.mine)  # it was killed when it had written some of them
+    for one in (results, *others):
+        refuse_existing(one, over)
+    begin = time.perf_counter()
     small = plan.space.way.kind != "evolution" and sum(1 for _ in zip(pieces(plan.space), range(2), strict=False)) < 2
     with parts.opened(resume, force), pool(1 if small and scheduler is None else jobs, scheduler) as workers:
         with progress(plan.space.size) as done:
             found = run(plan, parts, workers, done)
         names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, "feasible", "impossible"]
         rows = [parts.rows(number) for number in sorted(parts.complete())]
-        replace(results, lambda draft: tables.join(names, rows, draft, results.suffix.lower()), force)
+        replace(results, lambda draft: tables.join(names, rows, draft, results.suffix.lower()), over)
     seconds = time.perf_counter() - begin
-    replace(others[0], lambda draft: write_text(draft, saved(plan, found)), force)
+    replace(others[0], lambda draft: write_text(draft, saved(plan, found)), over)
     judged = best_judged(plan, found) if found.best and not unverified else None
     when = datetime.now().astimezone()
-    replace(others[1], lambda draft: write_text(draft, page.page(plan, found, named, judged, when)), force)
+    replace(others[1], lambda draft: write_text(draft, page.page(plan, found, named, judged, when)), over)
     parts.remove()
     show(plan, found, results, seconds)
     if judged:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from engine.drivetrain.motor import CORNERS, Corners, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given
-from workbook.book.sentence import exceeding
+from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.drive.entries import MotorLimits
 from workbook.entries.units import RPM, shown
 
@@ -28,9 +28,13 @@ def limits_given(motor: MotorLimits, key: str) -> list[Quantity]:
 
 
 def limit_checks(
-    reserve: Reserve, of: str = "", rated: str = RATED, words: str = "rated torque", note: str = ""
-) -> list[Quantity]:
-    """Return the checks of the RMS torque against the cell ``rated``, of the peak torque and of the speed."""
+    reserve: Reserve, of: str = "", rated: str = RATED, words: str = "rated torque", note: str = "",
+    mends: Said = NOTHING,
+) -> list[Quantity]:  # fmt: skip
+    """Return the checks of the RMS torque against the cell ``rated``, of the peak torque and of the speed.
+
+    ``mends`` says, behind what fails, what would mend it.
+    """
 
     def label(text: str) -> str:
         return f"{of}: {text}" if of else f"{text[0].upper()}{text[1:]}"
@@ -38,11 +42,12 @@ def limit_checks(
     peak, fastest = "MAX(@tmax,0-@tmin)", [shown(n, RPM) for n in (reserve.speed.value, reserve.speed.limit)]
     return [
         check("@ok_rms", label(f"RMS torque within the {words}"), f"@rms<={rated}", reserve.rms_torque.ok, note,
-              says=exceeding("@rms", rated, "Nm", reserve.rms_torque.value, reserve.rms_torque.limit)),
+              says=exceeding("@rms", rated, "Nm", reserve.rms_torque.value, reserve.rms_torque.limit).then(mends)),
         check("@ok_peak", label("peak torque within the motor's"), f"{peak}<=@motor_peak", reserve.peak_torque.ok,
-              says=exceeding(peak, "@motor_peak", "Nm", reserve.peak_torque.value, reserve.peak_torque.limit)),
+              says=exceeding(peak, "@motor_peak", "Nm", reserve.peak_torque.value, reserve.peak_torque.limit)
+              .then(mends)),
         check("@ok_speed", label("speed within the motor's"), "@speed<=@motor_nmax", reserve.speed.ok,
-              says=exceeding("@speed", "@motor_nmax", "rpm", *fastest)),
+              says=exceeding("@speed", "@motor_nmax", "rpm", *fastest).then(mends)),
     ]  # fmt: skip
 
 

@@ -61,6 +61,8 @@ table.facts { width: auto; } table.facts th { font-weight: 600; white-space: now
 td { font-variant-numeric: tabular-nums; } .kind { white-space: nowrap; }
 a, .value { overflow-wrap: anywhere; }
 th.number, td.number { text-align: right; white-space: nowrap; padding-right: 1.4rem; }
+div.wide { overflow-x: auto; } table.wide td { white-space: nowrap; }
+table.wide thead th { white-space: normal; vertical-align: bottom; max-width: 9rem; }
 code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .92em; }
 .verdict { display: inline-block; font-weight: 600; padding: .1rem .6rem; border: 1.5px solid; border-radius: 3px; }
 .agrees { color: #14612f; } .disagrees, .unreadable, .fails { color: #a31515; } .not-ours { color: #555; }
@@ -260,7 +262,7 @@ def deviation(value: float | None) -> str:
     return "–" if value is None or not math.isfinite(value) else f"{value:.1e}" if value else "0"
 
 
-def table(headings: Sequence[str], rows: Iterable[Sequence[Content]], numbers: Sequence[int]) -> Element:
+def table(headings: Sequence[Content], rows: Iterable[Sequence[Content]], numbers: Sequence[int]) -> Element:
     """Return a table whose columns ``numbers`` stand to the right."""
     css = ["number" if i in numbers else "" for i in range(len(headings))]
     head = e("tr", *(e("th", text, css=c, scope="col") for text, c in zip(headings, css, strict=True)))

@@ -105,9 +105,9 @@ def grid(svg: Element, across: Scale, up: Scale, labels: tuple[str, str]) -> Non
         rule(svg, place, TOP, place, HEIGHT - BOTTOM)
         text(svg, figure(value), place, HEIGHT - BOTTOM + 17, anchor="middle")
     for value, place in zip(up.ticks, up.at(np.array(up.ticks)), strict=True):
-        rule(svg, LEFT, place, WIDTH - RIGHT, place)
+        rule(svg, across.begin, place, across.end, place)
         text(svg, figure(value), LEFT - 7, place + 4, anchor="end")
-    text(svg, labels[0], (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, anchor="middle")
+    text(svg, labels[0], (across.begin + across.end) / 2, HEIGHT - 12, anchor="middle")
     middle = (TOP + HEIGHT - BOTTOM) / 2
     text(svg, labels[1], 16, middle, anchor="middle").set("transform", f"rotate(-90 16 {middle})")
 

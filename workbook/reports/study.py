@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from datetime import datetime
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -12,7 +13,7 @@ import numpy as np
 
 import workbook
 from workbook.reports.front import Point, front_picture
-from workbook.reports.page import document, e, table
+from workbook.reports.page import Content, document, e, table
 from workbook.studies.judged import Judged
 from workbook.studies.model import Bound, Study
 from workbook.studies.named import Label, Named
@@ -21,7 +22,6 @@ from workbook.studies.space import Dimension
 from workbook.studies.summary import Design, Summary
 
 MOST = 200  # designs that the page lists
-MOST_NAMED = 12  # points that have a whole name beside them
 
 
 def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: datetime) -> str:
@@ -39,10 +39,10 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
     body += best(plan, found, named)
     body += [
         e("h2", "What varied"),
-        table(("entry", "values", "room"), [varied(one) for one in plan.space.dimensions], ()),
+        table(("entry", "values"), [varied(one) for one in plan.space.dimensions], ()),
     ]
     if study.constraints:
-        rows = [[name, bounds(bound)] for name, bound in study.constraints.items()]
+        rows = [[heading(name, named), bounds(bound)] for name, bound in study.constraints.items()]
         body += [e("h2", "What must hold"), table(("result", "bounds"), rows, ())]
     if found.reasons:
         rows = [[reason, f"{count:,}"] for reason, count in found.reasons.items()]
@@ -60,29 +60,42 @@ def best(plan: Plan, found: Summary, named: Named) -> list[Element]:
     if len(plan.study.goals) > 1:
         said.append(picture(plan.study, shown, named))
     entries = [one.label for one in plan.space.dimensions]
-    heads = ("", "design", *entries, *(heading(name, named) for name in plan.study.names))
+    names = list(dict.fromkeys([*plan.study.goals, *plan.study.names]))
+    heads: list[Content] = ["", "design", *map(parted, entries), *(parted(heading(name, named)) for name in names)]
     rows = [
         [str(place), f"{one.number + 1}", *(figure(one.entries[name]) for name in entries),
-         *(figure(one.results[name]) for name in plan.study.names)]
+         *(figure(one.results[name]) for name in names)]
         for place, one in enumerate(shown, 1)
     ]  # fmt: skip
-    return [*said, table(heads, rows, tuple(range(2, len(heads))))]
+    values = [*shown[0].entries.values(), *(shown[0].results[name] for name in names)]
+    numbers = tuple(k for k, value in enumerate(values, 2) if not isinstance(value, str))
+    made = table(heads, rows, (1, *numbers))
+    made.set("class", "wide")
+    return [*said, e("div", made, css="wide")]
+
+
+def parted(words: str) -> Element:
+    """Return a heading that may go on in a new line behind the parts of a name."""
+    pieces = re.split(r"(?<=[._\]])", words)
+    return e("span", pieces[0], *(part for piece in pieces[1:] for part in (e("wbr"), piece)))
 
 
 def picture(study: Study, designs: list[Design], named: Named) -> Element:
     """Return the front by the first two objectives."""
     first, second = list(study.goals)[:2]
     points = [
-        Point(name_of(one, place, len(designs)), one.results[first], one.results[second])
-        for place, one in enumerate(designs, 1)
+        Point(name, str(place), one.results[first], one.results[second])
+        for place, (name, one) in enumerate(zip(names_of(designs), designs, strict=True), 1)
     ]
     return front_picture(study.title, (heading(first, named), heading(second, named)), points)
 
 
-def name_of(design: Design, place: int, count: int) -> str:
-    """Return what stands beside a point: its place in the table; of a few points also what was chosen."""
-    words = [str(value) for value in design.entries.values() if isinstance(value, str)]
-    return f"{place}  {', '.join(words)}" if words and count <= MOST_NAMED else str(place)
+def names_of(designs: list[Design]) -> list[str]:
+    """Return what stands beside points: the place in the table, and of what was chosen in words what differs."""
+    texts = [{key: value for key, value in one.entries.items() if isinstance(value, str)} for one in designs]
+    differing = [key for key in texts[0] if len({one.get(key) for one in texts}) > 1]
+    words = [", ".join(str(one[key]) for key in differing if key in one) for one in texts]
+    return [f"{place}  {said}".rstrip() for place, said in enumerate(words, 1)]
 
 
 def heading(name: str, named: Mapping[str, Label]) -> str:
@@ -97,14 +110,20 @@ def varied(one: Dimension) -> list[Element | str]:
         said = ", ".join(map(figure, one.values[:MOST]))
     else:
         said = f"{one.low:g} to {one.high:g}" + (f" in {one.steps} values" if one.steps else "")
-    return [", ".join(".".join(path) for path in one.paths), said, ".".join(one.takes)]
+    room = f"; its room from {written(one.takes)}" if one.takes else ""
+    return [", ".join([one.label, *map(written, one.paths[1:])]), said + room]
+
+
+def written(path: Sequence[str]) -> str:
+    """Return the way to an entry as a study writes it."""
+    return re.sub(r"\.(\d+)", lambda found: f"[{int(found[1]) + 1}]", ".".join(path))
 
 
 def fixed(plan: Plan) -> list[tuple[str, str]]:
     """Return the entries of the base by their keys, but those that vary and the catalogues."""
     varied = {".".join(path) for one in plan.space.dimensions for path in one.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
-    return [(key, figure(value)) for key, value in leaves(data, "") if key not in varied]
+    return [(written(key.split(".")), figure(value)) for key, value in leaves(data, "") if key not in varied]
 
 
 def leaves(data: Any, key: str) -> list[tuple[str, Any]]:

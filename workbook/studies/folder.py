@@ -24,6 +24,23 @@ class Parts:
         self.folder = results.with_name(f"{results.name}.parts")
         self.suffix = results.suffix.lower()
 
+    @property
+    def _told(self) -> str:
+        return json.dumps({"digest": self.digest, "size": self.size, "suffix": self.suffix})
+
+    @property
+    def mine(self) -> bool:
+        """Whether parts of this very study lie there."""
+        return read(self.folder / TOLD) == self._told
+
+    @property
+    def _refused(self) -> str:
+        if self.mine:
+            said = f"holds {len(self.complete())} complete parts of this study"
+            return f"{said}; --resume goes on with them, --force begins anew"
+        said = "holds parts of another study, or of this one before it was changed"
+        return f"{said}; --force begins anew, -o names other results"
+
     @contextmanager
     def opened(self, resume: bool, force: bool) -> Iterator[None]:
         """Hold the folder for this study alone; raise WriteError where another one is at work in it, or was."""
@@ -38,19 +55,12 @@ class Parts:
     def _begin(self, resume: bool, force: bool) -> None:
         """See what lies in the folder: nothing, parts of this study, or of another."""
         told = self.folder / TOLD
-        mine = {"digest": self.digest, "size": self.size, "suffix": self.suffix}
-        if told.exists() and not force:
-            same = read(told) == json.dumps(mine)
-            if not same:
-                said = "holds parts of another study, or of this one before it was changed"
-                raise WriteError(f"{self.folder}: {said}; --force begins anew, -o names other results")
-            if not resume:
-                said = f"holds {len(self.complete())} complete parts of this study"
-                raise WriteError(f"{self.folder}: {said}; --resume goes on with them, --force begins anew")
-        elif told.exists():
+        if not (resume and self.mine):
+            if told.exists() and not force:
+                raise WriteError(f"{self.folder}: {self._refused}")
             for one in self.folder.glob("part-*"):
                 one.unlink()
-        self.place(told, json.dumps(mine).encode())
+        self.place(told, self._told.encode())
 
     def complete(self) -> set[int]:
         """Return the numbers of the parts that are whole."""

@@ -80,7 +80,7 @@ class Space:
     def inner(self) -> int:
         """How many designs follow each other that differ only in what scales."""
         if self.way.kind != "full":
-            return 1
+            return self.size if all(one.part for one in self.dimensions) else 1
         return math.prod(one.size for one in self.dimensions if one.part)
 
     def columns(self, begin: int, end: int) -> list[Column]:

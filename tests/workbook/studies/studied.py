@@ -49,3 +49,4 @@ def stops(low, high, steps=None, **more):
 
 MOTORS = {"key": "axes.MC01.motor.name", "all": "catalogue"}
 REDUCERS = {"key": "axes.MC01.reducer.name", "all": "catalogue"}
+RATES = {"key": "master.rate", "from": 30.0, "to": 90.0, "steps": 5}

@@ -11,9 +11,9 @@ from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.linked.worked import LinkedWork
-from workbook.machines.machine.stretched import STEP, Stretched
+from workbook.machines.machine.stretched import Stretched
 
-FULL, MORE = 3, 12
+FULL, MORE = 2, 12
 """drives of which all stretches have room, and stretches of each further one"""
 NONE = Jump(0.0, 0.0, 0.0)
 
@@ -43,12 +43,17 @@ class Bus:
         """Their power, joined by straight lines."""
         each = zip(self.drives, self.running, strict=True)
         shared = tuple(running for one, running in each if self.shares(one))
-        return Sharing(shared, self.entered.efficiency, TURN, STEP, self.all_drives[0].near, self.room)
+        return Sharing(shared, self.entered.efficiency, TURN, self.step, self.all_drives[0].near, self.room)
+
+    @property
+    def step(self) -> float:
+        """The step of the grid, in degrees of the master shaft."""
+        return self.all_drives[0].step
 
     @property
     def room(self) -> int:
         """Rows of the table."""
-        return room_for([one.rows for one in self.drives], TURN, STEP, FULL, MORE)
+        return room_for([one.rows for one in self.drives], TURN, self.step, FULL, MORE)
 
     @property
     def jumps(self) -> list[Jump]:

@@ -9,14 +9,14 @@ import numpy as np
 from engine.drivetrain.loads import GRAVITY
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import exceeding
+from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
-from workbook.machines.machine.pacing import highest, pace_columns, pace_tables
+from workbook.machines.machine.pacing import highest, mending, pace_columns, pace_tables
 from workbook.machines.machine.powered import PEAKS, power_columns, power_peaks, power_rows
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import (
@@ -60,11 +60,10 @@ def drive_sheet(book: Book, view: Stretched) -> None:
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven, size(driven))
-        parts(sheet, driven, one.machine.machine.sizes.rotors)
-        windows_table(sheet, f"axes.{driven.number - 1}", view)
         outcome(sheet, one, driven, STRAIGHT, [*power_peaks(view, PEAKS), *highest(view)])
-        sheet.checks(*checks(driven), laws_check(driven, one))
+        sheet.checks(*checks(driven, mending(view)), laws_check(driven, one))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
+        tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
@@ -124,6 +123,13 @@ def loads(driven: Driven, key: str) -> list[Quantity]:
               format="General" if unit == "kg m²" else "0.0##", source=source)
         for name, label, symbol, unit, source in rows
     ]  # fmt: skip
+
+
+def tables(sheet: Sheet, view: Stretched) -> None:
+    """Declare what is entered row by row: rotating parts, process forces."""
+    sheet.heading("Enter: parts and process forces")
+    parts(sheet, view.driven, view.one.machine.machine.sizes.rotors)
+    windows_table(sheet, f"axes.{view.driven.number - 1}", view)
 
 
 def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
@@ -192,10 +198,14 @@ def outcome(
     )  # fmt: skip
 
 
-def checks(driven: Driven) -> list[Quantity]:
+def checks(driven: Driven, mends: Said = NOTHING) -> list[Quantity]:
     """Return the checks against the limits of motor and reducer."""
     label = f"Drive {driven.number}"
-    return [*limit_checks(driven.reserve, label), *reducer_checks(driven), chosen.told(driven.number)]
+    return [
+        *limit_checks(driven.reserve, label, mends=mends),
+        *reducer_checks(driven, mends),
+        chosen.told(driven.number),
+    ]
 
 
 def laws_check(driven: Driven, one: AxisRows) -> Quantity:
@@ -215,18 +225,20 @@ def known(number: int, one: AxisRows) -> str:
     return "+".join([mixed, *beyond, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
 
 
-def reducer_checks(driven: Driven) -> list[Quantity]:
+def reducer_checks(driven: Driven, mends: Said) -> list[Quantity]:
     """Return the checks of the reducer's limits."""
     label, (torque, mean, speed) = f"Drive {driven.number}: ", driven.reducer_checks
     fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
     return [
         check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_peak=0,@smax<=@reducer_peak)",
-              torque.ok, says=exceeding("@smax", "@reducer_peak", "Nm", torque.value, driven.reducer.peak_torque)),
+              torque.ok, says=exceeding("@smax", "@reducer_peak", "Nm", torque.value, driven.reducer.peak_torque)
+              .then(mends)),
         check("@ok_reducer_mean", f"{label}mean torque within the reducer's",
               "OR(@reducer_mean=0,@smean<=@reducer_mean)", mean.ok,
-              says=exceeding("@smean", "@reducer_mean", "Nm", mean.value, driven.reducer.mean_torque)),
+              says=exceeding("@smean", "@reducer_mean", "Nm", mean.value, driven.reducer.mean_torque)
+              .then(mends)),
         check("@ok_reducer_speed", f"{label}speed within the reducer's", "OR(@reducer_nmax=0,@speed<=@reducer_nmax)",
-              speed.ok, says=exceeding("@speed", "@reducer_nmax", "rpm", fastest, limit)),
+              speed.ok, says=exceeding("@speed", "@reducer_nmax", "rpm", fastest, limit).then(mends)),
     ]  # fmt: skip
 
 

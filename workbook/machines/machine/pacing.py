@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from engine.machine.pace import APART, FAR, LIMITS, PARTS, REACH, TRIALS, TRUSTED, Crossing, Trial, meets, reached
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
+from workbook.book.sentence import Said, amount
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_MINUTE, shown
 from workbook.machines.machine.stretched import Stretched
@@ -249,6 +250,12 @@ def limits_found(sheet: Sheet, view: Stretched) -> None:
 def rate_of(view: Stretched) -> Highest:
     """Return the highest rate of a drive."""
     return Highest(shown(view.pace.rate, PER_MINUTE), view.pace.limit or NONE_BINDS, view.driven.entered.rate)
+
+
+def mending(view: Stretched) -> Said:
+    """Return what would mend a limit that is not held: the rate up to which all are, in thousandths and never above."""
+    rate, half = rate_of(view).rate, 5e-4
+    return amount(f"MAX(0,@highest-{half!r})", max(0.0, rate - half), "; up to ", " cycles/min the drive holds all")
 
 
 def highest(view: Stretched) -> list[Quantity]:

@@ -13,16 +13,16 @@ from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.linked.worked import LinkedWork
-from workbook.machines.machine.stretched import STEP, Stretched
+from workbook.machines.machine.stretched import Stretched
 
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
-TOGETHER = (
-    "On a common DC bus drives use what others give back; what is left goes into one resistor. A drive at a rate of "
-    "its own has no place in the turn, and one whose ratio changes is not summed here: they count alone."
+TOGETHER = "Drives use what others give back; what is left goes into one resistor."
+APART = (
+    "A drive at a rate of its own has no place in the turn, and one whose ratio changes is not summed: they are alone."
 )
 ROOM = "more places where power may jump than this sheet has rows for; build it with larger sizes.motion_pieces"
-CHART_COLUMN = 8
+CHART_COLUMN = 10
 
 
 def alone(driven: Driven, efficiency: float) -> Means:
@@ -48,13 +48,16 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]
     sheet.rows(*totals(together(each), given_power, floor))
     if bus.drives:
         sheet.heading("Results: on a common DC bus", TOGETHER)
+        sheet.note(APART)
         sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if bus.shares(work)], floor))
-        sheet.checks(check("power_room", "Power: the sheet has rows for all places where power may jump",
+        sheet.checks(check("power_room", "Power: rows for all places",
                            "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=Said(f'"{ROOM}"', ROOM)))  # fmt: skip
         sheet.chart(lines_chart(), column=CHART_COLUMN, row=5, width=9, height=20)
+    sheet.row += 1
     drives_table(sheet, drives, each, bus, floor)
     if bus.drives:
         sheet.not_printed_below()
+        sheet.print_columns = 18
         breaks_table(sheet, bus)
         bus_table(sheet, bus)
 
@@ -80,7 +83,7 @@ def common(bus: Bus, each: Sequence[Means], floor: float) -> list[Quantity]:
     found = Means(lines.mean, lines.mean - lines.net)
     own = "SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))"
     return [
-        result("bus_alone", "Peak power from the mains without the bus, of these drives", "", "W",
+        result("bus_alone", "Peak power from the mains without the bus", "", "W",
                "=MAX(MAX([bus.alone]),MAX([bus.alone_e]))", float(lines.alone.max()), scale=size),
         result("bus_mains_peak", "Peak power from the mains", "P_max", "W",
                "=MAX(0,MAX([bus.sum]),MAX([bus.sum_e]))", mains, scale=size),
@@ -98,7 +101,7 @@ def common(bus: Bus, each: Sequence[Means], floor: float) -> list[Quantity]:
         calc("bus_net_off", "Their means are off by", "", "W",
              f"=ABS(bus_mains-bus_resistor-{own})", abs(found.net - net.net), scale=size,
              source="mains less resistor, beside the exact one"),
-        constant("bus_step", "Places of the sum are apart by", "δ", "°", STEP, source="or less: and every jump"),
+        constant("bus_step", "Places of the sum are apart by", "δ", "°", bus.step, source="or less, at every jump"),
     ]  # fmt: skip
 
 

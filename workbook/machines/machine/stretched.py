@@ -25,8 +25,8 @@ from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.motion import AxisRows
 
-STEP = 3.0
-"""of the sheet Power's own grid, in degrees of the master shaft"""
+FEW, FINE, COARSE = 4, 1.0, 2.0
+"""the grid of the sheet Power: with so many drives at most it is fine, in degrees of the master shaft"""
 
 
 class Stretched:
@@ -148,9 +148,15 @@ class Stretched:
         """The largest fourth derivative of y."""
         return max(1e-9, *(one.snap for one in self.powers))
 
+    @property
+    def step(self) -> float:
+        """The step of the sheet Power's own grid, in degrees of the master shaft."""
+        drives = [axis for axis in self.one.machine.machine.axes if axis.motor]
+        return FINE if len(drives) <= FEW else COARSE
+
     def off(self, one: Powering) -> float:
         """Return by how much straight lines between the places of the sheet Power are off at most (W)."""
-        return one.off(si(STEP, DEGREE), self.one.machine.machine.power.efficiency)
+        return one.off(si(self.step, DEGREE), self.one.machine.machine.power.efficiency)
 
     @cached_property
     def most_off(self) -> float:

@@ -1,310 +1,179 @@
-"""The results of a machine by the names of its book, without a book: of many motors and reducers at once."""
+"""The results of a machine by the names of its book, without a book: of many motors, reducers and rates at once."""
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
-from engine.laws.base import Array
-from engine.machine.geared import Geared, Gears, Torques, Works, shares_of
+from engine.machine.bus import Means, together
+from engine.machine.geared import constant
 from engine.motion.smoothness import shortfalls
-from workbook.entries.units import RPM, shown
-from workbook.laws.library import laws
-from workbook.machines.machine.chain import LINKED
-from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
-from workbook.machines.machine.driven import Driven
+from engine.timing import at_rate, ratio_of, turn_time
+from workbook.entries.units import PER_MINUTE, shown, si
+from workbook.laws.family import COEFFICIENTS
+from workbook.laws.library import laws, named
+from workbook.laws.shelf import LawShelf
+from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.power import KWH
+from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told, view_of_drive
 from workbook.machines.machine.view import MovingAxis, Whole
-from workbook.scaling import Column, Results, Scaling
-from workbook.selection.catalogue import MotorRow, ReducerRow
-from workbook.selection.entries import Products
+from workbook.scaling import Column, Results, Scaling, Worked
 
-SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+")
-WEIGHED = ("mass", "cost")
-ONE = Column([None], np.zeros(1, dtype=np.intp))
-"""of what does not differ"""
+SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
+MASTER = "master.rate"
+GROWTH = {"v": 1, "a": 2, "j": 3, "rms": 2}
+"""the power of the rate with which a figure of a motion grows"""
 
 
 def part(key: str) -> str:
-    """Return motor or reducer of an axis, to which the entry at a key belongs; empty for all others."""
+    """Return motor or reducer of an axis, or the rate, to which the entry at a key belongs; empty for all others."""
     found = SCALES.fullmatch(key)
-    return found[1] if found else ""
+    return (found[1] or found[2]) if found else ""
 
 
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
-    """Return the results of designs that differ in motors and reducers, by the keys of these entries."""
+    """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
     whole = Whole(machine, laws(machine.laws))
-    found: dict[str, Callable[[], Any]] = {
-        "about_rate": lambda: machine.master.rate, "timing_rate": lambda: machine.master.rate,
-        "about_cycle": lambda: whole.time, "timing_cycle": lambda: whole.time,
+    rows = Rows(machine)
+    rate = columns.get(MASTER, Column([machine.master.rate], ONE.places))
+    faster = ratio_of(rate.each, machine.master.rate)
+    found: Worked = {
+        "about_rate": lambda: rate.each, "timing_rate": lambda: rate.each,
+        "about_cycle": partial(cycles, rate), "timing_cycle": partial(cycles, rate),
     }  # fmt: skip
+    for one in named(machine.laws):
+        if one.page.has_sheet:
+            found |= {one.own(f"@{name}"): partial(getattr, one.law.coefficients, name) for name, *_ in COEFFICIENTS}
+    drives = []
     for axis in whole.axes:
-        found |= of_axis(axis)
+        found |= of_axis(axis, faster)
         if axis.given.mechanism and axis.given.motor:
-            linked = axis.given.mechanism.kind in LINKED
-            found |= (EachStudied if linked else Studied)(axis, machine.selection, columns).results
-    return found
+            drives.append(drive_of(axis, rows, columns))
+            found |= drives[-1].results
+    for k in range(1, len(machine.clearances) + 1):
+        found |= of_clearance(rows, k)
+    return found | (of_drives(machine, drives) if drives else {})
 
 
-def of_axis(axis: MovingAxis) -> Results:
-    """Return the results of an axis alone."""
+def cycles(rate: Column) -> Any:
+    """Return the times of a cycle (s)."""
+    return Column([turn_time(si(one, PER_MINUTE)) for one in rate.values], rate.places).each
+
+
+class Rows:
+    """The axes of a machine as its book cuts them, when they are asked for."""
+
+    def __init__(self, machine: AnyMachine) -> None:
+        self.machine = machine
+
+    @cached_property
+    def each(self) -> list[AxisRows]:
+        """The axes."""
+        shelf = LawShelf(self.machine.laws, self.machine.sizes, bool(self.machine.laws.of("LIN")))
+        whole = Whole(self.machine, shelf.laws)
+        return [AxisRows(whole, axis, shelf.stack) for axis in whole.axes]
+
+    def of(self, number: int) -> AxisRows:
+        """Return an axis by its number, from 1."""
+        return self.each[number - 1]
+
+    @cached_property
+    def apart(self) -> list[Apart]:
+        """The clearances."""
+        return [Apart(one, k, self.each) for k, one in enumerate(self.machine.clearances, 1)]
+
+
+def drive_of(axis: MovingAxis, rows: Rows, columns: Mapping[str, Column]) -> Studied:
+    """Return the drive of an axis with many motors and reducers, at many rates."""
+    kind = Studied if constant(view_of_drive(axis, rows.machine.selection).demand.course) else EachStudied
+    return kind(axis, rows.machine, columns, partial(rows.of, axis.number))
+
+
+def of_axis(axis: MovingAxis, faster: Any) -> Worked:
+    """Return the results of an axis alone, at rates that are so many times that of the machine."""
     i, given = axis.number, axis.given
     phases = {
-        f"axis{i}.{name}.{k}": partial(of_move, axis, k - 1, figure)
+        f"axis{i}.{name}.{k}": partial(of_move, axis, k - 1, figure, faster, GROWTH[name])
         for k in range(1, len(given.phases) + 1)
         for name, figure in (("v", "v_max"), ("a", "a_max"), ("j", "j_max"), ("rms", "a_rms"))
     }
-    return phases | {
-        f"axes.v.{i}": lambda: axis.fastest,
-        f"axes.a.{i}": lambda: axis.hardest,
+    each = {
+        f"{table}.{name}.{i}": partial(of_whole, axis, figure, faster, GROWTH[name])
+        for table in ("axes", "axes_short")
+        for name, figure in (("v", "fastest"), ("a", "hardest"))
+    }
+    return phases | each | {
         f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit),
         f"axis{i}_smooth": lambda: told(not shortfalls(axis.motion, given.smoothness)),
         f"axis{i}_closes": lambda: told(axis.axis.closes),
+    }  # fmt: skip
+
+
+def of_move(axis: MovingAxis, k: int, figure: str, faster: Any, power: int) -> Any:
+    """Return a figure of a phase, from 0; 0 of one that does not lift."""
+    return at_rate(getattr(axis.moves[k], figure), faster, power) if k in axis.moves else 0.0
+
+
+def of_whole(axis: MovingAxis, figure: str, faster: Any, power: int) -> Any:
+    """Return a figure of the whole motion of an axis."""
+    return at_rate(getattr(axis, figure), faster, power)
+
+
+def of_clearance(rows: Rows, k: int) -> Worked:
+    """Return the results of a clearance, from 1."""
+    return {
+        f"clearances.gap.{k}": lambda: rows.apart[k - 1].gap.least,
+        f"clearances.at.{k}": lambda: rows.apart[k - 1].place,
+        f"clear{k}_kept": lambda: told(rows.apart[k - 1].kept),
     }
 
 
-def of_move(axis: MovingAxis, k: int, figure: str) -> float:
-    """Return a figure of a phase, from 0; 0 of one that does not lift."""
-    return float(getattr(axis.moves[k], figure)) if k in axis.moves else 0.0
+def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
+    """Return the results of all drives together."""
+
+    def whole() -> Means:
+        return together([one.mains for one in drives])
+
+    hours = machine.power.hours
+    found: Worked = {
+        "power_mains": lambda: whole().mains,
+        "power_resistors": lambda: whole().resistor,
+        "power_year": lambda: shown(whole().energy_a_year(hours), KWH),
+        "power_least": lambda: whole().least,
+    }
+    for k, one in enumerate(drives, 1):
+        found |= {f"power.mains.{k}": partial(mains_of, one), f"power.resistor.{k}": partial(resistor_of, one)}
+    if all(one.tells_highest for one in drives):
+        found |= {"about_highest": partial(least_rate, drives), "about_binds": partial(binding, drives)}
+    return found
 
 
-def told(ok: Any) -> Any:
-    """Return verdicts in words."""
-    return np.where(ok, "OK", "FAIL")
+def mains_of(one: Studied) -> Any:
+    """Return the mean power of a drive from the mains (W)."""
+    return one.mains.mains
 
 
-class Studied:
-    """The drive of an axis with many motors and reducers."""
-
-    def __init__(self, axis: MovingAxis, products: Products, columns: Mapping[str, Column]) -> None:
-        self.axis, self.products = axis, products
-        begin = f"axes.{axis.number - 1}"
-        self.motor_key, self.motors = only(columns, f"{begin}.motor")
-        self.reducer_key, self.reducers = only(columns, f"{begin}.reducer")
-
-    def motor(self, value: Any) -> MotorInUse:
-        """Return the motor with another entry."""
-        return motor_in_use(changed(self.axis, "motor", self.motor_key, value), self.products)
-
-    def reducer(self, value: Any) -> ReducerInUse:
-        """Return the reducer with another entry."""
-        return reducer_in_use(changed(self.axis, "reducer", self.reducer_key, value), self.products)
-
-    @cached_property
-    def motors_used(self) -> dict[str, Array]:
-        """The figures of the motor in each design."""
-        used = [self.motor(value) for value in self.motors.values]
-        return figures(used, self.motors, self.products.motors)
-
-    @cached_property
-    def reducers_used(self) -> dict[str, Array]:
-        """The figures of the reducer in each design."""
-        used = [self.reducer(value) for value in self.reducers.values]
-        return figures(used, self.reducers, self.products.reducers)
-
-    @cached_property
-    def geared(self) -> Geared:
-        """What the cycle asks for behind the reducer."""
-        return Geared(Driven(self.axis, self.products).demand.course)
-
-    @cached_property
-    def at_reducer(self) -> Array:
-        """Inertia of the reducer and of parts on the motor's shaft (kg m²)."""
-        parts = Driven(self.axis, self.products).parts
-        return self.reducers_used["inertia"] + math.fsum(part.reflected for part in parts if not part.shaft)
-
-    @cached_property
-    def gears(self) -> Gears:
-        """Motors with their reducers."""
-        used = self.reducers_used
-        inertia = self.motors_used["inertia"] + self.at_reducer
-        return Gears(*np.broadcast_arrays(inertia, used["ratio"], used["efficiency"]))
-
-    @cached_property
-    def torques(self) -> Torques:
-        """Lowest and highest torques (Nm)."""
-        return self.geared.torques(self.gears)
-
-    @cached_property
-    def rms(self) -> Array:
-        """RMS torques (Nm)."""
-        return self.geared.rms_torque(self.gears)
-
-    @cached_property
-    def speed(self) -> Array:
-        """Largest speeds (rpm)."""
-        return shown(self.geared.speed(self.gears.ratio), RPM)
-
-    @cached_property
-    def works(self) -> Works:
-        """Energies (J)."""
-        return self.geared.works(self.gears)
-
-    @property
-    def at_motor(self) -> Array:
-        """Inertia at the motor, without it (kg m²)."""
-        return self.at_reducer + self.geared.inertia(self.gears.ratio)
-
-    @cached_property
-    def behind(self) -> Any:
-        """Largest torque behind the reducer (Nm)."""
-        return self.geared.demand.shaft_torque(1).peak
-
-    @cached_property
-    def mean_behind(self) -> Any:
-        """Mean torque behind the reducer (Nm)."""
-        return self.geared.demand.mean_shaft_torque(1)
-
-    def within(self, limit: str, value: Any) -> Any:
-        """Return whether what is asked of the reducer is within its limit, 0 for none."""
-        limits = self.reducers_used[limit]
-        return told((limits == 0.0) | (value <= limits))
-
-    def pair(self, figure: str) -> Array:
-        """Return mass or cost of motor and reducer together."""
-        return self.motors_used[figure] + self.reducers_used[figure]
-
-    @property
-    def power(self) -> Array:
-        """Mean powers (W)."""
-        return self.geared.mean_power(self.works)
-
-    @property
-    def results(self) -> dict[str, Callable[[], Any]]:
-        """All of them by name, each worked out when it is called."""
-
-        def motor(figure: str) -> Array:
-            return self.motors_used[figure]
-
-        def reducer(figure: str) -> Array:
-            return self.reducers_used[figure]
-
-        each: dict[str, Callable[[], Any]] = {
-            "jtot": lambda: self.at_motor,
-            "inertias": lambda: shares_of(self.at_motor, motor("inertia")),
-            "tmax": lambda: self.torques.highest,
-            "tmin": lambda: self.torques.lowest,
-            "rms": lambda: self.rms,
-            "speed": lambda: self.speed,
-            "res_rms": lambda: shares_of(motor("rated_torque"), self.rms),
-            "res_peak": lambda: shares_of(motor("peak_torque"), self.torques.peak),
-            "res_speed": lambda: shares_of(motor("max_speed"), self.speed),
-            "smax": lambda: self.behind,
-            "smean": lambda: self.mean_behind,
-            "energy": lambda: self.works.driving,
-            "returned": lambda: self.works.regenerated,
-            "power": lambda: self.power,
-            "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
-            "ok_peak": lambda: told(self.torques.peak <= motor("peak_torque")),
-            "ok_speed": lambda: told(self.speed <= motor("max_speed")),
-            "ok_reducer_peak": lambda: self.within("peak_torque", self.behind),
-            "ok_reducer_mean": lambda: self.within("mean_torque", self.mean_behind),
-            "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
-            "i1": lambda: reducer("ratio"),
-        }
-        for figure in WEIGHED:
-            each |= {
-                f"motor_{figure}": partial(motor, figure),
-                f"reducer_{figure}": partial(reducer, figure),
-                f"pair_{figure}": partial(self.pair, figure),
-            }
-        return {f"drive{self.axis.number}_{name}": value for name, value in each.items()}
+def resistor_of(one: Studied) -> Any:
+    """Return the mean power in its resistor (W)."""
+    return one.mains.resistor
 
 
-class EachStudied(Studied):
-    """The drive of a mechanism of a changing ratio with many motors and reducers: each pair by itself."""
-
-    @cached_property
-    def pairs(self) -> list[tuple[int, int]]:
-        """The motor and the reducer of each design, by their places among those that differ."""
-        both = np.broadcast_arrays(self.motors.places, self.reducers.places)
-        return list(zip(*(places.tolist() for places in both), strict=True))
-
-    @cached_property
-    def drives(self) -> dict[tuple[int, int], LinkedDriven]:
-        """The drive with each pair that a design has."""
-        return {pair: self._drive(*pair) for pair in dict.fromkeys(self.pairs)}
-
-    def _drive(self, motor: int, reducer: int) -> LinkedDriven:
-        given = changed(self.axis, "motor", self.motor_key, self.motors.values[motor])
-        held = MovingAxis(given, self.axis.number, self.axis.library, self.axis.speed)
-        given = changed(held, "reducer", self.reducer_key, self.reducers.values[reducer])
-        return LinkedDriven(MovingAxis(given, self.axis.number, self.axis.library, self.axis.speed), self.products)
-
-    def each(self, figure: Callable[[LinkedDriven], float]) -> Array:
-        """Return a figure of each design's drive."""
-        found = {pair: figure(drive) for pair, drive in self.drives.items()}
-        return np.array([found[pair] for pair in self.pairs])
-
-    @property
-    def at_motor(self) -> Array:
-        """Largest inertia at the motor over the cycle, without it (kg m²)."""
-        return self.each(lambda drive: drive.inertia)
-
-    @cached_property
-    def torques(self) -> Torques:
-        """Lowest and highest torques (Nm)."""
-        lowest = self.each(lambda drive: drive.demand.torque.lowest.value)
-        return Torques(lowest, self.each(lambda drive: drive.demand.torque.highest.value))
-
-    @cached_property
-    def rms(self) -> Array:
-        """RMS torques (Nm)."""
-        return self.each(lambda drive: drive.demand.rms_torque)
-
-    @cached_property
-    def speed(self) -> Array:
-        """Largest speeds (rpm)."""
-        return shown(self.each(lambda drive: drive.demand.speed.peak), RPM)
-
-    @cached_property
-    def works(self) -> Works:
-        """Energies (J)."""
-        driving = self.each(lambda drive: drive.demand.energy.driving)
-        return Works(driving, self.each(lambda drive: drive.demand.energy.regenerated))
-
-    @property
-    def power(self) -> Array:
-        """Mean powers (W)."""
-        return self.each(lambda drive: drive.demand.mean_power)
-
-    @cached_property
-    def behind(self) -> Any:
-        """Largest torques behind the reducers (Nm)."""
-        return self.each(lambda drive: drive.reducer_checks[0].value)
-
-    @cached_property
-    def mean_behind(self) -> Any:
-        """Mean torques behind the reducers (Nm)."""
-        return self.each(lambda drive: drive.reducer_checks[1].value)
+def least_rate(drives: list[Studied]) -> Any:
+    """Return the highest rate at which all drives hold all limits (cycles/min)."""
+    return np.min(np.broadcast_arrays(*(one.highest for one in drives)), axis=0)
 
 
-def figures(
-    used: Sequence[MotorInUse] | Sequence[ReducerInUse], column: Column, products: Sequence[MotorRow | ReducerRow]
-) -> dict[str, Array]:
-    """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
-    rows = [None, *products]
-    names = used[0]._fields
-    own = {name: np.array([getattr(one, name) for one in used], dtype=np.float64) for name in names}
-    more = {name: np.array([getattr(rows[one.row], name, None) for one in used], dtype=np.float64) for name in WEIGHED}
-    return {name: values[column.places] for name, values in (own | more).items()}
-
-
-def only(columns: Mapping[str, Column], place: str) -> tuple[str, Column]:
-    """Return the entry of a motor or reducer that differs, and how; nothing where none does."""
-    return next(((key.removeprefix(f"{place}."), one) for key, one in columns.items() if part(key) == place), ("", ONE))
-
-
-def changed(axis: MovingAxis, place: str, key: str, value: Any) -> Any:
-    """Return the entries of an axis with another entry of its motor or reducer."""
-    entries = getattr(axis.given, place)
-    return axis.given.model_copy(update={place: entries.model_copy(update={key: value})}) if key else axis.given
+def binding(drives: list[Studied]) -> Any:
+    """Return the axis and the limit that bind there."""
+    rates = np.array(np.broadcast_arrays(*(one.highest for one in drives)))
+    words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.binds], dtype=object) for one in drives]
+    return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
 
 SCALING = Scaling(part, results)

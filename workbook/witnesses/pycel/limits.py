@@ -13,7 +13,7 @@ from types import FunctionType
 from typing import Any
 
 from pycel import excellib, excelutil
-from pycel.excelutil import NUM_ERROR, PYTHON_AST_OPERATORS, VALUE_ERROR
+from pycel.excelutil import NUM_ERROR, PYTHON_AST_OPERATORS, VALUE_ERROR, is_array_arg
 from pycel.lib import lookup as lookups
 from pycel.lib import stats, text
 from pycel.lib.function_helpers import excel_helper, excel_math_func
@@ -114,8 +114,8 @@ def _pv(rate: float, nper: float, pmt: float, fv: float = 0, type_: float = 0) -
 
 
 def _sumproduct(*arrays: Any) -> Any:
-    """Return a number of Python's: pycel's ROUND and others fail on NumPy's."""
-    result = excellib.sumproduct(*arrays)
+    """Return a number of Python's: pycel's ROUND and others fail on NumPy's; a single cell is a range of one."""
+    result = excellib.sumproduct(*(array if is_array_arg(array) else ((array,),) for array in arrays))
     return result if isinstance(result, str) else result.item()
 
 

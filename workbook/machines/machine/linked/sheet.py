@@ -15,7 +15,7 @@ from workbook.machines.machine.linked import cut, found, kinds, reach
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
 from workbook.machines.machine.powered import power_peaks
-from workbook.machines.machine.stretches import breaks_table, turns_table, windows_table
+from workbook.machines.machine.stretches import breaks_table, turns_table
 
 RESULTS = {
     "jtot": "=@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2",
@@ -39,13 +39,12 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
     sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
     with sheet.scoped(f"drive{i}_"):
         drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
-        kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
-        drive.parts(sheet, driven, one.machine.machine.sizes.rotors)
-        windows_table(sheet, f"axes.{i - 1}", view)
         drive.outcome(sheet, one, driven, RESULTS, power_peaks(view, PEAKS))
         sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *checks(view))
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         sheet.chart(angles(), column=drive.CHART_COLUMN, row=28, width=8, height=18)
+        kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
+        drive.tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
