@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise, repeat
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -107,6 +107,21 @@ def scales(torque: float, behind: float, ratio: float, way: float, time: float) 
     """Return them from the largest torques of motor and reducer (Nm), the motor's ratio, the way and the time."""
     work = max(torque * ratio * way, LEAST)
     return Scales(torque**2, work, max(behind**3 * way, LEAST), work / time)
+
+
+class Away(NamedTuple):
+    """What the shaft behind a reducer is measured by: α, and integrals over a cycle ∫α², ∫αS and ∫S²."""
+
+    alpha: float
+    turned: float
+    product: float
+    square: float
+
+
+def away(behind: float, acceleration: float, ratio: float) -> Away:
+    """Return them from the largest torque there (Nm), the load's largest acceleration, and the shaft's ratio."""
+    alpha = abs(ratio) * acceleration
+    return Away(alpha, alpha**2, alpha * behind, behind**2)
 
 
 @dataclass(frozen=True)
@@ -244,6 +259,30 @@ class BentPart:
         """Return ∫|S|³ |y'| over the abscissa between two places, S behind the reducer."""
         return self._over("cube", part, scale)
 
+    def behind(self, figure: Literal["square", "product"], part: tuple[int, int], scale: float) -> float:
+        """Return ∫S² or ∫αS over the abscissa between two places, of the shaft behind the reducer; 0 at rest."""
+        return self._over(f"behind: {figure}", part, scale)
+
+    def turned(self, scale: float) -> float:
+        """Return ∫α² over the abscissa of that shaft."""
+        return self._over("turned", (0, 4), scale)
+
+    @property
+    def fastest_behind(self) -> float:
+        """A bound of the speed of that shaft (rad/s): its largest at the ends where the acceleration keeps its sign."""
+        return abs(self.bends.drive.mechanism.ratio_from(1)) * self.speed * self.fastest_here
+
+    @property
+    def fastest_here(self) -> float:
+        """The same of |y'|: that of the whole motion where the acceleration turns round."""
+        if self.crosses(0.0):
+            return self.fastest
+        return float(np.abs(self.piece.derivative(1, np.array([self.low, self.high]))).max())
+
+    def turning_at(self, end: int) -> float:
+        """Return the acceleration of that shaft (rad/s²) at its begin, 0, or its end, 1."""
+        return -self.bends.sign * self.going * self.ends[end] * self.bends.drive.mechanism.ratio_from(1)
+
     def square_in_all(self, scale: float) -> float:
         """Return ∫T² over the abscissa, also at rest (Nm² rad)."""
         return self.square((0, 4), scale) if self.going else (self.high - self.low) * self.held**2
@@ -267,11 +306,16 @@ class BentPart:
         low, high = sorted(self.places[k : k + 2])
         if not self.going or high <= low:
             return 0.0
-        torque, ratio = self._line(low, high, 1 if figure == "cube" else 0), self.bends.drive.mechanism.ratio
+        shaft = 1 if figure == "cube" or figure.startswith("behind") else 0
+        torque, ratio = self._line(low, high, shaft), self.bends.drive.mechanism.ratio
+        turn = self.going * self.bends.drive.mechanism.ratio_from(1) * self.speed**2
 
         def value(u: Array) -> Array:
-            if figure == "square":
+            if figure in ("square", "behind: square"):
                 return torque(u) ** 2
+            if figure in ("behind: product", "turned"):
+                alpha = turn * self.piece.derivative(2, u)
+                return np.asarray(alpha * (alpha if figure == "turned" else torque(u)))
             way = np.abs(self.piece.derivative(1, u))
             return np.asarray(np.abs(torque(u)) ** 3 * way if figure == "cube" else torque(u) * ratio * way)
 

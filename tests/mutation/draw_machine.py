@@ -4,11 +4,13 @@ import random
 from collections.abc import Sequence
 from typing import Any, get_args
 
+from engine.machine.grid import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
 from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.switching import TIMES
+from workbook.machines.machine.variations import constant_drives
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
@@ -32,6 +34,13 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
             drive(axis, drawn, sizes["rotors"], sizes["positions"])
     if any(axis["motor"] is not None for axis in data["axes"]):
         data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
+    if data["selection"]["axis"] is not None:
+        data["selection"] |= {
+            "axis": drawn.choice(constant_drives(data)),
+            "rank": drawn.choice(get_args(Rank)), "inertia_ratio": 10 ** drawn.uniform(-1, 4),
+            "least_margin": 10 ** drawn.uniform(-5, 0.5), "greatest_margin": 10 ** drawn.uniform(0, 6),
+            "torque_factor": 10 ** drawn.uniform(-4, 0.3),
+        }  # fmt: skip
     for one in data["clearances"]:
         one |= {name: drawn.uniform(-2, 2) for name in ("first_factor", "second_factor")}
         one |= {name: drawn.uniform(-200, 200) for name in ("offset", "least")}

@@ -67,11 +67,18 @@ class Block:
     """of a table: the condition under which a row is not used, and shows nothing but its inputs"""
     quiet: str = ""
     """of a table: the condition under which its results are errors, and are not shown"""
+    lead: Block | None = None
+    """of a column beside a table: that, whose cells in the same row its formulas may name"""
 
     @cached_property
     def columns(self) -> dict[str, int]:
         """The sheet column of each quantity, by name."""
         return {q.name: self.column + i for i, q in enumerate(self.quantities)}
+
+    @property
+    def seen(self) -> dict[str, int]:
+        """The sheet column of each quantity that a formula may name for its own row."""
+        return {**(self.lead.columns if self.lead else {}), **self.columns}
 
     @property
     def span(self) -> str:
@@ -273,6 +280,19 @@ class Sheet:
         self.row = top + size + 1
         return block
 
+    def beside(self, block: Block, name: str, quantity: Quantity) -> None:
+        """Place a table of one column beside a table without equations: where a size tells how many columns there are.
+
+        Each has a name of its own, so that a file tells how many it has.
+        """
+        column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
+        self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
+        self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
+        own = self._own((quantity,))
+        self._place(
+            Block(in_scope(name, self.scope), self, block.row, column, own, block.size, block.title, lead=block)
+        )
+
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:
         """Place a chart with its corner at a cell, ``width`` columns by ``height`` rows large."""
         self.charts.append((chart.within(self.scope), row, column, width, height))
@@ -335,7 +355,7 @@ class Book:
         def reference(found: re.Match[str]) -> str:
             first, second, end = found.groups()
             if second is None or second == "-1":
-                return f"${get_column_letter(at.columns[first])}{'{0}' if second is None else '{1}'}"
+                return f"${get_column_letter(at.seen[first])}{'{0}' if second is None else '{1}'}"
             block = self.blocks[first]
             prefix = "" if block.sheet is at.sheet else quote_sheetname(block.sheet.title) + "!"
             return prefix + block.reference(second[1:], end or "")

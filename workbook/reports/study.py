@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from datetime import datetime
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -17,6 +17,7 @@ from workbook.reports.page import Content, document, e, table
 from workbook.studies.judged import Judged
 from workbook.studies.model import Bound, Study
 from workbook.studies.named import Label, Named
+from workbook.studies.paths import written
 from workbook.studies.plan import Plan
 from workbook.studies.space import Dimension
 from workbook.studies.summary import Design, Summary
@@ -112,11 +113,6 @@ def varied(one: Dimension) -> list[Element | str]:
         said = f"{one.low:g} to {one.high:g}" + (f" in {one.steps} values" if one.steps else "")
     room = f"; its room from {written(one.takes)}" if one.takes else ""
     return [", ".join([one.label, *map(written, one.paths[1:])]), said + room]
-
-
-def written(path: Sequence[str]) -> str:
-    """Return the way to an entry as a study writes it."""
-    return re.sub(r"\.(\d+)", lambda found: f"[{int(found[1]) + 1}]", ".".join(path))
 
 
 def fixed(plan: Plan) -> list[tuple[str, str]]:

@@ -43,7 +43,7 @@ def charts(sheet: Sheet, view: Choosing) -> None:
         Series("selected pair", "[figure12p.beta]", "[figure12p.tau]", points=True, marker="diamond", color="D55E00"),
     )
     sheet.chart(
-        Chart("Ratios against the load factor, selected motor (S5, figure 12)", "load factor β [Nm rad/s²]",
+        Chart("Ratios against the load factor, selected motor (S5, figure 12)", "load factor β [W/s]",
               "transmission ratio τ", against,
               "Largest, best and least transmission ratio of the chosen motor against the load factor",
               (0, None, None), log_y=True),

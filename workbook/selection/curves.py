@@ -114,7 +114,7 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
         calc("share", "share of α", "β/(η α)", "",
              "=1-(1-sel_first)*(1-([k]-1)/([figure12.k.last]-1))^2",
              x.share, source="closer together near the tip"),
-        calc("beta", "load factor", "β", "Nm rad/s²",
+        calc("beta", "load factor", "β", "W/s",
              "=[share]*sel_eta*INDEX([motors.alpha],MAX(1,sel_m))",
              x.load_factor),
         calc("pace", "pace", "√(β/β_now)", "",
@@ -140,7 +140,7 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
     sheet.table(
         "figure12p", "Figure 12: selected pair", 1,
-        calc("beta", "load factor", "β", "",
+        calc("beta", "load factor", "β", "W/s",
              "=IF(sel_found=1,sel_beta,sel_off)", [view.load_factor if pair else OFF]),
         calc("tau", "ratio", "τ", "",
              "=IF(sel_found=1,sel_tau,[reducers.tau.1])", [pair.ratio if pair else first]),

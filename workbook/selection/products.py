@@ -68,7 +68,7 @@ def motors(sheet: Sheet, view: Choosing) -> None:
         result("verdict", "has a range of τ?", "", "",
                '=IF([on]*sel_moves=0,"–",IF([enough]=0,"too weak",IF([low]<=[tau_max],"yes","too slow")))',
                filled(verdicts(view, ranges.strong, ranges.accepted, "too slow"), n, "–")),
-        result("alpha", "accelerating factor", "α", "Nm rad/s²",
+        result("alpha", "accelerating factor", "α", "W/s",
                "=IF([on]=1,[rated]^2/[inertia],0)",
                filled(ranges.accelerating_factor, n), source="T_N²/J_M", format=WHOLE),
         result("tau_min", "least ratio", "τ_min", "",

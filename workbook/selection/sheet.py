@@ -76,7 +76,7 @@ def asked(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
              source="over the cycle", scale=sizes.acceleration_rms),
         calc("sel_trms", "RMS of the generalized load torque", "T*_L,rms", "Nm",
              f"={load.torque_rms}", task.torque_rms, source="T*_L = T_L + J_L ω̇_L"),
-        calc("sel_mean", "Mean of their product", "", "Nm rad/s²",
+        calc("sel_mean", "Mean of their product", "", "W/s",
              f"={load.power_rate_mean}", task.power_rate_mean, scale=max(sizes.power_rate_mean, 1e-3)),
         calc("sel_wmax", "Largest speed of the load", "ω_L,max", "rad/s", f"={load.max_speed}", task.max_speed),
         calc("sel_tmax", "Torque that the reducer must hold", "f T*_L,max", "Nm",
@@ -84,7 +84,7 @@ def asked(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
         calc("sel_moves", "The load accelerates, and has a torque", "", "",
              "=IF(MIN(sel_wrms,sel_trms,sel_wmax)>sel_none,1,0)", int(task.moves),
              source="1 yes, 0 no: then there is nothing to select"),
-        result("sel_beta", "Load factor", "β", "Nm rad/s²",
+        result("sel_beta", "Load factor", "β", "W/s",
                "=IF(sel_moves=1,2*(sel_wrms*sel_trms+sel_mean),0)", view.load_factor,
                source="2 (ω̇_rms T*_rms + mean); S5, eq. (15), step 2"),
     )  # fmt: skip

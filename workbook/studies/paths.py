@@ -29,10 +29,15 @@ def way(machine: Machine, key: str, where: str) -> tuple[list[str], Any]:
     """Return the names and numbers (from 0) on the way that a key tells, and what stands at its end."""
     entry: Any = machine
     path: list[str] = []
-    for quoted, number, plain in PART.findall(key):
-        entry, part = step(entry, quoted or number or plain, bool(number), f"{where}: {key!r}")
+    for whole, number, plain in PART.findall(key):
+        entry, part = step(entry, whole or number or plain, bool(number), f"{where}: {key!r}")
         path.append(part)
     return path, entry
+
+
+def written(path: Sequence[str]) -> str:
+    """Return the way to an entry as a study writes it."""
+    return re.sub(r"\.(\d+)", lambda found: f"[{int(found[1]) + 1}]", ".".join(path))
 
 
 def path_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
@@ -59,8 +64,13 @@ def below(entry: Any) -> list[str]:
         return list(type(entry).model_fields)
     if isinstance(entry, list):
         names = [getattr(one, "name", None) for one in entry]
-        return [str(name) for name in names if name] or [f"[{i}]" for i in range(1, len(entry) + 1)]
+        return [quoted(str(name)) for name in names if name] or [f"[{i}]" for i in range(1, len(entry) + 1)]
     return []
+
+
+def quoted(name: str) -> str:
+    """Return a name as it stands in a path: in quotes where it has a dot or a bracket in it."""
+    return f'"{name}"' if re.search(r"[.\[\]]", name) else name
 
 
 def step(entry: Any, part: str, numbered: bool, where: str) -> tuple[Any, str]:

@@ -25,7 +25,7 @@ from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
 from workbook.reading.descriptions import counted, parsed, write_machine
 from workbook.studies.model import Study, Vary
-from workbook.studies.paths import below, changed, held, nearest, path_of, table_of
+from workbook.studies.paths import below, changed, held, nearest, path_of, table_of, written
 from workbook.studies.space import Dimension, Space, arranged
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import found
@@ -125,17 +125,37 @@ def read_study(path: Path) -> Plan:
     try:
         study = Study.model_validate(data)
     except ValidationError as error:
-        raise InputError([line_of(fault, str(path)) for fault in error.errors(include_url=False)]) from None
+        raise InputError(lines_of(error, str(path))) from None
     if study.base is None:
         raise InputError([f"{path}: base: empty; expected the name of a machine description"])
     return planned(study, path.parent / study.base, str(path))
 
 
-def line_of(fault: Any, where: str) -> str:
+INNER = ("str", "Bound", "constrained-str")
+"""what stands in the place of a fault for one of several kinds that an entry may have"""
+KINDS = ("string_type", "list_type")
+
+
+def lines_of(error: ValidationError, where: str) -> list[str]:
+    """Return a line for each of pydantic's faults; of an entry of several kinds, for the kind that was meant."""
+    faults = [(place_of(fault), fault) for fault in error.errors(include_url=False)]
+    told: dict[str, str] = {}
+    for place, fault in faults:
+        others = [other for other, _ in faults if other[: len(place)] == place]
+        if len(others) < 2 or fault["type"] not in KINDS:
+            told.setdefault(".".join(place), line_of(fault, place, where))
+    return list(told.values()) or [line_of(faults[0][1], faults[0][0], where)]
+
+
+def place_of(fault: Any) -> list[str]:
+    """Return the names, and numbers from 1, on the way to a fault."""
+    place = [str(part + 1) if isinstance(part, int) else part for part in fault["loc"]]
+    return [part for part in place if part not in INNER and not part.startswith(("function-", "list["))]
+
+
+def line_of(fault: Any, place: list[str], where: str) -> str:
     """Return the line of one of pydantic's faults."""
     cause = fault.get("ctx", {}).get("error")
-    place = [str(part + 1) if isinstance(part, int) else str(part) for part in fault["loc"]]
-    place = [part for part in place if part not in ("str", "list[constrained-str]", "Bound", "constrained-str")]
     if isinstance(cause, EntryError):
         return f"{where}: {'.'.join([*place, *filter(None, [cause.field])])}: {cause}"
     if fault["type"] == "extra_forbidden":
@@ -174,7 +194,7 @@ def require_distinct_entries(space: Space, where: str) -> None:
     paths = [path for one in space.dimensions for path in one.paths]
     twice = next((path for path in paths if paths.count(path) > 1), None)
     if twice is not None:
-        raise InputError([f"{where}: {'.'.join(twice)} varies twice (rows counted from 0 here)"])
+        raise InputError([f"{where}: {written(twice)} varies twice"])
 
 
 def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
@@ -206,7 +226,7 @@ def taken(plan: Plan, vary: Vary, paths: tuple[tuple[str, ...], ...], where: str
 def values_of(plan: Plan, vary: Vary, path: tuple[str, ...], where: str) -> list[Any]:
     """Return the values of a list, of all laws, or of a catalogue; none of a range."""
     if vary.all == "laws":
-        return alike(plan, path, where)
+        return alike(plan, path, f"{where}: {vary.keys[0]!r}")
     if vary.all == "catalogue":
         products = next((PRODUCTS[part] for part in reversed(path) if part in PRODUCTS), "")
         rows = getattr(getattr(plan.base, "selection", None), products, None) if products else None
@@ -223,7 +243,7 @@ def alike(plan: Plan, path: tuple[str, ...], where: str) -> list[str]:
     elsewhere are left out by trying."""
     given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == path), None)
     if given is None:
-        raise InputError([f"{where}: {'.'.join(path)} names no law; expected the law of a phase"])
+        raise InputError([f"{where} names no law; expected the law of a phase"])
     trial = Dimension("", (path,))
     now = laws(plan.base.laws)[given.name]
     names = dict.fromkeys([*plan.base.laws.names, *ENTRIES])

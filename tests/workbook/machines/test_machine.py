@@ -19,7 +19,7 @@ def described(axes=None, **sizes):
     """The committed machine, with other axes."""
     data = read_machine(TEMPLATE.description).model_dump()
     data["sizes"] |= SMALL | {"motion_pieces": None} | sizes
-    others = {} if axes is None else {"axes": axes, "switches": [], "clearances": [], "power": {}}
+    others = {} if axes is None else {"axes": axes, "switches": [], "clearances": [], "power": {}, "selection": {}}
     return TEMPLATE.model.model_validate(data | others)
 
 

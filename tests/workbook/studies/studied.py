@@ -14,7 +14,13 @@ FEED = "axes.MC01.phases[1]"
 def base(folder, **changes):
     """Write the description of one axis at 60 cycles a minute, which products of the catalogue can drive."""
     data = as_entered(read_machine(TEMPLATES["machine"].description))
-    data |= {"axes": data["axes"][:1], "clearances": [], "sizes": data["sizes"] | SIZES, "master": {"rate": 60.0}}
+    data |= {
+        "axes": data["axes"][:1],
+        "clearances": [],
+        "selection": {},
+        "sizes": data["sizes"] | SIZES,
+        "master": {"rate": 60.0},
+    }
     data["sizes"].pop("motion_pieces", None)
     data["axes"][0] |= changes
     path = folder / "feed.toml"

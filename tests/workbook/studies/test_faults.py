@@ -3,6 +3,7 @@
 import contextlib
 import json
 import os
+import random
 import signal
 import subprocess
 import sys
@@ -107,6 +108,83 @@ def test_no_room_to_write_is_a_line_and_the_study_goes_on_when_there_is(tmp_path
     assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 181
 
 
+@POSIX
+@pytest.mark.parametrize("kills", [3, pytest.param(25, marks=pytest.mark.nightly)])
+def test_a_command_killed_at_any_time_goes_on_to_the_same_bytes(tmp_path, monkeypatch, kills):
+    monkeypatch.setattr("workbook.studies.run.MOST_GROUPS", 4)
+    study = written(tmp_path, laws("MTP", "CUB"), stops(80, 120, 16), **GOALS)
+    begin = time.monotonic()
+    assert forked(study, tmp_path / "whole.csv", False).ended() == 0
+    lasts, rng, cut, killed = time.monotonic() - begin, random.Random(kills), tmp_path / "cut.csv", 0
+    while not cut.with_suffix(".html").exists() and killed < kills:
+        killed += forked(study, cut, True).killed_after(rng.uniform(0.05, 0.6) * lasts)
+    if not cut.with_suffix(".html").exists():
+        assert forked(study, cut, True).ended() == 0
+    for suffix in (".csv", ".json"):
+        assert (tmp_path / f"cut{suffix}").read_bytes() == (tmp_path / f"whole{suffix}").read_bytes()
+    assert killed
+
+
+@POSIX
+@pytest.mark.parametrize("written_so_far", [1, 2, 3])
+def test_a_command_killed_while_it_writes_its_results_goes_on(tmp_path, monkeypatch, written_so_far):
+    """Results, what is known of them, and the page are three files: some of them may be there already."""
+    from workbook.commands import study as command_
+
+    study, results = written(tmp_path, laws("MTP", "CUB"), **GOALS), tmp_path / "r.csv"
+    placed, count = command_.replace, []
+
+    def replace(*arguments):
+        placed(*arguments)
+        count.append(arguments)
+        if len(count) == written_so_far:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(command_, "replace", replace)
+    with pytest.raises(KeyboardInterrupt):
+        command_.study(study, results, None, 1, False, None, True, False)
+    with pytest.raises(WriteError, match="the file exists"):
+        command_.study(study, results, None, 1, False, None, True, False)
+    assert command_.study(study, results, None, 1, True, None, True, False) == 0
+    assert len(results.read_text(encoding="utf-8").splitlines()) == 3
+
+
+def test_parts_that_nobody_owns_are_not_taken_for_a_studys_own(tmp_path):
+    plan = planned(tmp_path, laws("MTP", "CUB"), **GOALS)
+    parts = Parts(tmp_path / "r.csv", plan.digest, plan.space.size)
+    whole = studied(plan, parts)
+    (parts.folder / "study.json").unlink()  # as of a folder that was being removed
+    (parts.folder / "part-00000007.json").write_text((parts.folder / "part-00000000.json").read_text())
+    assert studied(plan, parts, resume=True) == whole
+    assert parts.complete() == {0}
+
+
+class forked:  # noqa: N801 - reads as what it does
+    """The command in a process of its own, which has all modules already."""
+
+    def __init__(self, study, results, resume):
+        from workbook.commands.study import study as command_
+
+        self.id = os.fork()
+        if not self.id:
+            with Path(os.devnull).open("w") as nowhere:
+                os.dup2(nowhere.fileno(), 1)
+                os.dup2(nowhere.fileno(), 2)
+                code = 70
+                with contextlib.suppress(BaseException):
+                    code = command_(study, results, None, 1, resume, None, True, False)
+            os._exit(code)
+
+    def ended(self):
+        return os.waitstatus_to_exitcode(os.waitpid(self.id, 0)[1])
+
+    def killed_after(self, seconds):
+        """Kill it; return whether it was alive until then."""
+        time.sleep(seconds)
+        os.kill(self.id, signal.SIGKILL)
+        return self.ended() == -signal.SIGKILL
+
+
 class Killing:
     """A pool that kills one of its workers when the first piece is done."""
 
@@ -139,8 +217,8 @@ def test_a_scheduler_that_does_not_answer_is_a_line():
 
 
 @contextlib.contextmanager
-def cluster(folder):
-    """A scheduler and two workers, each a process of its own."""
+def cluster(folder, odd=""):
+    """A scheduler and two workers, each a process of its own; the second begins by running what is ``odd``."""
     file, begun = folder / "scheduler.json", []
 
     def begin(module, *arguments):
@@ -153,8 +231,9 @@ def cluster(folder):
         deadline = time.monotonic() + 60
         while not file.exists() and time.monotonic() < deadline:
             time.sleep(0.1)
-        for _ in range(2):
-            begin("dask_worker", "--nthreads", "1", "--no-nanny", "--local-directory", str(folder))
+        (folder / "odd.py").write_text(odd, encoding="utf-8")
+        for preload in ([], ["--preload", str(folder / "odd.py")]):
+            begin("dask_worker", "--nthreads", "1", "--no-nanny", "--local-directory", str(folder), *preload)
         yield json.loads(file.read_text())["address"], begun
     finally:
         for one in begun:
@@ -187,3 +266,15 @@ def test_a_scheduler_that_goes_is_a_line_and_another_ones_workers_complete_the_s
     done = command(study, "--jobs", 1, "--resume", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 601
+
+
+@POSIX
+def test_a_worker_of_another_version_is_told_in_a_line(tmp_path):
+    study = written(tmp_path, laws("MTP", "CUB"), **GOALS)
+    with cluster(tmp_path, 'import workbook\nworkbook.__version__ = "0.0.1"') as (address, _):
+        until_ready(address)
+        done = command(study, "--scheduler", address, cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    (line,) = done.stderr.splitlines()
+    assert "has motionbook 0.0.1; expected" in line
+    assert not (tmp_path / "study.csv").exists()

@@ -102,7 +102,7 @@ def test_the_command_writes_results_a_page_and_the_picked_book(tmp_path):
         constraints={"drive1_res_rms": {"min": 1.0}, "drive1_ok_speed": "OK"},
     )  # fmt: skip
     done = run(study, "--pick", 1, "-o", "best.xlsx", "--jobs", 1, "--unverified", cwd=tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout
     assert "formula cells agree" in done.stdout
     found = rows(tmp_path / "study.csv")
     assert len(found) == 3 * 2 * 19 * 16
@@ -196,6 +196,12 @@ def test_a_result_that_only_the_book_has_comes_from_it(tmp_path):
         ([laws("MTP")], {"minimise": ["drive1_ok_rms"]}, "is a text, 'OK'; expected a number"),
         ([{"key": "axes.MC01.motor.name", "values": ["No such"]}], {}, "no motor of the catalogue is named"),
         ([laws("MTP")], {"way": {"kind": "sobol"}}, "how many designs"),
+        ([{**RATES, "from": -5.0}], {}, "master.rate = -5.0: master.rate: expected a number greater than 0"),
+        ([{"key": "axes[2].rate", "values": [60.0]}], {}, "has no '2'; expected MC01"),
+        ([{"key": "", "values": [1.0]}], {}, "vary.1.key: found ''; string should have at least 1 character"),
+        ([{"key": "axes.MC01.motor.name", "all": "laws"}], {}, "'axes.MC01.motor.name' names no law"),
+        ([laws("MTP")], {"constraints": {"drive1_rms": {"min": 2.0, "max": 1.0}}}, "constraints.drive1_rms.max: 1 is"),
+        ([laws("MTP")], {"results": ["drive1_higest"]}, "expected drive1_highest"),
         ([laws("MTP")], {"minimize": []}, "minimize: unknown entry; expected one of minimise"),
     ],
 )  # fmt: skip
@@ -204,3 +210,11 @@ def test_what_cannot_be_asked_is_told_in_a_line_with_what_is_near(tmp_path, vary
         require_names(read_study(written(tmp_path, *vary, **({"results": ["drive1_rms"]} | more))), "study.toml")
     assert said in str(told.value)
     assert len(str(told.value).splitlines()) == 1
+
+
+def test_a_name_with_dots_and_brackets_is_written_in_quotes(tmp_path):
+    base(tmp_path, name="A.1 [x]")
+    plan = planned(tmp_path, {"key": 'axes."A.1 [x]".shift', "values": [1.0, 2.0]}, results=["drive1_rms"])
+    assert plan.space.size == 2
+    with pytest.raises(InputError, match=r'has no .A.; expected "A.1 \[x\]"'):
+        planned(tmp_path, {"key": "axes.A.1 [x].shift", "values": [1.0, 2.0]}, results=["drive1_rms"])

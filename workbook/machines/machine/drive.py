@@ -18,6 +18,7 @@ from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import highest, mending, pace_columns, pace_tables
 from workbook.machines.machine.powered import PEAKS, power_columns, power_peaks, power_rows
+from workbook.machines.machine.selecting import behind
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import (
     ACTS,
@@ -74,8 +75,9 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         breaks_table(sheet, view)
         sheet.row += 1
         sheet.rows(*power_rows(view))
-        stretches_table(sheet, view, *power_columns(view), *pace_columns(view))
+        stretches_table(sheet, view, *power_columns(view), *pace_columns(view), *behind.columns(view))
         pace_tables(sheet, view)
+        behind.means(sheet, view)
         backward = f"MIN([axis{i}.h])<0"
         limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
     sheet.print_columns = 18

@@ -185,6 +185,11 @@ class Driven:
         """Inertia on the motor's shaft, with it (kg m²)."""
         return self.motor_used.inertia + self.mechanism.on_shaft(0)
 
+    @property
+    def beside_motor(self) -> float:
+        """Inertia of the parts on the motor's shaft (kg m²), without the reducer's."""
+        return self.mechanism.on_shaft(0) - self.reducer.inertia
+
     def samples(self, at: Array, going: Array, angles: Array) -> Samples:
         """Return what the drive does at places of the motion, in the direction of each phase, at master angles."""
         _, v, a = self.axis.motion.at_speed(at, self.axis.speed)

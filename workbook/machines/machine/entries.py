@@ -34,11 +34,12 @@ from workbook.machines.machine.chain import (
     PowerEntry,
     Reducer,
 )
+from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
-from workbook.selection.entries import Products, SelectionSizes, require_room
+from workbook.selection.entries import SelectionSizes, require_room
 
 MOST_AXES = 24
 Unit = Literal["mm", "°"]
@@ -124,7 +125,7 @@ class AnyMachine(Exporting):
     switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
     clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
     power: PowerEntry = PowerEntry()
-    selection: Products = Products()
+    selection: Choice = Choice()
     sizes: MachineSizes = MachineSizes()
 
     @classmethod
@@ -145,6 +146,7 @@ class AnyMachine(Exporting):
         if self.power != PowerEntry() and not any(axis.motor for axis in self.axes):
             raise EntryError("power", "no axis has a drive; expected none")
         require_room(self.selection, self.sizes)
+        self._chooses()
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):
                 name = getattr(getattr(axis, entry), "name", "")
@@ -164,6 +166,21 @@ class AnyMachine(Exporting):
         require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
         self._find_room()
         return self
+
+    @property
+    def choosable(self) -> list[int]:
+        """The axes, from 0, that the sheet Selection may look at: with a drive of constant ratio."""
+        axes = enumerate(self.axes)
+        return [i for i, axis in axes if axis.motor and axis.mechanism and axis.mechanism.kind not in LINKED]
+
+    def _chooses(self) -> None:
+        """Raise EntryError where Selection looks at no axis with a drive of constant ratio."""
+        name, names = self.selection.axis, [self.axes[i].name for i in self.choosable]
+        if name is not None and place_of(name, names) < 0:
+            expected = f"one of {', '.join(names)}" if names else "none: no axis has a drive of constant ratio"
+            raise EntryError(
+                "selection.axis", f"no axis with a drive of constant ratio is named {name!r}; expected {expected}"
+            )
 
     def _find_room(self) -> None:
         """Settle the room for the pieces of an axis: those of its phases, and a rest between each two."""

@@ -255,7 +255,7 @@ def rate_of(view: Stretched) -> Highest:
 def mending(view: Stretched) -> Said:
     """Return what would mend a limit that is not held: the rate up to which all are, in thousandths and never above."""
     rate, half = rate_of(view).rate, 5e-4
-    return amount(f"MAX(0,@highest-{half!r})", max(0.0, rate - half), "; up to ", " cycles/min the drive holds all")
+    return amount(f"MAX(0,@highest-{half!r})", max(0.0, rate - half), "; the drive holds all up to ", " cycles/min")
 
 
 def highest(view: Stretched) -> list[Quantity]:

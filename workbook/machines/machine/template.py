@@ -26,6 +26,7 @@ from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.pacing import rate_of
 from workbook.machines.machine.power import power_sheet
+from workbook.machines.machine.selecting.sheet import selection_sheet
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
@@ -73,6 +74,7 @@ def declare(given: AnyMachine) -> Book:
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
     clearances_sheet(book, apart)
     power_sheet(book, given.power, list(drives.values()))
+    selection_sheet(book, given.selection, given.sizes, list(drives.values()))
     catalogue_sheet(book, given)
     shelf.sheets(book)
     cycle_sheet(book, machine, rows)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from engine.machine.grid import RANKS
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine.chain import LINKED, WINDOWS
 from workbook.machines.machine.entries import AnyMachine
@@ -56,12 +57,30 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
                 phase |= passing(k, n, data["laws"], 0.01)
     if any(axis["motor"] is not None for axis in data["axes"]):
         data["power"] = {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}
+    choose(data, constant_drives(data), k)
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     return data
+
+
+def constant_drives(data: dict[str, Any]) -> list[str]:
+    """Return the axes with a drive of constant ratio."""
+    return [axis["name"] for axis in data["axes"] if axis["motor"] and axis["mechanism"]["kind"] not in LINKED]
+
+
+def choose(data: dict[str, Any], names: list[str], k: int) -> None:
+    """Turn the axis that Selection looks at, what it ranks by, and the limits of pairs: from all to none of them."""
+    if data["selection"]["axis"] is not None:
+        data["selection"] |= {
+            "axis": names[k % len(names)], "rank": RANKS[k % len(RANKS)],
+            "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
+            "least_margin": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
+            "greatest_margin": (1e6, 300.0, 1e9, 1e6, 10.0, 1e9)[k],
+            "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
+        }  # fmt: skip
 
 
 def times(i: int, k: int) -> list[dict[str, float | None]]:

@@ -203,8 +203,14 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
                 machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": [], "rate": None} | drive)
             )
     told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
-    found = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
+    found: dict[str, Any] = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
+    chosen = machine.axes[0].name if CHOSEN in names else None
+    found["selection"] = machine.selection.model_copy(update={"axis": chosen})
     return machine.model_copy(update=found)
+
+
+CHOSEN = "sel_axis"
+"""the name of the cell that says which axis the sheet Selection looks at: by it a file tells that it has one"""
 
 
 def clearances(names: Container[str]) -> list[ClearanceEntry]:

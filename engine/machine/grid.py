@@ -1,0 +1,297 @@
+"""Motors by reducers for a course: which pairs can do it within limits, and which of them suit it best. SI units.
+
+Torques are exact for every pair (:class:`engine.machine.geared.Geared`); S5's steps 5 to 7, whose table of pairs this
+is, take the motor as driving all the time.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from engine.choice.catalogue import Motors, Reducers
+from engine.choice.task import Task
+from engine.drivetrain import Motor
+from engine.laws.base import Array
+from engine.machine.course import Course
+from engine.machine.geared import Geared, Gears
+
+Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
+RANKS: tuple[str, ...] = get_args(Rank)
+Verdict = Literal["yes", "reducer", "speed", "peak", "RMS", "large", "inertia", "–"]
+PARTS = 10_000
+"""of a unit, in which scores are compared"""
+
+
+class Wanted(NamedTuple):
+    """What a usable pair holds: the largest inertia at the motor over the motor's, the least and the greatest rated
+    torque over RMS torque; and the factor on the torque that a reducer must hold."""
+
+    inertia_ratio: float
+    least_margin: float
+    greatest_margin: float
+    torque_factor: float
+
+
+class Points(NamedTuple):
+    """Both ends of the parts of a cycle, arrays of one length, at the shaft behind the reducer.
+
+    α (rad/s²), S (Nm) where it drives the load and where the load drives it (0 elsewhere), and the largest speed
+    (rad/s) of the part.
+    """
+
+    acceleration: Array
+    driving: Array
+    driven: Array
+    speed: Array
+
+
+def points(acceleration: Array, torque: Array, going: Array, speed: Array) -> Points:
+    """Return them of torques in directions of motion, 1, −1 or 0: at rest a torque counts as driving."""
+    back = torque * going < 0.0
+    return Points(acceleration, np.where(back, 0.0, torque), np.where(back, torque, 0.0), speed)
+
+
+class Curve(NamedTuple):
+    """Peak torque (Nm), the speed (rad/s) up to which it holds, and its fall beyond (Nm s)."""
+
+    peak: float
+    knee: float
+    fall: float
+
+
+def reserve(points: Points, gears: tuple[float, float, float], curve: Curve) -> float:
+    """Return what is left below a motor's curve at least (Nm), for J, i, η.
+
+    The torque of each part at its ends with the part's largest speed: never more than what is left; just that where
+    the speed stays below the knee, or both are largest at one end.
+    """
+    inertia, ratio, eta = gears
+    turned = inertia * ratio * points.acceleration
+    torque = np.abs(turned + points.driving / (eta * ratio) + points.driven * eta / ratio)
+    beyond = curve.peak + curve.fall * curve.knee - float((torque + curve.fall * ratio * points.speed).max())
+    return min(curve.peak - float(torque.max()), beyond)
+
+
+class Squares(NamedTuple):
+    """⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ where S drives the load, and where the load drives it."""
+
+    own: float
+    mixed: float
+    mixed_back: float
+    behind: float
+    behind_back: float
+
+
+@dataclass(frozen=True)
+class Behind:
+    """What a course asks for behind its first stage, at its own speed."""
+
+    course: Course
+
+    @cached_property
+    def geared(self) -> Geared:
+        """The same for many motors."""
+        return Geared(self.course, np.array([self.course.speed]))
+
+    @property
+    def squares(self) -> Squares:
+        """Means over the cycle."""
+        return Squares(*(float(values[0]) for values in self.geared.moments[:5]))
+
+    @property
+    def speed(self) -> float:
+        """Largest speed of the shaft (rad/s)."""
+        return float(self.geared.speed(gears(1.0, 1.0, 1.0))[0])
+
+    def speed_of_motor(self, ratio: float) -> float:
+        """Return the largest speed of a motor before a reducer (rad/s)."""
+        return ratio * self.speed
+
+    @property
+    def torque(self) -> float:
+        """Largest torque (Nm)."""
+        return float(self.geared.behind[0])
+
+    @property
+    def inertia(self) -> float:
+        """Inertia at the shaft (kg m²)."""
+        return float(self.geared.inertia(np.ones(1))[0])
+
+    def rms(self, some: Gears) -> Array:
+        """Return the RMS torque of motors (Nm)."""
+        return self.geared.rms_torque(some)
+
+    def peak(self, some: Gears) -> Array:
+        """Return the largest torque of motors (Nm)."""
+        return self.geared.torques(some).peak
+
+
+def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike) -> Gears:
+    """Return motors with their reducers in a line: J (kg m²), i, η."""
+    each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency)))
+    lined = [one.reshape(-1) for one in each]
+    return Gears(lined[0], lined[1], lined[2], np.zeros(lined[0].size, dtype=np.intp))
+
+
+class Used(NamedTuple):
+    """Speed over the motor's largest, RMS torque over its rated torque."""
+
+    speed: float
+    torque: float
+
+
+def used(motor: Motor, speed: float, rms: float) -> Used:
+    """Return what a speed (rad/s) and an RMS torque (Nm) use of a motor."""
+    return Used(speed / motor.max_speed, rms / motor.rated_torque)
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²)."""
+
+    load: Behind
+    motors: Motors
+    reducers: Reducers
+    beside: float
+    wanted: Wanted
+
+    @cached_property
+    def inertias(self) -> Array:
+        """J of each pair (kg m²)."""
+        return self.motors.inertia[:, None] + self.beside_motor
+
+    @cached_property
+    def gears(self) -> Gears:
+        """J, i and η of each pair, motor by motor."""
+        return gears(self.inertias, 1.0 / self.reducers.ratio, self.reducers.efficiency)
+
+    def pair(self, motor: int, reducer: int) -> tuple[float, float, float]:
+        """Return J, i and η of a pair."""
+        r = self.reducers
+        return float(self.inertias[motor, reducer]), 1.0 / float(r.ratio[reducer]), float(r.efficiency[reducer])
+
+    @cached_property
+    def rms(self) -> Array:
+        """RMS torque of each motor (Nm)."""
+        return self.load.rms(self.gears).reshape(self.inertias.shape)
+
+    @cached_property
+    def peak(self) -> Array:
+        """Largest torque of each motor (Nm)."""
+        return self.load.peak(self.gears).reshape(self.inertias.shape)
+
+    @cached_property
+    def speed(self) -> Array:
+        """Largest speed of the motor before each reducer (rad/s)."""
+        return np.asarray(self.load.speed / self.reducers.ratio)
+
+    @cached_property
+    def at_motor(self) -> Array:
+        """Inertia at the motor without it (kg m²), of each reducer."""
+        return np.asarray(self.beside_motor + self.load.inertia * self.reducers.ratio**2)
+
+    @cached_property
+    def inertia_ratio(self) -> Array:
+        """The same over each motor's."""
+        return np.asarray(self.at_motor / self.motors.inertia[:, None])
+
+    @property
+    def beside_motor(self) -> Array:
+        """What turns with a motor before each reducer (kg m²)."""
+        return self.reducers.inertia + self.beside
+
+    @property
+    def task(self) -> Task:
+        """What the course asks for behind the reducer, as S5 tells it."""
+        means = self.load.squares
+        torque = math.sqrt(means.behind + means.behind_back)
+        return Task.of_figures(math.sqrt(means.own), torque, means.mixed + means.mixed_back, self.load.speed)
+
+    @property
+    def load_factor(self) -> float:
+        """β in W/s. Source: S5, eq. (15)."""
+        task = self.task
+        return 2.0 * (task.acceleration_rms * task.torque_rms + task.power_rate_mean)
+
+    @cached_property
+    def behind(self) -> float:
+        """The torque that a reducer must hold (Nm)."""
+        return self.wanted.torque_factor * self.load.torque
+
+    @cached_property
+    def fits(self) -> NDArray[np.bool_]:
+        """Whether each reducer holds torque and speed."""
+        return (self.behind <= self.reducers.max_output_torque) & (self.speed <= self.reducers.max_input_speed)
+
+    def use(self, motor: int, reducer: int) -> Used:
+        """Return what a pair uses of its motor."""
+        m = self.motors
+        speed, torque = self.speed[reducer] / m.max_speed[motor], self.rms[motor, reducer] / m.rated_torque[motor]
+        return Used(float(speed), float(torque))
+
+    @cached_property
+    def verdicts(self) -> NDArray[np.str_]:
+        """What each pair fails first, or that it is usable."""
+        m, share = self.motors, self.motors.rated_torque[:, None]
+        fails = (
+            (np.broadcast_to(~self.fits, self.rms.shape), "reducer"),
+            (self.speed > m.max_speed[:, None], "speed"),
+            (self.peak > m.peak_torque[:, None], "peak"),
+            (self.rms * self.wanted.least_margin > share, "RMS"),
+            (self.rms * self.wanted.greatest_margin < share, "large"),
+            (self.inertia_ratio > self.wanted.inertia_ratio, "inertia"),
+        )
+        return np.select([one for one, _ in fails], [word for _, word in fails], "yes")
+
+    @cached_property
+    def balance(self) -> Array:
+        """The inertia with the motor (kg m²) that each reducer balances: J α_rms/τ = τ S_rms/η. Source: S5, (14)."""
+        r, means = self.reducers, self.load.squares
+        if not means.own:
+            return np.zeros(r.ratio.shape)
+        share = math.sqrt((means.behind + means.behind_back) / means.own)
+        return np.asarray(r.ratio**2 / r.efficiency * share)
+
+    def scores(self, rank: Rank) -> Array:
+        """Return what pairs are ranked by, the lowest first; NaN of one without the figure.
+
+        Of the smallest motor: how many have a smaller rated torque, and as a fraction, who has less to do.
+        """
+        rated = self.motors.rated_torque
+        share = self.rms / rated[:, None]
+        if rank == "smallest motor":
+            return self.smaller[:, None] + share / (1.0 + share)
+        if rank == "margin":
+            return np.asarray(share)
+        if rank == "inertia match":
+            x = np.broadcast_to(self.balance, share.shape) / self.inertias
+            return np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0)
+        name = "size" if rank == "mass" else "cost"
+        return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
+
+    @cached_property
+    def smaller(self) -> NDArray[np.int_]:
+        """How many motors have a smaller rated torque, of each."""
+        rated = self.motors.rated_torque
+        return np.asarray((rated < rated[:, None]).sum(axis=1))
+
+    def keys(self, rank: Rank, across: int, rooms: int) -> Array:
+        """Return whole numbers that rise as pairs rank, NaN of those that do not: equals in the order of the table.
+
+        Of a table of ``rooms`` pairs, ``across`` of them in a row.
+        """
+        score = np.where(self.verdicts == "yes", self.scores(rank), np.nan)
+        motor, reducer = np.indices(score.shape)
+        return np.asarray(np.floor(score * PARTS + 0.5) * rooms + motor * across + reducer)
+
+    def best(self, rank: Rank, across: int, rooms: int) -> list[tuple[int, int]]:
+        """Return motor and reducer of the ranked pairs, from 0, best first."""
+        keys = self.keys(rank, across, rooms)
+        order = [int(k) for k in np.argsort(keys, axis=None, kind="stable")][: int(np.isfinite(keys).sum())]
+        return [divmod(k, keys.shape[1]) for k in order]

@@ -1,0 +1,92 @@
+"""Motors by reducers: each pair against a drive that has it, and what a usable one holds."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from engine.choice import Motors, Reducers
+from engine.drivetrain import KINDS, Drive, Load, Motor, Part, Stage
+from engine.laws import Dwell, law
+from engine.machine.course import Course
+from engine.machine.demand import Demand
+from engine.machine.grid import RANKS, Behind, Curve, Grid, Wanted, points, reserve, used
+from engine.machine.train import Train, Window
+from engine.motion import Motion
+
+MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]), np.array([6.0, 90.0]),
+                np.array([5000.0, 4000.0]), size=np.array([3.0, np.nan]))  # fmt: skip
+REDUCERS = Reducers(("three", "eight"), np.array([3.0, 8.0]), np.array([0.9, 0.75]), np.array([2e-5, 5e-4]),
+                    np.array([1e4, 1e4]), np.array([1e4, 1e4]), size=1.0)  # fmt: skip
+WIDE = Wanted(1e9, 1e-9, 1e9, 1.0)
+BESIDE = Part("coupling", 3e-5, 0)
+MOTION = Motion.from_edges(np.radians([0, 30, 120, 200, 330, 360]), [0, 0.05, 0, -0.05, 0],
+                           [Dwell(), law("MTP"), Dwell(), law("CIC"), Dwell()])  # fmt: skip
+
+
+def course(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0):
+    """A screw with friction and a force that drives it back, behind a reducer."""
+    parts = [BESIDE, Part("reducer", reducer, 0), Part("pulley", 2e-4, 1)]
+    screw = KINDS["lead screw"].of(Load(20.0, 90.0, 40.0), 50.0, 0.7, [Stage("reducer", ratio, efficiency)], parts)
+    train = Train(Drive(screw, inertia), windows=(Window(0.5, 2.5, -600.0),))
+    return Course(train, MOTION, 12.0)
+
+
+def grid(wanted=WIDE):
+    return Grid(Behind(course()), MOTORS, REDUCERS, BESIDE.inertia, wanted)
+
+
+@pytest.mark.parametrize("motor", [0, 1])
+@pytest.mark.parametrize("reducer", [0, 1])
+def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
+    one, r = grid(), reducer
+    drive = course(MOTORS.inertia[motor], REDUCERS.reduction[r], REDUCERS.efficiency[r], REDUCERS.inertia[r])
+    found = Demand(drive)
+    assert one.rms[motor, r] == pytest.approx(found.rms_torque, rel=1e-9)
+    assert one.peak[motor, r] == pytest.approx(found.torque.peak, rel=1e-9)
+    assert one.speed[r] == pytest.approx(found.speed.peak, rel=1e-12)
+    assert one.inertia_ratio[motor, r] == pytest.approx(drive.train.drive.inertia_ratio, rel=1e-12)
+    of_motor = used(Motor(MOTORS.inertia[motor], *(float(one[motor]) for one in (
+        MOTORS.rated_torque, MOTORS.peak_torque, MOTORS.max_speed))), found.speed.peak, found.rms_torque)  # fmt: skip
+    assert one.use(motor, r) == pytest.approx(of_motor, rel=1e-9)
+
+
+def test_what_a_pair_fails_first_is_told():
+    def told(**more):
+        strong = replace(MOTORS, rated_torque=np.array([20.0, 200.0]), peak_torque=np.array([60.0, 600.0]))
+        return set(replace(grid(WIDE._replace(**more)), motors=strong).verdicts.ravel())
+
+    assert told() == {"yes"}
+    assert told(least_margin=1e9) == {"RMS"}
+    assert told(greatest_margin=1e-9) == {"large"}
+    assert told(inertia_ratio=1e-9) == {"inertia"}
+    assert told(torque_factor=1e9) == {"reducer"}
+    weak, slow = (replace(grid(), motors=replace(MOTORS, **{name: np.full(2, 1e-3)}))
+                  for name in ("peak_torque", "max_speed"))  # fmt: skip
+    assert (set(weak.verdicts.ravel()), set(slow.verdicts.ravel())) == ({"peak"}, {"speed"})
+
+
+def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_of_it():
+    strong = replace(MOTORS, rated_torque=np.array([500.0, 900.0]), peak_torque=np.array([1e4, 1e4]))
+    wide = replace(grid(), motors=replace(strong, max_speed=np.array([1e4, 1e4])))
+    assert [m for m, _ in wide.best("smallest motor", 2, 4)] == [0, 0, 1, 1]
+    first, second = (wide.rms[pair] for pair in wide.best("smallest motor", 2, 4)[:2])
+    assert first < second
+    assert {m for m, _ in wide.best("mass", 2, 4)} == {0}  # of the other none is given
+    assert wide.best("cost", 2, 4) == []
+    match = wide.best("inertia match", 2, 4)[0]
+    best = min(((m, r) for m in (0, 1) for r in (0, 1)), key=lambda p: abs(math.log(
+        wide.balance[p[1]] / wide.inertias[p])))  # fmt: skip
+    assert match == best
+    assert len(RANKS) == 5
+
+
+def test_the_reserve_is_exact_below_the_knee_and_never_more_than_is_left_beyond():
+    """Speed of a part against the torque at its ends: 80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30."""
+    part = points(np.array([10.0, 0.0]), np.array([20.0, 20.0]), np.array([1.0, 1.0]), np.array([150.0, 150.0]))
+    gears = 1.0, 1.0, 1.0
+    assert reserve(part, gears, Curve(80.0, 150.0, 0.2)) == pytest.approx(50.0)
+    assert reserve(part, gears, Curve(80.0, 100.0, 0.2)) == pytest.approx(40.0)
+    held = points(np.zeros(1), np.array([-20.0]), np.array([1.0]), np.zeros(1))
+    assert reserve(held, (1.0, 2.0, 0.5), Curve(80.0, 1.0, 0.0)) == pytest.approx(75.0)  # it is driven: η/i

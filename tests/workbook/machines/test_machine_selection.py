@@ -1,0 +1,156 @@
+"""The sheet Selection of a machine: its pairs against drives that have them, its limits, the axis that is named."""
+
+import numpy as np
+import pytest
+
+from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.machines.test_machine import TEMPLATE, driven
+from tests.workbook.machines.test_machine_forces import RISE, small
+from workbook.templates import TEMPLATES
+
+PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
+         {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
+LOAD = {"mass": 20.0, "friction": 0.1, "slope": 30.0, "windows": PRESS}
+PARTS = [{"name": "Coupling", "count": 1.0, "inertia": 0.0003, "shaft": "motor"},
+         {"name": "Pulley", "count": 2.0, "inertia": 0.001, "shaft": "mechanism"}]  # fmt: skip
+OTHER = ((10, 150, 50.0, "MTP"), (200, 350, -50.0, "CIC"))
+MOTORS = [
+    {"name": f"M{k}", "inertia": 2e-4 * k**1.5, "rated_torque": 2.0 * k, "peak_torque": 6.0 * k, "max_speed": 5000.0,
+     "mass": 2.0 * k if k != 3 else None} | ({"full_torque_to": 1500.0, "end_torque": 2.5 * k} if k % 2 else {})
+    for k in range(1, 6)
+]  # fmt: skip
+REDUCERS = [
+    {"name": f"R{k}", "reduction": float(k), "efficiency": 0.99 - 0.04 * k, "inertia": 1e-4 * k, "mass": 1.0}
+    for k in range(1, 5)
+]
+WIDE = {"inertia_ratio": 1e6, "least_margin": 1e-3, "greatest_margin": 1e6}
+
+
+def machine(rate=60.0, axes=None, **selection):
+    """Two drives with losses, process forces and parts, and a small catalogue with curves."""
+    first = driven(*RISE, load=LOAD, reducer={"ratio": 3.0, "efficiency": 0.8}, parts=PARTS)
+    second = driven(*OTHER, load=LOAD, parts=PARTS, motor={"name": "M4"}, reducer={"name": "R2"}) | {"name": "B2"}
+    second["mechanism"] = second["mechanism"] | {"size": 20.0, "efficiency": 0.7}
+    data = small([driven(*RISE)]).model_dump() | {"axes": axes or [first, second]}
+    data["sizes"] |= {"motors": 6, "reducers": 5}
+    data["master"]["rate"] = rate
+    data["selection"] = {"motors": MOTORS, "reducers": REDUCERS, "axis": "b2"} | selection
+    return TEMPLATE.model.model_validate(data)
+
+
+@pytest.mark.parametrize("rank", ["smallest motor", "margin", "inertia match", "mass", "cost"])
+@pytest.mark.sample(2)
+def test_each_cell_agrees_and_what_is_entered_comes_back(rank):
+    given = machine(rank=rank, **WIDE)
+    wrong, _ = disagreeing(TEMPLATE, given)
+    assert wrong == []
+    assert entered(TEMPLATE, given) == (given, [])
+
+
+def test_a_pair_of_the_grid_does_what_a_drive_with_it_does():
+    """RMS and peak torque, speed and inertia ratio of two pairs, by the sheet of a drive that has them."""
+    value = computed(TEMPLATE, machine(**WIDE))
+    for m, r in ((4, 2), (2, 4)):
+        given = machine().model_dump()
+        given["axes"][1] |= {"motor": {"name": f"M{m}"}, "reducer": {"name": f"R{r}"}}
+        drive = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
+        assert value(f"sel_rms{r}", "v")[m - 1] == pytest.approx(drive("drive2_rms"), rel=1e-9)
+        peak = max(drive("drive2_tmax"), -drive("drive2_tmin"))
+        assert value(f"sel_peak{r}", "v")[m - 1] == pytest.approx(peak, rel=1e-9)
+        assert value("sel_reducers", "n")[r - 1] == pytest.approx(drive("drive2_speed"), rel=1e-9)
+
+
+def test_one_rms_torque_for_the_pair_that_a_drive_has():
+    for axis, number in (("A1", 1), ("B2", 2)):
+        value = computed(TEMPLATE, machine(axis=axis))
+        assert value("sel_own_rms") == pytest.approx(value(f"drive{number}_rms"), rel=1e-9)
+        assert value("sel_own_speed") == pytest.approx(value(f"drive{number}_speed"), rel=1e-9)
+        assert value("sel_own_inertias") == pytest.approx(value(f"drive{number}_inertias"), rel=1e-9)
+        assert value("sel_own_margin") == pytest.approx(value(f"drive{number}_res_rms"), rel=1e-9)
+    assert (value("sel_own_motor"), value("sel_own_reducer")) == ("M4", "R2")
+
+
+def test_the_smallest_motor_that_does_it_with_margin_is_proposed():
+    value = computed(TEMPLATE, machine(**WIDE | {"least_margin": 1.3}))
+    usable = [(m, r) for r in range(1, 5) for m, word in enumerate(value(f"sel_word{r}", "v"), 1) if word == "yes"]
+    smallest = min(m for m, _ in usable)
+    assert value("sel_motor") == f"M{smallest}"
+    best = max((r for m, r in usable if m == smallest), key=lambda r: -value(f"sel_rms{r}", "v")[smallest - 1])
+    assert value("sel_reducer") == f"R{best}"
+    margins = [margin for margin in value("sel_best", "margin") if margin]
+    assert len(margins) == min(20, len(usable))
+    assert min(margins) >= 1.3
+
+
+@pytest.mark.parametrize(("limit", "beyond", "word"), [
+    ("inertia_ratio", 1e-6, "inertia"), ("least_margin", 1e6, "RMS"), ("greatest_margin", 1e-6, "large"),
+])  # fmt: skip
+def test_each_limit_can_leave_no_pair_and_says_so(limit, beyond, word):
+    value = computed(TEMPLATE, machine(**WIDE | {limit: beyond}))
+    words = {one for r in range(1, 5) for one in value(f"sel_word{r}", "v")[:5]}
+    assert word in words
+    assert "yes" not in words
+    assert (value("sel_ok"), value("sel_motor")) == ("FAIL", "none")
+    assert value("sel_ok_says") == "no pair of the catalogue can do it"
+
+
+def test_no_torque_of_a_listed_pair_comes_nearer_to_its_motors_curve_than_is_said():
+    """Held against the drive's own samples, 720 of a turn; below the knee it is just what is left."""
+    given = machine(rate=100.0, **WIDE).model_dump()
+    given["sizes"]["cycle"] = 720
+    for m, r, rated in ((1, 2, 1500.0), (2, 3, 5000.0)):
+        given["axes"][1] |= {"motor": {"name": f"M{m}"}, "reducer": {"name": f"R{r}"}}
+        value = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
+        speed, torque = (np.abs(value("drive2_cycle", column)) for column in ("rpm", "torque"))
+        motor = MOTORS[m - 1]
+        fall = (motor["peak_torque"] - motor.get("end_torque", motor["peak_torque"])) / (5000.0 - rated or 1.0)
+        left = motor["peak_torque"] - fall * np.maximum(speed - rated, 0.0) - torque
+        assert value("sel_own_spare") <= left.min() + 1e-9
+        if not fall:
+            assert value("sel_own_spare") == pytest.approx(left.min(), rel=1e-3)
+
+
+def test_no_result_hangs_on_the_samples():
+    found = []
+    for cycle in (12, 90):
+        given = machine(**WIDE).model_dump()
+        given["sizes"]["cycle"] = cycle
+        value = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
+        found.append([value("sel_best", column) for column in ("motor", "reducer", "rms", "peak", "spare")])
+    assert found[0] == found[1]
+
+
+def test_a_machine_without_the_entry_has_no_sheet_and_its_drives_no_more_cells():
+    bare = machine().model_copy(update={"selection": machine().selection.model_copy(update={"axis": None})})
+    book = TEMPLATE.declare(bare)
+    assert "Selection" not in [sheet.title for sheet in book.sheets]
+    assert "drive1_ask_own" not in book.blocks
+    assert entered(TEMPLATE, bare) == (bare, [])
+
+
+@pytest.mark.parametrize(("selection", "said"), [
+    ({"axis": "C3"}, "selection.axis: no axis with a drive of constant ratio is named 'C3'; expected one of A1, B2"),
+    ({"axis": None, "rank": "mass"}, "selection.rank: no axis is told for the sheet Selection"),
+])  # fmt: skip
+def test_what_it_cannot_look_at_is_refused(selection, said):
+    with pytest.raises(ValueError, match=said.split(": ")[1].split(";")[0]):
+        machine(**selection)
+
+
+def test_a_drive_whose_ratio_changes_is_not_among_the_axes():
+    told = [{"start": 0.0, "stop": 100.0, "lift": 20.0, "law": "CIC"},
+            {"start": 150.0, "stop": 250.0, "lift": -20.0, "law": "CIC"}]  # fmt: skip
+    mechanism = {"kind": "crank-slider", "crank": 50.0, "rod": 200.0, "position": 10.0, "efficiency": 0.9}
+    crank = {"name": "RAM", "group": "Press", "phases": told, "mechanism": mechanism, "motor": {"name": "M4"}}
+    straight = driven(*OTHER, load=LOAD) | {"name": "B2"}
+    given = machine(axes=[crank, straight])
+    wrong, _ = disagreeing(TEMPLATE, given)
+    assert wrong == []
+    with pytest.raises(ValueError, match="no axis with a drive of constant ratio is named 'RAM'"):
+        machine(axes=[crank, straight], axis="RAM")
+
+
+def test_the_variations_turn_the_axis_and_find_all_and_none():
+    made = TEMPLATES["machine"].variants(machine())
+    assert {one.selection.axis for one in made} == {"A1", "B2"}
+    assert {one.selection.rank for one in made} == {"smallest motor", "margin", "inertia match", "mass", "cost"}

@@ -1,0 +1,42 @@
+"""Catalogues of a machine, and what its sheet Selection ranks the pairs of for an axis: what an engineer enters."""
+
+from __future__ import annotations
+
+from typing import Annotated, Self
+
+from pydantic import Field, model_validator
+
+from engine.machine.grid import Rank
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA
+from workbook.entries.types import EntryError, Positive
+from workbook.selection.entries import Products
+
+Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
+
+
+class Choice(Products):
+    """The catalogues, those that come with the templates where none are told or by the word; with an axis, a sheet
+    Selection that looks for its motor and reducer."""
+
+    axis: Called | None = Field(
+        default=None, description="Axis with a drive of constant ratio that the sheet Selection looks at; else no sheet"
+    )
+    rank: Rank = Field(default="smallest motor", description="What the sheet Selection ranks usable pairs by")
+    inertia_ratio: Positive = Field(
+        default=10.0, description="Largest inertia at the motor over the motor's of a usable pair"
+    )
+    least_margin: Positive = Field(default=1.2, description="Least rated torque over RMS torque of a usable pair")
+    greatest_margin: Positive = Field(
+        default=10.0, description="Greatest rated torque over RMS torque of a usable pair"
+    )
+    torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
+
+    @model_validator(mode="after")
+    def _without_axis(self) -> Self:
+        own = [name for name in type(self).model_fields if name not in {*Products.model_fields, "axis"}]
+        told = [name for name in own if getattr(self, name) != type(self).model_fields[name].default]
+        if self.axis is None and told:
+            raise EntryError(
+                told[0], "no axis is told for the sheet Selection; expected selection.axis, or none of this"
+            )
+        return self

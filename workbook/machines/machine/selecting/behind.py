@@ -1,0 +1,100 @@
+"""What a drive's cycle asks for behind its reducer, whatever that and the motor are: on the sheet of the drive.
+
+With J all that turns with the motor, T = J i α + f S/i, f = 1/η where S drives the load and η where the load drives it:
+the squares of T are sums of five means of α and S, and its peaks are at ends of stretches for every pair.
+Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
+"""
+
+from __future__ import annotations
+
+from operator import methodcaller
+
+from engine.machine.bent import Away, away
+from engine.machine.grid import Behind
+from workbook.book.declare import Quantity, Sheet, calc
+from workbook.machines.machine.stretched import Stretched
+from workbook.machines.machine.stretches import LINES, LOST, ORDER, V, integral
+
+FIRST, SECOND = (("1", "z0", "p1"),), (("2", "p1", "p2"), ("3", "p2", "z4"))
+"""where the torque behind the reducer has the sign of what resists, and where it has the other"""
+
+
+def asks(view: Stretched) -> bool:
+    """Return whether the book has a sheet Selection, for which the sheet of a drive tells all this."""
+    return view.one.machine.machine.selection.axis is not None
+
+
+def scales_of(view: Stretched) -> Away:
+    """Return what the integrals are measured by."""
+    sizes = view.driven.sizes
+    return away(sizes.behind, sizes.acceleration, view.driven.mechanism.ratio_from(1))
+
+
+def columns(view: Stretched) -> list[Quantity]:
+    """Return the columns of the stretches: ∫S² and ∫αS on both sides of where S turns round, ∫α², and the fastest."""
+    if not asks(view):
+        return []
+    scale, ends = scales_of(view), [f"ABS({V.format(u=u)})" for u in ("[ub]", "[ue]")]
+    turns = f"AND(MIN([yb],[ye])<0-{LOST},MAX([yb],[ye])>{LOST})"
+    columns = []
+    for n, lines in ((1, FIRST), (2, SECOND)):
+        part = ORDER[lines[0][1]], ORDER[lines[-1][2]]
+        where = f"on line{'s' if n > 1 else ''} {' and '.join(line for line, _, _ in lines)}"
+        columns += [
+            calc(f"bs{n}", f"∫S² {where}", "", "", over(lines, "{torque}^2", 2),
+                 view.counted(methodcaller("behind", "square", part, scale.square)), scale=scale.square),
+            calc(f"bp{n}", f"∫αS {where}", "", "", over(lines, "(0-[sign]*@i2*{y})*{torque}", 1),
+                 view.counted(methodcaller("behind", "product", part, scale.product)), scale=scale.product),
+        ]  # fmt: skip
+    return [
+        *columns,
+        calc("bq", "∫α²", "", "", integral("", "z0", "z4", "(@i2*{y})^2"),
+             view.counted(lambda p: p.turned(scale.turned)), scale=scale.turned),
+        calc("vm", "no faster than", "|y'|", "", f"=IF({turns},@vmax,MAX({','.join(ends)}))",
+             view.of(lambda p: p.fastest_here), source="in the stretch"),
+    ]  # fmt: skip
+
+
+def over(lines: tuple[tuple[str, str, str], ...], inner: str, power: int) -> str:
+    """Return the formula of an integral over lines of the torque behind the reducer, in the direction of motion."""
+    terms = []
+    for line, low, high in lines:
+        level, slope = LINES[line]
+        torque = f"({level}+({slope}+[sign]*@j0*@i)*{{y}})"
+        factor = "(@i1/[f])" if line == "1" else "(@i1*[f])"
+        function = inner.replace("{torque}", torque)
+        terms.append(integral(level, low, high, function, f"*{factor}^{power}").removeprefix("="))
+    return f"={'+'.join(terms)}"
+
+
+def means(sheet: Sheet, view: Stretched) -> None:
+    """Declare the five means over the cycle, and what else hangs on no motor and no reducer."""
+    if not asks(view):
+        return
+    driven, scale = view.driven, scales_of(view)
+    load = Behind(driven.demand.course)
+    own, mixed, mixed_back, square, square_back = load.squares
+    held = "SUMPRODUCT([@st.on]*([@st.dir]=0)*([@st.ue]-[@st.ub])*([@st.hold]*@eta1*@i1)^2)"
+
+    def mean(mark: str, same: str, other: str, more: str = "") -> str:
+        first, second = (f"SUMPRODUCT([@st.{mark}{n}]*([@st.sign]{sign}0))" for n, sign in ((1, same), (2, other)))
+        return f"=({first}+{second}{more})/(2*PI())"
+
+    sheet.heading(
+        "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
+    )
+    sheet.rows(
+        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", "=SUM([@st.bq])/(2*PI())", own, scale=scale.turned),
+        calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²",
+             mean("bs", ">", "<", f"+{held}"), square, scale=scale.square),
+        calc("@ask_square_back", "… where the load drives it", "", "Nm²", mean("bs", "<", ">"),
+             square_back, scale=scale.square),
+        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean("bp", ">", "<"),
+             mixed, scale=scale.product),
+        calc("@ask_product_back", "… where the load drives it", "", "W/s", mean("bp", "<", ">"),
+             mixed_back, scale=scale.product),
+        calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
+        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j1+@m/@i2^2", load.inertia),
+        calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", "=@j0-@jm-@j_reducer",
+             driven.beside_motor),
+    )  # fmt: skip

@@ -1,0 +1,79 @@
+"""The list of the best pairs on the sheet Selection, and how it is found."""
+
+from __future__ import annotations
+
+from workbook.book.declare import Sheet, calc, constant, result
+from workbook.book.rows import filled
+from workbook.machines.machine.selecting.formulas import spare_of, whole
+from workbook.machines.machine.selecting.view import BEST, Choosing
+
+DASH = '0.0##;-0.0##;"–"'
+
+
+def at(column: str, place: str) -> str:
+    """Return the formula of a figure of the pair in a row of the list."""
+    return f"INDEX({column},MAX(1,INDEX([@order.{place}],[place])))"
+
+
+def there(formula: str, none: str = "0") -> str:
+    """Return a formula in the rows of the list that have a pair."""
+    return f"=IF([place]<=@count,{formula},{none})"
+
+
+def best_table(sheet: Sheet, view: Choosing) -> None:
+    """Declare the list of the best pairs."""
+    pairs, found = view.ranked[:BEST], view.listed
+    torque = max([view.own.peak, *(one.peak for one in found), 1e-3])
+    inertia = f"({at('[@motors.jm]', 'm')}+{at('[@reducers.jt]', 'r')})"
+    gears = inertia, at("[@reducers.i]", "r"), at("[@reducers.eta]", "r")
+    curve = [at(f"[@motors.{column}]", "m") for column in ("peak", "knee", "fall")]
+
+    def of(figure: str) -> list[float]:
+        return filled([getattr(one, figure) for one in found], BEST)
+
+    def pair(table: str) -> str:
+        row, column = (f"MAX(1,INDEX([@order.{one}],[place]))" for one in "mr")
+        return there(f"INDEX({whole(view, table)},{row},{column})")
+
+    sheet.row += 1
+    sheet.table(
+        "@best", f"The best {BEST} pairs (S5, steps 6 and 7)", BEST,
+        result("motor", "motor", "", "", there(at("[motors.name]", "m"), '"–"'),
+               filled([view.motors.names[m] for m, _ in pairs], BEST, "–"), align="left"),
+        constant("place", "place", "", "", list(range(1, BEST + 1))),
+        result("i", "reduction", "i", "", there(at("[@reducers.i]", "r")),
+               filled([float(view.reducers.reduction[r]) for _, r in pairs], BEST), format=DASH),
+        result("rms", "RMS torque", "T_rms", "Nm", pair("rms"), of("rms"), format=DASH, scale=torque),
+        result("margin", "margin", "", "", f"=IF([rms]>0,{at('[motors.rated]', 'm')}/[rms],0)", of("margin"),
+               source="T_N/T_rms", format=DASH),
+        result("peak", "peak torque", "T_max", "Nm", pair("peak"), of("peak"), format=DASH, scale=torque),
+        result("n", "largest speed", "n", "rpm", there(at("[@reducers.n]", "r")), of("speed"), format='0;-0;"–"'),
+        result("inertias", "inertia ratio", "", "", there(f"{at('[@reducers.j]', 'r')}/{at('[@motors.jm]', 'm')}"),
+               of("inertias"), format=DASH),
+        result("spare", "left below the curve, at least", "", "Nm", there(spare_of(curve, "[peak]", gears)),
+               of("spare"), scale=torque, source="exact below the knee", format="0.0##;-0.0##;0.0"),
+        calc("holds", "below its curve", "", "", there("IF([spare]>=0,1,0)"),
+             filled([int(one.spare >= 0.0) for one in found], BEST, 0), format="0", source="1 yes, 0 no"),
+        result("reducer", "reducer", "", "", there(at("[reducers.name]", "r"), '"–"'),
+               filled([view.reducers.names[r] for _, r in pairs], BEST, "–"), align="left"),
+        blank="[place]>@count",
+    )  # fmt: skip
+
+
+def order_table(sheet: Sheet, view: Choosing) -> None:
+    """Declare which pairs the best are: the smallest keys, and the rows of the catalogue that these tell."""
+    pairs = view.ranked[:BEST]
+    rows, across = view.rows, view.rooms[1]
+    sheet.row += 1
+    sheet.table(
+        "@order", "Which pairs the best are", BEST,
+        constant("place", "place", "", "", list(range(1, BEST + 1))),
+        calc("key", "sorted by", "", "", there(f"SMALL({whole(view, 'key')},[place])"),
+             filled([float(view.keys[pair]) for pair in pairs], BEST), format="0"),
+        calc("at", "pair", "", "", f"=[key]-{rows}*INT(([key]+0.5)/{rows})",
+             filled([view.place(pair) for pair in pairs], BEST, 0), format="0", source="motor by motor, from 0"),
+        calc("m", "row of the motor", "", "", there(f"INT(([at]+0.5)/{across})+1"),
+             filled([m + 1 for m, _ in pairs], BEST, 0), format="0"),
+        calc("r", "row of the reducer", "", "", there(f"[at]-{across}*([m]-1)+1"),
+             filled([r + 1 for _, r in pairs], BEST, 0), format="0"),
+    )  # fmt: skip

@@ -1,0 +1,149 @@
+"""The sheet Selection of a machine: motors by reducers for the axis that is named on it, within limits, ranked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
+from workbook.book.sentence import Said
+from workbook.machines.machine.choice import Choice
+from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.selecting.best import best_table, order_table
+from workbook.machines.machine.selecting.charts import chart, uses
+from workbook.machines.machine.selecting.drives import chosen, drives_table, points_table
+from workbook.machines.machine.selecting.formulas import peak_of, rms_of, spare_of, whole
+from workbook.machines.machine.selecting.pairs import grids, products
+from workbook.machines.machine.selecting.view import Choosing
+from workbook.machines.machine.stretched import Stretched
+from workbook.selection.entries import SelectionSizes
+
+TITLE = "Selection"
+ABOUT = (
+    "A motor and a reducer are chosen where their names are entered, on the sheet of the drive: this sheet shows which "
+    "pairs of the catalogue can do it."
+)
+
+
+def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: Sequence[Stretched]) -> None:
+    """Declare the sheet, where an axis is named for it."""
+    if given_.axis is None:
+        return
+    view = Choosing(given_, sizes, [one for one in drives if not isinstance(one, LinkedWork)])
+    sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: what can do its cycle, best first.")
+    with sheet.scoped("sel_"):
+        entries(sheet, view)
+        asked(sheet, view)
+        outcome(sheet, view)
+        best_table(sheet, view)
+        chart(sheet)
+        grids(sheet, view)
+        products(sheet, view)
+        order_table(sheet, view)
+        sheet.heading("Workings: the axes")
+        chosen(sheet, view)
+        drives_table(sheet, view)
+        points_table(sheet, view)
+        uses(sheet, view)
+    book.column_names["sel_axes"] = ("sel_drives", "axis")
+    sheet.print_columns = 20
+
+
+def entries(sheet: Sheet, view: Choosing) -> None:
+    """Declare the axis, what pairs are ranked by, and what a usable one holds."""
+    s = view.given
+    sheet.heading("Enter", ABOUT)
+    sheet.rows(
+        given("@axis", "Axis", "", "", s.axis, "selection.axis", choices="=sel_axes", align="left",
+              source="one whose drive has a constant ratio"),
+        given("@rank", "Rank usable pairs by", "", "", s.rank, "selection.rank", align="left",
+              source="smallest motor: the least rated torque, then the least of it used"),
+        given("@inertia_ratio", "Largest inertia ratio", "", "", s.inertia_ratio, "selection.inertia_ratio",
+              format="0.0##", source="inertia at the motor / the motor's"),
+        given("@least", "Least margin", "", "", s.least_margin, "selection.least_margin", format="0.0##",
+              source="T_N / T_rms"),
+        given("@greatest", "Greatest margin", "", "", s.greatest_margin, "selection.greatest_margin", format="0.0##",
+              source="so that no motor is far too large"),
+        given("@factor", "Factor on the reducer's torque", "f", "", s.torque_factor, "selection.torque_factor",
+              format="0.0##", source="for shocks or many cycles an hour, as its maker says"),
+    )  # fmt: skip
+
+
+def asked(sheet: Sheet, view: Choosing) -> None:
+    """Declare what the axis asks for behind its reducer."""
+    load = view.grid.task
+    scale = view.driven.sizes.behind
+    sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
+    sheet.rows(
+        calc("@wrms", "RMS acceleration", "α_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
+        calc("@trms", "RMS torque", "S_rms", "Nm", "=SQRT(@square+@square_back)", load.torque_rms, scale=scale),
+        calc("@wmax", "Largest speed", "ω", "rad/s", "=@speed+0", load.max_speed),
+        calc("@tmax", "Torque that the reducer must hold", "f S_max", "Nm", "=@factor*@smax", view.grid.behind,
+             scale=scale),
+        result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
+               view.grid.load_factor, scale=view.beta_scale, source="2 (α_rms S_rms + mean α S); S5, eq. (15)"),
+    )  # fmt: skip
+
+
+def outcome(sheet: Sheet, view: Choosing) -> None:
+    """Declare what is proposed, and what the pair does that the drive has."""
+    pair = None if view.proposed is None else view.ranked[view.proposed]
+    first = "INDEX([@best.{0}],MATCH(1,[@best.holds],0))"
+    there = "SUM([@best.holds])=0"
+    usable = int((view.grid.verdicts == "yes").sum())
+    sheet.heading("Results")
+    sheet.rows(
+        result("@message", "In words", "", "", MESSAGE, message(view), align="left"),
+        result("@motor", "Proposed motor", "", "", f'=IF({there},"none",{first.format("motor")})',
+               view.motors.names[pair[0]] if pair else "none", align="left"),
+        result("@reducer", "Proposed reducer", "", "", f'=IF({there},"none",{first.format("reducer")})',
+               view.reducers.names[pair[1]] if pair else "none", align="left"),
+        result("@usable", "Pairs that can do it", "", "", f'=COUNTIF({whole(view, "word")},"yes")', usable, format="0"),
+        calc("@count", "… of these, ranked", "", "", f"=COUNT({whole(view, 'key')})", len(view.ranked), format="0",
+             source="those that have the mass or cost they are ranked by"),
+    )  # fmt: skip
+    sheet.checks(
+        check("@ok", "Selection: a motor and a reducer can do it", "SUM([@best.holds])>0", pair is not None,
+              says=Said("@message", message(view)))
+    )  # fmt: skip
+    sheet.heading("The pair that the drive has")
+    sheet.rows(
+        result("@own_motor", "Motor", "", "", "=@held_motor&\"\"", view.held_motor, align="left"),
+        result("@own_reducer", "Reducer", "", "", "=@held_reducer&\"\"", view.held_reducer, align="left"),
+        *own_pair(view),
+    )  # fmt: skip
+
+
+def own_pair(view: Choosing) -> list[Quantity]:
+    """Return what the drive's pair does."""
+    own, torque = view.own, max(view.own.peak, 1e-3)
+    gears, held = ("@held_j", "@held_i", "@held_eta"), ("@held_peak", "@held_knee", "@held_fall")
+    return [
+        result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms_of(*gears)}", own.rms, scale=torque,
+               source="that of the drive's sheet"),
+        result("@own_margin", "Margin", "", "", "=IF(@own_rms>0,@held_rated/@own_rms,0)", own.margin,
+               source="T_N / T_rms"),
+        result("@own_peak", "Peak torque of the motor", "T_max", "Nm", f"={peak_of(*gears)}", own.peak, scale=torque),
+        result("@own_speed", "Largest speed of the motor", "n", "rpm", "=@speed*@held_i*30/PI()", own.speed),
+        result("@own_inertias", "Inertia ratio", "", "",
+               "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),
+        result("@own_spare", "Reserve below the motor's curve, at least", "", "Nm",
+               f"={spare_of(held, '@own_peak', gears)}", own.spare, scale=torque,
+               source="of a motor of the catalogue with its curve, else below its peak torque"),
+    ]  # fmt: skip
+
+
+MESSAGE = (
+    '=IF(SUM([@best.holds])>0,"the first of the list that stays below its motor\'s curve",'
+    'IF(@count>0,"none of the best pairs stays below its motor\'s curve",'
+    'IF(@usable>0,"no usable pair has the figures to rank it by","no pair of the catalogue can do it")))'
+)
+
+
+def message(view: Choosing) -> str:
+    """Return in words what came out."""
+    if view.proposed is not None:
+        return "the first of the list that stays below its motor's curve"
+    if view.ranked:
+        return "none of the best pairs stays below its motor's curve"
+    usable = bool((view.grid.verdicts == "yes").any())
+    return "no usable pair has the figures to rank it by" if usable else "no pair of the catalogue can do it"
