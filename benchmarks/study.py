@@ -42,7 +42,9 @@ def study(designs: int, folder: Path) -> Plan:
     ]
     told = {"title": "Feeding axis", "vary": varied, "results": NAMES, "minimise": ["drive1_rms"]}
     machine = read_machine(MACHINE)
-    write_inputs(machine.model_copy(update={"axes": machine.axes[:1], "clearances": []}), folder / "feed.toml")
+    feeding = {"axes": machine.axes[:1], "clearances": []}
+    feeding["selection"] = machine.selection.model_copy(update={"axis": None})
+    write_inputs(machine.model_copy(update=feeding), folder / "feed.toml")
     return planned(Study.model_validate(told), folder / "feed.toml", "benchmark")
 
 

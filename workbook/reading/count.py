@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from workbook.reading.refusal import Refusal, shown
 
-MOST_CELLS = 600_000  # of the rectangles around the cells of all sheets: openpyxl fills them
+MOST_CELLS = 1_500_000  # of the rectangles around the cells of all sheets: openpyxl fills them
 MOST_IN_ROWS = 7 * MOST_CELLS  # elements and attributes inside of rows
 MOST_OUTSIDE = 1_000_000  # elements, attributes and ranges outside of rows
 MOST_OF = {"definedName": 20_000, "si": 200_000, "sheet": 250}
 MOST_LONG = {"f": 8_192, "definedName": 8_192, "v": 32_767, "t": 32_767}  # characters; Excel's limits
-MOST_FORMULAS = 20_000_000  # characters of all formulas and names, the shared ones written out
+MOST_FORMULAS = 200_000_000  # characters of all formulas and names, the shared ones written out
 MOST_IN_TAG = 100_000  # characters of all attributes of one element
 MOST_DEPTH = 100
 

@@ -26,7 +26,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
     )  # fmt: skip
-    columns = PHASE + PASSING * any(one.ends is not None for one in axes)
+    columns = PHASE + (PASSING if any(one.ends is not None for one in axes) else 0)
     draw_diagram(sheet, machine, columns)
     axes_table(sheet, machine)
     for one in axes:
