@@ -16,7 +16,7 @@ from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, motion_pieces
 
 NEAR_END = 1e-9
-"""of the reach: so near to an end in which the shaft would run away counts as in it"""
+"""of the reach: so near to an end in which the shaft would run away counts as in it, so far beyond another as at it"""
 
 
 class ShaftAngles(NamedTuple):
@@ -108,9 +108,9 @@ class Linkage(ABC):
 
 
 def near_end(linkage: Linkage) -> float:
-    """Return how near to an end of its reach a position counts as in it; 0 where the shaft may stand there."""
+    """Return how near to an end of its reach a position counts as in it; less than 0 where it may stand there."""
     low, high, *_ = linkage.reach
-    return 0.0 if linkage.steady else NEAR_END * (high - low)
+    return (-NEAR_END if linkage.steady else NEAR_END) * (high - low)
 
 
 @dataclass(frozen=True)

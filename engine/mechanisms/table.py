@@ -39,7 +39,7 @@ class PositionTable(Linkage):
                 raise ValueError(f"table: point {k} does not rise in angle and position; expected both to")
 
     @cached_property
-    def _columns(self) -> Array:
+    def columns(self) -> Array:
         """Angle, position and slope dy/dφ of each point."""
         angle, y = np.array(self.points).T
         return np.vstack([angle, y, _slopes(angle, y)])
@@ -54,9 +54,14 @@ class PositionTable(Linkage):
         """Positions of the points but the first and the last."""
         return tuple(y for _, y in self.points[1:-1])
 
+    def part(self, y: Array) -> Array:
+        """Return the number, from 0, of the part between two points in which positions lie, on a point of the next."""
+        position = self.columns[1]
+        return np.clip(np.searchsorted(position, y, side="right") - 1, 0, position.size - 2)
+
     def _shaft(self, y: Array, within: Array) -> ShaftAngles:
-        angle, position, slope = self._columns
-        k = np.clip(np.searchsorted(position, within, side="right") - 1, 0, position.size - 2)
+        angle, position, slope = self.columns
+        k = self.part(within)
         width, rise = angle[k + 1] - angle[k], position[k + 1] - position[k]
         begin, end = slope[k] * width / rise, slope[k + 1] * width / rise
         share = _inverse(begin, end, (y - position[k]) / rise)

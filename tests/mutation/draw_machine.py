@@ -31,7 +31,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
             phases=within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1),
         )  # fmt: skip
         if axis["motor"] is not None:
-            drive(axis, drawn, sizes["rotors"])
+            drive(axis, drawn, sizes["rotors"], sizes["positions"])
     if any(axis["motor"] is not None for axis in data["axes"]):
         data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
     if data["selection"]["axis"] is not None:
@@ -60,7 +60,7 @@ def times(drawn: random.Random) -> list[dict[str, Any]]:
     return found
 
 
-def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:
+def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int) -> None:
     """Draw a drive of the same kind: loads that resist or drive, limits far off."""
     travels = axis["unit"] == "mm"
     axis["rate"] = drawn.choice((None, drawn.uniform(5, 600)))
@@ -70,7 +70,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:
     sized = travels and kind not in LINKED
     axis["mechanism"] |= {"size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1)}
     if kind in LINKED:
-        linked(axis, drawn, kind)
+        linked(axis, drawn, kind, positions)
     axis["load"] = {
         "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),
         "slope": drawn.choice((0.0, drawn.uniform(-90, 90))), "force": force,
@@ -92,11 +92,17 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int) -> None:
     }  # fmt: skip
 
 
-def linked(axis: dict[str, Any], drawn: random.Random, kind: str) -> None:
+def linked(axis: dict[str, Any], drawn: random.Random, kind: str, positions: int) -> None:
     """Draw a mechanism of a changing ratio, and positions that most of these reach."""
     size = drawn.uniform(20, 90)
     offset = drawn.choice((None, 0.0, drawn.uniform(-0.4, 0.4) * size))
-    if kind == "rocker":
+    if kind == "table":
+        steps = [drawn.uniform(0.9, 1.1) for _ in range(drawn.randint(2, positions) - 1)]
+        share = size / sum(steps)
+        places = [share * sum(steps[:j]) for j in range(len(steps) + 1)]
+        low, high = 0.0, size
+        axis["mechanism"]["points"] = [{"angle": 30.0 * j, "position": y} for j, y in enumerate(places)]
+    elif kind == "rocker":
         low, high = -0.2 * size, 0.3 * size
         axis["mechanism"] |= {
             "lever": size, "link": drawn.uniform(1.8, 5) * size, "offset": drawn.uniform(0.6, 1.2) * size,

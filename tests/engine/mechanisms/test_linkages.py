@@ -176,7 +176,7 @@ def test_a_table_of_many_points_comes_near_to_the_mechanism_that_they_were_taken
 
 
 def test_a_table_meets_its_limits_on_steep_points():
-    slopes = PositionTable([(0.0, 0.0), (1.0, 0.001), (2.0, 1.0), (3.0, 1.001)])._columns[2]
+    slopes = PositionTable([(0.0, 0.0), (1.0, 0.001), (2.0, 1.0), (3.0, 1.001)]).columns[2]
     chords = [0.001, 0.999, 0.001]
     for k, chord in enumerate(chords):
         assert np.hypot(slopes[k], slopes[k + 1]) <= 3 * chord * (1 + 1e-12)

@@ -21,28 +21,41 @@ Kind = Literal[
     "gear train",
     "crank-slider",
     "rocker",
+    "table",
 ]
 LARGE: dict[str, dict[str, Any]] = {
     "crank-slider": {"crank": 1e4, "rod": 5e4, "position": 1e4},
     "rocker": {"lever": 1e5, "link": 5e5, "offset": 1e5, "angle": 90.0},
+    "table": {"points": [{"angle": end, "position": end} for end in (-1e4, 1e4)]},
 }
 """of mechanisms of a ratio that changes, sizes with which it reaches wherever an axis goes"""
 TURNING = ("rotary table", "gear train")
+EITHER = ("table",)
+"""mechanisms of axes that travel, and of those that turn"""
 LINKED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "crank-slider": (("crank", "rod"), ("offset", "zero", "branch", "position")),
     "rocker": (("lever", "link", "angle"), ("offset", "slide", "direction")),
+    "table": (("points",), ()),
 }
 """of each mechanism of a ratio that changes: the entries that it must have, and those that may be empty"""
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 """the name of one in the catalogue; empty where its figures are entered"""
 UNSIZED = "a size of the mechanism is empty"
+LEAST_POINTS = 2
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
 def size_by_kind(made: dict[str, Any]) -> None:
     """Let the schema of a mechanism do without the size: not every kind has one."""
     made["required"] = [name for name in made["required"] if name != "size"]
+
+
+class TablePoint(Model):
+    """A point of a table: an angle of the shaft in °, and the position of the load there, in mm or °."""
+
+    angle: Number = Field(description="Of a point of the table: angle of the shaft, in °")
+    position: Number = Field(description="Of a point of the table: position of the load, in the axis' unit")
 
 
 class MechanismEntry(Model):
@@ -80,6 +93,10 @@ class MechanismEntry(Model):
     direction: Literal["forward", "backward"] | None = Field(
         default=None, description="Of a rocker: whether positions grow along the line's direction; forward if empty"
     )
+    points: list[TablePoint] = Field(
+        default=[],
+        description="Of a table: the load's position over the shaft's angle, both strictly rising",
+    )
 
     @model_validator(mode="before")
     @classmethod
@@ -90,7 +107,9 @@ class MechanismEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a size that is missing of a mechanism of a ratio that changes."""
         for name in LINKED.get(self.kind, ((), ()))[0]:
-            if getattr(self, name) is None:
+            if name == "points" and len(self.points) < LEAST_POINTS:
+                yield DesignError(name, UNSIZED, "sized", LARGE[self.kind][name])
+            elif getattr(self, name) is None:
                 yield DesignError(name, UNSIZED, "sized", 1.0)
 
     @property
@@ -98,7 +117,7 @@ class MechanismEntry(Model):
         """The entries that are of other mechanisms."""
         own = {name for both in LINKED.get(self.kind, ()) for name in both}
         others = {name for names in LINKED.values() for both in names for name in both} - own
-        yield from (name for name in sorted(others) if getattr(self, name) is not None)
+        yield from (name for name in sorted(others) if getattr(self, name) not in (None, []))
 
 
 class PowerEntry(Model):

@@ -48,10 +48,10 @@ def require_reached(machine: AnyMachine, axis: MovingAxis) -> None:
     if given is None:
         return
     where, large = f"axes.{i - 1}.mechanism", given.model_dump() | LARGE[given.kind]
-    said = apart(given)
+    said = apart(given, axis.given.unit)
     if said:
         raise DesignError(where, said, f"linked{i}", large)
-    said = unreached_row(axis, linkage_of(given))
+    said = unreached_row(axis, linkage_of(given, axis.unit))
     if said:
         raise DesignError(where, said, f"reach{i}", large)
     shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))

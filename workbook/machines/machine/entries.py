@@ -22,6 +22,7 @@ from workbook.entries.types import (
     TogetherError,
 )
 from workbook.machines.machine.chain import (
+    EITHER,
     LINKED,
     TRAVELLING_LOAD,
     TURNING,
@@ -81,7 +82,8 @@ class Axis(Model):
             raise EntryError(missing, "empty; a drive has a mechanism and a motor")
         if self.rate is not None and self.motor is None:
             raise EntryError("rate", f"{figure(self.rate)} of an axis without a drive; expected none")
-        if self.mechanism and (self.mechanism.kind in TURNING) != (self.unit == "°"):
+        free = self.mechanism and self.mechanism.kind in EITHER
+        if self.mechanism and not free and (self.mechanism.kind in TURNING) != (self.unit == "°"):
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
         if self.mechanism and self.mechanism.kind in (*TURNING, *LINKED) and self.mechanism.size != 1.0:
             raise EntryError("mechanism.size", f"a {self.mechanism.kind} has no size; expected none")
@@ -105,6 +107,14 @@ class Axis(Model):
             reached = phase.stop
 
 
+class MachineSizes(SelectionSizes):
+    """How large the tables are built: also the points of a mechanism that is told by a table."""
+
+    positions: Annotated[int, Field(ge=3, le=40)] = Field(
+        default=12, description="Rows for the points of a mechanism that is told by a table"
+    )
+
+
 class AnyMachine(Exporting):
     """Axes over one master shaft."""
 
@@ -116,7 +126,7 @@ class AnyMachine(Exporting):
     clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
     power: PowerEntry = PowerEntry()
     selection: Choice = Choice()
-    sizes: SelectionSizes = SelectionSizes()
+    sizes: MachineSizes = MachineSizes()
 
     @classmethod
     def spelled(cls, data: Any) -> Any:
@@ -146,6 +156,10 @@ class AnyMachine(Exporting):
             if len(axis.parts) > self.sizes.rotors:
                 said = f"{len(axis.parts)} rows do not fit into {self.sizes.rotors}; raise sizes.rotors"
                 raise EntryError(f"axes.{i}.parts", said)
+            points = axis.mechanism.points if axis.mechanism else []
+            if len(points) > self.sizes.positions:
+                said = f"{len(points)} rows do not fit into {self.sizes.positions}; raise sizes.positions"
+                raise EntryError(f"axes.{i}.mechanism.points", said)
             if len(axis.phases) > self.sizes.phases:
                 said = f"{len(axis.phases)} rows do not fit into {self.sizes.phases}; raise sizes.phases"
                 raise EntryError(f"axes.{i}.phases", said)

@@ -134,7 +134,8 @@ TEMPLATE = Template(
     variants,
     LAW_SIZES
     | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
-    | {"rotors": ("drive#_parts", 0), "motors": ("motors", 0), "reducers": ("reducers", 0)},
+    | {"rotors": ("drive#_parts", 0), "positions": ("drive#_points", 0)}
+    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,
     laid_out=laid_out,
     fixed=fixed,

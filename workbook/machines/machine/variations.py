@@ -51,7 +51,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
         if driven:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
-            drive(axis, i, k, sizes["rotors"], data["selection"])
+            drive(axis, i, k, sizes, data["selection"])
         else:
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, data["laws"], 0.01)
@@ -99,8 +99,11 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
     return found
 
 
-def linked(axis: dict[str, Any], i: int, k: int) -> None:
+def linked(axis: dict[str, Any], i: int, k: int, room: int) -> None:
     """Give an axis another mechanism of a changing ratio of its kind, and lifts that it reaches."""
+    if axis["mechanism"]["kind"] == "table":
+        tabled(axis, i, k, room)
+        return
     if axis["mechanism"]["kind"] == "rocker":
         lever = 60.0 + 9 * k + i
         axis["mechanism"] |= {
@@ -130,14 +133,23 @@ def to_and_fro(phases: list[dict[str, Any]], low: float, high: float, k: int) ->
         at += phase["lift"]
 
 
-def drive(axis: dict[str, Any], i: int, k: int, room: int, products: dict[str, Any]) -> None:
+def tabled(axis: dict[str, Any], i: int, k: int, room: int) -> None:
+    """Give an axis another table of positions, once a straight line, and lifts that it reaches."""
+    count = (room, room - 1, 2)[k % 3]
+    steps = [9.0 + 0.7 * ((j + i + k) % 3) for j in range(count)]
+    places = [sum(steps[:j]) - 6.0 for j in range(count)]
+    axis["mechanism"]["points"] = [{"angle": (22.0 + k) * j - 40.0, "position": y} for j, y in enumerate(places)]
+    to_and_fro(axis["phases"], -5.0, 0.9 * places[-1], k)
+
+
+def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
     travels = axis["unit"] == "mm"
     sized = travels and axis["mechanism"]["kind"] not in LINKED
     axis["mechanism"] |= {"size": 7.0 + 11 * k if sized else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
     if axis["mechanism"]["kind"] in LINKED:
-        linked(axis, i, k)
+        linked(axis, i, k, sizes["positions"])
     axis["load"] = {
         "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
         "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k], "windows": forces(i, k, 400.0),
@@ -152,7 +164,7 @@ def drive(axis: dict[str, Any], i: int, k: int, room: int, products: dict[str, A
             "inertia": 0.002 * (j + k),
             "shaft": ("motor", "mechanism")[(j + k) % 2],
         }
-        for j in range(room if k == 0 else k % 3)
+        for j in range(sizes["rotors"] if k == 0 else k % 3)
     ]
     axis["reducer"] = {
         "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from workbook.book.declare import Quantity, Sheet, calc, given
+from workbook.book.sentence import quoted
 from workbook.machines.machine.linked import slides
-from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked.driven import APART, LinkedDriven
 
 INNER = "SQRT(MAX(0,(@l-@r)^2-@e^2))"
 OUTER = "SQRT((@l+@r)^2-@e^2)"
 ENDS = {"low": ("inner dead centre", "outer dead centre"), "high": ("outer dead centre", "inner dead centre")}
 FITS = "@l>@r+ABS(@e)"
 HOLDS = "rod longer than crank and offset"
+SIZED = "COUNT(@crank,@rod)=2"
+WRONG = quoted(APART["crank-slider"])
+WITHIN = "between its dead centres"
+entered, passing = slides.entered, slides.passing
+held, ratios, angle = slides.held, slides.ratios, slides.angle
 
 
 def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
@@ -56,5 +62,5 @@ def end(which: str) -> str:
     return f'IF(@zero="outer","{other}","{one}")'
 
 
-def table(sheet: Sheet, driven: LinkedDriven) -> None:
+def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
     """Declare nothing more: the dead centres are told in closed form."""

@@ -10,9 +10,11 @@ from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, SAME
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
+from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.places import columns, stacked
 from workbook.machines.machine.linked.worked import FIGURES, LinkedWork
 from workbook.machines.machine.stretches import ACTS
+from workbook.motion.sampled import derivative
 
 LETTERS = ("F", "S", "T")
 """of the columns of force, torque behind the reducer, torque of the motor"""
@@ -68,6 +70,8 @@ def stretches_table(sheet: Sheet, view: LinkedWork) -> None:
         calc("r", "what resists", "R", "N" if driven.travels else "Nm",
              f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
              [one.force.level for one in helds], scale=driven.sizes.force),
+        *kinds.of(view.linked).held(view.linked, derivative(view.one.pieces, 0, place="(([ub]+[ue])/2)"),
+                                    [one.within for one in helds]),
         calc("acts", "the motor acts", "", "", '=IF(AND([dir]=0,@holding="brake"),0,1)', [one.acts for one in helds],
              format="0", source="not at rest behind a brake"),
     )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from itertools import pairwise
 
 from engine.drivetrain import Mechanism
 from engine.drivetrain.bends import LEAST, Sizes
@@ -11,16 +12,21 @@ from engine.machine.limits import Judged, Limits
 from engine.machine.places import scales_of
 from engine.machine.train import Train
 from engine.mechanisms.crank_slider import crank_slider
+from engine.mechanisms.inverted import Cubics
 from engine.mechanisms.linkage import Linkage
 from engine.mechanisms.registry import LINKED
 from engine.mechanisms.rocker import rocker
+from engine.mechanisms.table import PositionTable
+from workbook.book.sentence import figure
 from workbook.entries.units import DEGREE, MM, si
-from workbook.machines.machine.chain import MechanismEntry
+from workbook.machines.machine.chain import MechanismEntry, TablePoint
 from workbook.machines.machine.driven import Driven
 
 
-def linkage_of(given: MechanismEntry) -> Linkage:
-    """Return the mechanism that is entered. Raises ValueError for sizes that do not go together."""
+def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
+    """Return the mechanism that is entered, of an axis in a unit. Raises ValueError for sizes that cannot be."""
+    if given.kind == "table":
+        return PositionTable([(si(one.angle, DEGREE), si(one.position, unit)) for one in given.points])
     offset = si(given.offset or 0.0, MM)
     if given.kind == "rocker":
         lever, link, angle = si(given.lever or 0.0, MM), si(given.link or 0.0, MM), si(given.angle or 0.0, DEGREE)
@@ -29,19 +35,34 @@ def linkage_of(given: MechanismEntry) -> Linkage:
     return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", position)
 
 
+FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
+SHARP = "between points {} and {} the table is more than 100 times as steep as at one of them"
 APART = {
     "crank-slider": "the rod is not longer than crank and offset: the crank cannot turn round",
     "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
 }
 
 
-def apart(given: MechanismEntry) -> str:
+def apart(given: MechanismEntry, unit: str) -> str:
     """Return what is wrong with sizes that do not go together; nothing where they do."""
+    if given.kind == "table":
+        return unlike_table(given.points, unit)
     try:
-        linkage_of(given)
+        linkage_of(given, MM)
     except ValueError:
         return APART[given.kind]
     return ""
+
+
+def unlike_table(points: list[TablePoint], unit: str) -> str:
+    """Return which point of a table does not rise, or between which the table bends too sharply; nothing if none."""
+    for row, (one, other) in enumerate(pairwise(points), 2):
+        if other.angle <= one.angle or other.position <= one.position:
+            (angle, position), (low, lowest) = ((figure(p.angle), figure(p.position)) for p in (other, one))
+            return FALLS.format(row, angle, position, unit, low, lowest, unit)
+    made = PositionTable([(si(one.angle, DEGREE), one.position) for one in points])
+    sharp = Cubics.of(made).sharp.tolist()
+    return SHARP.format(sharp.index(True) + 1, sharp.index(True) + 2) if True in sharp else ""
 
 
 class LinkedDriven(Driven):
@@ -50,7 +71,7 @@ class LinkedDriven(Driven):
     @cached_property
     def linkage(self) -> Linkage:
         """The mechanism."""
-        return linkage_of(self.given)
+        return linkage_of(self.given, self.axis.unit)
 
     @property
     def entered_angle(self) -> float:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from types import ModuleType
 
 from workbook.book.declare import Quantity, check
-from workbook.machines.machine.chain import LINKED
-from workbook.machines.machine.linked import crank, rocker
-from workbook.machines.machine.linked.driven import APART, LinkedDriven
+from workbook.machines.machine.linked import crank, rocker, table
+from workbook.machines.machine.linked.driven import LinkedDriven
 
-KINDS: dict[str, ModuleType] = {"crank-slider": crank, "rocker": rocker}
+KINDS: dict[str, ModuleType] = {"crank-slider": crank, "rocker": rocker, "table": table}
 
 
 def of(driven: LinkedDriven) -> ModuleType:
@@ -17,15 +16,11 @@ def of(driven: LinkedDriven) -> ModuleType:
     return KINDS[driven.given.kind]
 
 
-def needed(driven: LinkedDriven) -> tuple[str, ...]:
-    """Return the entries that the mechanism must have."""
-    return LINKED[driven.given.kind][0]
-
-
 def checks(driven: LinkedDriven) -> list[Quantity]:
     """Return the check that the sizes go together."""
     i, kind = driven.number, of(driven)
+    said = table.wrong(driven.entered.unit) if kind is table else kind.WRONG
     return [
         check("@ok_linked", f"Drive {i}: the sizes of the mechanism go together", kind.FITS, True, kind.HOLDS,
-              f":linked{i}", f'"{APART[driven.given.kind]}"')
+              f":linked{i}", said)
     ]  # fmt: skip

@@ -7,7 +7,7 @@ import numpy as np
 from engine.laws.base import Array
 from engine.machine.places import Held, Worked
 from workbook.book.declare import Quantity, calc
-from workbook.machines.machine.linked import slides
+from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.motion.sampled import derivative
 
@@ -26,19 +26,24 @@ def columns(view: LinkedWork, at: Worked, helds: list[Held], u: Array, mark: str
              scale=view.driven.axis.fastest),
         calc(f"a{mark}", "acceleration", "ÿ", f"{base}/s²", f"=({derivative(rows, 2, mark)})*@omega^2", at.a,
              scale=hardest),
-        *turned(view, at, (f"[v{mark}]", f"[a{mark}]"), mark),
+        *turned(view, at, (f"[v{mark}]", f"[a{mark}]"), np.array([one.within for one in helds]), mark),
     ]  # fmt: skip
 
 
-def turned(view: LinkedWork, at: Worked, rates: tuple[str, str], mark: str = "") -> list[Quantity]:
-    """Return the columns behind the position ``p``: of ratio, force and torques, from velocity and acceleration."""
+def turned(
+    view: LinkedWork, at: Worked, rates: tuple[str, str], within: Array, mark: str = ""
+) -> list[Quantity]:  # fmt: skip
+    """Return the columns behind the position ``p``: of ratio, force and torques, from velocity and acceleration.
+
+    ``within`` are positions in the middle of each place's stretch.
+    """
     sizes, (v, a) = view.driven.sizes, rates
     g, h, turning, force, behind = (f"[{name}{mark}]" for name in ("g", "h", "turn", "F", "S"))
     at_st = "INDEX([@st.{}],[st])".format
     last = f"IF({force}*{at_st('dir')}<0,@eta2,1/@eta2)*{force}/{g}"
     first = f"IF({behind}*{at_st('dir')}<0,@eta1,1/@eta1)*{behind}/@i1"
     return [
-        *slides.ratios(view.linked, at, mark),
+        *kinds.of(view.linked).ratios(view.linked, at, within, mark),
         calc(f"w{mark}", "speed of the shaft", "φ̇", "rad/s", f"={g}*{v}", at.rate, scale=view.rate,
              source="φ' ẏ"),
         calc(f"turn{mark}", "acceleration of the shaft", "φ̈", "rad/s²", f"={h}*{v}^2+{g}*{a}", at.turning,

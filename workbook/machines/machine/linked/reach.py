@@ -59,7 +59,7 @@ def reach_check(view: LinkedWork) -> Quantity:
         f'&ROUND({by},3)&" {unit} beyond the "&{end}'
     )
     return check("@ok_reach", f"Drive {i}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
-                 "between its dead centres", f":reach{i}", says)  # fmt: skip
+                 kinds.of(driven).WITHIN, f":reach{i}", says)  # fmt: skip
 
 
 def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:

@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from engine.mechanisms.rocker import SAME, ends_of
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
+from workbook.book.sentence import quoted
 from workbook.machines.machine.linked import slides
-from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked.driven import APART, LinkedDriven
 
 FITS = "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(SIN(@theta-ATAN2(@x0,@e)))>=check_zero,@high<@none,@low>0-@none)"
 HOLDS = "lever, link and slide where the motion begins"
+SIZED = "COUNT(@lever,@link,@angle)=3"
+WRONG = quoted(APART["rocker"])
+WITHIN = "between its dead centres"
+entered, passing = slides.entered, slides.passing
+held, ratios, angle = slides.held, slides.ratios, slides.angle
 
 
 def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
@@ -53,7 +59,7 @@ def sizes(driven: LinkedDriven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def table(sheet: Sheet, driven: LinkedDriven) -> None:
+def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
     """Declare the places at which the mechanism may lock."""
     one = slides.slide_of(driven.linkage)
     places = ends_of(one.lever, one.link, one.offset, one.side, one.zero)

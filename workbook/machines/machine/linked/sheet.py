@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from engine.machine.places import SUFFICES
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
@@ -9,7 +11,7 @@ from workbook.drive.motor import limits_table, plane
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen, drive
 from workbook.machines.machine.chain import UNSIZED
-from workbook.machines.machine.linked import cut, found, kinds, reach, slides
+from workbook.machines.machine.linked import cut, found, kinds, reach
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
 from workbook.machines.machine.powered import power_peaks
@@ -41,6 +43,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *checks(view))
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         sheet.chart(angles(), column=drive.CHART_COLUMN, row=28, width=8, height=18)
+        kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
         drive.tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
@@ -49,10 +52,11 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
             calc("@omega", "Master shaft at its rate", "ω", "rad/s", "=timing_omega*@faster", driven.axis.speed),
             *kinds.of(driven).sizes(driven),
         ])  # fmt: skip
-        kinds.of(driven).table(sheet, driven)
+        kinds.of(driven).table(sheet, driven, one.machine.machine.sizes.positions)
         cycle(sheet, view)
         reach.reach_table(sheet, view)
         turns_table(sheet, view)
+        kinds.of(driven).passing(sheet, view)
         breaks_table(sheet, view)
         cut.stretches_table(sheet, view)
         cut.looks_table(sheet, view)
@@ -72,13 +76,12 @@ def checks(view: LinkedWork) -> list[Quantity]:
     """Return the checks of the mechanism: its sizes, where it can bring its load to, and the sheet's own places."""
     driven, i = view.linked, view.driven.number
     label, key = f"Drive {i}: ", f"axes.{i - 1}"
-    sizes = ",".join(f"@{name}" for name in kinds.needed(driven))
     enough = (
         f"MAX([@sec.rest])<={SUFFICES!r}*MAX(MAX([@pl.T]),0-MIN([@pl.T])),MAX([@st.e])>=360,MAX([@sec.e])>=360,"
         "MAX([@look.nF])+MAX([@look.nS])+MAX([@look.nT])<=MAX([@turn.k])"
     )
     return [
-        check("@ok_sized", f"{label}the mechanism has its sizes", f"COUNT({sizes})={len(kinds.needed(driven))}", True,
+        check("@ok_sized", f"{label}the mechanism has its sizes", kinds.of(driven).SIZED, True,
               rule=f"{key}.mechanism:sized", says=f'"{UNSIZED}"'),
         *kinds.checks(driven),
         reach.reach_check(view),
@@ -91,6 +94,7 @@ def checks(view: LinkedWork) -> list[Quantity]:
 def cycle(sheet: Sheet, view: LinkedWork) -> None:
     """Declare angle, speed and torque over the cycle, for the charts."""
     i, driven, samples = view.driven.number, view.linked, stacked(view.samples)
+    within = np.array([view.helds[number - 1].within for number in view.sampled])
     told = view.driven.axis.told(view.one.machine.samples)
     near = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
     v, a = (f"({power}*INDEX([cycle.{name}{i}],[k]+1))" for power, name in (("@faster", "t"), ("@faster^2", "tt")))
@@ -101,12 +105,12 @@ def cycle(sheet: Sheet, view: LinkedWork) -> None:
         result("rpm", "motor speed", "n", "rpm", "=@i1*[w]*60/(2*PI())",
                shown(driven.mechanism.turning(0, samples.rate), RPM), source="i_1 φ' ẏ"),
         result("torque", "motor torque", "T", "Nm", "=[T]+0", samples.torque, scale=driven.sizes.torque),
-        slides.angle(driven, samples.y),
+        kinds.of(driven).angle(driven, samples.y, within),
         constant("k", "sample", "k", "", list(range(len(told.x)))),
         calc("st", "stretch", "", "", f"=MATCH({near},[@st.b],1)", view.sampled, format="0"),
         calc("p", "position", "y", view.base, f"=({y})/1000" if driven.travels else f"=RADIANS({y})", samples.y,
              scale=view.driven.axis.motion.size(0)),
-        *turned(view, samples, (v, a)),
+        *turned(view, samples, (v, a), within),
     )  # fmt: skip
 
 

@@ -14,8 +14,9 @@ from engine.machine.places import Worked
 from engine.mechanisms.linkage import Linkage, near_end
 from engine.mechanisms.rocker import farther
 from engine.mechanisms.slide import SlideLinkage, Triangle
-from workbook.book.declare import Quantity, calc
+from workbook.book.declare import Quantity, Sheet, calc
 from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked.worked import LinkedWork
 
 FORM = "slide from the shaft"
 ANGLE = "{d}+@r^2-@l^2"
@@ -39,7 +40,20 @@ def begun(one: SlideLinkage) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def ratios(driven: LinkedDriven, at: Worked, mark: str = "") -> list[Quantity]:
+def entered(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
+    """Declare no table of entries: what is entered are single cells."""
+
+
+def passing(sheet: Sheet, view: LinkedWork) -> None:
+    """Declare no places where the ratio's change jumps: there are none."""
+
+
+def held(driven: LinkedDriven, position: str, within: list[float]) -> list[Quantity]:
+    """Return no columns of stretches: the geometry is one everywhere."""
+    return []
+
+
+def ratios(driven: LinkedDriven, at: Worked, within: Array, mark: str = "") -> list[Quantity]:
     """Return the columns of φ' and φ'' at the position in the column ``p``, each name with a mark at its end."""
     one = slide_of(driven.linkage)
     found = Triangle.of(one, at.y)
@@ -66,7 +80,7 @@ def ratios(driven: LinkedDriven, at: Worked, mark: str = "") -> list[Quantity]:
     ]  # fmt: skip
 
 
-def angle(driven: LinkedDriven, y: Array) -> Quantity:
+def angle(driven: LinkedDriven, y: Array, within: Array) -> Quantity:
     """Return the column of the shaft's angle at positions."""
     x = "[X]"
     psi = f"ATAN2({x},@e)+@side*ATAN2({ANGLE.format(d='[d]^2')},[K])"

@@ -29,10 +29,12 @@ from engine.machine.places import (
     suffices,
     sums,
 )
+from engine.mechanisms.linkage import near_end
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked.passes import Passes
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Stretched
 
@@ -70,6 +72,7 @@ class LinkedWork(Stretched):
     def __init__(self, one: AxisRows, driven: LinkedDriven) -> None:
         super().__init__(one, driven)
         self.linked = driven
+        self.passes = Passes(one, driven)
 
     @property
     def base(self) -> str:
@@ -88,13 +91,13 @@ class LinkedWork(Stretched):
     @property
     def rows(self) -> int:
         """Rows of the table of stretches."""
-        return len(range(super().rows - self.one.machine.machine.sizes.phases))
+        return len(range(super().rows + self.passes.rows - self.one.machine.machine.sizes.phases))
 
     @property
     def turn_rows(self) -> int:
         """Rows of the table of where power turns round."""
         n = self.one.machine.machine.sizes.phases
-        return n + n + n + SPARE_TURNS
+        return n + n + n + SPARE_TURNS + self.passes.turns
 
     @property
     def section_rows(self) -> int:
@@ -111,7 +114,7 @@ class LinkedWork(Stretched):
             begin, d, p = (f"[axis{i}_pieces.{name}.{r}]" for name in ("begin", "d", "p"))
             span, h = (f"INDEX([axis{i}_steps.{name}],{p})" for name in ("span", "h"))
             found.append((angle or TURN, f"=IF({d}*ABS({h})>{LONG!r}*{span}*ABS({h}),{begin}+DEGREES({d})/2,360)"))
-        return found
+        return [*found, *self.passes.further]
 
     def held(self, at: float) -> Held:
         """Return the stretch in which an angle of the motion lies."""
@@ -119,7 +122,7 @@ class LinkedWork(Stretched):
         u = si(at, DEGREE) - piece.begin
         train, way = self.linked.train, going(piece, u, self.driven.fastest)
         force = train.force(way, si(at, DEGREE) + axis.shifted.shift, axis.motion.total)
-        within = float(piece.derivative(0, np.array([u]))[0])
+        within = float(piece.derivative(0, np.array([u]))[0]) - min(0.0, near_end(self.linked.linkage))
         return Held(train, self.linked.linkage, piece, axis.speed, way, force, within)
 
     @cached_property

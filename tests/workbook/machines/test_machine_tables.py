@@ -1,0 +1,113 @@
+"""Drives by a table of positions, in cells: against a constant ratio, energy, other samples; what is no table."""
+
+import random
+
+import pytest
+
+from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.machines.test_machine import TEMPLATE
+from tests.workbook.machines.test_machine_linked import FIGURES, LOSSY, linked, small
+from workbook.reading.descriptions import checked
+
+PHASES = ((20, 140, 20.0, "CIC"), (190, 330, -20.0, "MTP"))
+
+
+def table(*points, **entries):
+    """A mechanism told by points: angle in °, position."""
+    told = [{"angle": float(angle), "position": float(position)} for angle, position in points]
+    return {"kind": "table", "efficiency": 1.0, "points": told} | entries
+
+
+BENT = table((-20, -5), (20, 3), (70, 15), (130, 26), efficiency=0.85)
+
+
+def driven(mechanism, *phases, **entries):
+    """A machine of one axis on it, with little room."""
+    return small(linked(*(phases or PHASES), mechanism=mechanism, **LOSSY | entries), positions=4)
+
+
+def test_cells_agree_with_the_engine_and_entries_come_back():
+    machine = driven(BENT)
+    wrong, _ = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+@pytest.mark.nightly
+def test_an_axis_that_turns_agrees_too_at_a_table_of_which_points_are_left_empty():
+    load = {"inertia": 0.02, "torque": 1.0, "friction_torque": 0.3}
+    machine = driven(table((-20, -5), (20, 5), (70, 21)), unit="°", load=load)
+    wrong, _ = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+def test_a_straight_table_is_a_pinion():
+    """r = 20 mm: 20 mm a rad, by points of any distance; the pinion's drive goes by closed forms, not by nodes."""
+    points = [(angle, angle * 0.017453292519943295 * 20.0) for angle in (-10.0, 25.0, 31.0, 90.0)]
+    pinion = {"kind": "rack and pinion", "size": 40.0, "efficiency": 0.85}
+    one, other = (computed(TEMPLATE, driven(mechanism)) for mechanism in (table(*points, efficiency=0.85), pinion))
+    for name in FIGURES:
+        if name != "ok_peak":
+            assert one(f"drive1_{name}") == pytest.approx(other(f"drive1_{name}"), rel=1e-9), name
+
+
+@pytest.mark.nightly
+def test_no_result_hangs_on_the_samples_and_the_motor_does_the_work_of_friction_and_force():
+    load = {"mass": 12.0, "friction": 0.1, "windows": [{"start": 10.0, "stop": 150.0, "force": 500.0}]}
+    told = BENT | {"efficiency": 1.0}
+    few, many = (
+        computed(TEMPLATE, small(linked(*PHASES, mechanism=told, load=load), positions=4, cycle=cycle))
+        for cycle in (12, 720)
+    )
+    for name in FIGURES:
+        assert few(f"drive1_{name}") == many(f"drive1_{name}"), name
+    net = few("drive1_energy") - few("drive1_returned")
+    assert net == pytest.approx(0.1 * 12.0 * 9.81 * 0.04 + 500.0 * 0.02, rel=1e-9)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(
+    ("points", "check", "said"),
+    [
+        (((0, 0), (10, 5), (10, 30)), "linked", "point 3 at 10 °, 30 mm is not beyond the one before it, at 10 °, 5 "),
+        (((0, 0), (10, 5), (20, 4)), "linked", "point 3 at 20 °, 4 mm is not beyond the one before it, at 10 °, 5 mm"),
+        (((0, 0), (40, 0.05), (80, 30)), "linked", "between points 2 and 3 the table is more than 100 times as steep"),
+        (((0, 0),), "sized", "a size of the mechanism is empty"),
+        (((0, 0), (50, 12.5)), "reach", "A1 row 1 reaches 20 mm, 7.5 mm beyond the end of the table"),
+        (((0, 1), (50, 30)), "reach", "A1 row 1 reaches 0 mm, 1 mm beyond the begin of the table"),
+    ],
+)
+def test_what_is_no_table_is_built_and_fails_by_point_or_row_and_amount(points, check, said):
+    data = driven(BENT).model_dump()
+    data["axes"][0]["mechanism"]["points"] = table(*points)["points"]
+    machine = checked(TEMPLATE, data, str)
+    assert machine.design.faults[0].said.startswith(said)
+    value = computed(TEMPLATE, machine)
+    assert value(f"drive1_ok_{check}") == "FAIL"
+    assert value(f"drive1_ok_{check}_says").startswith(said[:60])
+    assert all(isinstance(one, float | int) for one in [*value("drive1_pl", "T"), *value("drive1_cycle", "phi")])
+
+
+def test_more_points_than_there_is_room_for_are_refused():
+    with pytest.raises(ValueError, match=r"raise sizes\.positions"):
+        driven(table(*((10 * k, k) for k in range(5))))
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("seed", range(12))
+def test_random_tables_agree(seed):
+    drawn = random.Random(seed)
+    angle, y, points = drawn.uniform(-90, 0), drawn.uniform(-9, 0), []
+    slope = drawn.uniform(0.1, 0.4)
+    for _ in range(4):
+        points.append((angle, y))
+        step = drawn.uniform(20, 70)
+        angle, y = angle + step, y + step * slope * drawn.uniform(0.85, 1.15)
+    room = points[-1][1]
+    there, back = room * drawn.uniform(0.6, 1.0), -room * drawn.uniform(0.2, 0.6)
+    phases = (20, 140, there, drawn.choice(("CIC", "MTP"))), (150, 250, back, "CIC"), (250, 330, -there - back, "MTP")
+    told = table(*points, efficiency=drawn.uniform(0.6, 1.0))
+    one = linked(*phases, mechanism=told, **LOSSY)
+    wrong, _ = disagreeing(TEMPLATE, small(one, positions=4, phases=3))
+    assert wrong == []
