@@ -12,6 +12,8 @@ from workbook.motion.sampled import POSITION, derivative, finding
 
 TOLD = "MIN([theta],360-2*timing_eps)"
 """the end of the turn has the left limit"""
+CYCLES = "ROUND(({0}-[axes.late.{1}]-{2})/360,0)"
+"""how many cycles of its phases an axis has begun before"""
 LANE = "={1}+IF({3}>{2},timing_lane*({0}-{2})/({3}-{2}),0)"
 
 
@@ -45,7 +47,8 @@ def results(one: AxisRows) -> list[Quantity]:
     shown_y = f"=({of(0)})*1000" if unit == "mm" else f"=DEGREES({of(0)})"
     return [
         result(f"y{i}", f"{label} position", "y", unit,
-               f"{shown_y}+[n{i}]*[axes.travel.{i}]", shown(y, axis.unit), source=POSITION),
+               f"{shown_y}+{CYCLES.format('[theta]', i, f'[p{i}]')}*[axes.travel.{i}]", shown(y, axis.unit),
+               source=POSITION),
         result(f"g{i}", f"{label} geometric velocity", "y'", f"{base}/rad", f"={of(1)}", y1, source="dy/du"),
         result(f"gg{i}", f"{label} geometric acceleration", "y''", f"{base}/rad²", f"={of(2)}", y2, source="d²y/du²"),
         result(f"ggg{i}", f"{label} geometric jerk", "y'''", f"{base}/rad³",
@@ -59,7 +62,8 @@ def results(one: AxisRows) -> list[Quantity]:
 def in_lane(one: AxisRows, of: int) -> Quantity:
     """Return the axis as the timing diagram shows it: the first at the top."""
     axis, i = one.axis, one.axis.number
-    formula = LANE.format(f"[y{i}]-[n{i}]*[axes.travel.{i}]", of - i, f"[axes.low.{i}]", f"[axes.high.{i}]")
+    begun = f"{CYCLES.format('[theta]', i, f'[p{i}]')}*[axes.travel.{i}]"
+    formula = LANE.format(f"[y{i}]-{begun}", of - i, f"[axes.low.{i}]", f"[axes.high.{i}]")
     return calc(f"lane{i}", f"axis {i}: in the diagram", "", "",
                 formula, axis.lane(one.machine.samples, of - i, LANE_SHARE))  # fmt: skip
 
@@ -75,14 +79,12 @@ def exportable(one: AxisRows) -> Exportable:
 
 
 def found(one: AxisRows) -> list[Quantity]:
-    """Return where the samples of an axis lie: in which of its cycles, at which angle of its phases, in which piece."""
+    """Return where the samples of an axis lie: at which angle of its phases, in which piece."""
     axis, i, late = one.axis, one.axis.number, f"[axes.late.{one.axis.number}]"
     told = axis.told(one.machine.samples)
     return [
-        calc(f"n{i}", f"axis {i}: cycles", "n", "",
-             f"=INT(({TOLD}-{late}+timing_eps)/360)", told.cycles, format="0", source="of its phases, begun before"),
         calc(f"p{i}", f"axis {i}: angle of its phases", "", "°",
-             f"=[theta]-{late}-360*[n{i}]", shown(told.x, DEGREE), format="0.0##", source="θ − shift − 360 n",
-             scale=360.0),
+             f"=[theta]-{late}-360*INT(({TOLD}-{late}+timing_eps)/360)", shown(told.x, DEGREE), format="0.0##",
+             source="θ − shift − 360 n", scale=360.0),
         *finding(one.pieces, f"p{i}", told.x, f"axis {i}: ", str(i)),
     ]  # fmt: skip

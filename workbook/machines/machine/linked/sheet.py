@@ -11,6 +11,7 @@ from workbook.drive.motor import limits_table, plane
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen, drive
 from workbook.machines.machine.chain import UNSIZED
+from workbook.machines.machine.cycle import CYCLES
 from workbook.machines.machine.linked import cut, found, kinds, reach
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
@@ -98,7 +99,8 @@ def cycle(sheet: Sheet, view: LinkedWork) -> None:
     told = view.driven.axis.told(view.one.machine.samples)
     near = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
     v, a = (f"({power}*INDEX([cycle.{name}{i}],[k]+1))" for power, name in (("@faster", "t"), ("@faster^2", "tt")))
-    y = f"INDEX([cycle.y{i}],[k]+1)-INDEX([cycle.n{i}],[k]+1)*[axes.travel.{i}]"
+    begun = CYCLES.format("INDEX([cycle.theta],[k]+1)", i, f"INDEX([cycle.p{i}],[k]+1)")
+    y = f"INDEX([cycle.y{i}],[k]+1)-{begun}*[axes.travel.{i}]"
     sheet.heading("Table over the cycle")
     sheet.table(
         "@cycle", "Angle of the mechanism's shaft, speed and torque of the motor over the cycle", len(told.x),
