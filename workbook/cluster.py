@@ -151,7 +151,7 @@ class Workers:
 
         def hand_out() -> None:
             while len(running) < most and (task := next(waiting, None)) is not None:
-                future = self.client.submit(function, task, *shared, pure=False)
+                future = self.client.submit(shallow, function, task, *shared, pure=False)
                 running[future.key] = task
                 finished.add(future)
 
@@ -189,6 +189,15 @@ class Workers:
     def on_each(self, function: Callable[..., Any], *arguments: Any) -> dict[str, Any]:
         """Return what a function gives on each worker, or the exception that it raises there."""
         return dict(self.client.run(function, *arguments, on_error="return"))
+
+
+def shallow(function: Callable[..., R], *arguments: Any) -> R:
+    """Return what a function gives; too deep a recursion as an error that comes back: for its own Dask waits for ever."""
+    try:
+        return function(*arguments)
+    except RecursionError as error:
+        said = str(error)
+    raise RuntimeError(said)
 
 
 def dask_setup(_: Any) -> None:

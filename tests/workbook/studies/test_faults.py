@@ -13,11 +13,14 @@ from pathlib import Path
 import pytest
 
 from tests.workbook.studies.studied import laws, planned, stops, written
+from workbook.build import build
 from workbook.cluster import ClusterError, pool
 from workbook.errors import WriteError
 from workbook.pool import HERE
+from workbook.reading.descriptions import read_machine
 from workbook.studies.folder import Parts
 from workbook.studies.run import run
+from workbook.templates import TEMPLATES
 
 GOALS = {"minimise": ["drive1_rms"]}
 VARIED = (laws("MTP", "CUB", "CIC"), stops(80, 120, 60))
@@ -278,3 +281,40 @@ def test_a_worker_of_another_version_is_told_in_a_line(tmp_path):
     (line,) = done.stderr.splitlines()
     assert "has motionbook 0.0.1; expected" in line
     assert not (tmp_path / "study.csv").exists()
+
+
+BLIND = """
+import workbook.judging.sent as sent
+from workbook.judging.one import verify_one as seen  # a worker begins with this twice
+def blind(target, witnesses):
+    assert {folder!r} not in str(target.path), "it sees the files"
+    return seen(target, witnesses)
+sent.sizes, sent.verify_one = lambda places: [-1 for _ in places], blind
+"""
+
+
+@POSIX
+def test_workers_that_do_not_see_the_books_are_sent_them(tmp_path):
+    machine = read_machine(TEMPLATES["motion-composer"].description)
+    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
+    books = tmp_path / "books"
+    books.mkdir()
+    build(machine.model_copy(update={"sizes": sizes}), books / "a.xlsx")
+    for name in ("b", "c"):
+        (books / f"{name}.xlsx").write_bytes((books / "a.xlsx").read_bytes())
+    with cluster(tmp_path, BLIND.format(folder=str(books))) as (address, _):
+        until_ready(address)
+        told = [sys.executable, "-m", "workbook", "verify", str(books), "--scheduler", address]
+        done = subprocess.run(told, capture_output=True, text=True, check=False, encoding="utf-8", cwd=tmp_path)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "1 of 2 workers do not see these files: books are sent to them" in done.stderr
+    assert "3" in done.stdout
+
+
+def deep(number):
+    return deep(number + 1)
+
+
+def test_too_deep_a_recursion_ends_the_work_and_does_not_hang_it():
+    with pool(2, None) as workers, pytest.raises(RuntimeError, match="recursion"):
+        list(workers.each(deep, [1]))
