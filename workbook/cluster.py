@@ -192,7 +192,7 @@ class Workers:
 
 
 def shallow(function: Callable[..., R], *arguments: Any) -> R:
-    """Return what a function gives; too deep a recursion as an error that comes back: for its own Dask waits for ever."""
+    """Return what a function gives; too deep a recursion is another error, since Dask waits for ever for its own."""
     try:
         return function(*arguments)
     except RecursionError as error:
