@@ -13,7 +13,7 @@ from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import convert
 
-PAGES = {"cutting-machine": 16, "machine": 26, "motion-composer": 13}
+PAGES = {"cutting-machine": 16, "machine": 29, "motion-composer": 13}
 """sheets of A4 at most"""
 
 

@@ -170,6 +170,10 @@ def told(number: int) -> Quantity:
                  says=f'"{UNTOLD}"')  # fmt: skip
 
 
+SOURCE = 100
+"""characters of the column of sources, the same in both tables; it is not printed"""
+
+
 def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
     """Declare the sheet of motors and reducers, from which drives take theirs by name."""
     sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
@@ -193,8 +197,8 @@ def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
         column("motors", n, "knee", "full_torque_to", "peak torque up to, if less", "n_1", "rpm", format="0.##"),
         column("motors", n, "end", "end_torque", "peak torque at n_max, if less", "", "Nm", format="0.0##"),
         column("motors", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
-        column("motors", n, "cost", "cost", "cost", format="0.##"),
         column("motors", n, "source", "source", "source", align="left"),
+        column("motors", n, "cost", "cost", "cost", format="0.##"),
         rules=[HALF, FALLING],
     )  # fmt: skip
     sheet.row += 1
@@ -211,4 +215,6 @@ def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
         column("reducers", n, "cost", "cost", "cost", format="0.##"),
         column("reducers", n, "source", "source", "source", align="left"),
     )  # fmt: skip
+    source = sheet.blocks[0].columns["source"]
+    sheet.widths, sheet.print_columns = {source: SOURCE}, source - 1
     return sheet
