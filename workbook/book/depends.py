@@ -47,7 +47,7 @@ class Dependence:
         self._formulas: dict[Address, str] = {}
         self._values: dict[Address, Any] = {}
         self._by_cell: dict[Address, list[Address]] = defaultdict(list)
-        self._by_area: dict[str, dict[Area, list[Address]]] = defaultdict(lambda: defaultdict(list))
+        self._by_column: dict[tuple[str, int], dict[Area, list[Address]]] = defaultdict(lambda: defaultdict(list))
         self._known: dict[Address, frozenset[Area]] = {}
         self._titles = {sheet.title for sheet in book.sheets}
         self._keyed = {self._column(*name.split(".")) for name in book.keyed}
@@ -66,7 +66,8 @@ class Dependence:
         if area.size == 1:
             self._by_cell[area.first].append(at)
         else:
-            self._by_area[area.sheet][area].append(at)
+            for column in range(area.left, area.right + 1):
+                self._by_column[area.sheet, column][area].append(at)
 
     def on(self, changed: Iterable[Address], known: Collection[Address] = ()) -> set[Address]:
         """Return the formula cells that hang on ``changed``; those that are ``known`` are not asked, nor passed."""
@@ -84,7 +85,7 @@ class Dependence:
 
     def _readers(self, at: Address) -> Iterator[Address]:
         yield from self._by_cell.get(at, ())
-        for area, readers in self._by_area[at.sheet].items():
+        for area, readers in self._by_column[at.sheet, at.column].items():
             if area.holds(at):
                 yield from readers
 
