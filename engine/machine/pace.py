@@ -30,6 +30,8 @@ BELOW = 1e-9
 """of the rate: how far below it all limits are held"""
 APART = 1e-4
 """of x: trials nearer to each other tell nothing of a parabola's bend"""
+FLAT = 1e-9
+"""of what is asked for at rest: what rises by no more does not rise, but for rounding"""
 REACH = 10.0
 """times the x of a trial: beyond that it only tells a power of ten"""
 TRUSTED = 100.0
@@ -225,7 +227,7 @@ class Pace:
         limits = (self.rated_torque**2, self.reducer.mean_torque)
         rest = (self.mean_square(0.0), self.mean_torque(0.0))
         present = (self.demand.rms_torque**2, self.demand.mean_shaft_torque(1))
-        rises = [value - first for value, first in zip(present, rest, strict=True)]
+        rises = [risen(value, first) for value, first in zip(present, rest, strict=True)]
         bends = (rises[0], 0.0)
         square, mean = (met(*one, 1.0) for one in zip(present, rises, bends, rest, limits, strict=True))
         found = [Trials(1.0, square, mean)]
@@ -309,6 +311,12 @@ def meets(part: BentPart, shaft: int, limit: float, way: float) -> float:
     return far
 
 
+def risen(value: float, rest: float) -> float:
+    """Return by how much a value is above that at rest; 0 where that is rounding."""
+    rise = value - rest
+    return rise if abs(rise) > FLAT * abs(rest) else 0.0
+
+
 def met(
     value: float, rise: float, bend: float, rest: float, limit: float, x: float, turn: float = 0.0
 ) -> Trial:  # fmt: skip
@@ -337,7 +345,7 @@ def further(
 
     ``lone`` is the power of x with which it grows if it tells nothing beside others; None after the first trial.
     """
-    rise = (value - rest) / x if x > 0.0 else 0.0
+    rise = risen(value, rest) / x if x > 0.0 else 0.0
     turn = rise - last.rise
     if told(x, before, lone is None):
         bend = turn / (x - before)

@@ -204,6 +204,7 @@ def searched(
     """Return the columns of a quantity that is asked for at trials, and where it meets its limit."""
     d, t, c, b, w = (f"{name}{mark}" for name in "dtcbw")
     size = max(1e-9, *(abs(one.value) for one in found))
+    rises = f"AND([x]>0,ABS([v{mark}]-{rest})>check_zero*ABS({rest}))"
     over = f"({limit}-{rest})"
     inside = f"[{b}]^2+4*[{c}]*{over}"
     meets_at = f"IF({rest}>{limit},0,IF([{w}]*{FARTHEST}<=2*{over},{FARTHEST},"
@@ -217,7 +218,7 @@ def searched(
     term = f"IF({inside}<0,0,[{b}]+SQRT(MAX(0,{inside})))"
     return [
         calc(f"v{mark}", words, "F", unit, formulas, [one.value for one in found], scale=size),
-        calc(d, "its rise from rest", "D", "", f"=IF([x]>0,([v{mark}]-{rest})/[x],0)",
+        calc(d, "its rise from rest", "D", "", f"=IF({rises},([v{mark}]-{rest})/[x],0)",
              [one.rise for one in found], scale=rise, source="(F − F_0)/x"),
         calc(t, "changes by", "", "", first("=0", f"=[{d}]-[{d}-1]"), [one.turn for one in found], scale=rise),
         calc(c, "bend", "c", "", [f"={lone}", f"{turned}{lone}", *later(f"{turned}[{c}-1]")],

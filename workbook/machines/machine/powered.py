@@ -50,7 +50,7 @@ def power_columns(view: Stretched) -> list[Quantity]:
         end("b", "begin", 0), end("e", "end", 1),
         *top(view, "a", "0", "z0", "p3"), *top(view, "c", "1", "p3", "z4"),
         calc("pwk", "where the torque bends", "", "W",
-             f"=IF([x1]+[x2]=0,0,(0-[sign])*@turning*MAX({bend(1)},{bend(2)}))", of(lambda one: one.at_bends),
+             f"=IF([x1]+[x2]=0,0,(0-[sign])*@turning*MAX({bend(1)},{bend(2)}))", of(lambda one: one.at_bends, 0.0),
              scale=size),
         *errors(view),
     ]  # fmt: skip
@@ -103,8 +103,8 @@ def errors(view: Stretched) -> list[Quantity]:
         calc("nm", "greatest y''''", "", "", f"=IF([A]=0,MAX({snap}),ABS([A]*[om]^4))", of(lambda one: one.snap),
              scale=view.most_snap),
         calc("off", "straight lines are off by at most", "", "W",
-             f"=ABS([dir])*@turning/power_efficiency*(({bend})*{short}^2/8+{broken}*{short}/4)",
-             of(view.off), scale=max(view.most_off, 1e-3)),
+             f"=[on]*ABS([dir])*@turning/power_efficiency*(({bend})*{short}^2/8+{broken}*{short}/4)",
+             of(view.off, 0.0), scale=max(view.most_off, 1e-3)),
     ]  # fmt: skip
 
 
