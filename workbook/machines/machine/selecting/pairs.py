@@ -43,7 +43,7 @@ def grid(
     sheet.row += 1
     heads = sheet.table(
         f"@{name}_heads", "Reducers: name, reduction", 2,
-        constant("what", "", "", "", ["name", "reduction"]), constant("k", "", "", "", [1, 2], format=";;"),
+        constant("what", "", "", "", ["name", "reduction"]), constant("k", "", "", "", [1, 2], format="0"),
     )  # fmt: skip
     for c in range(1, across + 1):
         told = [f'=[reducers.name.{c}]&""', f"=[@reducers.i.{c}]+0"]
