@@ -167,7 +167,8 @@ def test_parts_of_a_drive_have_their_room_whichever_axis_it_moves():
 def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(law, tmp_path):
     axes = [driven((0, 90, 2.0, "mine"), (180, 200, -2.0, "CIC"))]
     data = described().model_dump()
-    machine = checked(TEMPLATE, data | {"laws": data["laws"] | {"mine": law}, "axes": axes, "clearances": []}, str)
+    alone = {"axes": axes, "clearances": [], "selection": {}}
+    machine = checked(TEMPLATE, data | {"laws": data["laws"] | {"mine": law}} | alone, str)
     assert [fault.key for fault in machine.design.faults] == ["axes.0.phases.0.law"]
     build(machine, tmp_path / "book.xlsx")
     report = verify(tmp_path / "book.xlsx")
