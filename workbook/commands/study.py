@@ -72,7 +72,7 @@ def ran(
     begin = time.perf_counter()
     small = plan.space.way.kind != "evolution" and sum(1 for _ in zip(pieces(plan.space), range(2), strict=False)) < 2
     with parts.opened(resume, force), pool(1 if small and scheduler is None else jobs, scheduler) as workers:
-        with progress(plan.space.size) as done:
+        with interruptible(parts), progress(plan.space.size) as done:
             found = run(plan, parts, workers, done)
         names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, "feasible", "impossible"]
         rows = [parts.rows(number) for number in sorted(parts.complete())]
@@ -109,6 +109,16 @@ def best_judged(plan: Plan, found: Summary) -> Judged:
     """Build and verify the best design where nobody looks."""
     with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
         return picked(plan, found.best[0], Path(folder) / "best.xlsx", False)
+
+
+@contextmanager
+def interruptible(parts: Parts) -> Iterator[None]:
+    """Say what is kept where the work is interrupted from the keyboard."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
+        raise
 
 
 @contextmanager

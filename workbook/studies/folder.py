@@ -34,10 +34,14 @@ class Parts:
         return read(self.folder / TOLD) == self._told
 
     @property
+    def held(self) -> str:
+        """What lies there of this study, and how it goes on."""
+        return f"holds {len(self.complete())} complete parts of this study; --resume goes on with them"
+
+    @property
     def _refused(self) -> str:
         if self.mine:
-            said = f"holds {len(self.complete())} complete parts of this study"
-            return f"{said}; --resume goes on with them, --force begins anew"
+            return f"{self.held}, --force begins anew"
         said = "holds parts of another study, or of this one before it was changed"
         return f"{said}; --force begins anew, -o names other results"
 

@@ -44,6 +44,10 @@ class Vary(Model):
             )
         if self.steps is not None and not ranged:
             raise EntryError("steps", "only a range has steps; expected none")
+        values = self.values or []
+        twice = next((n for n, value in enumerate(values) if value in values[:n]), None)
+        if twice is not None:
+            raise EntryError(f"values.{twice + 1}", f"{values[twice]!r} stands there twice; expected each value once")
         return self
 
     @property

@@ -111,6 +111,18 @@ def test_no_room_to_write_is_a_line_and_the_study_goes_on_when_there_is(tmp_path
     assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 181
 
 
+def test_a_command_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, capsys):
+    from workbook.commands import study as command_
+
+    study, results = written(tmp_path, *VARIED, **GOALS), tmp_path / "r.csv"
+    monkeypatch.setattr(command_, "run", lambda plan, parts, workers, told: run(plan, parts, HERE, stop_after(2)))
+    with pytest.raises(KeyboardInterrupt):
+        command_.study(study, results, None, 1, False, None, True, False)
+    said = " ".join(capsys.readouterr().err.split())
+    assert "Interrupted." in said
+    assert "holds 2 complete parts of this study; --resume goes on with them" in said
+
+
 @POSIX
 @pytest.mark.parametrize("kills", [3, pytest.param(25, marks=pytest.mark.nightly)])
 def test_a_command_killed_at_any_time_goes_on_to_the_same_bytes(tmp_path, monkeypatch, kills):

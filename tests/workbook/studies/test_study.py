@@ -189,6 +189,8 @@ def test_a_result_that_only_the_book_has_comes_from_it(tmp_path):
         ([laws("MTP")], {"results": ["drive1_rsm"]}, "no result is named 'drive1_rsm'; expected drive1_rms"),
         ([stops(90, 80, 3)], {}, "the range from 90 to 80 is empty"),
         ([{"key": f"{FEED}.law", "values": []}], {}, "values"),
+        ([laws("MTP", "CUB", "MTP")], {}, "vary.1.values.3: 'MTP' stands there twice"),
+        ([{"key": "master.rate", "values": [60, 60.0]}], {}, "60.0 stands there twice"),
         ([stops(60, 90)], {}, "expects steps of each range"),
         ([stops(60, 90, 1_000_000_000)], {}, "1,000,000,000 designs in full; expected at most"),
         ([laws("MTP"), laws("CUB")], {}, "varies twice"),
