@@ -118,9 +118,8 @@ def test_a_drive_integrates_phases_that_hand_over():
     assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=1e-9)
 
 
-def test_a_drive_tells_a_phase_that_moves_there_and_back():
-    one = machine(axis("A", OUT, STEP, BACK, **DRIVE))
+def test_a_drive_tells_a_law_of_ones_own_that_turns_back_between_its_ends():
+    back = {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}
+    one = machine(axis("A", phase(0.0, 90.0, 30.0, "OWN"), **DRIVE), own=back)
     assert [fault.rule for fault in one.design.faults] == ["shaped1"]
     assert computed(MACHINE, one)("drive1_ok_laws") == "FAIL"
-    parted = (phase(130.0, 160.0, 5.0, "PO5"), phase(160.0, 300.0, -55.0, "PO5", velocity=0.0, acceleration=-0.05))
-    assert machine(axis("A", OUT, STEP, *parted, **DRIVE)).design.faults == ()
