@@ -116,10 +116,3 @@ def test_a_drive_integrates_phases_that_hand_over():
     assert value("drive1_tmax") == pytest.approx(found.torque.highest.value, rel=1e-9)
     assert value("drive1_rms") == pytest.approx(found.rms_torque, rel=1e-9)
     assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=1e-9)
-
-
-def test_a_drive_tells_a_law_of_ones_own_that_turns_back_between_its_ends():
-    back = {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}
-    one = machine(axis("A", phase(0.0, 90.0, 30.0, "OWN"), **DRIVE), own=back)
-    assert [fault.rule for fault in one.design.faults] == ["shaped1"]
-    assert computed(MACHINE, one)("drive1_ok_laws") == "FAIL"

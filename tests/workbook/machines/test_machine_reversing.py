@@ -5,7 +5,7 @@ import pytest
 
 from engine.machine.demand import Demand
 from tests.engine.machine.machines import sampled
-from tests.workbook.cells import disagreeing
+from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine_handing import (
     BACK,
     DRIVE,
@@ -87,3 +87,26 @@ def test_torque_power_and_energy_by_dense_samples(name):
     assert found.rms_torque == pytest.approx(np.sqrt(square / course.told.total), rel=1e-5)
     work = sum(np.trapezoid(row[1] * row[2], row[0]) for row in rows) / course.speed
     assert found.energy.net == pytest.approx(work, rel=1e-5)
+
+
+BACK_AND_FORTH = {"OWN": {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}}
+POINTS = [{"angle": at, "position": y} for at, y in ((-60.0, -20.0), (0.0, 0.0), (40.0, 30.0), (200.0, 100.0))]
+REFUSED = {
+    "a law of one's own that turns back": lambda: machine(
+        axis("A", phase(0.0, 90.0, 30.0, "OWN"), **DRIVE), laws=BACK_AND_FORTH
+    ),
+    "a phase that turns back behind a table of positions": lambda: moved(
+        CASES["quintic"], mechanism={"kind": "table", "efficiency": 0.9, "points": POINTS}
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_a_drive_does_not_take_leaves_the_design_unfinished(name):
+    assert [fault.rule for fault in REFUSED[name]().design.faults] == ["shaped1"]
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", REFUSED)
+def test_the_sheet_says_what_a_drive_does_not_take(name):
+    assert computed(MACHINE, REFUSED[name]())("drive1_ok_laws") == "FAIL"
