@@ -333,7 +333,9 @@ class Book:
     """columns ``table.column`` of keys 2 · number + share, of which a look-up reads those of its number alone"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
-        """Add a sheet behind the ones that are there."""
+        """Add a sheet behind the ones that are there. Raises ValueError where one of them has its title."""
+        if any(sheet.title.casefold() == title.casefold() for sheet in self.sheets):
+            raise ValueError(f"the sheet {title} is declared twice")
         self.sheets.append(Sheet(self, title, purpose))
         return self.sheets[-1]
 
