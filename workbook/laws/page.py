@@ -29,6 +29,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
     """Declare the sheet of one law."""
     page, law, entered = one.page, one.law, one.entered
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
+    sheet.called = one.called
     rise = Rise(law, si(entered.lift, MM), entered.time)
     with sheet.scoped(f"{one.slug}_"):
         sheet.heading("Enter")

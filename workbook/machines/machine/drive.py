@@ -87,7 +87,9 @@ def drive_sheet(book: Book, view: Stretched) -> None:
 def begun(book: Book, driven: Driven) -> Sheet:
     """Return the sheet, called by the name that the axis had when the book was built."""
     title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
-    return book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
+    sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
+    sheet.called = driven.called
+    return sheet
 
 
 def size(driven: Driven) -> list[Quantity]:
