@@ -11,8 +11,10 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.rows import filled
 from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane
+from workbook.entries.titles import sheet_title
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen
+from workbook.machines.machine.chain import TABLE
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
@@ -50,15 +52,20 @@ STRAIGHT = {
     "returned": "=SUM([@st.returns])",
 }
 """the results of a drive of constant ratios, by its stretches"""
+BACKWARD = "MIN([@st.dir])<0"
+"""whether the motor turns backward too"""
 MACHINES, OWN = "the machine's rate", "a rate of its own"
-UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
+UNSHAPED = (
+    "a phase has a law of other pieces than polynomials and sines, or one that turns back between its ends, or "
+    "turns round too often"
+)
 
 
 def drive_sheet(book: Book, view: Stretched) -> None:
     """Declare the sheet."""
     one, driven = view.one, view.driven
     i = driven.number
-    sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
+    sheet = begun(book, driven)
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven, size(driven))
         outcome(sheet, one, driven, STRAIGHT, [*power_peaks(view, PEAKS), *highest(view)])
@@ -68,8 +75,8 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
-        workings(sheet, one, driven, ratios(driven))
-        cycle(sheet, one, driven)
+        workings(sheet, one, driven, ratios(driven), way_of(view))
+        cycle(sheet, view)
         lines(sheet, driven)
         turns_table(sheet, view)
         breaks_table(sheet, view)
@@ -78,9 +85,16 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         stretches_table(sheet, view, *power_columns(view), *pace_columns(view), *behind.columns(view))
         pace_tables(sheet, view)
         behind.means(sheet, view)
-        backward = f"MIN([axis{i}.h])<0"
-        limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
+        limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), BACKWARD)
     sheet.print_columns = 18
+
+
+def begun(book: Book, driven: Driven) -> Sheet:
+    """Return the sheet, called by the name that the axis had when the book was built."""
+    title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
+    sheet.called = driven.called
+    return sheet
 
 
 def size(driven: Driven) -> list[Quantity]:
@@ -95,7 +109,8 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     m, key = driven.given, f"axes.{driven.number - 1}"
     sheet.heading("Enter")
     sheet.rows(
-        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left"),
+        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left",
+             source="its sheet keeps the name that it was built with"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
         given("@own_rate", "Rate that it is sized at, if not the machine's", "n", "cycles/min", driven.entered.rate,
               f"{key}.rate", format="0.0##", source="empty: the machine's"),
@@ -202,34 +217,37 @@ def outcome(
 
 def checks(driven: Driven, mends: Said = NOTHING) -> list[Quantity]:
     """Return the checks against the limits of motor and reducer."""
-    label = f"Drive {driven.number}"
     return [
-        *limit_checks(driven.reserve, label, mends=mends),
+        *limit_checks(driven.reserve, driven.called, mends=mends),
         *reducer_checks(driven, mends),
-        chosen.told(driven.number),
+        chosen.told(driven.number, driven.called),
     ]
 
 
 def laws_check(driven: Driven, one: AxisRows) -> Quantity:
     """Return the check that the sheet knows the motion's pieces."""
     number = driven.number
-    return check("@ok_laws", f"Drive {number}: the laws are of stages that this sheet integrates", known(number, one),
+    return check("@ok_laws", f"{driven.called}: the laws are of stages that this sheet integrates", known(driven, one),
                  True, "for the RMS torque", f":shaped{number}", f'"{UNSHAPED}"')  # fmt: skip
 
 
-def known(number: int, one: AxisRows) -> str:
-    """Return the condition under which the stretches know all of the motion's pieces."""
+def known(driven: Driven, one: AxisRows) -> str:
+    """Return the condition under which the stretches know all of the motion's pieces.
+
+    Phases pass the points of a table of positions once: none of them may turn round.
+    """
+    number = driven.number
     table, powers = f"axis{number}_pieces", one.pieces.powers
     curved = "+".join(f"([{table}.c{n}]<>0)" for n in range(3, powers))
-    beyond = [f"SUMPRODUCT(([{table}.c{n}]<>0)*1)" for n in range(6, powers)]
-    beyond += [f"SUMPRODUCT(([{table}.A{sine.mark}]<>0)*1)" for sine in one.pieces.sines[1:]]
+    beyond = [f"SUMPRODUCT(([{table}.A{sine.mark}]<>0)*1)" for sine in one.pieces.sines[1:]]
     mixed = f"SUMPRODUCT(([{table}.A]<>0)*({curved}))"
-    return "+".join([mixed, *beyond, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
+    turns = one.ends.turning_round() if one.ends and driven.given.kind == TABLE else []
+    return "+".join([mixed, *beyond, *turns, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
 
 
 def reducer_checks(driven: Driven, mends: Said) -> list[Quantity]:
     """Return the checks of the reducer's limits."""
-    label, (torque, mean, speed) = f"Drive {driven.number}: ", driven.reducer_checks
+    label, (torque, mean, speed) = f"{driven.called}: ", driven.reducer_checks
     fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
     return [
         check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_peak=0,@smax<=@reducer_peak)",
@@ -255,11 +273,17 @@ def ratios(driven: Driven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]) -> None:
-    """Declare ratios, inertias and what resists."""
+def way_of(view: Stretched) -> Quantity:
+    """Return the row of the way; where phases hand over, one may move there and back."""
+    driven, h = view.driven, f"[axis{view.driven.number}.h]"
+    formula = "=SUM([@st.w])" if view.one.ends else f"=SUMPRODUCT({h}*(({h}>0)-({h}<0)))"
+    return calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if driven.travels else "rad", formula, view.way)
+
+
+def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity], *more: Quantity) -> None:
+    """Declare ratios, inertias and what resists, and more rows."""
     m, load = driven.mechanism, driven.load
     travels = driven.travels
-    way = f"[axis{driven.number}.h]"
     steady = "=@force+@m*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
     rubbing = "=@friction*@m*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
     gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
@@ -271,6 +295,8 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]
 
     sheet.heading("Workings: the chain")
     sheet.rows(
+        constant("@built", "Axis, named when the book was built", "", "", driven.entered.called, align="left",
+                 source="its sheet and its checks keep this name"),
         *gravity,
         calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
              shown(driven.axis.speed, one.axis.speed)),
@@ -286,16 +312,16 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.fastest),
         calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
-        calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if travels else "rad",
-             f"=SUMPRODUCT({way}*(({way}>0)-({way}<0)))", driven.way),
+        *more,
     )  # fmt: skip
 
 
-def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
+def cycle(sheet: Sheet, view: Stretched) -> None:
     """Declare speed and torque over the cycle, for the chart."""
-    i, t = driven.number, one.name
-    at, near = one.machine.samples, one.axis.motion.tolerance
-    going, angles = one.going(at), np.minimum(at + near, one.axis.motion.total - near)
+    one, driven = view.one, view.driven
+    i, at, near = driven.number, one.machine.samples, one.axis.motion.tolerance
+    going, angles = view.going(at), np.minimum(at + near, one.axis.motion.total - near)
+    reached = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
     speed, torque, behind, force = driven.samples(one.axis.told(at).x, going, angles)
     acts = ACTS.format(x="MIN(INDEX([cycle.theta],[k]+1)+timing_eps,360-timing_eps)")
     sheet.heading("Table over the cycle")
@@ -308,8 +334,7 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
                f"+@j0*@i*@faster^2*INDEX([cycle.tt{i}],[k]+1))",
                torque, scale=driven.sizes.torque, source="f T_1/i_1 + J_0 i ÿ"),
         calc("dir", "direction", "", "",
-             f"=SIGN(INDEX([{t}_steps.h],INDEX([{t}_pieces.p],INDEX([cycle.q{i}],[k]+1))))", going, format="0",
-             source="of the phase"),
+             f"=INDEX([@st.dir],MATCH({reached},[@st.b],1))", going, format="0", source="of the stretch"),
         calc("force", "at the load", "F", "",
              f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))"
              f"+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force,

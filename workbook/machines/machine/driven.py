@@ -41,6 +41,11 @@ class Driven:
         self.number = axis.number
 
     @property
+    def called(self) -> str:
+        """The drive by its axis' name, as its sheet and its checks are called."""
+        return f"Drive {self.entered.called}"
+
+    @property
     def kind(self) -> Kind:
         """The mechanism's kind."""
         return KINDS[self.given.kind]
@@ -174,11 +179,6 @@ class Driven:
     def way(self) -> float:
         """How far the axis goes in a cycle, there and back (m or rad)."""
         return sum(abs(phase.lift) for phase in self.axis.motion.phases)
-
-    @property
-    def lowest_direction(self) -> float:
-        """−1 where the axis moves backward in any phase, else 0."""
-        return -1.0 if any(move.lift < 0.0 for move in self.axis.moves.values()) else 0.0
 
     @property
     def at_motor(self) -> float:
