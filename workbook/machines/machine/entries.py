@@ -90,8 +90,8 @@ class Axis(Model):
         if (self.mechanism is None) != (self.motor is None):
             missing = "mechanism" if self.mechanism is None else "motor"
             raise EntryError(missing, "empty; a drive has a mechanism and a motor")
-        if self.rate is not None and self.motor is None:
-            raise EntryError("rate", f"{figure(self.rate)} of an axis without a drive; expected none")
+        if self.motor is None:
+            self._nothing_driven()
         free = self.mechanism and self.mechanism.kind in EITHER
         if self.mechanism and not free and (self.mechanism.kind in TURNING) != (self.unit == "°"):
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
@@ -103,6 +103,12 @@ class Axis(Model):
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of an axis in {self.unit}; expected none")
         return self
+
+    def _nothing_driven(self) -> None:
+        """Raise EntryError for what belongs to a drive, and would stand nowhere."""
+        for name in ("rate", "load", "parts", "reducer"):
+            if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
+                raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, or that begin before the one above ends."""
