@@ -34,7 +34,7 @@ from workbook.machines.machine.chain import (
     PowerEntry,
     Reducer,
 )
-from workbook.machines.machine.choice import Choice
+from workbook.machines.machine.choice import UNCHOSEN, Choice
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
@@ -195,13 +195,13 @@ class AnyMachine(Exporting):
         return [i for i, axis in axes if axis.motor and axis.mechanism and axis.mechanism.kind not in LINKED]
 
     def _chooses(self) -> None:
-        """Raise EntryError where Selection looks at no axis with a drive of constant ratio."""
+        """Raise an error where Selection looks at no axis with a drive of constant ratio."""
         name, names = self.selection.axis, [self.axes[i].name for i in self.choosable]
-        if name is not None and place_of(name, names) < 0:
-            expected = f"one of {', '.join(names)}" if names else "none: no axis has a drive of constant ratio"
-            raise EntryError(
-                "selection.axis", f"no axis with a drive of constant ratio is named {name!r}; expected {expected}"
-            )
+        if name is None or place_of(name, names) >= 0:
+            return
+        if not names:
+            raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has such a drive")
+        raise TogetherError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", names[0])])
 
     def _find_room(self) -> None:
         """Settle the room for the pieces of an axis: those of its phases, and a rest between each two."""
