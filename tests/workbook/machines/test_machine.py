@@ -193,7 +193,8 @@ def test_a_drive_that_is_none_is_refused(entries, said):
 @pytest.mark.parametrize(
     "entries",
     [
-        {"rate": 100.0}, {"load": {"mass": 3.0}}, {"parts": [{"name": "Roll", "inertia": 1e-3, "count": 1, "shaft": "motor"}]},
+        {"rate": 100.0}, {"load": {"mass": 3.0}},
+        {"parts": [{"name": "Roll", "inertia": 1e-3, "count": 1, "shaft": "motor"}]},
         {"reducer": {"ratio": 5.0}}, {"load": {"windows": [{"start": 10.0, "stop": 20.0, "force": 5.0}]}},
     ],
     ids=lambda entries: next(iter(entries)),
