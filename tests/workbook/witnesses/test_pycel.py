@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from itertools import chain
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -519,7 +520,7 @@ NUMBERS = st.one_of(st.integers(-(10**6), 10**6), st.floats(-1e9, 1e9))
 @given(NUMBERS, st.sampled_from([*shortcuts.SIMPLE, "Div"]), NUMBERS)
 def test_the_straight_way_of_an_operator_leads_where_pycels_own_leads(left: Any, name: str, right: Any) -> None:
     own = build_operators(lambda is_exception, message: None)
-    assert shortcuts.operators()(left, name, right) == own(left, name, right)
+    assert same_values([shortcuts.operators()(left, name, right)], [own(left, name, right)])
 
 
 COLUMNS = st.lists(st.one_of(NUMBERS, st.sampled_from(["x", None, True, "#N/A", "3"])), min_size=3, max_size=3)
@@ -533,32 +534,44 @@ def test_the_straight_way_over_ranges_leads_where_pycels_own_leads(one: Any, nam
     if turned:
         left, right = right, left
     own = build_operators(lambda is_exception, message: None)
-    assert plain(shortcuts.operators()(left, name, right)) == own(left, name, right)
+    assert same_values(chain(*plain(shortcuts.operators()(left, name, right))), chain(*own(left, name, right)))
 
 
-LONG = st.lists(st.one_of(NUMBERS, NUMBERS.map(lambda x: x * 1e200), st.sampled_from([0.1 + 0.2, 0.3])), min_size=6,
-                max_size=6)  # fmt: skip
+FAR = NUMBERS.map(lambda x: x * 1e200)
+LONG = st.lists(st.one_of(NUMBERS, FAR, st.sampled_from([0.1 + 0.2, 0.3])), min_size=6, max_size=6)
 
 
 @given(LONG, st.sampled_from([*shortcuts.SIMPLE, "Div", "Pow"]), st.one_of(LONG, NUMBERS), st.booleans(), st.booleans())
-def test_arrays_hold_what_pycels_own_way_makes_of_ranges(
-    one: Any, name: str, two: Any, turned: bool, wide: bool
-) -> None:
-    shaped = lambda part: tuple(zip(*[iter(part)] * 3, strict=True)) if wide else tuple((v,) for v in part)  # noqa: E731
-    left, right = (shaped(part) if isinstance(part, list) else part for part in (one, two))
-    if turned:
-        left, right = right, left
-    own = build_operators(lambda is_exception, message: None)(left, name, right)
+def test_arrays_hold_what_is_made_of_each_element(one: Any, name: str, two: Any, turned: bool, wide: bool) -> None:
+    left, right = (two, one) if turned else (one, two)
+    operate = shortcuts.operators()
+    pairs = zip(*(part if isinstance(part, list) else [part] * 6 for part in (left, right)), strict=True)
+    each = [outcome_of(lambda a=a, b=b: operate(a, name, b)) for a, b in pairs]
+    ranges = [shortcuts.in_rows(part, 3 if wide else 1) if isinstance(part, list) else part for part in (left, right)]
     for _ in range(2):  # what was made once is known
-        made = plain(shortcuts.operators()(left, name, right))
-        assert [len(row) for row in made] == [len(row) for row in own]
-        assert same_values(chain(*made), chain(*own))
+        made = outcome_of(lambda: plain(operate(ranges[0], name, ranges[1])))
+        if made is OverflowError:
+            assert OverflowError in each
+            continue
+        assert [len(row) for row in made] == ([3, 3] if wide else [1] * 6)
+        assert same_values(chain(*made), each)
+
+
+def outcome_of(made: Any) -> Any:
+    """What is made, or that it overflows."""
+    with np.errstate(all="ignore"):
+        try:
+            return made()
+        except OverflowError:
+            return OverflowError
 
 
 def same_values(made: Any, own: Any) -> bool:
     """Whether values are the same, numbers to the last digit but one."""
-    near = lambda a, b: isinstance(a, float | int) and math.isclose(a, b, rel_tol=4e-16)  # noqa: E731
-    return all(a == b or (isinstance(b, float | int) and near(a, b)) for a, b in zip(made, own, strict=True))
+    return all(
+        a == b or (isinstance(a, float | int) and isinstance(b, float | int) and abs(a - b) <= 4e-16 * abs(b))
+        for a, b in zip(made, own, strict=True)
+    )
 
 
 STRAIGHT = [

@@ -39,7 +39,7 @@ def operators() -> Callable[[Any, str, Any], Any]:
                 return SIMPLE[operator](left, right)
             if operator == "Div" and right:
                 return DIVIDE(left, right)
-            if operator == "Pow" and right > 0:
+            if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
                 return raised(left, right)
         elif kind in RANGES or other in RANGES:
             made = operated(left, operator, right) if kind in PLAIN and other in PLAIN else None
