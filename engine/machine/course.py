@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -237,6 +238,12 @@ class Course:
     def fastest(self) -> float:
         """The largest |y'| of the motion."""
         return max(_largest(position(piece).derivative(), piece.duration) for piece in self._moved)
+
+    @property
+    def way(self) -> float:
+        """How far the load goes over the cycle, there and back (m or rad)."""
+        ends = [(position(one.piece), one) for one in self.spans if one.going]
+        return math.fsum(abs(y(one.high) - y(one.low)) for y, one in ends)
 
     def _of(self, piece: MotionPiece) -> Iterator[Span]:
         """Yield the spans of a piece."""

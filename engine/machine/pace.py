@@ -21,6 +21,7 @@ from engine.laws.base import Array
 from engine.machine.bent import LEAST, LOST, BentPart
 from engine.machine.demand import Demand
 from engine.machine.limits import ReducerLimits
+from engine.machine.rows import Rows, rows_of
 from engine.machine.searching import rule
 
 TRIALS = 5
@@ -94,14 +95,9 @@ class Pace:
         return np.array([figure(part) for part in self.parts], dtype=np.float64)
 
     @cached_property
-    def powers(self) -> Array:
-        """The coefficients of y of each stretch's piece, up to the fifth power, a column each."""
-        return np.array([(*part.piece.c, *([0.0] * 6))[:6] for part in self.parts]).T[:, :, None]
-
-    @cached_property
-    def sines(self) -> Array:
-        """A, ω and φ of each stretch's piece, a column each."""
-        return np.array([part.piece.sines[0] for part in self.parts]).T[:, :, None]
+    def rows(self) -> Rows:
+        """The pieces of the stretches, for places in rows."""
+        return rows_of([part.piece for part in self.parts]).over(2)
 
     @cached_property
     def factors(self) -> Array:
@@ -115,15 +111,11 @@ class Pace:
 
     def eta(self, u: Array) -> Array:
         """Return y at the present rate at places (rad) of each stretch, a row each."""
-        c, (a, om, phi) = self.powers, self.sines
-        bent = 2.0 * c[2] + u * (6.0 * c[3] + u * (12.0 * c[4] + u * 20.0 * c[5])) - a * om**2 * np.sin(om * u + phi)
-        return np.asarray(self.factors[:, None] * bent)
+        return np.asarray(self.factors[:, None] * self.rows.at(u, 2))
 
     def velocity(self, u: Array) -> Array:
         """Return |y'| at places of each stretch."""
-        c, (a, om, phi) = self.powers, self.sines
-        inner = c[1] + u * (2 * c[2] + u * (3 * c[3] + u * (4 * c[4] + u * 5 * c[5])))
-        return np.asarray(np.abs(inner + a * om * np.cos(om * u + phi)))
+        return np.asarray(np.abs(self.rows.at(u, 1)))
 
     def crossing(self, x: float, index: int) -> Crossing:
         """Return where y passes the first (1) or the second (2) level of its stretch at a rate, if it does."""

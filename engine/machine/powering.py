@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.bent import LOST, BentPart
+from engine.machine.bent import LOST, BentPart, septic
+from engine.motion.pieces import MotionPiece
 
 PARTS = 300
 """of a part of a stretch, and of these again, in which the slope of the power is looked at"""
@@ -34,6 +35,19 @@ def flat_up_to(torque: float, acceleration: float, speed: float) -> float:
     From the largest torque (Nm) and acceleration (per s²) of a motion whose abscissa advances at a speed (1/s).
     """
     return LOST * torque * acceleration / speed**2
+
+
+def bound(piece: MotionPiece, order: int, low: float, high: float) -> float:
+    """Return what a derivative of a polynomial stays below between two places, by Taylor's series from the middle."""
+    middle, half, powers = 0.5 * (low + high), 0.5 * (high - low), len(piece.c)
+    terms = [sum(taylor(m, n, order) * piece.c[m] * middle ** (m - n) for m in range(n, powers))
+             for n in range(order, powers)]  # fmt: skip
+    return sum(abs(term) * half**k for k, term in enumerate(terms))
+
+
+def taylor(power: int, n: int, order: int) -> int:
+    """Return the factor of a power of u in the term of Taylor's series of a derivative that has the n-th of y."""
+    return math.perm(power, n) // math.factorial(n - order)
 
 
 @dataclass(frozen=True)
@@ -123,6 +137,8 @@ class Powering:
         amplitude, omega, _ = one.piece.sines[0]
         if amplitude:
             return abs(amplitude * omega**3)
+        if septic(one.piece):
+            return bound(one.piece, 3, one.low, one.high)
         c4, c5 = one.piece.c[4:6]
         turn = max(one.low, min(one.high, -c4 / (5.0 * c5))) if c5 else one.low
         return float(np.abs(one.piece.derivative(3, np.array([one.low, one.high, turn]))).max())
@@ -134,6 +150,8 @@ class Powering:
         amplitude, omega, _ = one.piece.sines[0]
         if amplitude:
             return abs(amplitude * omega**4)
+        if septic(one.piece):
+            return bound(one.piece, 4, one.low, one.high)
         c4, c5 = one.piece.c[4:6]
         return max(abs(24.0 * c4 + 120.0 * c5 * u) for u in (one.low, one.high))
 

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from engine.laws import Dwell, Law
 from engine.laws.ends import STILL, EndedLaw, EndError, Ends, between, kind, require_ends
-from engine.laws.piece_extremes import extremes_of
 from engine.laws.straight_line import StraightLine
 from engine.motion.motion import Motion
 from engine.motion.phase import Phase
@@ -123,13 +122,6 @@ def joined(
         kinds.append(_kinds(made[-1], sides))
         asked.append(sides)
     return Joined(Motion(made, start, position), tuple(faults), tuple(kinds), tuple(asked))
-
-
-def turns_round(phase: Phase) -> bool:
-    """Whether a phase with prescribed ends moves there and back."""
-    low, high = extremes_of(phase.law.as_pieces(), phase.law.start.v).v
-    least = STILL * max(abs(low), abs(high))
-    return isinstance(phase, EndedPhase) and low < -least and high > least
 
 
 def _side(neighbour: Phase | None, entered: Rates | None) -> Side:

@@ -23,6 +23,8 @@ PARTS, ROUNDS = 100, 3
 LOST = 1e-9
 """of a function's scale: below this it has no sign"""
 GRID = np.arange(1, PARTS + 1) / PARTS
+WITHIN = float(PARTS) ** -ROUNDS
+"""of a bracket: the width of its last part"""
 
 
 class Narrowed(NamedTuple):
@@ -86,10 +88,39 @@ class Ladder:
             edges = [0.0, *(one.place for one in found[order]), 1.0]
         return found
 
+    def end_sign(self, order: int) -> float:
+        """Return the sign of a derivative at ξ = 1; 0 where it has none."""
+        value = float(self.value(order, np.ones(1))[0])
+        return float(np.sign(value)) if abs(value) > self.lost else 0.0
+
+    def changes(self, order: int) -> list[bool]:
+        """Return at which of its places a derivative changes its sign."""
+        signs = [*(one.sign for one in self.zeros[order]), self.end_sign(order)]
+        return [before * after < 0.0 for before, after in pairwise(signs)]
+
+    def changed(self, order: int, i: int, duration: float) -> float:
+        """Return where in a duration a derivative changes its sign in its i-th bracket; 0 where it does not.
+
+        A zero of y' is a step of Newton's nearer than the place that is known.
+        """
+        if not self.changes(order)[i]:
+            return 0.0
+        place = self.zeros[order][i].place
+        if order > 1:
+            return duration * place
+        v, a = (float(self.value(n, np.array([place]))[0]) for n in (1, 2))
+        return duration * (place - nearer(v, a, WITHIN, self.lost))
+
     def tops(self, order: int) -> list[float]:
         """Return a derivative (0 is y) where the next one is lost."""
         places = np.array([one.place for one in self.zeros[order + 1]])
         return self.value(order, places).tolist()  # type: ignore[no-any-return]
+
+
+def nearer(value: float, slope: float, most: float, least: float) -> float:
+    """Return a step of Newton's of at most a size; a slope of next to nothing, ``least``, counts as that."""
+    step = value * slope / max(slope**2, least**2)
+    return max(-most, min(most, step))
 
 
 class Turn(NamedTuple):
@@ -103,6 +134,17 @@ def turn_of(piece: MotionPiece, lost: float) -> Turn:
     """Return where y' of a piece, monotone on it, loses its sign; ``lost`` is what counts as no sign."""
     found = narrowed(lambda u: piece.derivative(1, u), 0.0, piece.duration, lost)
     return Turn(found, float(piece.derivative(0, np.array([found.place]))[0]))
+
+
+def rest_of(piece: MotionPiece, fastest: float) -> float:
+    """Return u at which a piece whose y' is monotone turns round; 0 where it does not beside the largest |y'|."""
+    d, lost = piece.duration, LOST * fastest
+    found = turn_of(piece, lost).at
+    place = found.place
+    v, a = (float(piece.derivative(order, np.array([place]))[0]) for order in (1, 2))
+    if found.sign * float(piece.derivative(1, np.array([d]))[0]) >= -lost:
+        return 0.0
+    return place - nearer(v, a, d * WITHIN, lost)
 
 
 def square_of(piece: MotionPiece) -> float:

@@ -156,8 +156,13 @@ class Ends(Neighbours):
             *self.halves(),
             *self.polynomial(),
             *self.turns.columns(),
+            *self.more(),
             blank="[span]=0",
         )  # fmt: skip
+
+    def more(self) -> list[Quantity]:
+        """Return further columns: none."""
+        return []
 
     def halves(self) -> list[Quantity]:
         """Return the columns of a law of two pulses between its ends."""

@@ -116,11 +116,3 @@ def test_a_drive_integrates_phases_that_hand_over():
     assert value("drive1_tmax") == pytest.approx(found.torque.highest.value, rel=1e-9)
     assert value("drive1_rms") == pytest.approx(found.rms_torque, rel=1e-9)
     assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=1e-9)
-
-
-def test_a_drive_tells_a_phase_that_moves_there_and_back():
-    one = machine(axis("A", OUT, STEP, BACK, **DRIVE))
-    assert [fault.rule for fault in one.design.faults] == ["shaped1"]
-    assert computed(MACHINE, one)("drive1_ok_laws") == "FAIL"
-    parted = (phase(130.0, 160.0, 5.0, "PO5"), phase(160.0, 300.0, -55.0, "PO5", velocity=0.0, acceleration=-0.05))
-    assert machine(axis("A", OUT, STEP, *parted, **DRIVE)).design.faults == ()

@@ -9,9 +9,8 @@ from workbook.book.declare import Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.machines.machine.bussed import Bus
-from workbook.machines.machine.powered import at, line
+from workbook.machines.machine.powered import line
 from workbook.machines.machine.stretched import Stretched
-from workbook.machines.machine.stretches import V
 
 OWN = re.compile(r"\[(\w+)\]")
 PLACE = "(([ub]+[ue])/2+({x}-[x])*PI()/180)"
@@ -53,7 +52,7 @@ def power_at(bus: Bus, one: Stretched) -> str:
     """Return the formula of a drive's power at the begin of a row: of the stretch that holds behind it."""
     i = one.driven.number
     u = PLACE.replace("{x}", "@b@")
-    text = f"{WITHIN.replace('{x}', '@b@')}*{at(V, u)}*{line(u)}"
+    text = f"{WITHIN.replace('{x}', '@b@')}*{one.velocity(u)}*{line(one, u)}"
     own = OWN.sub(rf"[drive{i}_st.\1]", text).replace("@b@", "[b]")
     return f"=IF([power.bus.{bus.row(one)}]=0,0,drive{i}_turning*SUMPRODUCT({own}))"
 

@@ -30,7 +30,8 @@ LARGE: dict[str, dict[str, Any]] = {
 }
 """of mechanisms of a ratio that changes, sizes with which it reaches wherever an axis goes"""
 TURNING = ("rotary table", "gear train")
-EITHER = ("table",)
+TABLE = "table"
+EITHER = (TABLE,)
 """mechanisms of axes that travel, and of those that turn"""
 LINKED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "crank-slider": (("crank", "rod"), ("offset", "zero", "branch", "position")),

@@ -7,19 +7,22 @@ from functools import lru_cache
 from engine.laws import Law
 from engine.laws.piece_extremes import extremes_of
 from engine.machine.bent import LOST, plain
-from engine.motion.joining import turns_round
+from engine.motion.joining import EndedPhase
 from engine.motion.pieces import Scaled, pieces_of
+from workbook.entries.turn import TURN
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
 from workbook.laws.registry import RISING
 from workbook.laws.shelf import LawShelf
-from workbook.machines.machine.chain import LARGE, LINKED
+from workbook.machines.machine.chain import LARGE, LINKED, TABLE
 from workbook.machines.machine.drive import UNSHAPED
+from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.linked.driven import LinkedDriven, apart, linkage_of
 from workbook.machines.machine.linked.reach import unreached_row
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
 from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import MovingAxis, Whole
 
 KNOWN = 256
@@ -34,12 +37,23 @@ def check(machine: AnyMachine) -> None:
             if phase.lift and not integrable(library[phase.law]):
                 raise DesignError(f"axes.{i}.phases.{k}.law", UNSHAPED, f"shaped{i + 1}", RISING[0])
     for one in Whole(machine, library).axes:
-        if one.given.motor and any(map(turns_round, one.phases)):
-            rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
-            fits = [phase.model_dump() | rest for phase in one.given.phases]
-            raise DesignError(f"axes.{one.number - 1}.phases", UNSHAPED, f"shaped{one.number}", fits)
+        if one.given.motor and any(isinstance(phase, EndedPhase) for phase in one.phases):
+            require_room(machine, one)
         if one.given.mechanism and one.given.mechanism.kind in LINKED:
             require_reached(machine, one)
+
+
+def require_room(machine: AnyMachine, axis: MovingAxis) -> None:
+    """Raise DesignError where phases between prescribed ends turn too often for the stretches of a drive's sheet."""
+    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
+    whole = Whole(machine, shelf.laws)
+    rows = AxisRows(whole, whole.axes[axis.number - 1], shelf.stack)
+    stretched = Stretched(rows, Driven(rows.axis, machine.selection))
+    tabled = axis.given.mechanism is not None and axis.given.mechanism.kind == TABLE
+    if len(stretched.spans) > stretched.rows or (tabled and any(angle < TURN for angle, _ in stretched.further)):
+        rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
+        fits = [phase.model_dump() | rest for phase in axis.given.phases]
+        raise DesignError(f"axes.{axis.number - 1}.phases", UNSHAPED, f"shaped{axis.number}", fits)
 
 
 def require_reached(machine: AnyMachine, axis: MovingAxis) -> None:

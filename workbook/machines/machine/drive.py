@@ -13,6 +13,7 @@ from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen
+from workbook.machines.machine.chain import TABLE
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.motion import AxisRows
@@ -51,8 +52,13 @@ STRAIGHT = {
     "returned": "=SUM([@st.returns])",
 }
 """the results of a drive of constant ratios, by its stretches"""
+BACKWARD = "MIN([@st.dir])<0"
+"""whether the motor turns backward too"""
 MACHINES, OWN = "the machine's rate", "a rate of its own"
-UNSHAPED = "a phase has a law of other pieces than polynomials of the fifth degree and sines, or turns back"
+UNSHAPED = (
+    "a phase has a law of other pieces than polynomials and sines, or one that turns back between its ends, or "
+    "turns round too often"
+)
 
 
 def drive_sheet(book: Book, view: Stretched) -> None:
@@ -69,8 +75,8 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
-        workings(sheet, one, driven, ratios(driven))
-        cycle(sheet, one, driven)
+        workings(sheet, one, driven, ratios(driven), way_of(view))
+        cycle(sheet, view)
         lines(sheet, driven)
         turns_table(sheet, view)
         breaks_table(sheet, view)
@@ -79,8 +85,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         stretches_table(sheet, view, *power_columns(view), *pace_columns(view), *behind.columns(view))
         pace_tables(sheet, view)
         behind.means(sheet, view)
-        backward = f"MIN([axis{i}.h])<0"
-        limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
+        limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), BACKWARD)
         rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18
 
@@ -217,18 +222,22 @@ def checks(driven: Driven, mends: Said = NOTHING) -> list[Quantity]:
 def laws_check(driven: Driven, one: AxisRows) -> Quantity:
     """Return the check that the sheet knows the motion's pieces."""
     number = driven.number
-    return check("@ok_laws", f"Drive {number}: the laws are of stages that this sheet integrates", known(number, one),
+    return check("@ok_laws", f"Drive {number}: the laws are of stages that this sheet integrates", known(driven, one),
                  True, "for the RMS torque", f":shaped{number}", f'"{UNSHAPED}"')  # fmt: skip
 
 
-def known(number: int, one: AxisRows) -> str:
-    """Return the condition under which the stretches know all of the motion's pieces."""
+def known(driven: Driven, one: AxisRows) -> str:
+    """Return the condition under which the stretches know all of the motion's pieces.
+
+    Phases pass the points of a table of positions once: none of them may turn round.
+    """
+    number = driven.number
     table, powers = f"axis{number}_pieces", one.pieces.powers
     curved = "+".join(f"([{table}.c{n}]<>0)" for n in range(3, powers))
-    beyond = [f"SUMPRODUCT(([{table}.c{n}]<>0)*1)" for n in range(6, powers)]
-    beyond += [f"SUMPRODUCT(([{table}.A{sine.mark}]<>0)*1)" for sine in one.pieces.sines[1:]]
+    beyond = [f"SUMPRODUCT(([{table}.A{sine.mark}]<>0)*1)" for sine in one.pieces.sines[1:]]
     mixed = f"SUMPRODUCT(([{table}.A]<>0)*({curved}))"
-    return "+".join([mixed, *beyond, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
+    turns = one.ends.turning_round() if one.ends and driven.given.kind == TABLE else []
+    return "+".join([mixed, *beyond, *turns, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
 
 
 def reducer_checks(driven: Driven, mends: Said) -> list[Quantity]:
@@ -259,11 +268,17 @@ def ratios(driven: Driven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]) -> None:
-    """Declare ratios, inertias and what resists."""
+def way_of(view: Stretched) -> Quantity:
+    """Return the row of the way; where phases hand over, one may move there and back."""
+    driven, h = view.driven, f"[axis{view.driven.number}.h]"
+    formula = "=SUM([@st.w])" if view.one.ends else f"=SUMPRODUCT({h}*(({h}>0)-({h}<0)))"
+    return calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if driven.travels else "rad", formula, view.way)
+
+
+def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity], *more: Quantity) -> None:
+    """Declare ratios, inertias and what resists, and more rows."""
     m, load = driven.mechanism, driven.load
     travels = driven.travels
-    way = f"[axis{driven.number}.h]"
     steady = "=@force+@m*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
     rubbing = "=@friction*@m*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
     gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
@@ -290,16 +305,16 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.fastest),
         calc("@hard", "Greatest acceleration", "", "", f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
-        calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if travels else "rad",
-             f"=SUMPRODUCT({way}*(({way}>0)-({way}<0)))", driven.way),
+        *more,
     )  # fmt: skip
 
 
-def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
+def cycle(sheet: Sheet, view: Stretched) -> None:
     """Declare speed and torque over the cycle, for the chart."""
-    i, t = driven.number, one.name
-    at, near = one.machine.samples, one.axis.motion.tolerance
-    going, angles = one.going(at), np.minimum(at + near, one.axis.motion.total - near)
+    one, driven = view.one, view.driven
+    i, at, near = driven.number, one.machine.samples, one.axis.motion.tolerance
+    going, angles = view.going(at), np.minimum(at + near, one.axis.motion.total - near)
+    reached = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
     speed, torque, behind, force = driven.samples(one.axis.told(at).x, going, angles)
     acts = ACTS.format(x="MIN(INDEX([cycle.theta],[k]+1)+timing_eps,360-timing_eps)")
     sheet.heading("Table over the cycle")
@@ -312,8 +327,7 @@ def cycle(sheet: Sheet, one: AxisRows, driven: Driven) -> None:
                f"+@j0*@i*@faster^2*INDEX([cycle.tt{i}],[k]+1))",
                torque, scale=driven.sizes.torque, source="f T_1/i_1 + J_0 i ÿ"),
         calc("dir", "direction", "", "",
-             f"=SIGN(INDEX([{t}_steps.h],INDEX([{t}_pieces.p],INDEX([cycle.q{i}],[k]+1))))", going, format="0",
-             source="of the phase"),
+             f"=INDEX([@st.dir],MATCH({reached},[@st.b],1))", going, format="0", source="of the stretch"),
         calc("force", "at the load", "F", "",
              f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))"
              f"+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force,

@@ -176,11 +176,6 @@ class Driven:
         return sum(abs(phase.lift) for phase in self.axis.motion.phases)
 
     @property
-    def lowest_direction(self) -> float:
-        """−1 where the axis moves backward in any phase, else 0."""
-        return -1.0 if any(move.lift < 0.0 for move in self.axis.moves.values()) else 0.0
-
-    @property
     def at_motor(self) -> float:
         """Inertia on the motor's shaft, with it (kg m²)."""
         return self.motor_used.inertia + self.mechanism.on_shaft(0)

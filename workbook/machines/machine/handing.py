@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
-from engine.motion.handover import Handover
+from engine.motion.handover import PULSES, SEPTIC, Handover
+from engine.motion.pieces import MotionPiece
+from engine.motion.turning import WITHIN, rest_of
 from workbook.book.declare import Quantity, calc
+from workbook.book.rows import filled
+from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.view import MovingAxis
 from workbook.motion.cells import PieceRows
 from workbook.motion.ends import Ends
 from workbook.motion.neighbours import Formulas
+from workbook.motion.sampled import in_piece
+from workbook.motion.turns import PLACES, WORDS
 
+FINEST = "/1000000"
+"""of a bracket: its last part"""
 PHASE, REST = 1, 0
 """of the number of a row in the table of steps, from 0: the remainder of a phase and of a rest"""
 
@@ -32,6 +41,102 @@ class StepEnds(Ends):
         self.axis = axis
         name = f"[axes.name.{axis.number}]", axis.given.name
         super().__init__(rows, axis.joined, axis.given.phases, used, name, entered=axis.passed)
+
+    def more(self) -> list[Quantity]:
+        """Return, of an axis with a drive, where polynomials turn round, and where those of degree 7 have extremes."""
+        if self.axis.given.motor is None:
+            return []
+        return [*self._rests(), *(self._bends() if self.turns.degree == SEPTIC else [])]
+
+    def _rests(self) -> list[Quantity]:
+        turns, width = self.turns, f"{WITHIN:.0E}".replace("E-0", "E-")
+        found = [self._last(1)]
+        for i in range(turns.degree - 1):
+            v, a = (turns.value(order, f"[r1_{i}]") for order in (1, 2))
+            step = f"MAX(0-{width},MIN({width},{v}*{a}/MAX({a}^2,[lost]^2)))"
+            found.append(
+                calc(f"rest{i + 1}", "turns round at", "u", "rad",
+                     f"=IF([s1_{i}]*{self._next(1, i)}<0,[span]*([r1_{i}]-{step}),0)", self._changes(1, i), scale=1.0,
+                     source="0: it does not")
+            )  # fmt: skip
+        return found
+
+    def _bends(self) -> list[Quantity]:
+        return [
+            self._last(3),
+            *(calc(f"bend{i + 1}", "extreme of its acceleration", "u", "rad",
+                   f"=IF(AND([mode]={SEPTIC},[s3_{i}]*{self._next(3, i)}<0),[span]*[r3_{i}],0)", self._changes(3, i),
+                   scale=1.0, source="0: none")
+              for i in range(self.turns.degree - 3)),
+        ]  # fmt: skip
+
+    def _last(self, order: int) -> Quantity:
+        value = self.turns.value(order, "1")
+        return calc(f"last{order}", f"sign its {WORDS[order]} ends with", "", "",
+                    f"=IF(ABS({value})>[lost],SIGN({value}),0)", [one.end_sign(order) for one in self.turns.ladders],
+                    format="0")  # fmt: skip
+
+    def _next(self, order: int, i: int) -> str:
+        return f"[s{order}_{i + 1}]" if i + 1 < self.turns.degree - order else f"[last{order}]"
+
+    def _changes(self, order: int, i: int) -> list[float]:
+        """Return where a derivative changes its sign in a bracket (rad), row by row; 0 where it does not."""
+        each = zip(self.places, self.handed, strict=True)
+        return self.turns.spread([
+            self.turns.ladders[place].changed(order, i, one.phase.duration) if order == 1 or one.mode == SEPTIC else 0.0
+            for place, one in each
+        ])  # fmt: skip
+
+    def bends_of(self, piece: MotionPiece) -> list[float]:
+        """Return where a polynomial of degree 7 has extremes of its acceleration (rad); nothing of other pieces."""
+        if self.handed[self.in_row[piece.phase]].mode != SEPTIC:
+            return []
+        return [self._changes(3, i)[piece.phase] for i in range(self.turns.degree - 3)]
+
+    def rests_of_pieces(self, room: int) -> list[Quantity]:
+        """Return the column of the pieces' table that says where a piece of two pulses turns round."""
+        rows, at = self.rows, self.rows.at
+        v, a = (in_piece(rows, order, f"[{PLACES[-1]}]") for order in (1, 2))
+        lost, width = f"check_zero*INDEX([{at.phases}.{at.peaks[0]}],[p])", f"[d]{FINEST}"
+        step = f"MAX(0-{width},MIN({width},{v}*{a}/MAX({a}^2,({lost})^2)))"
+        turns = f"AND({at.of_end('mode')}={PULSES},[sign]*{in_piece(rows, 1, '[d]')}<0-{lost})"
+        return [
+            calc("rest", "turns round at", "u", "rad", f"=IF({turns},[{PLACES[-1]}]-{step},0)",
+                 filled(self.rests, room), scale=1.0, source="0: it does not")
+        ]  # fmt: skip
+
+    @cached_property
+    def rests(self) -> list[float]:
+        """Where each piece of two pulses turns round (rad); 0 where it does not."""
+        found = []
+        for piece in self.rows.pieces:
+            one = self.handed[self.in_row[piece.phase]]
+            found.append(rest_of(piece, one.phase.y1_max) if one.mode == PULSES else 0.0)
+        return found
+
+    def turning_round(self) -> list[str]:
+        """Return the formulas of how often phases turn round, to add up."""
+        at = self.rows.at
+        columns = [f"[{at.ends}.rest{i}]" for i in range(1, self.turns.degree)]
+        return [f"SUMPRODUCT(({name}<>0)*1)" for name in [*columns, f"[{at.pieces}.rest]"]]
+
+    def turned_round(self, room: int) -> list[tuple[float, str]]:
+        """Return where phases turn round, in degrees of the motion, each with its formula; 360 where none does."""
+        at, end = self.rows.at, self.rows.end
+        begins = {place: float(self.motion.edges[k]) for k, place in enumerate(self.places)}
+        found: list[tuple[float, str]] = []
+        for i in range(self.turns.degree - 1):
+            places = self._changes(1, i)
+            for k in range(PHASE, self.room, len((REST, PHASE))):
+                u, name = places[k], f"[{at.ends}.rest{i + 1}.{k + 1}]"
+                found.append((shown(begins[k] + u if u else end, DEGREE),
+                              f"=IF({name}=0,360,[{at.phases}.begin.{k + 1}]+DEGREES({name}))"))  # fmt: skip
+        pieces = zip(self.rows.pieces, self.rests, strict=True)
+        each = [shown(piece.begin + u if u else end, DEGREE) for piece, u in pieces]
+        for r, angle in enumerate(filled(each, room, shown(end, DEGREE)), 1):
+            name = f"[{at.pieces}.rest.{r}]"
+            found.append((angle, f"=IF({name}=0,360,[{at.pieces}.begin.{r}]+DEGREES({name}))"))
+        return found
 
     @property
     def name_of_phases(self) -> str:

@@ -5,9 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
-
-from engine.laws.base import Array
 from engine.machine.pace import PARTS, SHARES
 from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
@@ -61,12 +58,6 @@ class AxisRows:
             (f"[axes.name.{i}]", self.axis.given.name), rows=False,
         )  # fmt: skip
 
-    def going(self, x: Array) -> Array:
-        """Return the direction, 1, −1 or 0, of the phase in which each sample lies."""
-        rows = self.pieces.found(self.axis.told(x).x).row.astype(int)
-        lifts = {place: phase.lift for place, phase in zip(self.axis.places, self.axis.motion.phases, strict=True)}
-        return np.sign([lifts[self.pieces.pieces[row - 1].phase] for row in rows.tolist()])
-
 
 def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
     """Declare the sheet of the motions as pieces."""
@@ -78,6 +69,7 @@ def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
         room, ends = one.machine.room, one.ends
         columns, taken = one.joints.columns(room), ends.taken(room) if ends else []
         columns += ends.turns.of_pieces(room) if ends else []
+        columns += ends.rests_of_pieces(room) if ends and one.axis.given.motor else []
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
                      *columns, taken=taken)  # fmt: skip
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are

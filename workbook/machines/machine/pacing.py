@@ -15,7 +15,7 @@ from workbook.book.sentence import Said, amount
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_MINUTE, shown
 from workbook.machines.machine.stretched import Stretched
-from workbook.machines.machine.stretches import BRANCHES, LINES, LOST, A, V
+from workbook.machines.machine.stretches import BRANCHES, LINES, LOST
 
 FARTHEST = f"{FAR:.0E}".replace("+", "")
 NONE = {"1": "[{0}]<0", "2": f"OR([{{0}}]>={PARTS},[{{1}}]<0)", "3": f"[{{1}}]>={PARTS}"}
@@ -38,7 +38,7 @@ def pace_columns(view: Stretched) -> list[Quantity]:
 def at_rest(view: Stretched) -> list[Quantity]:
     """Return what each stretch asks for next to no rate, and its way."""
     pace, (square, _, cube, _) = view.pace, view.driven.scales
-    middle = V.format(u="([ub]+([ue]-[ub])*(1+[gauss.x])/2)")
+    middle = view.velocity("([ub]+([ue]-[ub])*(1+[gauss.x])/2)")
     return [
         calc("w", "way", "∫|y'|", "",
              f"=[on]*ABS([dir])*([ue]-[ub])/2*SUMPRODUCT([gauss.w],[dir]*{middle})", view.rowed(pace.ways)),
@@ -107,7 +107,7 @@ def tried(view: Stretched, trial: int) -> list[Quantity]:
             u = f"([{ends[0]}]+([{ends[1]}]-[{ends[0]}])*(1+[gauss.x])/2)"
             none = NONE[line].format(*(f"k{name}" for name in places.values()))
             wide = f"ABS([{ends[1]}]-[{ends[0]}])/2"
-            terms.append(f"IF({none},0,{wide}*{inner(line, f'{at}*[per]*{A.format(u=u)}', u)})")
+            terms.append(f"IF({none},0,{wide}*{inner(line, f'{at}*[per]*{view.acceleration(u)}', u)})")
         return "+".join(terms)
 
     def squared(line: str, y: str, _: str) -> str:
@@ -117,7 +117,7 @@ def tried(view: Stretched, trial: int) -> list[Quantity]:
     def cubed(line: str, y: str, u: str) -> str:
         level, slope = LINES[line]
         side, factor = ("[sign]", "@i1/[f]") if line == "1" else ("(0-[sign])", "@i1*[f]")
-        inner = f"({side}*({level}+({slope}+[sign]*@j0*@i)*{y}))^3*[dir]*{V.format(u=u)}"
+        inner = f"({side}*({level}+({slope}+[sign]*@j0*@i)*{y}))^3*[dir]*{view.velocity(u)}"
         return f"({factor})^3*SUMPRODUCT([gauss.w],{inner})"
 
     resting = "IF([dir]=0,([ue]-[ub])*[hold]^2"
@@ -143,7 +143,7 @@ def crossing(view: Stretched, name: str, at: str, index: str, found: Crossing) -
     last, rise = PARTS - 1, "([z4]-[z0])"
 
     def counted(u: str) -> str:
-        return f"MIN({last},SUMPRODUCT(({at}*([per]*{A.format(u=u)}+{LOST})<{level})*1))"
+        return f"MIN({last},SUMPRODUCT(({at}*([per]*{view.acceleration(u)}+{LOST})<{level})*1))"
 
     coarse, fine = counted(f"([z0]+{rise}*[fine.at])"), counted(f"([z0]+{rise}*([{part}]+[fine.at])/{PARTS})")
     spare = view.parts[-1].sides[0]

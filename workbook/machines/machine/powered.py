@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from engine.machine.powering import PARTS
+from engine.machine.powering import PARTS, taylor
 from workbook.book.declare import Quantity, calc, result
 from workbook.machines.machine.stretched import Stretched
-from workbook.machines.machine.stretches import A, V
 
-J = "(6*[c3]+{u}*(24*[c4]+{u}*60*[c5])-[A]*[om]^3*COS([om]*{u}+[ph]))"
-"""y''' of the motion at a place of a stretch's piece"""
 PAST = "([x{n}]*(({u}-[p{n}])*([z4]-[z0])>0)+(1-[x{n}])*(([p{n}]-[z0])^2<([p{n}]-[z4])^2))"
 """whether a place is past a bend of the torque: of a stretch that does not pass it, all of its places or none"""
 SLOPE = "([g1]+{first}*[s1]+{second}*[s2])"
@@ -19,15 +16,10 @@ PEAKS = ",".join(f"MAX([@st.{name}])" for name in PLACES), ",".join(f"MIN([@st.{
 """highest and lowest power, of the places where it can be"""
 
 
-def at(text: str, u: str) -> str:
-    """Return a formula at a place."""
-    return text.format(u=u)
-
-
-def line(u: str) -> str:
+def line(view: Stretched, u: str) -> str:
     """Return the torque in the direction of motion at a place, past its bends too."""
     first, second = (PAST.format(u=u, n=n) for n in "12")
-    return LINE.format(y=f"[per]*{at(A, u)}", first=first, second=second)
+    return LINE.format(y=f"[per]*{view.acceleration(u)}", first=first, second=second)
 
 
 def power_columns(view: Stretched) -> list[Quantity]:
@@ -36,15 +28,15 @@ def power_columns(view: Stretched) -> list[Quantity]:
 
     def end(name: str, words: str, k: int) -> Quantity:
         u, t = (("[ub]", "[tyb]"), ("[ue]", "[tye]"))[k]
-        return calc(f"pw{name}", f"power at its {words}", "P", "W", f"=@turning*ABS([dir])*{t}*{at(V, u)}",
+        return calc(f"pw{name}", f"power at its {words}", "P", "W", f"=@turning*ABS([dir])*{t}*{view.velocity(u)}",
                     of(lambda one: one.ends[k]), scale=size)  # fmt: skip
 
     def bend(n: int) -> str:
         """The power at a bend: y is known there, and y' by a step of Newton's from a place that nearly is."""
         u, y = f"[p{n}]", f"[y{n}]"
-        on = f"([per]*{at(A, u)}-{y})*{at(A, u)}/([per]*{at(J, u)}+1-[x{n}])"
+        on = f"([per]*{view.acceleration(u)}-{y})*{view.acceleration(u)}/([per]*{view.jerk(u)}+1-[x{n}])"
         more = "+[s1]*([y2]-[y1])" if n == 2 else ""
-        return f"[x{n}]*ABS({at(V, u)}-{on})*ABS([b0]+[g1]*{y}{more})"
+        return f"[x{n}]*ABS({view.velocity(u)}-{on})*ABS([b0]+[g1]*{y}{more})"
 
     return [
         end("b", "begin", 0), end("e", "end", 1),
@@ -63,12 +55,12 @@ def top(view: Stretched, name: str, bent: str, low: str, high: str) -> list[Quan
     way = "[sign]" if bent == "0" else "(0-[sign])"
 
     def torque(u: str) -> str:
-        return line(u) if k else f"([b0]+[g1]*[per]*{at(A, u)})"
+        return line(view, u) if k else f"([b0]+[g1]*[per]*{view.acceleration(u)})"
 
     def counted(share: str) -> str:
         u = f"([{low}]+{width}*{share})"
         slope = SLOPE.format(first=PAST.format(u=u, n=1), second=PAST.format(u=u, n=2)) if k else "[g1]"
-        rise = f"[dir]*({slope}*[per]*{at(J, u)}*{at(V, u)}+{torque(u)}*{at(A, u)})"
+        rise = f"[dir]*({slope}*[per]*{view.jerk(u)}*{view.velocity(u)}+{torque(u)}*{view.acceleration(u)})"
         return f"MIN({PARTS - 1},SUMPRODUCT(({way}*SIGN{width}*{rise}>@steep)*1))"
 
     coarse, fine = counted("[fine.at]"), counted(f"([{part}]+[fine.at])/{PARTS}")
@@ -81,7 +73,7 @@ def top(view: Stretched, name: str, bent: str, low: str, high: str) -> list[Quan
              f"=IF([on]*ABS([dir])=0,[z0],[{low}]+{width}*([{part}]+({fine}+0.5)/{PARTS})/{PARTS})",
              view.powering(lambda one: one.tops[k].place, last), scale=1.0),
         calc(f"pw{name}", "power there", "P", "W",
-             f"=[on]*(ABS{width}>check_zero)*@turning*[dir]*{at(V, f'[{place}]')}*{torque(f'[{place}]')}",
+             f"=[on]*(ABS{width}>check_zero)*@turning*[dir]*{view.velocity(f'[{place}]')}*{torque(f'[{place}]')}",
              view.powering(lambda one: one.tops[k].power, 0.0), scale=view.most_power),
     ]  # fmt: skip
 
@@ -89,8 +81,13 @@ def top(view: Stretched, name: str, bent: str, low: str, high: str) -> list[Quan
 def errors(view: Stretched) -> list[Quantity]:
     """Return the columns of by how much straight lines between the places of the sheet Power are off at most."""
     of, motion = view.powering, view.driven.axis.motion
+    septic = "AND([c6]=0,[c7]=0)" if view.septics else ""
+
+    def most(formula: str, order: int) -> str:
+        return f"IF({septic},MAX({formula}),{stays_below(view, order)})" if septic else f"MAX({formula})"
+
     sharp = ",".join(
-        f"ABS({at(J, u)})" for u in ("[ub]", "[ue]", "MAX([ub],MIN([ue],IF([c5]=0,[ub],0-[c4]/(5*[c5]))))")
+        f"ABS({view.jerk(u)})" for u in ("[ub]", "[ue]", "MAX([ub],MIN([ue],IF([c5]=0,[ub],0-[c4]/(5*[c5]))))")
     )
     snap = ",".join(f"ABS(24*[c4]+120*[c5]*[{u}])" for u in ("ub", "ue"))
     slope = "MAX(ABS([g1]),ABS([g1]+[s1]),ABS([g1]+[s1]+[s2]))"
@@ -98,14 +95,26 @@ def errors(view: Stretched) -> list[Quantity]:
     broken = "ABS([per])*[jm]*@vmax*([x3]*ABS([g1])*(1-power_efficiency^2)+[x1]*ABS([s1])+[x2]*ABS([s2]))"
     short = "MIN(RADIANS(bus_step),[ue]-[ub])"
     return [
-        calc("jm", "greatest y'''", "", "", f"=IF([A]=0,MAX({sharp}),ABS([A]*[om]^3))", of(lambda one: one.sharpest),
-             scale=motion.size(3)),
-        calc("nm", "greatest y''''", "", "", f"=IF([A]=0,MAX({snap}),ABS([A]*[om]^4))", of(lambda one: one.snap),
+        calc("jm", "greatest y'''", "", "", f"=IF([A]=0,{most(sharp, 3)},ABS([A]*[om]^3))",
+             of(lambda one: one.sharpest), scale=motion.size(3)),
+        calc("nm", "greatest y''''", "", "", f"=IF([A]=0,{most(snap, 4)},ABS([A]*[om]^4))", of(lambda one: one.snap),
              scale=view.most_snap),
         calc("off", "straight lines are off by at most", "", "W",
              f"=[on]*ABS([dir])*@turning/power_efficiency*(({bend})*{short}^2/8+{broken}*{short}/4)",
              of(view.off, 0.0), scale=max(view.most_off, 1e-3)),
     ]  # fmt: skip
+
+
+def stays_below(view: Stretched, order: int) -> str:
+    """Return the formula of what a derivative of a polynomial stays below: Taylor's series from the middle."""
+    terms = []
+    for n in range(order, view.one.pieces.powers):
+        text = ""
+        for m in range(view.one.pieces.powers - 1, n - 1, -1):
+            term = f"{taylor(m, n, order)}*[c{m}]"
+            text = f"{term}+([ub]+[ue])/2*({text})" if text else term
+        terms.append(f"ABS({text})*(([ue]-[ub])/2)^{n - order}")
+    return "+".join(terms)
 
 
 def power_rows(view: Stretched) -> list[Quantity]:

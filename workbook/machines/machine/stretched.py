@@ -17,6 +17,7 @@ from engine.machine.bent import PLACES, BentPart, going, inside, middle, stretch
 from engine.machine.pace import Pace
 from engine.machine.powering import Powering, flat_up_to
 from engine.machine.train import Window
+from engine.motion.handover import SEPTIC
 from engine.motion.pieces import MotionPiece
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
@@ -24,7 +25,10 @@ from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.motion import AxisRows
+from workbook.motion.sampled import in_piece
 
+QUINTIC = 6
+"""powers of a polynomial of the fifth degree"""
 FEW, FINE, COARSE = 4, 1.0, 2.0
 """the grid of the sheet Power: with so many drives at most it is fine, in degrees of the master shaft"""
 
@@ -39,15 +43,59 @@ class Stretched:
 
     @property
     def rows(self) -> int:
-        """Rows of the table of stretches: for all pieces, two turns of each phase, edges of process forces."""
+        """Rows of the table of stretches: for all pieces, two turns of each phase, edges of process forces.
+
+        Where phases hand over, or one is of the seventh degree, it may turn twice more.
+        """
         edges = WINDOWS + WINDOWS
         phases = self.one.machine.machine.sizes.phases
-        return self.room + phases + phases + edges
+        more = [phases, phases] if self.septics or self.one.ends else []
+        return sum([self.room, phases, phases, edges, *more])
+
+    @property
+    def septics(self) -> bool:
+        """Whether the book has laws of the seventh degree."""
+        return self.one.pieces.powers > QUINTIC
+
+    @property
+    def places_of_piece(self) -> int:
+        """At how many places the acceleration of a piece may turn."""
+        return PLACES + 1 if self.septics else PLACES
+
+    def velocity(self, u: str) -> str:
+        """Return the formula of y' at a place of a stretch's piece."""
+        return in_piece(self.one.pieces, 1, u)
+
+    def acceleration(self, u: str) -> str:
+        """Return the formula of y'' there."""
+        return in_piece(self.one.pieces, 2, u)
+
+    def jerk(self, u: str) -> str:
+        """Return the formula of the third derivative there."""
+        return in_piece(self.one.pieces, 3, u)
+
+    def by_ladder(self, bend: str, other: str) -> str:
+        """Return the formula of where an acceleration turns: of degree 7 between prescribed ends, or by another."""
+        i = self.driven.number
+        if not self.one.ends:
+            return other
+        p = f"INDEX([axis{i}_pieces.p],[r])"
+        return f"IF(INDEX([axis{i}_ends.mode],{p})={SEPTIC},INDEX([axis{i}_ends.{bend}],{p}),{other})"
 
     @cached_property
     def raw(self) -> list[list[float]]:
         """Where the acceleration of each piece turns, inside it or not: u from its begin (rad)."""
-        return [turning(piece) for piece in self.pieces]
+        return [self._turning(piece) for piece in self.pieces]
+
+    @property
+    def spare_places(self) -> list[float]:
+        """The same of a spare row: a piece like the last one, of no duration."""
+        return self._turning(replace(self.pieces[-1], duration=0.0))
+
+    def _turning(self, piece: MotionPiece) -> list[float]:
+        ends = self.one.ends
+        own = ends.bends_of(piece) if ends else []
+        return own or turning(piece, self.places_of_piece)
 
     @cached_property
     def places(self) -> list[list[float]]:
@@ -63,7 +111,7 @@ class Stretched:
     def turned(self) -> list[list[float]]:
         """Where the accelerations turn, in degrees, each piece's first, second and third place; else at the end."""
         found = []
-        for j in range(PLACES):
+        for j in range(self.places_of_piece):
             each = [
                 shown(piece.begin + places[j], DEGREE) if places[j] < piece.duration else TURN
                 for piece, places in zip(self.pieces, self.places, strict=True)
@@ -93,8 +141,8 @@ class Stretched:
 
     @property
     def further(self) -> list[tuple[float, str]]:
-        """Where else a stretch begins, in degrees, each with its formula: nowhere where ratios are constant."""
-        return []
+        """Where else a stretch begins, in degrees, each with its formula: where a phase turns round."""
+        return self.one.ends.turned_round(self.room) if self.one.ends else []
 
     @cached_property
     def parts(self) -> list[BentPart]:
@@ -125,6 +173,23 @@ class Stretched:
         """Return a figure of each stretch's power; spare rows have another, or repeat the last."""
         last = figure(self.powers[-1]) if spare is None else spare
         return filled(map(figure, self.powers), self.rows, last)
+
+    @property
+    def ways(self) -> list[float]:
+        """The direction of each stretch."""
+        return [part.going for part in self.parts]
+
+    @property
+    def way(self) -> float:
+        """How far the axis goes in a cycle (m or rad), there and back."""
+        return self.driven.demand.course.way if self.one.ends else self.driven.way
+
+    def going(self, x: Array) -> Array:
+        """Return the direction, 1, −1 or 0, at samples of the master shaft (rad): of the stretch that begins there."""
+        told = shown(self.driven.axis.told(x).x, DEGREE)
+        begins = np.array([low for low, _ in self.spans])
+        found = np.searchsorted(begins, np.minimum(told + self.near, TURN - self.near), side="right") - 1
+        return np.array(self.ways)[found]
 
     @property
     def turning(self) -> float:

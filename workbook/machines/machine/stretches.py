@@ -11,7 +11,7 @@ from functools import partial
 from itertools import chain
 from typing import Any
 
-from engine.machine.bent import PLACES, root_term
+from engine.machine.bent import HALVED, root_term, septic
 from engine.motion.pieces import MotionPiece
 from engine.motion.turning import PARTS
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
@@ -21,10 +21,8 @@ from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.stretched import Stretched
 
-V = "([c1]+{u}*(2*[c2]+{u}*(3*[c3]+{u}*(4*[c4]+{u}*5*[c5])))+[A]*[om]*COS([om]*{u}+[ph]))"
-A = "(2*[c2]+{u}*(6*[c3]+{u}*(12*[c4]+{u}*20*[c5]))-[A]*[om]^2*SIN([om]*{u}+[ph]))"
-"""y' and y'' of the motion at a place of a stretch's piece"""
-POWERS = range(1, 6)
+LEAST = 6
+"""powers of a polynomial that the tables have columns of at least"""
 LOST = "check_zero*@hard"
 PLACE = ("p{0}a", "p{0}b", "p{0}")
 LINES = {
@@ -74,32 +72,40 @@ def turns_table(sheet: Sheet, view: Stretched) -> None:
     """Declare where the acceleration turns within a piece."""
     table, room = f"axis{view.driven.number}_pieces", view.room
     c3, c4, c5, d = (held(view, name) for name in ("c3", "c4", "c5", "d"))
+    quintic = f"{held(view, 'c6')}=0,{held(view, 'c7')}=0"
     amplitude, om, ph = (held(view, name) for name in ("A", "om", "ph"))
-    polynomial = (f"IF({c5}=0,0,[w]/(10*{c5}))", f"IF([w]=0,0,{c3}/[w])", "0")
-    last = view.pieces[-1]
-    terms = [root_term(*piece.c[3:6]) for piece in view.pieces]
+    polynomial = (f"IF({c5}=0,0,[w]/(10*{c5}))", f"IF([w]=0,0,{c3}/[w])", "0", "0")
+    places = range(1, view.places_of_piece + 1)
+    terms = [0.0 if septic(piece) else root_term(*piece.c[3:6]) for piece in view.pieces]
     inside = f"4*{c4}^2-10*{c3}*{c5}"
+    rooted = f"AND({quintic},{inside}>0)" if view.septics else f"{inside}>0"
 
     def sine(j: int) -> str:
         return f"((INT({ph}/PI()-0.5+check_zero)+{j}+0.5)*PI()-{ph})/{om}"
 
+    def of_polynomial(j: int) -> str:
+        if not view.septics:
+            return polynomial[j - 1]
+        half = f"IF({c3}=0,1-{HALVED!r},{HALVED!r})*{d}" if j == 1 else "0"
+        return view.by_ladder(f"bend{j}", f"IF(AND({quintic}),{polynomial[j - 1]},{half})")
+
     def found(j: int) -> list[float]:
-        return filled([places[j] for places in view.raw], room, view.raw[-1][j])
+        return filled([places[j] for places in view.raw], room, view.spare_places[j])
 
     sheet.table(
         "@turns", "Where the acceleration turns within a piece", room,
         constant("r", "piece", "r", "", list(range(1, room + 1))),
         calc("w", "of its slope's roots", "w", "",
-             f"=IF({inside}>0,0-(2*{c4}+IF({c4}<0,0-1,1)*SQRT({inside})),0)",
-             filled(terms, room, root_term(*last.c[3:6])), scale=max(1e-9, *map(abs, terms))),
-        *(calc(f"u{j}", f"place {j}", "u", "rad", f"=IF({amplitude}=0,{polynomial[j - 1]},{sine(j)})", found(j - 1),
+             f"=IF({rooted},0-(2*{c4}+IF({c4}<0-check_zero*SQRT({inside}),0-1,1)*SQRT({inside})),0)",
+             filled(terms, room, terms[-1]), scale=max(1e-9, *map(abs, terms))),
+        *(calc(f"u{j}", f"place {j}", "u", "rad", f"=IF({amplitude}=0,{of_polynomial(j)},{sine(j)})", found(j - 1),
                scale=1.0)
-          for j in range(1, PLACES + 1)),
+          for j in places),
         *(calc(f"t{j}", f"place {j}", "θ", "°",
                f"=IF(AND([u{j}]>check_zero*{d},[u{j}]<(1-check_zero)*{d}),"
                f"INDEX([{table}.begin],[r])+DEGREES([u{j}]),360)",
                view.turned[j - 1], source="360: none", format="0.0##", scale=360.0)
-          for j in range(1, PLACES + 1)),
+          for j in places),
     )  # fmt: skip
 
 
@@ -113,7 +119,7 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
     """Declare where a stretch can begin: at pieces, where the acceleration turns in one, at process forces."""
     i, room = view.driven.number, view.room
     formulas = [f"=[axis{i}_pieces.begin.{r}]" for r in range(1, room + 1)]
-    formulas += [f"=[@turns.t{j}.{r}]" for j in range(1, PLACES + 1) for r in range(1, room + 1)]
+    formulas += [f"=[@turns.t{j}.{r}]" for j in range(1, view.places_of_piece + 1) for r in range(1, room + 1)]
     for n in range(1, WINDOWS + 1):
         for edge in ("start", "stop"):
             told = f"([@windows.{edge}.{n}]-[axes.late.{i}])"
@@ -132,24 +138,31 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
 
 def stretches_table(sheet: Sheet, view: Stretched, *more: Quantity) -> None:
     """Declare the stretches, each with its torque's line, extremes and integrals, and more columns."""
-    number = view.driven.number
-    sines = (("A", "amplitude", view.driven.axis.motion.size(0)), ("om", "frequency", 0.0), ("ph", "phase", 1.0))
     sheet.table(
         "@st", "Stretches", view.rows,
         constant("k", "stretch", "k", "", list(range(1, view.rows + 1))),
         *placed(view),
-        *(coefficient(view, n) for n in POWERS),
-        *(calc(name, words, name, "", f"=INDEX([axis{number}_pieces.{name}],[q])",
-               view.piece_figures(partial(of_sine, k)), scale=scale)
-          for k, (name, words, scale) in enumerate(sines)),
+        *(coefficient(view, n) for n in range(1, max(LEAST, view.one.pieces.powers))),
+        *(column for k, sine in enumerate(view.one.pieces.sines) for column in waves(view, k, sine.mark)),
         *directed(view), *lined(view), *crossed(view), *ends(view), *integrals(view),
         *more,
     )  # fmt: skip
 
 
-def of_sine(k: int, piece: MotionPiece) -> float:
-    """Return amplitude, frequency or phase of a piece's sine."""
-    return piece.sines[0][k]
+def waves(view: Stretched, k: int, mark: str) -> list[Quantity]:
+    """Return amplitude, frequency and phase of a sine of each stretch's piece."""
+    told = (("A", "amplitude", view.driven.axis.motion.size(0)), ("om", "frequency", 0.0), ("ph", "phase", 1.0))
+    return [
+        calc(f"{name}{mark}", words, f"{name}{mark}", "",
+             f"=INDEX([axis{view.driven.number}_pieces.{name}{mark}],[q])",
+             view.piece_figures(partial(of_sine, k, j)), scale=scale)
+        for j, (name, words, scale) in enumerate(told)
+    ]  # fmt: skip
+
+
+def of_sine(k: int, j: int, piece: MotionPiece) -> float:
+    """Return amplitude, frequency or phase of a sine of a piece."""
+    return piece.sines[k][j]
 
 
 def coefficient(view: Stretched, n: int) -> Quantity:
@@ -183,8 +196,8 @@ def directed(view: Stretched) -> list[Quantity]:
     """Return where each stretch lies in its piece, the direction of motion, and what resists."""
     i, of, sizes = view.driven.number, view.of, view.driven.sizes
     begin = f"INDEX([axis{i}_pieces.begin],[q])"
-    middle = V.format(u="(([ub]+[ue])/2)")
-    back = f"MIN([dir]*{V.format(u='[ub]')},[dir]*{V.format(u='[ue]')})<0-check_zero*@vmax"
+    middle = view.velocity("(([ub]+[ue])/2)")
+    back = f"MIN([dir]*{view.velocity('[ub]')},[dir]*{view.velocity('[ue]')})<0-check_zero*@vmax"
     acts, force = ACTS.format(x="[x]"), "N" if view.driven.travels else "Nm"
     angle = f"(([b]+[e])/2+[axes.late.{i}])"
     return [
@@ -233,9 +246,9 @@ def crossed(view: Stretched) -> list[Quantity]:
     of, acceleration = view.of, view.driven.sizes.acceleration
     columns = [
         calc("per", "y for y'' = 1", "", "", "=0-[sign]*[dir]*(timing_omega*@faster)^2", of(lambda p: p.factor)),
-        calc("yb", "y at its begin", "y", "", f"=[per]*{A.format(u='[ub]')}", of(lambda p: p.ends[0]),
+        calc("yb", "y at its begin", "y", "", f"=[per]*{view.acceleration('[ub]')}", of(lambda p: p.ends[0]),
              scale=acceleration),
-        calc("ye", "y at its end", "y", "", f"=[per]*{A.format(u='[ue]')}", of(lambda p: p.ends[1]),
+        calc("ye", "y at its end", "y", "", f"=[per]*{view.acceleration('[ue]')}", of(lambda p: p.ends[1]),
              scale=acceleration),
         calc("z0", "y rises from", "u", "rad", f"=IF([yb]-[ye]>{LOST},[ue],[ub])", of(lambda p: p.sides[0]),
              scale=1.0),
@@ -257,7 +270,7 @@ def passing(view: Stretched, place: str, level: str, index: int) -> list[Quantit
     for turn, pattern in enumerate(PLACE, 1):
         name, last = pattern.format(place), turn == len(PLACE)
         step = f"([z4]-[z0]){FINER[turn - 1]}"
-        below = f"[per]*{A.format(u=f'({at}+{step}*[grid.at])')}<[{level}]-{LOST}"
+        below = f"[per]*{view.acceleration(f'({at}+{step}*[grid.at])')}<[{level}]-{LOST}"
         found = f"{at}+{step}*(MIN({PARTS - 1},SUMPRODUCT(({below})*1)){'+0.5' if last else ''})/{PARTS}"
         other = f"IF(MAX([yb],[ye])<=[{level}]+{LOST},[z4],[z0])" if last else "[z0]"
         columns.append(
@@ -291,10 +304,10 @@ def ends(view: Stretched) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def integral(level: str, low: str, high: str, function: str, times: str = "") -> str:
+def integral(view: Stretched, level: str, low: str, high: str, function: str, times: str = "") -> str:
     """Return the formula of an integral between two places, of y, |y'| and ``level``; 0 at rest and in spare rows."""
     u = f"([{low}]+([{high}]-[{low}])*(1+[gauss.x])/2)"
-    inner = function.format(y=f"[per]*{A.format(u=u)}", v=f"[dir]*{V.format(u=u)}", level=level)
+    inner = function.format(y=f"[per]*{view.acceleration(u)}", v=f"[dir]*{view.velocity(u)}", level=level)
     wide = f"ABS([{high}]-[{low}])"
     return f"=IF([on]*ABS([dir])*{wide}=0,0,{wide}/2*SUMPRODUCT([gauss.w],{inner}){times})"
 
@@ -307,7 +320,7 @@ def integrals(view: Stretched) -> list[Quantity]:
     def square(line: str, low: str, high: str) -> Quantity:
         level, slope = LINES[line]
         return calc(f"sq{line}", f"∫T² on line {line}", "", "",
-                    integral(level, low, high, f"({{level}}+{slope}*{{y}})^2"),
+                    integral(view, level, low, high, f"({{level}}+{slope}*{{y}})^2"),
                     of(lambda p: p.square((ORDER[low], ORDER[high]), torque)), scale=torque)  # fmt: skip
 
     def cube(line: str, low: str, high: str) -> Quantity:
@@ -316,13 +329,13 @@ def integrals(view: Stretched) -> list[Quantity]:
         inner = f"({side}*({{level}}+({slope}+[sign]*@j0*@i)*{{y}}))^3*{{v}}"
         factor = "@i1/[f]" if line == "1" else "@i1*[f]"
         return calc(f"cu{line}", f"∫|S|³ on line {line}", "", "",
-                    integral(level, low, high, inner, f"*({factor})^3"),
+                    integral(view, level, low, high, inner, f"*({factor})^3"),
                     of(lambda p: p.cube((ORDER[low], ORDER[high]), cubed)), scale=cubed)  # fmt: skip
 
     def worked(line: str, low: str, high: str) -> Quantity:
         level, slope = LINES[line]
         return calc(f"w{ORDER[low]}", "work", "", "J",
-                    integral(level, low, high, f"({{level}}+{slope}*{{y}})*{{v}}", "*@i"),
+                    integral(view, level, low, high, f"({{level}}+{slope}*{{y}})*{{v}}", "*@i"),
                     of(lambda p: p.work((ORDER[low], ORDER[high]), work)), scale=work)  # fmt: skip
 
     return [

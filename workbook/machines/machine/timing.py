@@ -66,7 +66,7 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
     def of(column: str) -> list[str]:
         return [f"=MAX([axis{axis.number}.{column}])" for axis in axes]
 
-    unit = joined(machine, si=False)
+    unit, size = joined(machine, si=False), max(shown(a.motion.size(0), a.unit) for a in axes)
     sheet.row += 1
     sheet.table(
         "axes", "Axes", n,
@@ -82,9 +82,9 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
         calc("travel", "travel a cycle", "Σh", unit,
              each("SUM([{0}.h])"), [shown(a.motion.lifts_sum, a.unit) for a in axes]),
         calc("low", "lowest position", "", unit,
-             each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes]),
+             each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes], scale=size),
         calc("high", "highest position", "", unit,
-             each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes]),
+             each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes], scale=size),
         result("v", "greatest velocity", "ẏ", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
         result("a", "greatest acceleration", "ÿ", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
         calc("late", "shift, as taken", "", "°", "=[shift]+0", [a.given.shift for a in axes], format="0.0##"),

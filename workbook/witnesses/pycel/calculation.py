@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
+import numpy as np
 from pycel.excelutil import AddressRange
 
 from workbook.book.address import Address, Strip
 from workbook.book.columns import Moved, Moving, Pattern
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import entered
+from workbook.witnesses.pycel.arrays import Known
 from workbook.witnesses.pycel.compiled import Compiled, compiled
 from workbook.witnesses.pycel.limits import Crossed
 from workbook.witnesses.pycel.numbering import Numbering
@@ -59,11 +61,12 @@ class Calculation:
         """The formula cells, each after what it needs."""
         return [self._formulas[number] for number in self._order if number in self._formulas]
 
+    @np.errstate(all="ignore")  # what is not finite is worked out again, by elements
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> dict[Address, Any]:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
         given = {self._input(address): entered(value) for address, value in (inputs or {}).items()}
         values = list(self._numbers.values)
-        Crossed.cells = 0
+        begin()
         for number, value in given.items():
             values[number] = value
         for number in self._order:
@@ -71,6 +74,7 @@ class Calculation:
                 values[number] = self._result(number, values)
         return {address: values[number] for number, address in self._formulas.items()}
 
+    @np.errstate(all="ignore")
     def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
         """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
 
@@ -79,7 +83,7 @@ class Calculation:
         cells, known = self._within(strips), self._bare()
         for number, value in zip(cells, values, strict=True):
             known[number] = value if type(value) in PLAIN else entered(value)
-        Crossed.cells = 0
+        begin()
         return [self._by_itself(cells[n], known) for n in wanted]
 
     def _by_itself(self, number: int, values: list[Any]) -> Any:
@@ -240,3 +244,9 @@ class Calculation:
 def fault(error: Exception) -> str:
     """Return the error value of a cell whose computation raised an error."""
     return "#NUM!" if isinstance(error, OverflowError) else "#VALUE!"
+
+
+def begin() -> None:
+    """Begin another evaluation: limits count anew, and what was made of ranges is forgotten."""
+    Crossed.cells = 0
+    Known.forget()

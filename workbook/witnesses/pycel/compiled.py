@@ -193,8 +193,8 @@ def _compiled(shape: str, tokens: Tokenizer) -> Compiled:
     missing = load_functions(names, _space, MODULES)
     if missing:
         raise FormulaError("#NAME?", f"pycel has no function {', '.join(sorted(missing)).upper()}")
-    for name in new & shortcuts.SHORTENED.keys():
-        _space[name] = shortcuts.SHORTENED[name](_space[name])
+    for name in new:
+        _space[name] = shortcuts.shortened(name, _space[name])
     exec(code, _space)  # noqa: S102 - what pycel made of a shape: check() let no word of the file's own pass
     dummies = tuple(match[0] for match in DUMMY.finditer(shape))
     return Compiled(made[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))

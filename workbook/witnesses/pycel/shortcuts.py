@@ -6,17 +6,21 @@ these ways a book takes half as long again. Anything but plain numbers takes pyc
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable, Iterable, Sequence
 from itertools import repeat
 from typing import Any
 
+import numpy as np
 from pycel.lib import lookup
 
-from workbook.witnesses.pycel.limits import OPERATORS, build_operators, count_searches, cross
+from workbook.witnesses.pycel.arrays import NUMBERS, Array, applied, array_of, operated, plain, plainly
+from workbook.witnesses.pycel.limits import OPERATORS, build_operators, count_searches, cross, raised
 
 Function = Callable[..., Any]
-NUMBERS = frozenset((float, int))  # not bool, whose kind counts in comparisons
+RANGES = frozenset((tuple, Array))
+PLAIN = NUMBERS | RANGES
 COUNTED = NUMBERS | {bool}  # 1 and 0 where they are added or multiplied
 NOTHING = frozenset(("", "–"))  # texts in the cells of our books, and surely no numbers
 SIMPLE = {name: OPERATORS[name] for name in ("Add", "Sub", "Mult", "Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}
@@ -35,7 +39,17 @@ def operators() -> Callable[[Any, str, Any], Any]:
                 return SIMPLE[operator](left, right)
             if operator == "Div" and right:
                 return DIVIDE(left, right)
-        elif kind is tuple and other is tuple:
+            if operator == "Pow" and right > 0:
+                return raised(left, right)
+        elif kind in RANGES or other in RANGES:
+            made = operated(left, operator, right) if kind in PLAIN and other in PLAIN else None
+            return in_turn(plain(left), operator, plain(right)) if made is None else made
+        return checked(left, operator, right)
+
+    def in_turn(left: Any, operator: str, right: Any) -> Any:
+        """Return what an operator makes of ranges, by elements."""
+        kind, other = type(left), type(right)
+        if kind is tuple and other is tuple:
             if len(left) == len(right) and len(left[0]) == len(right[0]):
                 return each(operator, flat(left), flat(right), len(left[0]))
             cross(left, right)
@@ -81,12 +95,14 @@ def index(checked: Function) -> Function:
     return call
 
 
-def of_one(body: Callable[[float], float]) -> Callable[[Function], Function]:
+def of_one(body: Callable[[float], float], over: Callable[[Any], Any]) -> Callable[[Function], Function]:
     """Return a function of one number, straight for a number in its domain, and so for each of a range."""
 
     def shortened(checked: Function) -> Function:
         def call(*arguments: Any) -> Any:
             kind = type(arguments[0]) if len(arguments) == 1 else None
+            if kind is Array:
+                return applied(over, arguments[0]) or checked(*arguments)
             if kind in NUMBERS:
                 try:
                     return body(arguments[0])
@@ -147,6 +163,8 @@ def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Fu
         def call(*arguments: Any) -> Any:
             one_range = len(arguments) == 1 and type(arguments[0]) is tuple
             values = numbers_of(arguments[0] if one_range else (arguments,))
+            if not values and len(arguments) == 1 and type(arguments[0]) is Array:
+                values = numbers_of(arguments[0].rows())
             return body(values) if values else checked(*arguments)
 
         return call
@@ -171,14 +189,18 @@ def product_sum(checked: Function) -> Function:
     """Return SUMPRODUCT, straight for ranges of numbers of one size."""
 
     def call(*arrays: Any) -> Any:
-        if arrays and all(type(array) is tuple for array in arrays):
-            found = [numbers_of(array) for array in arrays]
-            sizes = {(len(array), len(array[0])) for array in arrays}
-            if len(sizes) == 1 and all(found):
-                return sum(map(math.prod, zip(*found, strict=True)))
+        if arrays and RANGES.issuperset(map(type, arrays)):
+            found: list[Any] = list(map(array_of, arrays))
+            if all(cells is not None and cells.dtype != bool for cells in found) and same_size(found):
+                return functools.reduce(np.multiply, found).sum().item()
         return checked(*arrays)
 
     return call
+
+
+def same_size(found: Sequence[Any]) -> bool:
+    """Whether arrays have the same rows and columns."""
+    return len({cells.shape for cells in found}) == 1
 
 
 def numbers_of(array: Iterable[Iterable[Any]]) -> list[float]:
@@ -189,12 +211,12 @@ def numbers_of(array: Iterable[Iterable[Any]]) -> list[float]:
 
 SHORTENED: dict[str, Callable[[Function], Function]] = {
     "index": index,
-    "sin": of_one(math.sin),
-    "cos": of_one(math.cos),
-    "sqrt": of_one(math.sqrt),
-    "exp": of_one(math.exp),
-    "ln": of_one(math.log),
-    "abs_": of_one(abs),
+    "sin": of_one(math.sin, np.sin),
+    "cos": of_one(math.cos, np.cos),
+    "sqrt": of_one(math.sqrt, np.sqrt),
+    "exp": of_one(math.exp, np.exp),
+    "ln": of_one(math.log, np.log),
+    "abs_": of_one(abs, np.abs),
     "if_": condition,
     "match": searching,
     "vlookup": searching,
@@ -207,3 +229,12 @@ SHORTENED: dict[str, Callable[[Function], Function]] = {
     "sumproduct": product_sum,
 }
 """pycel's functions that have a straight way, by their names there"""
+
+KNOWING = frozenset(("sin", "cos", "sqrt", "exp", "ln", "abs_", "min_", "max_", "sum_", "sumproduct"))
+"""those that take arrays"""
+
+
+def shortened(name: str, function: Function) -> Function:
+    """Return a function of pycel as formulas call it: with its straight way, if it has one, and for arrays."""
+    made = SHORTENED[name](plainly(function)) if name in SHORTENED else function
+    return made if name in KNOWING & SHORTENED.keys() else plainly(made)

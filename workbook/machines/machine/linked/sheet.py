@@ -69,8 +69,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         found.sections_table(sheet, view)
         cut.nodes_table(sheet, view)
         sheet.rows(*found.lost_rows(view))
-        backward = f"MIN([axis{i}.h])<0"
-        limits_table(sheet, driven.motor.corners(driven.lowest_direction), backward)
+        limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), drive.BACKWARD)
         rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18
 

@@ -114,7 +114,7 @@ class LinkedWork(Stretched):
             begin, d, p = (f"[axis{i}_pieces.{name}.{r}]" for name in ("begin", "d", "p"))
             span, h = (f"INDEX([axis{i}_steps.{name}],{p})" for name in ("span", "h"))
             found.append((angle or TURN, f"=IF({d}*ABS({h})>{LONG!r}*{span}*ABS({h}),{begin}+DEGREES({d})/2,360)"))
-        return [*found, *self.passes.further]
+        return [*super().further, *found, *self.passes.further]
 
     def held(self, at: float) -> Held:
         """Return the stretch in which an angle of the motion lies."""
@@ -130,6 +130,11 @@ class LinkedWork(Stretched):
         """The stretches; spare rows repeat the last."""
         found = [self.held(middle(span)) for span in self.spans]
         return filled(found, self.rows, found[-1])
+
+    @property
+    def ways(self) -> list[float]:
+        """The direction of each stretch."""
+        return [held.going for held in self.helds]
 
     @property
     def ranges(self) -> list[tuple[float, float]]:

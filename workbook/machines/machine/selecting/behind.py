@@ -13,7 +13,7 @@ from engine.machine.bent import Away, away
 from engine.machine.grid import Behind
 from workbook.book.declare import Quantity, Sheet, calc
 from workbook.machines.machine.stretched import Stretched
-from workbook.machines.machine.stretches import LINES, LOST, ORDER, V, integral
+from workbook.machines.machine.stretches import LINES, LOST, ORDER, integral
 
 FIRST, SECOND = (("1", "z0", "p1"),), (("2", "p1", "p2"), ("3", "p2", "z4"))
 """where the torque behind the reducer has the sign of what resists, and where it has the other"""
@@ -34,28 +34,28 @@ def columns(view: Stretched) -> list[Quantity]:
     """Return the columns of the stretches: ∫S² and ∫αS on both sides of where S turns round, ∫α², and the fastest."""
     if not asks(view):
         return []
-    scale, ends = scales_of(view), [f"ABS({V.format(u=u)})" for u in ("[ub]", "[ue]")]
+    scale, ends = scales_of(view), [f"ABS({view.velocity(u)})" for u in ("[ub]", "[ue]")]
     turns = f"AND(MIN([yb],[ye])<0-{LOST},MAX([yb],[ye])>{LOST})"
     columns = []
     for n, lines in ((1, FIRST), (2, SECOND)):
         part = ORDER[lines[0][1]], ORDER[lines[-1][2]]
         where = f"on line{'s' if n > 1 else ''} {' and '.join(line for line, _, _ in lines)}"
         columns += [
-            calc(f"bs{n}", f"∫S² {where}", "", "", over(lines, "{torque}^2", 2),
+            calc(f"bs{n}", f"∫S² {where}", "", "", over(view, lines, "{torque}^2", 2),
                  view.counted(methodcaller("behind", "square", part, scale.square)), scale=scale.square),
-            calc(f"bp{n}", f"∫αS {where}", "", "", over(lines, "(0-[sign]*@i2*{y})*{torque}", 1),
+            calc(f"bp{n}", f"∫αS {where}", "", "", over(view, lines, "(0-[sign]*@i2*{y})*{torque}", 1),
                  view.counted(methodcaller("behind", "product", part, scale.product)), scale=scale.product),
         ]  # fmt: skip
     return [
         *columns,
-        calc("bq", "∫α²", "", "", integral("", "z0", "z4", "(@i2*{y})^2"),
+        calc("bq", "∫α²", "", "", integral(view, "", "z0", "z4", "(@i2*{y})^2"),
              view.counted(lambda p: p.turned(scale.turned)), scale=scale.turned),
         calc("vm", "no faster than", "|y'|", "", f"=IF({turns},@vmax,MAX({','.join(ends)}))",
              view.of(lambda p: p.fastest_here), source="in the stretch"),
     ]  # fmt: skip
 
 
-def over(lines: tuple[tuple[str, str, str], ...], inner: str, power: int) -> str:
+def over(view: Stretched, lines: tuple[tuple[str, str, str], ...], inner: str, power: int) -> str:
     """Return the formula of an integral over lines of the torque behind the reducer, in the direction of motion."""
     terms = []
     for line, low, high in lines:
@@ -63,7 +63,7 @@ def over(lines: tuple[tuple[str, str, str], ...], inner: str, power: int) -> str
         torque = f"({level}+({slope}+[sign]*@j0*@i)*{{y}})"
         factor = "(@i1/[f])" if line == "1" else "(@i1*[f])"
         function = inner.replace("{torque}", torque)
-        terms.append(integral(level, low, high, function, f"*{factor}^{power}").removeprefix("="))
+        terms.append(integral(view, level, low, high, function, f"*{factor}^{power}").removeprefix("="))
     return f"={'+'.join(terms)}"
 
 
