@@ -92,7 +92,7 @@ class Demand:
 
     @cached_property
     def mean_speed(self) -> float:
-        """∫|ω| dt/t over the cycle (rad/s): with the RMS torque, the point that a motor's continuous limit is held to."""
+        """∫|ω| dt/t over the cycle (rad/s): where the RMS torque is held to the continuous limit."""
         return self._total(_turning, self.speed.peak) / self.course.told.total
 
     @cached_property
