@@ -111,7 +111,10 @@ def inputs(path: Path) -> tuple[Machine, list[str]]:
     entries = Entries(file, agreed, put_back)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
-    return machine, notes + not_carried(file, entries.template.declare(machine), entries.template.name)
+    notes += not_carried(file, entries.template.declare(machine), entries.template.name)
+    machine.laws.built_as({})
+    machine.built_as({})
+    return machine, notes
 
 
 def write_inputs(machine: Machine, path: Path, overwrite: bool = False) -> None:

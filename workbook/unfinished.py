@@ -42,6 +42,7 @@ class Unfinished:
         self.book, self.design, self.laws = book, design, laws
         self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
         self.dependence = Dependence(book)
+        self.hanging: dict[frozenset[Address], set[Address]] = {}
         self.values: dict[tuple[str, int], list[Any]] = {}
         turns = dict(self._entered())
         known = self._known(turns)
@@ -108,11 +109,17 @@ class Unfinished:
         if where and not any(f.turn == 0 and f.where != where and f.key.startswith(below) for f in self.design.faults):
             return next((fault.said for fault in faults if fault.turn == 0), "")  # asked of what was entered
         last = faults[0].turn if faults else MOST_TURNS
-        before = [at for at, turn in turns.items() if turn < last]
+        before = frozenset(at for at, turn in turns.items() if turn < last)
         (at,) = self._column(f"{q.name}.{q.name}", 1)
-        if at in self.dependence.on(before):
+        if at in self._hanging(before):
             return None
         return faults[0].said if faults else ""
+
+    def _hanging(self, entries: frozenset[Address]) -> set[Address]:
+        """Return the formula cells that hang on entries."""
+        if entries not in self.hanging:
+            self.hanging[entries] = self.dependence.on(entries)
+        return self.hanging[entries]
 
     def _verdict(self, check: str, said: str) -> dict[Address, Any]:
         """Return what stands in a check, and in the sentence beside it."""

@@ -168,6 +168,8 @@ class Sheet:
     scope: str = ""
     section: int = 0
     """row of the heading above"""
+    called: str = ""
+    """what its checks begin with, if not with its title; on the sheet itself they go without"""
 
     @contextmanager
     def scoped(self, scope: str) -> Iterator[None]:
@@ -203,7 +205,7 @@ class Sheet:
         watched = self._limited(own)
         if watched:
             name = f"{watched[0][0].name}_entries"
-            guard, verdict = of_cells(name, f"{self.title}: entries within limits", watched)
+            guard, verdict = of_cells(name, f"{self.called or self.title}: entries within limits", watched)
             self.book.guards.append(guard)
             self.checks(verdict)
 
@@ -231,10 +233,17 @@ class Sheet:
         Beside each stands what it says.
         """
         for q in self._own(quantities):
-            said = sentence(q)
+            here = replace(q, label=self._without(q.label))
+            said = sentence(here)
             self._place(Block(said.name, self, self.row, FIRST + 4, (said,), 1, is_table=False))
-            self._rows([replace(q, source="")])
+            self._rows([replace(here, source="")])
             self.book.checks.append((self, q))
+
+    def _without(self, label: str) -> str:
+        """Return what a check is about without the sheet's own name before it."""
+        name = self.called or self.title
+        rest = label.removeprefix(f"{name}: ").removeprefix(f"{name}, ")
+        return f"{rest[0].upper()}{rest[1:]}" if rest != label else label
 
     def table(
         self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (), blank: str = ""
@@ -250,7 +259,7 @@ class Sheet:
         if not watched:
             return self._table(name, title, size, blank, *quantities)
         named = re.split(r"[:;(]", title)[0].strip()
-        label = f"{self.title}, {named}: entries within limits"
+        label = f"{self.called or self.title}, {named}: entries within limits"
         rows = self.book.limit(inputs[0].key.partition(".*")[0])
         filled = rows is not None and rows.required
         guard, column, verdict = of_rows(in_scope(name, self.scope), size, label, inputs, watched, rules, filled)
@@ -333,7 +342,9 @@ class Book:
     """columns ``table.column`` of keys 2 · number + share, of which a look-up reads those of its number alone"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
-        """Add a sheet behind the ones that are there."""
+        """Add a sheet behind the ones that are there. Raises ValueError where one of them has its title."""
+        if any(sheet.title.casefold() == title.casefold() for sheet in self.sheets):
+            raise ValueError(f"the sheet {title} is declared twice")
         self.sheets.append(Sheet(self, title, purpose))
         return self.sheets[-1]
 

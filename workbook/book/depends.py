@@ -7,14 +7,16 @@ values declared is taken, so that an entry in one row of a table leaves alone wh
 from __future__ import annotations
 
 import operator
+import re
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from workbook.book.address import Address
-from workbook.book.columns import Formulas
+from workbook.book.columns import Formulas, Moved
 from workbook.book.declare import Block, Book
-from workbook.book.formula import TOKEN, Area, FormulaError, meant
+from workbook.book.formula import TOKEN, Area, Formula, FormulaError
 
 
 class Call(NamedTuple):
@@ -31,6 +33,10 @@ class Word(NamedTuple):
     value: Any
 
 
+DUMMY = re.compile(r"A([0-9]+)(:B[0-9]+)?")
+CHOOSING = frozenset(("INDEX", "MATCH", "IF", "CHOOSE"))
+"""functions that need not read all that they name"""
+ARGUMENT = "argument"
 TWICE = Word("number", 2.0)
 
 
@@ -44,7 +50,7 @@ class Dependence:
 
     def __init__(self, book: Book) -> None:
         self._book = book
-        self._formulas: dict[Address, str] = {}
+        self._formulas: dict[Address, Formula | Moved] = {}
         self._values: dict[Address, Any] = {}
         self._by_cell: dict[Address, list[Address]] = defaultdict(list)
         self._by_column: dict[tuple[str, int], dict[Area, list[Address]]] = defaultdict(lambda: defaultdict(list))
@@ -57,8 +63,8 @@ class Dependence:
             at = Address(title, cell.row, cell.column)
             self._values[at] = cell.expected
             if cell.quantity.formula is not None:
-                self._formulas[at] = cell.content
-                for area in set(readers[title].read(cell.content, cell.row).arguments):
+                formula = self._formulas[at] = readers[title].read(cell.content, cell.row)
+                for area in set(formula.arguments):
                     if isinstance(area, Area):
                         self._note(area, at)
 
@@ -92,8 +98,11 @@ class Dependence:
     def _reads(self, reader: Address, at: Address) -> bool:
         """Whether a formula, as its values are, reads a cell."""
         if reader not in self._known:
-            nodes = parsed(self._formulas[reader], reader.sheet, self._area)
-            self._known[reader] = frozenset(self._used(nodes))
+            formula = self._formulas[reader]
+            areas = formula.arguments
+            if CHOOSING & formula.functions:
+                areas = tuple(self._used(bound(parsed(formula.shape), areas)))
+            self._known[reader] = frozenset(area for area in areas if isinstance(area, Area))
         return any(area.holds(at) for area in self._known[reader])
 
     def _used(self, nodes: list[Any]) -> Iterator[Area]:
@@ -215,14 +224,15 @@ def compared(sign: str, one: Any, other: Any) -> bool | None:
     return COMPARED[sign](one, other)
 
 
-def parsed(text: str, sheet: str, area: Callable[[str, str], Area]) -> list[Any]:
-    """Return a formula as words and calls; raise FormulaError for text that is none."""
+@lru_cache(maxsize=10_000)
+def parsed(shape: str) -> list[Any]:
+    """Return a shape as words and calls; of an argument its number. Raises FormulaError for text that is none."""
     open_calls: list[tuple[str, list[list[Any]]]] = [("", [[]])]
     position = 1
-    while position < len(text):
-        found = TOKEN.match(text, position)
+    while position < len(shape):
+        found = TOKEN.match(shape, position)
         if found is None or found.lastgroup == "other":
-            position = signed(text, position, open_calls)
+            position = signed(shape, position, open_calls)
             continue
         position = found.end()
         kind, word = found.lastgroup or "", found[0]
@@ -230,9 +240,18 @@ def parsed(text: str, sheet: str, area: Callable[[str, str], Area]) -> list[Any]
             open_calls.append((word[:-1].upper(), [[]]))
         elif kind == "number":
             open_calls[-1][1][-1].append(Word(kind, float(word)))
-        elif kind in ("reference", "name", "text") and word.upper() not in ("TRUE", "FALSE"):
-            open_calls[-1][1][-1].append(Word(kind, meant(kind, word, sheet, area)))
+        elif dummy := DUMMY.fullmatch(word):
+            open_calls[-1][1][-1].append(Word(ARGUMENT, int(dummy[1]) - 1))
     return open_calls[0][1][0]
+
+
+def bound(nodes: list[Any], arguments: Sequence[Area | str]) -> list[Any]:
+    """Return words and calls of a shape with its arguments in place."""
+    return [
+        Call(node.name, [bound(each, arguments) for each in node.arguments]) if isinstance(node, Call)
+        else Word(ARGUMENT, arguments[node.value]) if node.kind == ARGUMENT else node
+        for node in nodes
+    ]  # fmt: skip
 
 
 def signed(text: str, position: int, open_calls: list[tuple[str, list[list[Any]]]]) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from datetime import date
 from typing import Annotated, Any, NamedTuple, Self
 
@@ -84,6 +85,9 @@ class Machine(Model):
     @classmethod
     def _spelled(cls, data: Any) -> Any:
         return cls.spelled(data)
+
+    def built_as(self, names: Mapping[str, str]) -> None:
+        """Keep, by the names of the cells that tell it, what parts were called when their book was built."""
 
     @property
     def design(self) -> Design:

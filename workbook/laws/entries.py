@@ -137,7 +137,7 @@ class Laws(RootModel[dict[str, Entered]]):
 
     def built_as(self, titles: Mapping[str, str]) -> None:
         """Keep what laws were called when the book was built in which they are found."""
-        self._titles.update(titles)
+        self._titles = dict(titles)
 
     def number(self, name: str) -> int:
         """Return the number of a law in the book, from 1."""

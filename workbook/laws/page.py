@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Iterable
 
 from engine.laws import Law
 from engine.laws.rise import Rise
@@ -13,15 +11,13 @@ from engine.laws.table import begins
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.machine import Sizes
+from workbook.entries.titles import sheet_title
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
 from workbook.laws.family import COEFFICIENTS, Page, value_at
 from workbook.laws.library import NamedLaw
 
-LONGEST_TITLE = 31  # characters of a sheet's title; Excel's limit
 POWERS = {"c0": "", "c1": " u", "c2": " u²", "c3": " u³", "c4": " u⁴", "c5": " u⁵"}
-RESERVED = ("Summary", "Checks", "Laws", "History")
-"""sheets that come later, and a title that Excel keeps for itself"""
 
 
 def finite(value: float) -> float | str:
@@ -33,6 +29,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
     """Declare the sheet of one law."""
     page, law, entered = one.page, one.law, one.entered
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
+    sheet.called = one.called
     rise = Rise(law, si(entered.lift, MM), entered.time)
     with sheet.scoped(f"{one.slug}_"):
         sheet.heading("Enter")
@@ -63,18 +60,6 @@ def spelled(page: Page) -> str:
     """Return a(u) of the family's pieces."""
     powers = [f"{name}{power}" for name, power in POWERS.items() if name in page.columns]
     return " + ".join([*powers, "P sin(ωu + φ)", *(["P₂ sin(ω₂u + φ₂)"] if page.second_sine else [])])
-
-
-def sheet_title(name: str, taken: Iterable[str]) -> str:
-    """Return a title for the sheet of a law that Excel takes and no other sheet has."""
-    plain = re.sub(r"[\[\]:*?/\\]", "-", name).strip("'")[:LONGEST_TITLE].strip("'") or "Law"
-    others = {title.casefold() for title in (*taken, *RESERVED)}
-    found, more = plain, 1
-    while found.casefold() in others:
-        more += 1
-        ending = f" ({more})"
-        found = plain[: LONGEST_TITLE - len(ending)] + ending
-    return found
 
 
 def entries(sheet: Sheet, one: NamedLaw) -> None:

@@ -88,7 +88,9 @@ class Entries:
             machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
         except InputError as refused:
             raise InputError(self._lost() or refused.lines) from None
-        machine.laws.built_as(self._built(named))
+        built = self._built()
+        machine.laws.built_as({name: built[f"{key}_built"] for name, key in named.items() if f"{key}_built" in built})
+        machine.built_as(built)
         return machine
 
     def _lost(self) -> list[str]:
@@ -117,10 +119,10 @@ class Entries:
             laws[name], named[name] = {**entry, "family": family}, key
         return self.data | {"laws": laws}, named
 
-    def _built(self, named: dict[str, str]) -> dict[str, str]:
-        """Return what each law was called when the book was built."""
-        places = {name: self.file.places.get(f"{key}_built") for name, key in named.items()}
-        held = {name: self.file.value(place.cell(0, 0)) for name, place in places.items() if place is not None}
+    def _built(self) -> dict[str, str]:
+        """Return by defined name what laws and axes were called when the book was built."""
+        places = {name: place for name, place in self.file.places.items() if name.endswith("_built")}
+        held = {name: self.file.value(place.cell(0, 0)) for name, place in places.items()}
         return {name: text for name, text in held.items() if isinstance(text, str)}
 
     def _template(self) -> AnyTemplate:

@@ -12,7 +12,6 @@ from workbook.errors import InputError
 from workbook.judging.report import Report
 from workbook.judging.verify import judge
 from workbook.laws.entries import LONGEST
-from workbook.laws.page import sheet_title
 from workbook.laws.shelf import LawShelf
 from workbook.reading.descriptions import checked, counted, read_machine, write_machine
 from workbook.reading.entries import Entries
@@ -118,23 +117,6 @@ def test_a_phase_with_an_unknown_law_is_told_what_there_is():
     assert said.startswith("timing.axes[1].phases[1].law")
     assert "no law is named 'MTP sofd'; expected MTP soft" in said
     assert "expected one of DWL, ACS, TVP, CIC, CUB, MTP, OWN, MTP soft" in refused({"MTP soft": SOFT}, "Zorro")
-
-
-TITLES = {
-    "MTP soft": "MTP soft",
-    "a/b\\c[d]:e*?": "a-b-c-d--e--",
-    "'quoted'": "quoted",
-    "x" * 40: "x" * 31,
-    "Timing": "Timing (2)",
-    "checks": "checks (2)",
-    "history": "history (2)",
-    "''": "Law",
-}
-
-
-@pytest.mark.parametrize("name", TITLES)
-def test_a_sheet_has_a_title_that_excel_takes_and_no_other_has(name):
-    assert sheet_title(name, ["About", "Timing"]) == TITLES[name]
 
 
 def test_laws_whose_titles_would_be_the_same_have_two():

@@ -160,9 +160,9 @@ def test_parts_of_a_drive_have_their_room_whichever_axis_it_moves():
     "law",
     [
         {"family": "OWN", "pieces": [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]},
-        {"family": "PO7"},
+        {"family": "DHM"},
     ],
-    ids=["one that turns back", "one of the seventh degree"],
+    ids=["one that turns back", "one of two sines"],
 )
 def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(law, tmp_path):
     axes = [driven((0, 90, 2.0, "mine"), (180, 200, -2.0, "CIC"))]

@@ -1,10 +1,19 @@
 """Drives of phases that move there and back, and of the seventh degree: cells, engine, dense samples, energy."""
 
+import itertools
+import math
+import random
+
 import numpy as np
 import pytest
 
+from engine.drivetrain import Motor
 from engine.machine.demand import Demand
+from engine.machine.limits import Judged, Limits
+from engine.machine.pace import FAR
+from engine.machine.rate import of_axis
 from tests.engine.machine.machines import sampled
+from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine_handing import (
     BACK,
@@ -16,6 +25,7 @@ from tests.workbook.machines.test_machine_handing import (
     axis,
     phase,
 )
+from tests.workbook.machines.test_machine_rates import limited, stretches_of
 from workbook.laws.library import laws
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.view import Whole
@@ -34,7 +44,7 @@ WINDOWS = [
     {"start": 20.0, "stop": 150.5, "force": 300.0, "resists": "moving"},
     {"start": 340.0, "stop": 10.0, "force": -200.0, "resists": "always"},
 ]
-CASES = {"quintic": (OUT, STEP, BACK), "septic": SEPTIC, "pulses": PULSES, "rests": RESTS, "turning": TURNING}
+CASES = {"turning": TURNING, "septic": SEPTIC, "pulses": PULSES, "rests": RESTS, "quintic": (OUT, STEP, BACK)}
 
 
 LAWS = ("LIN", "PO5", "PO7", "MSN", "SCV", "HAC")
@@ -87,6 +97,58 @@ def test_torque_power_and_energy_by_dense_samples(name):
     assert found.rms_torque == pytest.approx(np.sqrt(square / course.told.total), rel=1e-5)
     work = sum(np.trapezoid(row[1] * row[2], row[0]) for row in rows) / course.speed
     assert found.energy.net == pytest.approx(work, rel=1e-5)
+
+
+def drawn(seed):
+    """A drive of constant ratio, with everything drawn, and phases that hand over, turn back or are of degree 7."""
+    dice = random.Random(f"there and back {seed}")
+    edges, phases = sorted(dice.uniform(0, 360) for _ in range(dice.randint(3, 8))), []
+    edges = [0.0, *edges[1:-1], 360.0] if dice.random() < 0.5 else edges
+    for start, stop in itertools.pairwise(edges):
+        if stop - start > 6.0 and dice.random() < 0.85 and len(phases) < 6:
+            law = dice.choice(("LIN", "PO5", "PO5", "PO7", "PO7", "MSN", "SCV", "HAC", "CUB", "CIC", "DWL"))
+            rates = ("velocity", "acceleration")[: dice.randint(0, 2)] if law in ("PO5", "PO7") else ()
+            passing = {name: dice.uniform(-0.04, 0.04) for name in rates}
+            phases.append(phase(start, stop, 0.0 if law == "DWL" else dice.uniform(-60, 60), law, **passing))
+
+    def some(low, high):
+        return dice.choice((0.0, dice.uniform(low, high)))
+
+    load = {"mass": some(1, 60), "friction": some(0, 0.5), "slope": some(-60, 60), "force": some(-300, 300)}
+    kind = dice.choice(("lead screw", "rack and pinion", "belt"))
+    motor = DRIVE["motor"] | {"inertia": some(0, 0.002), "holding": dice.choice(("motor", "brake"))}
+    return machine(axis(
+        "A", *(phases or SEPTIC), shift=dice.choice((0.0, 77.0)), smoothness="velocity",
+        mechanism={"kind": kind, "size": dice.uniform(10, 80), "efficiency": dice.uniform(0.4, 1)}, motor=motor,
+        load=load | {"windows": WINDOWS[: dice.randint(0, 2)]},
+        reducer={"ratio": dice.uniform(1, 5), "efficiency": dice.uniform(0.5, 1), "mean_torque": 30.0},
+    ))  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", nights(60))
+def test_random_drives_come_to_what_the_engine_says(seed):
+    assert disagreeing(MACHINE, drawn(seed))[0] == []
+
+
+@pytest.mark.parametrize("seed", [*range(4), *nights(100)])
+def test_of_random_drives_the_highest_rate_is_what_a_search_finds(seed):
+    pace = limited(random.Random(seed), stretches_of(drawn(seed)).pace)
+    motor = Motor(1e-3, pace.rated_torque, pace.peak_torque, pace.max_speed)
+    speed, _ = of_axis(Judged(pace.demand.course, Limits(motor, None, pace.reducer)))
+    expected = min(speed / pace.demand.course.speed, math.sqrt(FAR))
+    assert pace.highest == pytest.approx(expected, rel=1e-9, abs=1e-5)
+
+
+@pytest.mark.parametrize("seed", [*range(4), *nights(100)])
+def test_what_random_stretches_ask_for_is_what_the_course_does(seed):
+    """Peaks of torque and power from the ends and tops of stretches, against the engine's search."""
+    view = stretches_of(drawn(seed))
+    found, torques = view.driven.demand, [part.torque_at(end) for part in view.parts for end in (0, 1)]
+    assert max(torques) == pytest.approx(found.torque.highest.value, rel=1e-9, abs=1e-9)
+    assert min(torques) == pytest.approx(found.torque.lowest.value, rel=1e-9, abs=1e-9)
+    powers = [power for one in view.powers for power in (*one.ends, one.at_bends, *(top.power for top in one.tops))]
+    assert max(0.0, *powers) == pytest.approx(max(0.0, found.power.highest.value), rel=1e-9, abs=1e-9)
+    assert min(0.0, *powers) == pytest.approx(min(0.0, found.power.lowest.value), rel=1e-9, abs=1e-9)
 
 
 BACK_AND_FORTH = {"OWN": {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}}

@@ -162,10 +162,10 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse) -> list[Quantity]:
     return rows
 
 
-def told(number: int) -> Quantity:
+def told(number: int, called: str) -> Quantity:
     """Return the check that the motor is named, or entered."""
     figures = ",".join(f"@own_motor_{name}" for name in IN_USE)
-    return check("@ok_told", f"Drive {number}: the motor is named or entered",
+    return check("@ok_told", f"{called}: the motor is named or entered",
                  f'OR(@motor_name<>"",COUNT({figures})={len(IN_USE)})', True, rule=f"axes.{number - 1}.motor:told",
                  says=f'"{UNTOLD}"')  # fmt: skip
 

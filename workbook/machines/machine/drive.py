@@ -11,6 +11,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.rows import filled
 from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
+from workbook.entries.titles import sheet_title
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen
 from workbook.machines.machine.chain import TABLE
@@ -65,7 +66,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
     """Declare the sheet."""
     one, driven = view.one, view.driven
     i = driven.number
-    sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
+    sheet = begun(book, driven)
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven, size(driven))
         outcome(sheet, one, driven, STRAIGHT, [*power_peaks(view, PEAKS), *highest(view)])
@@ -90,6 +91,14 @@ def drive_sheet(book: Book, view: Stretched) -> None:
     sheet.print_columns = 18
 
 
+def begun(book: Book, driven: Driven) -> Sheet:
+    """Return the sheet, called by the name that the axis had when the book was built."""
+    title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
+    sheet.called = driven.called
+    return sheet
+
+
 def size(driven: Driven) -> list[Quantity]:
     """Return the row of the mechanism's size, if it has one."""
     m, key = driven.given, f"axes.{driven.number - 1}.mechanism"
@@ -102,7 +111,8 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     m, key = driven.given, f"axes.{driven.number - 1}"
     sheet.heading("Enter")
     sheet.rows(
-        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left"),
+        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left",
+             source="its sheet keeps the name that it was built with"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
         given("@own_rate", "Rate that it is sized at, if not the machine's", "n", "cycles/min", driven.entered.rate,
               f"{key}.rate", format="0.0##", source="empty: the machine's"),
@@ -211,18 +221,17 @@ def outcome(
 
 def checks(driven: Driven, mends: Said = NOTHING) -> list[Quantity]:
     """Return the checks against the limits of motor and reducer."""
-    label = f"Drive {driven.number}"
     return [
-        *limit_checks(driven.reserve, label, mends=mends),
+        *limit_checks(driven.reserve, driven.called, mends=mends),
         *reducer_checks(driven, mends),
-        chosen.told(driven.number),
+        chosen.told(driven.number, driven.called),
     ]
 
 
 def laws_check(driven: Driven, one: AxisRows) -> Quantity:
     """Return the check that the sheet knows the motion's pieces."""
     number = driven.number
-    return check("@ok_laws", f"Drive {number}: the laws are of stages that this sheet integrates", known(driven, one),
+    return check("@ok_laws", f"{driven.called}: the laws are of stages that this sheet integrates", known(driven, one),
                  True, "for the RMS torque", f":shaped{number}", f'"{UNSHAPED}"')  # fmt: skip
 
 
@@ -242,7 +251,7 @@ def known(driven: Driven, one: AxisRows) -> str:
 
 def reducer_checks(driven: Driven, mends: Said) -> list[Quantity]:
     """Return the checks of the reducer's limits."""
-    label, (torque, mean, speed) = f"Drive {driven.number}: ", driven.reducer_checks
+    label, (torque, mean, speed) = f"{driven.called}: ", driven.reducer_checks
     fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
     return [
         check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_peak=0,@smax<=@reducer_peak)",
@@ -290,6 +299,8 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]
 
     sheet.heading("Workings: the chain")
     sheet.rows(
+        constant("@built", "Axis, named when the book was built", "", "", driven.entered.called, align="left",
+                 source="its sheet and its checks keep this name"),
         *gravity,
         calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
              shown(driven.axis.speed, one.axis.speed)),

@@ -41,6 +41,11 @@ class Driven:
         self.number = axis.number
 
     @property
+    def called(self) -> str:
+        """The drive by its axis' name, as its sheet and its checks are called."""
+        return f"Drive {self.entered.called}"
+
+    @property
     def kind(self) -> Kind:
         """The mechanism's kind."""
         return KINDS[self.given.kind]

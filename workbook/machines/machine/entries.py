@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from workbook.book.sentence import figure
 from workbook.entries.exported import Exporting
@@ -74,6 +74,16 @@ class Axis(Model):
     parts: list[AxisPart] = []  # noqa: RUF012 - frozen
     motor: AxisMotor | None = None
     reducer: Reducer = Reducer()
+    _built: str | None = PrivateAttr(default=None)
+
+    @property
+    def called(self) -> str:
+        """What it was called when its book was built, else what it is called."""
+        return self._built or self.name
+
+    def built_as(self, name: str | None) -> None:
+        """Keep what it was called when the book was built in which it is found."""
+        self._built = name if name != self.name else None
 
     @model_validator(mode="after")
     def _driven(self) -> Self:
@@ -166,6 +176,11 @@ class AnyMachine(Exporting):
         require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
         self._find_room()
         return self
+
+    def built_as(self, names: Mapping[str, str]) -> None:
+        """Keep what the axes with drives were called when the book was built."""
+        for i, axis in enumerate(self.axes, 1):
+            axis.built_as(names.get(f"drive{i}_built"))
 
     @property
     def choosable(self) -> list[int]:

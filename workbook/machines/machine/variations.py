@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from engine.machine.grid import RANKS
+from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine.chain import LINKED, WINDOWS
 from workbook.machines.machine.entries import AnyMachine
@@ -13,6 +14,7 @@ from workbook.machines.machine.switching import TIMES
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
+SEVENTH = POLYNOMIAL.format(7)
 STRAIGHT = "=-1"
 """of a page: how a straight line meets its neighbours"""
 SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
@@ -26,12 +28,18 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
 
 
 def shaped(laws: dict[str, Any]) -> list[str]:
-    """Return the laws that drives integrate whatever their parameters and neighbours: constants, quarter sines, ramps.
+    """Return the laws that drives take whatever their parameters and neighbours: constants, quarter sines, ramps.
 
-    Beside a straight line a phase may move there and back.
+    The polynomial 4-5-6-7 too. Beside a straight line a phase may move there and back: not behind every mechanism.
     """
     found = {name: page_of(name, entry) for name, entry in laws.items()}
-    return [name for name, page in found.items() if page.shapes is not None and page.way != STRAIGHT]
+    known = {name: page.shapes is not None or page.way == SEVENTH for name, page in found.items()}
+    return [name for name, page in found.items() if known[name] and page.way != STRAIGHT]
+
+
+def handing(laws: dict[str, Any]) -> list[str]:
+    """Return those with straight lines, for drives of constant ratio."""
+    return [name for name, entry in laws.items() if page_of(name, entry).way == STRAIGHT] + shaped(laws)
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
@@ -47,7 +55,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             "shift": SHIFTS[(i + k) % SIX],
         }
         driven = axis["motor"] is not None
-        made = phases(i, turn, sizes["phases"], shaped(data["laws"]) if driven else data["laws"])
+        constant = driven and axis["mechanism"]["kind"] not in LINKED
+        suited = handing(data["laws"]) if constant else shaped(data["laws"]) if driven else data["laws"]
+        made = phases(i, turn, sizes["phases"], suited)
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
         if driven:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]

@@ -21,6 +21,6 @@ def checks(driven: LinkedDriven) -> list[Quantity]:
     i, kind = driven.number, of(driven)
     said = table.wrong(driven.entered.unit) if kind is table else kind.WRONG
     return [
-        check("@ok_linked", f"Drive {i}: the sizes of the mechanism go together", kind.FITS, True, kind.HOLDS,
+        check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", kind.FITS, True, kind.HOLDS,
               f":linked{i}", said)
     ]  # fmt: skip

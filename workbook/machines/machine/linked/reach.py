@@ -58,7 +58,7 @@ def reach_check(view: LinkedWork) -> Quantity:
         f'[axes.name.{i}]&" row "&{row}&" reaches "&ROUND({outward(place)},9)&" {unit}, "'
         f'&ROUND({by},3)&" {unit} beyond the "&{end}'
     )
-    return check("@ok_reach", f"Drive {i}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
+    return check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
                  kinds.of(driven).WITHIN, f":reach{i}", says)  # fmt: skip
 
 
@@ -79,6 +79,6 @@ def back_check(view: LinkedWork) -> Quantity:
     unit, travel = driven.entered.unit, shown(driven.axis.motion.lifts_sum, driven.axis.unit)
     lifts, cell = f"[axis{i}.h]", f"[axes.travel.{i}]"
     back = f"ABS(SUM({lifts}))<=check_zero*MAX(MAX({lifts}),0-MIN({lifts}))"
-    return check("@ok_back", f"Drive {i}: the axis comes back every cycle", back, driven.axis.motion.closes,
+    return check("@ok_back", f"{driven.called}: the axis comes back every cycle", back, driven.axis.motion.closes,
                  "its mechanism has ends",
                  says=amount(cell, travel, "it ends ", f" {unit} from where it begins"))  # fmt: skip

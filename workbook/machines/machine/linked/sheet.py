@@ -38,7 +38,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
     """Declare the sheet."""
     one, driven = view.one, view.linked
     i = driven.number
-    sheet = book.sheet(f"Drive {i}", f"The drive of axis {i}: what its motion asks of the motor.")
+    sheet = drive.begun(book, driven)
     with sheet.scoped(f"drive{i}_"):
         drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
         drive.outcome(sheet, one, driven, RESULTS, power_peaks(view, PEAKS))
@@ -77,7 +77,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
 def checks(view: LinkedWork) -> list[Quantity]:
     """Return the checks of the mechanism: its sizes, where it can bring its load to, and the sheet's own places."""
     driven, i = view.linked, view.driven.number
-    label, key = f"Drive {i}: ", f"axes.{i - 1}"
+    label, key = f"{driven.called}: ", f"axes.{i - 1}"
     enough = (
         f"MAX([@sec.rest])<={SUFFICES!r}*MAX(MAX([@pl.T]),0-MIN([@pl.T])),MAX([@st.e])>=360,MAX([@sec.e])>=360,"
         "MAX([@look.nF])+MAX([@look.nS])+MAX([@look.nT])<=MAX([@turn.k])"
