@@ -22,6 +22,8 @@ from engine.motion.turning import GRID, PARTS, ROUNDS
 
 PLACES = 3
 """in a piece, at most, at which its acceleration turns, but of the sixth or seventh degree"""
+MOST_TURNED = PLACES * math.pi * (1.0 + 1e-9)
+"""how far a sine turns in a piece, at most (rad)"""
 HALVED = 1.0 / math.sqrt(5.0)
 """of the second half of the polynomial 4-5-6-7: where its acceleration turns"""
 INSIDE = 1e-9
@@ -73,9 +75,13 @@ def root_term(c3: float, c4: float, c5: float) -> float:
 
 
 def plain(piece: MotionPiece) -> bool:
-    """Whether :func:`turning` knows all of a piece: a polynomial, or one of the second degree and one sine."""
+    """Whether :func:`turning` knows all of a piece: a polynomial, or one of the second degree and one sine.
+
+    A sine of more than :data:`PLACES` half turns has more places.
+    """
     sine, *others = (amplitude for amplitude, _, _ in piece.sines)
-    return not any(others) and not (sine and any(piece.c[3:]))
+    often = abs(piece.sines[0][1]) * piece.duration > MOST_TURNED
+    return not any(others) and not (sine and (often or any(piece.c[3:])))
 
 
 def stretches(cuts: Iterable[float], total: float, near: float) -> list[tuple[float, float]]:

@@ -163,9 +163,14 @@ SMALL = {"cycle": 12, "law": 10, "own_law": 20}
 
 
 def small(name):
-    """The committed description, with tables as small as they may be."""
+    """The committed description, with tables as small as they may be, and no drives."""
     data = tomllib.loads(TEMPLATES[name].description.read_text(encoding="utf-8"))
     data["sizes"] = data.get("sizes", {}) | SMALL
+    if name == "machine":
+        del data["selection"], data["power"]
+        for axis in data["axes"]:
+            for entry in ("mechanism", "load", "parts", "motor", "reducer"):
+                axis.pop(entry, None)
     if name not in ("machine", "motion-composer", "indexing-overlap", "motion-laws"):
         few = read_machine(TEMPLATES[name].description).selection.model_dump(exclude_none=True)
         data["selection"] = {entry: few[entry][:2] for entry in ("motors", "reducers")}

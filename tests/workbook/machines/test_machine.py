@@ -4,6 +4,7 @@ import math
 
 import openpyxl
 import pytest
+from pydantic import ValidationError
 
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.build import build, inputs
@@ -187,3 +188,18 @@ def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(law, tmp
 def test_a_drive_that_is_none_is_refused(entries, said):
     with pytest.raises(ValueError, match=said):
         described([driven((0, 90, 2.0, "CIC")) | entries])
+
+
+@pytest.mark.parametrize(
+    "entries",
+    [
+        {"rate": 100.0}, {"load": {"mass": 3.0}},
+        {"parts": [{"name": "Roll", "inertia": 1e-3, "count": 1, "shaft": "motor"}]},
+        {"reducer": {"ratio": 5.0}}, {"load": {"windows": [{"start": 10.0, "stop": 20.0, "force": 5.0}]}},
+    ],
+    ids=lambda entries: next(iter(entries)),
+)  # fmt: skip
+def test_what_belongs_to_a_drive_is_refused_without_one(entries):
+    with pytest.raises(ValidationError, match="entered for an axis without a drive; expected none") as told:
+        described([driven((0, 90, 2.0, "CIC")) | {"mechanism": None, "motor": None, "load": {}} | entries])
+    assert told.value.errors()[0]["ctx"]["error"].field in entries

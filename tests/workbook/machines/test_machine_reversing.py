@@ -153,7 +153,12 @@ def test_what_random_stretches_ask_for_is_what_the_course_does(seed):
 
 BACK_AND_FORTH = {"OWN": {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}}
 POINTS = [{"angle": at, "position": y} for at, y in ((-60.0, -20.0), (0.0, 0.0), (40.0, 30.0), (200.0, 100.0))]
+WAVES = {"duration": 0.5, "c0": 4.0, "amplitude": 1.5, "omega": 50.26548245744}
+MANY = {"OWN": {"pieces": [WAVES, WAVES | {"c0": -4.0, "amplitude": -1.5}]}}
 REFUSED = {
+    "a sine of more than three half turns": lambda: machine(
+        axis("A", phase(0.0, 90.0, 30.0, "OWN"), **DRIVE), laws=MANY
+    ),
     "a law of one's own that turns back": lambda: machine(
         axis("A", phase(0.0, 90.0, 30.0, "OWN"), **DRIVE), laws=BACK_AND_FORTH
     ),

@@ -11,6 +11,7 @@ from workbook.entries.texts import LOOKED_UP, NO_FORMULA
 from workbook.entries.types import EntryError, Positive
 from workbook.selection.entries import Products
 
+UNCHOSEN = "no axis with a drive of constant ratio is named "
 Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
 

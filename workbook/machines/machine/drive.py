@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from engine.drivetrain.loads import GRAVITY
+from engine.machine.bent import PLACES
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import NOTHING, Said, exceeding
@@ -57,7 +58,7 @@ BACKWARD = "MIN([@st.dir])<0"
 """whether the motor turns backward too"""
 MACHINES, OWN = "the machine's rate", "a rate of its own"
 UNSHAPED = (
-    "a phase has a law of other pieces than polynomials and sines, or one that turns back between its ends, or "
+    "a phase has a law whose pieces are neither a polynomial nor one sine, or that turns back between its rests, or "
     "turns round too often"
 )
 
@@ -244,7 +245,8 @@ def known(driven: Driven, one: AxisRows) -> str:
     table, powers = f"axis{number}_pieces", one.pieces.powers
     curved = "+".join(f"([{table}.c{n}]<>0)" for n in range(3, powers))
     beyond = [f"SUMPRODUCT(([{table}.A{sine.mark}]<>0)*1)" for sine in one.pieces.sines[1:]]
-    mixed = f"SUMPRODUCT(([{table}.A]<>0)*({curved}))"
+    often = f"(([{table}.om]*[{table}.d])^2>({PLACES}*PI()*(1+check_zero))^2)"
+    mixed = f"SUMPRODUCT(([{table}.A]<>0)*({curved}+{often}))"
     turns = one.ends.turning_round() if one.ends and driven.given.kind == TABLE else []
     return "+".join([mixed, *beyond, *turns, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
 

@@ -34,7 +34,7 @@ from workbook.machines.machine.chain import (
     PowerEntry,
     Reducer,
 )
-from workbook.machines.machine.choice import Choice
+from workbook.machines.machine.choice import UNCHOSEN, Choice
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
@@ -90,8 +90,8 @@ class Axis(Model):
         if (self.mechanism is None) != (self.motor is None):
             missing = "mechanism" if self.mechanism is None else "motor"
             raise EntryError(missing, "empty; a drive has a mechanism and a motor")
-        if self.rate is not None and self.motor is None:
-            raise EntryError("rate", f"{figure(self.rate)} of an axis without a drive; expected none")
+        if self.motor is None:
+            self._nothing_driven()
         free = self.mechanism and self.mechanism.kind in EITHER
         if self.mechanism and not free and (self.mechanism.kind in TURNING) != (self.unit == "°"):
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
@@ -103,6 +103,12 @@ class Axis(Model):
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of an axis in {self.unit}; expected none")
         return self
+
+    def _nothing_driven(self) -> None:
+        """Raise EntryError for what belongs to a drive, and would stand nowhere."""
+        for name in ("rate", "load", "parts", "reducer"):
+            if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
+                raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, or that begin before the one above ends."""
@@ -189,13 +195,13 @@ class AnyMachine(Exporting):
         return [i for i, axis in axes if axis.motor and axis.mechanism and axis.mechanism.kind not in LINKED]
 
     def _chooses(self) -> None:
-        """Raise EntryError where Selection looks at no axis with a drive of constant ratio."""
+        """Raise an error where Selection looks at no axis with a drive of constant ratio."""
         name, names = self.selection.axis, [self.axes[i].name for i in self.choosable]
-        if name is not None and place_of(name, names) < 0:
-            expected = f"one of {', '.join(names)}" if names else "none: no axis has a drive of constant ratio"
-            raise EntryError(
-                "selection.axis", f"no axis with a drive of constant ratio is named {name!r}; expected {expected}"
-            )
+        if name is None or place_of(name, names) >= 0:
+            return
+        if not names:
+            raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has such a drive")
+        raise TogetherError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", names[0])])
 
     def _find_room(self) -> None:
         """Settle the room for the pieces of an axis: those of its phases, and a rest between each two."""

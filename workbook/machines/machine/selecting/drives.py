@@ -60,6 +60,11 @@ def taken(view: Choosing, column: str) -> str:
     return f"INDEX([@drives.{column}],@no)" if len(view.drives) > 1 else f"[@drives.{column}.1]"
 
 
+def known(view: Choosing) -> str:
+    """Return the condition under which the axis that is named is one of them."""
+    return "ISNUMBER(@no)" if len(view.drives) > 1 else "[@drives.axis.1]=@axis"
+
+
 def chosen(sheet: Sheet, view: Choosing) -> None:
     """Declare the named drive."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.drives) > 1 else "COUNT([@drives.k])"

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
-from workbook.machines.machine.choice import Choice
+from workbook.machines.machine.choice import UNCHOSEN, Choice
 from workbook.machines.machine.linked.worked import LinkedWork
 from workbook.machines.machine.selecting.best import best_table, order_table
 from workbook.machines.machine.selecting.charts import chart, uses
-from workbook.machines.machine.selecting.drives import chosen, drives_table, points_table
+from workbook.machines.machine.selecting.drives import chosen, drives_table, known, points_table
 from workbook.machines.machine.selecting.formulas import peak_of, rms_of, spare_of, whole
 from workbook.machines.machine.selecting.pairs import grids, products
 from workbook.machines.machine.selecting.view import Choosing
@@ -102,6 +102,8 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
              source="those that have the mass or cost they are ranked by"),
     )  # fmt: skip
     sheet.checks(
+        check("@ok_axis", "Selection: its axis has a drive of constant ratio", known(view), True, rule=":chosen",
+              says=f'"{UNCHOSEN}"&@axis'),
         check("@ok", "Selection: a motor and a reducer can do it", "SUM([@best.holds])>0", pair is not None,
               says=Said("@message", message(view)))
     )  # fmt: skip
