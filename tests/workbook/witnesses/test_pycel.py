@@ -544,7 +544,7 @@ LONG = st.lists(st.one_of(NUMBERS, NUMBERS.map(lambda x: x * 1e200), st.sampled_
 def test_arrays_hold_what_pycels_own_way_makes_of_ranges(
     one: Any, name: str, two: Any, turned: bool, wide: bool
 ) -> None:
-    shaped = lambda part: tuple(zip(*[iter(part)] * 3, strict=True)) if wide else tuple((v,) for v in part)  # noqa: E731
+    shaped = lambda row: tuple(zip(*[iter(row)] * 3, strict=True)) if wide else tuple((v,) for v in row)  # noqa: E731
     left, right = (shaped(part) if isinstance(part, list) else part for part in (one, two))
     if turned:
         left, right = right, left
