@@ -53,6 +53,13 @@ class Move:
         return (self.phase.law.end.v - self.phase.law.start.v) * self.phase.scale / self.phase.duration
 
     @property
+    def way(self) -> float:
+        """∫|v| dt (m or rad), there and back."""
+        law, edges = self.phase.law, breaks(self.phase.law)
+        sections = np.union1d(edges, roots(law.v, edges))
+        return abs(self.phase.scale) * integral(lambda xi: np.abs(law.v(xi)), sections)
+
+    @property
     def extremes(self) -> tuple[float, float, float]:
         """Accelerations in its three parts: at the law's largest a, at none, and at its lowest a."""
         k = self.phase.law.coefficients
@@ -114,6 +121,11 @@ class Sizing:
     def max_speed(self) -> float:
         """Largest speed of the motor (rad/s)."""
         return self.mechanism.ratio * self.load_speed
+
+    @cached_property
+    def mean_speed(self) -> float:
+        """∫|ω_m| dt/t over the cycle (rad/s)."""
+        return self.mechanism.ratio * math.fsum(move.way for move in self.moves) / self.motion.total
 
     @property
     def max_acceleration(self) -> float:

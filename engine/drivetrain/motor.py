@@ -114,8 +114,16 @@ class OperatingPoints:
     @property
     def rms_torque(self) -> float:
         """sqrt(∫C_m² dt / t), by the trapezoidal rule on the samples."""
-        time = np.arange(len(self.torque), dtype=np.float64) if self.time is None else self.time
-        return math.sqrt(float(np.trapezoid(self.torque**2, time)) / float(time[-1] - time[0]))
+        return math.sqrt(self._mean(self.torque**2))
+
+    @property
+    def mean_speed(self) -> float:
+        """∫|ω_m| dt / t, by the same rule."""
+        return self._mean(np.abs(self.speed))
+
+    def _mean(self, values: Array) -> float:
+        time = np.arange(len(values), dtype=np.float64) if self.time is None else self.time
+        return float(np.trapezoid(values, time)) / float(time[-1] - time[0])
 
 
 class LimitCheck(NamedTuple):

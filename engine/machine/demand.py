@@ -91,6 +91,11 @@ class Demand:
         return math.sqrt(self._total(square, scale) / self.course.told.total)
 
     @cached_property
+    def mean_speed(self) -> float:
+        """∫|ω| dt/t over the cycle (rad/s): where the RMS torque is held to the continuous limit."""
+        return self._total(_turning, self.speed.peak) / self.course.told.total
+
+    @cached_property
     def energy(self) -> Energy:
         """Energy at the motor's shaft over the cycle."""
         scale = self.torque.peak * self.speed.peak
@@ -112,15 +117,16 @@ class Demand:
         def cube(one: Stretch) -> Function:
             return lambda u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3)
 
-        def way(one: Stretch) -> Function:
-            return lambda u: np.abs(one.motor_speed(u))
-
-        cubes, ways = self._total(cube, fastest * peak**3), self._total(way, fastest)
+        cubes, ways = self._total(cube, fastest * peak**3), self._total(_turning, fastest)
         return math.cbrt(cubes / ways) if ways else 0.0
 
     def _total(self, function: Callable[[Stretch], Function], scale: float) -> float:
         """Return the integral over the abscissa of a function of each stretch that grows to a scale."""
         return math.fsum(integral(function(one), one.low, one.high, scale) for one in self.stretches)
+
+
+def _turning(one: Stretch) -> Function:
+    return lambda u: np.abs(one.motor_speed(u))
 
 
 def _bounds(found: Iterable[tuple[Stretch, Array, Array]]) -> Bounds:

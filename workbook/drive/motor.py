@@ -1,6 +1,6 @@
 """The motor's limits in cells: entered, drawn in the plane of speed and torque, and held against a cycle.
 
-The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm) and ``@speed`` (rpm).
+The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and ``@mean`` (rpm).
 """
 
 from __future__ import annotations
@@ -13,6 +13,8 @@ from workbook.drive.entries import MotorLimits
 from workbook.entries.units import RPM, shown
 
 RATED = "@motor_rated"
+RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"
+"""colours in the plane of speed and torque"""
 
 
 def limits_given(motor: MotorLimits, key: str) -> list[Quantity]:
@@ -66,14 +68,25 @@ def limits_table(sheet: Sheet, corners: Corners, backward: str, rated: str = RAT
     )  # fmt: skip
 
 
+def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
+    """Declare the RMS torque (Nm) at the mean speed (rad/s) as the chart draws it."""
+    sheet.table(
+        "@point", "RMS point, as drawn in the chart", 1,
+        calc("rpm", "mean speed", "n_mean", "rpm", "=@mean", [shown(speed, RPM)], scale=max(shown(speed, RPM), 1.0)),
+        calc("torque", "RMS torque", "T_rms", "Nm", "=@rms", [torque], scale=max(torque, 1e-3)),
+    )  # fmt: skip
+
+
 def plane(cycle: str, symbol: str, rated: str = "rated torque") -> Chart:
-    """Return the chart of torque against speed, from the table ``cycle``, within the motor's limits."""
+    """Return the chart of torque against speed, from the table ``cycle``, and the RMS point, within the limits."""
     lines = (
-        Series("operating points", f"[{cycle}.rpm]", f"[{cycle}.torque]"),
-        Series("peak torque and speed of the motor", "[@limits.rpm]", "[@limits.peak]", dashed=True),
-        Series(rated, "[@limits.rpm]", "[@limits.rated]", dashed=True),
+        Series("cycle", f"[{cycle}.rpm]", f"[{cycle}.torque]"),
+        Series("RMS point", "[@point.rpm]", "[@point.torque]", points=True, marker="diamond", color=RMS_POINT),
+        Series("peak torque and speed", "[@limits.rpm]", "[@limits.peak]", dashed=True, color=PEAK),
+        Series(rated, "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
     )
     return Chart(
         "Torque against speed of the motor", "motor speed n_m [rpm]", f"motor torque {symbol} [Nm]", lines,
-        "Operating points of the motor over one cycle in the speed–torque plane, with the motor's limits",
+        "Speed and torque of the motor over one cycle, and its RMS torque at its mean speed: the point that has to lie "
+        "within the continuous limit, the cycle within the peak limit",
     )  # fmt: skip

@@ -46,6 +46,13 @@ def described(path=TEMPLATE.description, **changed):
     return TEMPLATE.model.model_validate(entries(path, **changed))
 
 
+def turned(machine):
+    """The motor's turns a minute by the entries alone: laws that bring their lift, on a screw."""
+    entered = machine.actuator
+    lifts, times = (sum(abs(getattr(phase, name)) for phase in entered.phases) for name in ("lift", "duration"))
+    return lifts * entered.output.turns / times * 60
+
+
 def test_s4_lead_screw():
     """Printed figures with the tolerance of their digits; where S4 is misprinted or rounded, the exact ones only."""
     value = computed(TEMPLATE, described())
@@ -58,6 +65,7 @@ def test_s4_lead_screw():
     assert value("act_tr") == pytest.approx(0.0113, abs=5e-5)
     assert value("act_vmax") == pytest.approx(0.048, abs=1e-12)
     assert value("act_wmax") == pytest.approx(48 * math.pi, rel=1e-12)
+    assert value("act_mean") == pytest.approx(turned(described()), rel=1e-12)
     assert value("act_alpha") == pytest.approx(1440 * math.pi, rel=1e-12)  # printed 1460.4 π, of 0.033 s
     parts = [value("phases", name)[0] for name in ("acc", "level", "dec")]
     assert parts == pytest.approx([0.1021457, 0.0113301, -0.0794856], abs=5e-8)

@@ -9,7 +9,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, described, driven
 
 RATIO = 2 * math.pi / 0.01  # of a screw of 10 mm lead, rad/m
 RISE = ((30, 90, 20.0, "CIC"), (180, 240, -20.0, "CIC"))
-FIGURES = ("tmax", "tmin", "rms", "speed", "smax", "smean", "energy", "returned", "power", "res_rms", "ok_peak")
+FIGURES = ("tmax", "tmin", "rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "res_rms", "ok_peak")
 
 
 def small(axes, **sizes):
@@ -32,6 +32,15 @@ def test_no_result_hangs_on_the_samples():
     for name in FIGURES:
         assert few(f"drive1_{name}") == many(f"drive1_{name}"), name
     assert entered(TEMPLATE, small([axis])) == (small([axis]), [])
+
+
+def test_the_rms_point_lies_at_the_mean_speed():
+    """40 mm of a screw of 10 mm lead in 0.3 s: 4 turns; at a rate of its own of 100 a minute, in 0.6 s."""
+    for rate, rpm in ((None, 800.0), (100.0, 400.0)):
+        value = computed(TEMPLATE, small([forced((20, 120, 500.0, "always"), rate=rate)]))
+        assert value("drive1_mean") == pytest.approx(rpm, rel=1e-12)
+        assert value("drive1_point", "rpm") == [value("drive1_mean")]
+        assert value("drive1_point", "torque") == [value("drive1_rms")]
 
 
 def test_over_a_closed_cycle_the_motor_does_the_work_of_friction_and_process_forces():

@@ -12,7 +12,7 @@ CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank": 50.0, "rod": 200.0,
 ROCKER = {"kind": "rocker", "efficiency": 1.0, "lever": 90.0, "link": 240.0, "offset": 95.0, "angle": 80.0}
 RISE = ((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP"))
 MOTOR = {"inertia": 8e-4, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 4500.0}
-FIGURES = ("tmax", "tmin", "rms", "speed", "smax", "smean", "energy", "returned", "power", "jtot", "ok_peak")
+FIGURES = ("tmax", "tmin", "rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "jtot", "ok_peak")
 
 
 def linked(*phases, mechanism=CRANK, **entries):

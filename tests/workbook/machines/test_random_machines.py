@@ -23,7 +23,7 @@ from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked
 
 G = 9.81
-SAME = ("rms", "speed", "smax", "smean", "energy", "returned", "power", "highest", "jtot", "pmax", "pmin")
+SAME = ("rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "highest", "jtot", "pmax", "pmin")
 CHECKS = dict(zip(LIMITS, ("speed", "reducer_speed", "peak", "reducer_peak", "rms", "reducer_mean"), strict=True))
 RACK = {"kind": "rack and pinion", "size": 50.0, "efficiency": 0.9}
 

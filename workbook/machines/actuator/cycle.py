@@ -8,7 +8,7 @@ import numpy as np
 
 from workbook.book.declare import Book, Sheet, calc, constant, result
 from workbook.book.rows import filled
-from workbook.drive.motor import limits_table
+from workbook.drive.motor import limits_table, rms_point
 from workbook.drive.stages import through
 from workbook.entries.units import RPM, shown
 from workbook.machines.actuator.tables import AT, joints, resists
@@ -92,6 +92,7 @@ def limits(sheet: Sheet, machine: Sized) -> None:
              "=[side]*@time", np.where(corners.right, total, 0.0), scale=total),
         calc("rms", "RMS torque", "T_RMS", "Nm", "=@rms", machine.rms_torque, scale=machine.sides.torque),
     )  # fmt: skip
+    rms_point(sheet, machine.sizing.mean_speed, machine.rms_torque)
 
 
 def cycle(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:

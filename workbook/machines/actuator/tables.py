@@ -81,6 +81,8 @@ def motion(sheet: Sheet, machine: Sized, rows: PieceRows) -> None:
              "=IF([span]>0,[h]/[span]^2,0)", machine.of_moves(lambda move: move.per), scale=sides.acceleration),
         calc("dir", "direction", "", "",
              '=IF([kind]="spare",0,SIGN([h]))', machine.of_moves(lambda move: move.direction), format="0"),
+        calc("way", "way", "Σ|x|", "", "=ABS([h]*INDEX(law_s1,[no]))", machine.of_moves(lambda move: move.way),
+             scale=sides.lift, source="in m or rad"),
         calc("base", "resists", "", "N or Nm",
              '=IF([kind]="spare",0,IF([dir]=0,@hold,@steady+@rubbing*[dir]))', resists(machine), scale=sides.force),
         *phase_columns(rows),

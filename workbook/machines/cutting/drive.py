@@ -11,7 +11,7 @@ from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.drive import losses
 from workbook.drive.entries import GEARED
-from workbook.drive.motor import limit_checks, limits_given, limits_table, plane
+from workbook.drive.motor import limit_checks, limits_given, limits_table, plane, rms_point
 from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, shown
 from workbook.machines.cutting.view import ROLLERS, Cutting
@@ -33,6 +33,7 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
         sheet.heading("Table over the cycle")
         table(sheet, machine)
         limits_table(sheet, machine.motor.corners(float(machine.samples.speed.min())), "MIN([drive.w])<0-@still")
+        rms_point(sheet, machine.samples.motor.mean_speed, machine.samples.motor.rms_torque)
     sheet.print_columns = 18
     sheet.one_page = True
 
@@ -140,6 +141,10 @@ def outcome(sheet: Sheet, machine: Cutting) -> None:
              1.0 if machine.machine.drive.resists == "always" else asked.moving),
         result("@speed", "Largest speed of the motor", "n_m", "rpm",
                "=MAX(MAX([drive.rpm]),-MIN([drive.rpm]))", shown(points.max_speed, RPM), source=""),
+        result("@mean", "Mean speed of the motor", "n_mean", "rpm",
+               ("=(2*SUMPRODUCT([drive.rpm]*(([drive.rpm]>0)-([drive.rpm]<0)))-ABS([drive.rpm.first])"
+                "-ABS([drive.rpm.last]))/(2*[drive.k.last])"), shown(points.mean_speed, RPM),
+               source="of |n|, by the same rule; with C_m,rms the RMS point"),
         result("@pmax", "Largest power of the motor", "P_max", "W",
                "=MAX([drive.power])", points.highest_power, source="C_m ω_m", scale=power),
         result("@pmin", "Lowest power of the motor", "P_min", "W",

@@ -11,7 +11,7 @@ from engine.machine.bent import PLACES
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import NOTHING, Said, exceeding
-from workbook.drive.motor import limit_checks, limits_table, plane
+from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen
@@ -47,6 +47,7 @@ STRAIGHT = {
     "tmin": "=MIN(MIN([@st.tyb]),MIN([@st.tye]))",
     "rms": "=SQRT(MAX(0,SUM([@st.square])/(2*PI())))",
     "speed": "=ABS(@i)*MAX([axis{0}.v])*@faster*60/(2*PI())",
+    "mean": "=ABS(@i)*@way*@faster/timing_cycle*60/(2*PI())",
     "smax": "=MAX(MAX(MAX([@st.ryb]),MAX([@st.rye])),0-MIN(MIN([@st.ryb]),MIN([@st.rye])))",
     "smean": "=IF(@way>0,(SUM([@st.cube])/@way)^(1/3),0)",
     "energy": "=SUM([@st.drives])",
@@ -87,6 +88,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         pace_tables(sheet, view)
         behind.means(sheet, view)
         limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), BACKWARD)
+        rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18
 
 
@@ -195,6 +197,8 @@ def outcome(
                found.rms_torque, scale=torque, source="exact, from the motion's pieces: not from samples"),
         result("@speed", "Largest speed of the motor", "n", "rpm",
                formulas["speed"].format(driven.number), fastest, source="C_v h/t, through the ratio"),
+        result("@mean", "Mean speed of the motor", "n_mean", "rpm", formulas["mean"], shown(found.mean_speed, RPM),
+               scale=max(fastest, 1e-3), source="of |n| over the cycle; with T_rms the RMS point"),
         result("@res_rms", "Reserve of RMS torque", "", "",
                "=IF(@rms>0,@motor_rated/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
         result("@res_peak", "Reserve of peak torque", "", "",

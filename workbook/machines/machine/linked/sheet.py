@@ -7,7 +7,7 @@ import numpy as np
 from engine.machine.places import SUFFICES
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
-from workbook.drive.motor import limits_table, plane
+from workbook.drive.motor import limits_table, plane, rms_point
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen, drive
 from workbook.machines.machine.chain import UNSIZED
@@ -24,6 +24,7 @@ RESULTS = {
     "tmin": "=0-MAX([@sec.topD])",
     "rms": "=SQRT(MAX(0,SUM([@sec.square])/(2*PI())))",
     "speed": "=@i1*MAX([@sec.topw])*60/(2*PI())",
+    "mean": "=@i1*SUM([@sec.way])/(2*PI())*60/(2*PI())",
     "smax": "=MAX([@sec.topS])",
     "smean": "=IF(SUM([@sec.way])>0,(SUM([@sec.cube])/SUM([@sec.way]))^(1/3),0)",
     "energy": "=SUMPRODUCT(([@sec.work]>0)*[@sec.work])",
@@ -69,6 +70,7 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         cut.nodes_table(sheet, view)
         sheet.rows(*found.lost_rows(view))
         limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), drive.BACKWARD)
+        rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18
 
 
