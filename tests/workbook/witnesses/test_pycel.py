@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from openpyxl import Workbook
 from openpyxl.workbook.defined_name import DefinedName
@@ -519,6 +519,7 @@ NUMBERS = st.one_of(st.integers(-(10**6), 10**6), st.floats(-1e9, 1e9))
 
 @given(NUMBERS, st.sampled_from([*shortcuts.SIMPLE, "Div"]), NUMBERS)
 def test_the_straight_way_of_an_operator_leads_where_pycels_own_leads(left: Any, name: str, right: Any) -> None:
+    assume(left == right or not math.isclose(left, right, rel_tol=1e-14))  # pycel compares all digits, Excel 15
     own = build_operators(lambda is_exception, message: None)
     assert same_values([shortcuts.operators()(left, name, right)], [own(left, name, right)])
 

@@ -21,6 +21,7 @@ from pycel.lib.function_helpers import excel_helper, excel_math_func
 MOST_DIGITS = 308  # of a number that a cell can hold
 MOST_TEXT = 32_767  # characters that a cell can hold
 MOST_PERIODS = 1_000_000
+LARGEST_ROOT = 1e9
 MOST_WILDCARDS = 3  # in a criterion
 NUMBERS = frozenset((float, int))
 NEAR = 1e-14  # relative: numbers farther apart differ in 15 digits
@@ -82,6 +83,8 @@ def to_15_digits(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any
 
 def odd_root(number: float, exponent: float) -> Any:
     """Return a negative number to the power of 1/3, 1/5 and so on, as Excel's ``^`` takes these; else #NUM!."""
+    if abs(exponent) < 1 / LARGEST_ROOT:
+        return NUM_ERROR
     root = round(1 / exponent)
     odd = root % 2 == 1 and math.isclose(root * exponent, 1)
     return -(abs(number) ** exponent) if odd else NUM_ERROR
