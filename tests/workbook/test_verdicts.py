@@ -20,7 +20,7 @@ VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those 
     "flying-cutter-saw": (43, []),
     "indexing-overlap": (34, []),
     "indexing-overlap-stations": (50, []),
-    "machine": (84, []),
+    "machine": (85, []),
     "machine-linkages": (72, []),
     "motion-composer": (28, []),
     "motion-composer-example-1": (28, []),
