@@ -173,6 +173,7 @@ def phases(sheet: Sheet, machine: Cutting) -> None:
              f"=({chosen('rms')}/timing_omega^2)^2", filled(squares, n), source="(C_a,rms h/δ²)²"),
         calc("share", "share of the cycle", "δ/2π", "", f"={chosen('span')}/(2*PI())", filled(asked.shares, n)),
         calc("moving", "share in motion", "", "", f"=IF({still},0,[share])", filled(asked.moving_shares, n)),
+        blank="[share]=0",
     )  # fmt: skip
 
 
