@@ -48,7 +48,7 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
     require_possible(template, machine, counted)
     with collector_paused():
         book = template.declare(machine)
-        save(book, template.model, path, overwrite)
+        save(book, type(machine), path, overwrite)
     return failing(book)
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Container, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import workbook
 from workbook.axes import CamAxis, CamSwitch
@@ -24,6 +24,13 @@ MOST = 99
 """parts of a kind that are told apart by numbers"""
 
 
+class Other(NamedTuple, Generic[M]):
+    """Another way to tell a machine: the model of such a description, and the same machine told so."""
+
+    model: type[M]
+    told: Callable[[M], M]
+
+
 @dataclass(frozen=True)
 class Template(Generic[M]):
     """A kind of machine: its description's model, the book declared from a description, variations to verify at.
@@ -35,7 +42,8 @@ class Template(Generic[M]):
     entries that only the engine can refuse; what the entries refuse by themselves, the model does. ``laid_out`` gives a
     machine the layout that a file has by its defined names, where the number of sheets depends on the description;
     ``fixed`` returns by key the entries that such a layout tells and no cell holds. ``axes`` are the motions that a
-    controller can be given, ``switches`` what it is to turn on and off meanwhile. ``scaling`` gives results without a
+    controller can be given, ``switches`` what it is to turn on and off meanwhile. ``others`` are other ways to tell a
+    machine, by the key of the entry that only they have. ``scaling`` gives results without a
     book, of many designs at once.
     """
 
@@ -50,12 +58,17 @@ class Template(Generic[M]):
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []
     scaling: Scaling[M] | None = None
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
+    others: Mapping[str, Other[M]] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:
         """To another process a template goes by its name."""
         from workbook.templates import TEMPLATES
 
         return TEMPLATES.__getitem__, (self.name,)
+
+    def model_for(self, data: Any) -> type[M]:
+        """Return the model that checks a description."""
+        return next((other.model for key, other in self.others.items() if has(data, key)), self.model)
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
@@ -78,6 +91,15 @@ class Template(Generic[M]):
     def book(self) -> Path:
         """The committed workbook."""
         return FOLDER / f"{self.name}.xlsx"
+
+
+def has(data: Any, key: str) -> bool:
+    """Whether a description has a key."""
+    for part in key.split("."):
+        if not isinstance(data, Mapping) or part not in data:
+            return False
+        data = data[part]
+    return True
 
 
 def finish(book: Book, title: str, sources: tuple[str, ...]) -> Book:

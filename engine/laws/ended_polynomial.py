@@ -60,6 +60,18 @@ class EndedPolynomial(EndedLaw):
         return coefficients_of(self.as_pieces(), e.v0, a0, a1)
 
 
+class EndedLine(EndedPolynomial):
+    """y'' = 0: what any law becomes between ends that a straight line meets."""
+
+    code = "LIN"
+    name = "Straight line"
+
+    @property
+    def polynomial(self) -> tuple[float, ...]:
+        """c0 … c3, all of them 0."""
+        return (0.0,) * 4
+
+
 class EndedCubic(EndedPolynomial):
     """c0 = 6H − 4v0 − 2v1, c1 = −12H + 6(v0 + v1): of all motions between these ends that of least ∫a².
 

@@ -11,6 +11,8 @@ from engine.laws.base import Law, require_finite
 NAMES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 STILL = 1e-9
 """of the law's own scale: a velocity or an acceleration below this is rounding"""
+ROUNDING = 1e-12
+"""of a stroke or a velocity: two of them that differ by less are the same"""
 
 
 class EndError(ValueError):
@@ -44,6 +46,12 @@ class Ends:
     def at_rest(self) -> bool:
         """Whether nothing but a stroke is asked for."""
         return not any(self.values[1:])
+
+    @property
+    def straight(self) -> bool:
+        """Whether a straight line meets them: what a curve would add to it is rounding."""
+        bent = any(self.values[3:]) or abs(self.v1 - self.v0) > ROUNDING * abs(self.v0)
+        return not bent and abs(self.stroke - self.v0) <= ROUNDING * abs(self.stroke)
 
     def asked(self, quantity: str) -> tuple[float, float]:
         """Return the values of ``quantity`` (v, a or j) at begin and end."""

@@ -123,7 +123,15 @@ class Geared:
 
     def speed(self, gears: Gears) -> Array:
         """Return the largest speed of motors (rad/s)."""
-        return np.asarray(gears.ratio * abs(self.turns) * self.course.fastest * self.speeds[gears.rate])
+        return self._turning(gears, self.course.fastest)
+
+    def mean_speed(self, gears: Gears) -> Array:
+        """Return the mean speed of motors over the cycle, there and back (rad/s)."""
+        return self._turning(gears, self.course.way / self.course.told.total)
+
+    def _turning(self, gears: Gears, velocity: float) -> Array:
+        """Return the speed of motors (rad/s) at a geometric velocity of the load."""
+        return np.asarray(gears.ratio * abs(self.turns) * velocity * self.speeds[gears.rate])
 
     @cached_property
     def spans(self) -> list[Span]:

@@ -8,7 +8,7 @@ from functools import cached_property
 from math import perm
 
 from engine.laws import Law
-from engine.laws.ended_polynomial import EndedPolynomial
+from engine.laws.ended_polynomial import EndedLine, EndedPolynomial
 from engine.laws.ends import EndedLaw, Ends
 from engine.laws.piece import POWERS
 from engine.laws.polynomial_law import HalvedPolynomial
@@ -19,6 +19,9 @@ from engine.motion.phase import Phase
 STRAIGHT, NEVER, PULSES, KEEPS, SEPTIC = -1, 0, 1, 2, 7
 """ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses;
 keep the velocities that they have at their ends"""
+
+LINE = 2
+"""of how a phase is carried out: its ends are those of a straight line"""
 
 
 def way(law: Law) -> int:
@@ -77,8 +80,10 @@ class Handover:
 
     @property
     def mode(self) -> int:
-        """How it is carried out: 0 as the law between rests, else its :attr:`way`."""
-        return self.way if self.ended else 0
+        """How it is carried out: 0 as the law between rests, :data:`LINE`, else its :attr:`way`."""
+        if not self.ended:
+            return 0
+        return LINE if isinstance(self.phase.law, EndedLine) else self.way
 
     @cached_property
     def halves(self) -> tuple[float, float]:

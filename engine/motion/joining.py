@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from engine.laws import Dwell, Law
+from engine.laws.ended_polynomial import EndedLine
 from engine.laws.ends import STILL, EndedLaw, EndError, Ends, between, kind, require_ends
 from engine.laws.straight_line import StraightLine
 from engine.motion.motion import Motion
@@ -145,7 +146,9 @@ def _between(phase: Phase, begin: Side, end: Side, shares: bool) -> Phase:
     if not shares:
         require_ends(law, ends, law.takes if isinstance(law, EndedLaw) else "")
     made, _ = between(law, ends)
-    return Phase(made, phase.lift, d) if ends.at_rest else EndedPhase(made, phase.lift, d, phase.law)
+    if ends.at_rest:
+        return Phase(made, phase.lift, d)
+    return EndedPhase(EndedLine(ends) if ends.straight else made, phase.lift, d, phase.law)
 
 
 def _kept(phase: Phase, law: EndedLaw, begin: Rates, end: Rates) -> Phase:

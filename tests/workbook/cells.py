@@ -23,6 +23,12 @@ def opened(book, model):
     return openpyxl.load_workbook(io.BytesIO(archive.zipped(parts(book, model))))
 
 
+def model_of(template, book):
+    """The model of the descriptions of a book, by the entries that it has."""
+    keys = {q.key for block in book.blocks.values() for q in block.quantities if q.role == "input"}
+    return next((other.model for key, other in template.others.items() if key in keys), template.model)
+
+
 KEPT = 6  # layouts: a test file has a few, and those of other files may go
 
 
@@ -32,7 +38,7 @@ class Layout:
     known: dict[tuple, "Layout"] = {}  # noqa: RUF012 - one memory for all
 
     def __init__(self, template, book):
-        written = opened(book, template.model)
+        written = opened(book, model_of(template, book))
         self.match = Match(BookFile(Path("book.xlsx"), written, find_places(written)), book)
         self.model = PycelModel(written)
 
@@ -80,13 +86,13 @@ def disagreeing(template, machine):
 def disagreeing_in(template, machine, evaluate):
     """The same by another program, which is given the workbook as openpyxl reads it."""
     book = template.declare(machine)
-    written = opened(book, template.model)
+    written = opened(book, model_of(template, book))
     return compared(Match(BookFile(Path("book.xlsx"), written, find_places(written)), book), book, evaluate(written))
 
 
 def entered(template, machine):
     """The machine that is read back from the cells of a machine's book, and in lines what of it is not carried over."""
-    written = opened(template.declare(machine), template.model)
+    written = opened(template.declare(machine), type(machine))
     file = BookFile(Path("book.xlsx"), written, find_places(written))
     back = Entries(file, agreed).machine()
     return back, not_carried(file, template.declare(back), template.name)

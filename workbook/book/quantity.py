@@ -46,6 +46,8 @@ class Quantity:
     format: str = ""
     choices: str = ""
     align: str = ""
+    wrap: bool = False
+    """whether its texts take several lines, and their column need hold their words alone"""
     rule: str = ""
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
     says: str = ""

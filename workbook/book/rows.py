@@ -28,3 +28,12 @@ def as_rows(value: Any, size: int, where: str) -> list[Any]:
     if len(value) != size:
         raise ValueError(f"{where}: {len(value)} values for {size} rows")
     return value.tolist() if hasattr(value, "tolist") else list(value)
+
+
+def total(column: str) -> str:
+    """Return the formula of a column's sum.
+
+    SUMPRODUCT, not SUM: in a book without saved values, which another program has written, LibreOffice 7.4 works out
+    columns in threads, and SUM misses the first cell of one that is begun for it.
+    """
+    return f"SUMPRODUCT([{column}])"

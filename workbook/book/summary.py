@@ -88,6 +88,7 @@ def close(book: Book, sources: tuple[str, ...]) -> None:
     picture = next((chart for other in book.sheets[1:] for chart, *_ in other.charts), None)
     if picture is not None:
         book.sheets[0].charts.append((picture, PICTURE_ROW, PICTURE_COLUMN, COLUMNS + 1 - PICTURE_COLUMN, PICTURE_ROWS))
+    sheet.print_columns = max([COLUMNS, *(column for block in sheet.blocks for column in block.columns.values())])
     to_mend(book, sheet)
     sheet.not_printed_below()
     contents(book, sheet)

@@ -79,16 +79,18 @@ class Section(NamedTuple):
     keys: tuple[Key, ...]
 
 
-def sections(template: AnyTemplate) -> list[Section]:
-    """Return the tables of a template's descriptions, the outermost first."""
-    machine = read_machine(template.description)
+def sections(template: AnyTemplate, other: str = "") -> list[Section]:
+    """Return the tables of a template's descriptions, the outermost first; of those with the key of another way."""
+    machine: Any = read_machine(template.description)
+    if other:
+        machine = template.others[other].told(machine)
     cells: dict[str, Quantity] = {}
     for block in template.declare(machine).blocks.values():
         for q in block.quantities:
             if q.role == "input":
                 cells.setdefault(ONE.sub(".*", q.key), q)
     walk = Walk(cells, machine.model_dump())
-    return sorted(walk.sections(template.model, "", machine.title), key=lambda s: rank(s.path))
+    return sorted(walk.sections(type(machine), "", machine.title), key=lambda s: rank(s.path))
 
 
 LAST = ("selection", "sizes", "laws")

@@ -36,7 +36,19 @@ def page() -> str:
         own = [section for section in found if not section.path.startswith("laws.")]
         parts.append(f"## {name}\n\n{own[0].model.__doc__ or ''}\n")
         parts += [described(section) for section in own]
+        parts += [differing(key, found, sections(template, key)) for key in template.others]
     return "\n".join([*parts, LAWS, *(described(section) for section in laws)])
+
+
+def differing(other: str, own: Iterable[Section], told: Iterable[Section]) -> str:
+    """Return the table of the keys that another way to tell a machine has, or takes in other units or ranges."""
+
+    def lined(found: Iterable[Section]) -> dict[str, tuple[str, ...]]:
+        return {f"{key.path}.{line[0]}": line for one in found for key in one.keys for line in lines("", [key])}
+
+    known = lined(own)
+    rows = [(*line[:-1], "") for key, line in lined(told).items() if known.get(key, ())[1:4] != line[1:4]]
+    return f"### With `{other}`\n\nWhat differs then.\n\n{tabled(rows)}"
 
 
 def described(section: Section) -> str:
@@ -47,7 +59,12 @@ def described(section: Section) -> str:
 
 def table(path: str, keys: Iterable[Key]) -> str:
     """Return keys as a table."""
-    rows = [TITLES, ("---",) * len(TITLES), *lines(path, keys)]
+    return tabled(lines(path, keys))
+
+
+def tabled(told: Iterable[tuple[str, ...]]) -> str:
+    """Return lines as a table, with titles."""
+    rows = [TITLES, ("---",) * len(TITLES), *told]
     return "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
+
+from pydantic import BaseModel
 
 from workbook.described.keys import Key, Section, sections
 from workbook.described.words import remark
@@ -18,21 +20,33 @@ CATALOGUES = ("motors", "reducers")
 
 def schema(template: AnyTemplate) -> dict[str, Any]:
     """Return the schema of a template's descriptions, each key with its meaning, unit and example."""
-    made = template.model.model_json_schema()
+    made = one_way(template.model, sections(template))
+    for way, other in template.others.items():
+        another = one_way(other.model, sections(template, way))
+        above, _, last = way.rpartition(".")
+        asked = {"properties": {above: {"required": [last]}}, "required": [above]}
+        defs = made.pop("$defs") | another.pop("$defs")
+        made = {"if": asked, "then": another, "else": made, "$defs": defs}
+    return {"$schema": DRAFT, **made}
+
+
+def one_way(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
+    """Return the schema of the descriptions that a model checks, all but which draft it is of."""
+    made = model.model_json_schema()
     made["$defs"]["Laws"] = laws(made["$defs"])
-    for section in sections(template):
+    for section in known:
         for key, node in placed(section, made):
             node["description"] = remark(key)
             if key.example is not None and not key.rows:
                 node["examples"] = [key.example]
-    for model in ("Selection", "Products"):
-        selection = made["$defs"].get(model, {}).get("properties", {})
+    for name in ("Selection", "Products"):
+        selection = made["$defs"].get(name, {}).get("properties", {})
         for entry in CATALOGUES:
             if entry in selection:
                 rows = selection[entry]
                 selection[entry] = {"description": rows.pop("description", ""), "anyOf": [{"const": "committed"}, rows]}
     made["required"] = [*dict.fromkeys(["template", *made.get("required", [])])]
-    return {"$schema": DRAFT, **made}
+    return made
 
 
 def laws(defs: dict[str, Any]) -> dict[str, Any]:

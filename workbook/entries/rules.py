@@ -15,7 +15,7 @@ from pydantic.fields import FieldInfo
 
 from workbook.book.declare import Quantity
 from workbook.book.limits import Limit
-from workbook.entries.types import LARGEST, SMALLEST, EmptyCell
+from workbook.entries.types import LARGEST, SMALLEST, CountsAs, EmptyCell
 from workbook.laws.entries import TakesLaw
 from workbook.laws.registry import RISING
 
@@ -146,6 +146,8 @@ def within(kind: Any, constraints: list[Any]) -> Any:
         return get_args(kind)[0]
     if takes_law(constraints):
         return RISING[0]
+    if counted := [c.value for c in constraints if isinstance(c, CountsAs)]:
+        return counted[0]
     low = max((astuple(c)[0] for c in constraints if isinstance(c, Gt | Ge)), default=-LARGEST)
     high = min((astuple(c)[0] for c in constraints if isinstance(c, Lt | Le)), default=LARGEST)
     return 1.0 if low < 1.0 < high else (low + high) / 2

@@ -26,20 +26,22 @@ class TurnPhase(Model):
         yield from resting(self.law, self.lift)
 
 
-def forward(name: str, phases: Sequence[TurnPhase]) -> Iterator[DesignError]:
-    """Yield the first phase of an axis that runs backwards, or does not last."""
+def forward(
+    name: str, phases: Sequence[TurnPhase], unit: str = "°", length: float = TURN
+) -> Iterator[DesignError]:  # fmt: skip
+    """Yield the first phase of an axis that runs backwards, or does not last, of a cycle of a length."""
     for row, phase in enumerate(phases, 1):
         if phase.stop <= phase.start:
             short = phase.start - phase.stop
-            said = f"{name} row {row} ends at {figure(phase.stop)}°, {figure(short)}° before it begins"
-            yield DesignError("phases", said, "forward", filling(phases))
+            said = f"{name} row {row} ends at {figure(phase.stop)}{unit}, {figure(short)}{unit} before it begins"
+            yield DesignError("phases", said, "forward", filling(phases, length))
             return
 
 
-def filling(phases: Sequence[TurnPhase]) -> list[dict[str, Any]]:
+def filling(phases: Sequence[TurnPhase], length: float = TURN) -> list[dict[str, Any]]:
     """Return the phases, evenly spread over the cycle."""
-    step = TURN / len(phases)
-    edges = [*(i * step for i in range(len(phases))), TURN]
+    step = length / len(phases)
+    edges = [*(i * step for i in range(len(phases))), length]
     return [
         phase.model_dump() | {"start": start, "stop": stop}
         for phase, start, stop in zip(phases, edges, edges[1:], strict=False)

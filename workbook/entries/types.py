@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Annotated, Any, Self
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
@@ -28,6 +29,13 @@ class EntryError(ValueError):
 
 class EmptyCell:
     """Marks an entry whose cell may be empty, and is then read as its default."""
+
+
+@dataclass(frozen=True)
+class CountsAs:
+    """Marks an entry with what it counts as where it does not do."""
+
+    value: float
 
 
 class DesignError(EntryError):

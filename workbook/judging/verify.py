@@ -86,7 +86,7 @@ def judge(
     report.findings += layout(match)
     suspects = structure(match, report, shapes)
     report.notes += notes(file.workbook)
-    for remark in audit(match, template.model):
+    for remark in audit(match, type(machine)):
         report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
     report.findings += settings(file.workbook)
     own = own_cells(match, report, given)

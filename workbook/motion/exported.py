@@ -13,13 +13,12 @@ from engine.motion.phase import MotionValues
 from engine.motion.pieces import evaluated
 from engine.motion.shifted import Told
 from workbook.book.declare import Book, Quantity, calc, constant, result
+from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.exported import Exporting, named
 from workbook.motion.cells import PieceRows
 from workbook.motion.sampled import POSITION, derivative, finding
 
 TITLE = "Export"
-PER_DEGREE = ("", "*PI()/180", "*(PI()/180)^2")
-"""what turns derivatives by rad into those by degrees"""
 
 
 class Later(NamedTuple):
@@ -40,7 +39,7 @@ class Exportable(NamedTuple):
 
     ``called`` is the formula of its name, ``units`` are those shown of x, y, y' and y''; ``unit`` is what one of the
     motion's x and y is in them, ``turned`` the formula of that for y; ``size`` how large each derivative grows,
-    ``scope`` what the names of its cells begin with.
+    ``scope`` what the names of its cells begin with, ``over`` what a motion in degrees is shown over.
     """
 
     name: str
@@ -52,6 +51,7 @@ class Exportable(NamedTuple):
     size: Callable[[int], float]
     later: Later | None = None
     scope: str = ""
+    over: Abscissa = ANGLE
 
 
 def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> None:
@@ -84,8 +84,8 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     x, y, v, a, _ = (at, *found)
     shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
     sizes = in_units(MotionValues(*(axis.size(order) for order in range(4))), *axis.unit)
-    per = PER_DEGREE if rows.at.degrees else ("", "", "")
-    end = axis.rows.at.end
+    per = [axis.over.from_rad(order) if rows.at.degrees else "" for order in range(3)]
+    end = axis.over.told(axis.rows.at.end)
     told_as = (
         ("y", "position", "y", POSITION), ("y1", "velocity", "y'", "dy/dx"), ("y2", "acceleration", "y''", "d²y/dx²"),
     )  # fmt: skip
@@ -108,9 +108,9 @@ def place(axis: Exportable, told: Told) -> list[Quantity]:
     later = axis.later
     if later is None:
         return []
-    until = f"MIN([at],360-2*{later.near})"
+    until, at = f"MIN({axis.over.in_degrees('[at]')},360-2*{later.near})", axis.over.in_degrees("[at]")
     return [
         calc("n", "cycles", "n", "", f"=INT(({until}-{later.by}+{later.near})/360)", told.cycles, format="0"),
-        calc("p", "angle of its phases", "", "°", f"=[at]-{later.by}-360*[n]", told.x * axis.unit[0], scale=360.0,
-             format="0.0##"),
+        calc("p", "angle of its phases", "", "°", f"={at}-{later.by}-360*[n]", axis.over.degrees(told.x * axis.unit[0]),
+             scale=360.0, format="0.0##"),
     ]  # fmt: skip

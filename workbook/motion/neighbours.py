@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import Any, Protocol
 
-from engine.motion.handover import STRAIGHT, Handover, handovers
+from engine.laws.ends import ROUNDING
+from engine.motion.handover import LINE, STRAIGHT, Handover, handovers
 from engine.motion.joining import Joined, Rates
 from workbook.book.declare import Quantity, calc
 from workbook.book.rows import filled, spread
@@ -109,9 +110,11 @@ class Neighbours:
                  "AND(OR([way]=1,[way]=2,[way]=3),ABS([q0])+ABS([q1])>0)),1,0)",
                  self.of(lambda one: int(bool(one.fault))), format="0;;", source="1 where it cannot"),
             calc("mode", "is carried out", "", "",
-                 "=IF(OR([way]=-1,[way]=2,[cannot]=1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,[way])",
+                 "=IF(OR([way]=-1,[way]=2,[cannot]=1,ABS([w0])+ABS([w1])+ABS([q0])+ABS([q1])=0),0,"
+                 f"IF(AND(ABS([q0])+ABS([q1])=0,ABS([w1]-[w0])<={ROUNDING:.0E}*ABS([w0]),"
+                 f"ABS([h]-[w0]*[span])<={ROUNDING:.0E}*ABS([h])),{LINE},[way]))",
                  self.of(lambda one: one.mode), format="0",
-                 source="0 between rests, 1 as two pulses, 3, 5, 7 as a polynomial"),
+                 source="0 between rests, 1 as two pulses, 2 straight on, 3, 5, 7 as a polynomial"),
         ]  # fmt: skip
 
     def beside(self) -> list[Quantity]:
@@ -128,9 +131,16 @@ class Neighbours:
 
     def set_by(self, velocity: str, acceleration: str) -> tuple[str, str, str]:
         """Return the formulas of whether anything is entered for the begin of a phase, and of what is."""
-        number = "=IF(ISNUMBER({0}),{0},0)"
         entered = f"=IF(COUNT({velocity},{acceleration})>0,1,0)"
-        return entered, number.format(velocity), number.format(acceleration)
+        first, second = (
+            f"=IF(ISNUMBER({cell}),{self.by_rad(cell, order)},0)"
+            for order, cell in enumerate((velocity, acceleration), 1)
+        )
+        return entered, first, second
+
+    def by_rad(self, cell: str, order: int) -> str:
+        """Return the formula of a derivative by the motion's own abscissa, from the cell in which it is entered."""
+        return cell
 
     def entries_at(self) -> tuple[Formulas, Formulas, Formulas]:
         """Return these formulas, for the rows of the table."""

@@ -131,11 +131,15 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
 def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, Quantity, Quantity]:
     """Return amplitude, frequency and phase of a sine."""
     h, per, words = at.lift, at.of_phase("rate"), " of the second sine" if one.mark else ""
+
+    def of_a_sine(formula: str) -> str:
+        return f"=IF({at.of_end('mode')}>1,0,{formula})" if at.ends else f"={formula}"
+
     return (
         calc(f"A{one.mark}", f"amplitude{words}", f"A{one.mark}", at.y,
              f"=0-{h}*{of_law(one.ps)}", of(lambda piece: piece.sines[k][0]), scale=sizes(0), source="−h P/ω²"),
         calc(f"om{one.mark}", f"frequency{words}", f"ω{one.mark}", f"rad/{at.x}" if at.x else "",
-             f"={of_law(one.omega)}*{per}", of(lambda piece: piece.sines[k][1]), source="ω/δ"),
+             of_a_sine(f"{of_law(one.omega)}*{per}"), of(lambda piece: piece.sines[k][1]), source="ω/δ"),
         calc(f"ph{one.mark}", f"phase{words}", f"φ{one.mark}", "rad",
-             f"={of_law(one.phi)}", of(lambda piece: piece.sines[k][2])),
+             of_a_sine(of_law(one.phi)), of(lambda piece: piece.sines[k][2])),
     )  # fmt: skip

@@ -31,7 +31,8 @@ class Asked:
     abscissa behind a ``place`` and those of the derivatives: each a formula, and the text that it gives. ``wraps`` is
     the condition under which the motion repeats, which it does if it is ``periodic``. Where its phases do not stand in
     the rows in which they are entered, sentences give no ``rows``; where they have ``names``, in the column ``what``
-    of their table, these stand in place of numbers.
+    of their table, these stand in place of numbers. Of a motion in degrees that is told over time, ``speed`` is the
+    name of the cell that says how fast it goes, and that in rad/s.
     """
 
     smooth: Smoothness
@@ -45,6 +46,19 @@ class Asked:
     periodic: bool = True
     rows: bool = True
     names: tuple[str, ...] = ()
+    speed: tuple[str, float] | None = None
+
+
+def in_time(asked: Asked, degrees: str, size: str, order: str) -> tuple[str, str]:
+    """Return the formulas of a place and of a jump as sentences tell them."""
+    if asked.speed is None:
+        return degrees, size
+    return f"RADIANS({degrees})/{asked.speed[0]}", f"{size}*{asked.speed[0]}^{order}"
+
+
+def timed(asked: Asked, x: float, size: float, order: int) -> tuple[float, float]:
+    """Return them by the engine: x is in rad where they are told over time."""
+    return (x, size) if asked.speed is None else (x / asked.speed[1], size * asked.speed[1] ** order)
 
 
 def ended(n: int, joint: Joint) -> float:
@@ -151,9 +165,10 @@ class Joints:
         if asked.names:
             one, other = (f"INDEX([{self.rows.at.phases}.what],{at(row)})" for row in ("from", "p"))
             rows = f'{one}&IF({within},""," to "&{other})&'
-        size = figure_of(f"ABS({at('size')})")
+        x, jump = in_time(asked, at("begin"), f"ABS({at('size')})", at("order"))
+        size = figure_of(jump)
         what = f"CHOOSE({at('order')},{WORDS})"
-        begin = f'" at "&ROUND({at("begin")},9)&{asked.place[0]}'
+        begin = f'" at "&ROUND({x},9)&{asked.place[0]}'
         unit = f'" "&CHOOSE({at("order")},{",".join(formula for formula, _ in asked.units)})'
         joined = '&" "&' if asked.rows else "&"
         head = f"{asked.of[0]}{joined}" if asked.of[0] else ""
@@ -165,7 +180,8 @@ class Joints:
         if not table:
             return ""
         both = f"AND(INDEX([{table}.way],{before})=-1,INDEX([{table}.way],{after})=-1)"
-        one, other = (figure_of(f"INDEX([{table}.slope],{row})") for row in (before, after))
+        slopes = (f"INDEX([{table}.slope],{row})" for row in (before, after))
+        one, other = (figure_of(in_time(self.asked, "", slope, "1")[1]) for slope in slopes)
         return f'&IF({both},": straight lines of "&{one}&" and "&{other},"")'
 
     def _said(self) -> str:
@@ -177,14 +193,16 @@ class Joints:
         rows = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if asked.rows else ""
         if asked.names:
             rows = f"{asked.names[joint.before]}{'' if within else f' to {asked.names[piece.phase]}'} "
-        x = figure(shown(piece.begin, DEGREE) if self.rows.at.degrees else piece.begin)
+        degrees = self.rows.at.degrees and asked.speed is None
+        at, size = timed(asked, piece.begin, abs(joint.size), joint.order)
+        x = figure(shown(at, DEGREE) if degrees else at)
         unit = asked.units[joint.order - 1][1]
         head = f"{asked.of[1]} " if asked.of[1] else ""
         what = ORDERS[joint.order - 1]
-        jump = f"{what} jumps by {figure(abs(joint.size))} {unit}"
+        jump = f"{what} jumps by {figure(size)} {unit}"
         used = sorted({one.phase for one in self.rows.pieces})
         beside = [used.index(row) for row in (joint.before, piece.phase)] if self.rows.at.ends else []
         slopes = [slope(self._phases[k]) for k in beside]
-        straight = [figure(one) for one in slopes if one is not None]
+        straight = [figure(timed(asked, 0.0, one, 1)[1]) for one in slopes if one is not None]
         why = f": straight lines of {' and '.join(straight)}" if len(straight) > 1 else ""
         return f"{head}{rows}at {x}{asked.place[1]}: {jump}{why}"

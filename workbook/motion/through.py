@@ -14,11 +14,14 @@ def passed(phases: Iterable[Any]) -> dict[int, Rates]:
     return {k: Rates(one.velocity or 0.0, one.acceleration or 0.0) for k, one in enumerate(phases) if one.passes}
 
 
-def entries(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str]) -> list[Quantity]:
+def entries(
+    velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
+    symbols: tuple[str, str] = ("y'", "y''"),
+) -> list[Quantity]:  # fmt: skip
     """Return the columns in which it is entered; ``key`` is that of the rows in the description."""
     return [
-        given("velocity", "velocity at its start", "y'", units[0], velocities, f"{key}.velocity", format="0.0####",
-              source="between two curved phases; empty: 0"),
-        given("acceleration", "and with", "y''", units[1], accelerations, f"{key}.acceleration", format="0.0####",
-              source="between two curved phases; empty: 0"),
+        given("velocity", "velocity at its start", symbols[0], units[0], velocities, f"{key}.velocity",
+              format="0.0####", source="between two curved phases; empty: 0"),
+        given("acceleration", "and with", symbols[1], units[1], accelerations, f"{key}.acceleration",
+              format="0.0####", source="between two curved phases; empty: 0"),
     ]  # fmt: skip

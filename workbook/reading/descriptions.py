@@ -71,10 +71,11 @@ def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
 
     Numbers that do not do, or are missing, make an unfinished design of it: see :mod:`workbook.entries.design`.
     """
+    model = template.model_for(data)
     try:
-        return designed(template.model, template.check, data, lambda: read_machine(template.description))
+        return designed(model, template.check, data, lambda: read_machine(template.description))
     except RefusedError as error:
-        lines = [refused(fault, template.model, where) for fault in error.faults]
+        lines = [refused(fault, model, where) for fault in error.faults]
         raise InputError(lines) from None
     except EntryError as error:
         raise InputError([f"{where(error.field)}: {error}"]) from None

@@ -187,7 +187,8 @@ class Entries:
         begin, _, rest = key.partition(".")
         name, _, below = rest.partition(".")
         known = f"{begin}.{self._laws.get(name, name)}.{below}" if begin == "laws" else key
-        return not rules.is_required(self.template.model, known) and rules.must_be_there(self.template.model, known)
+        model = self.template.model_for(self.data)
+        return not rules.is_required(model, known) and rules.must_be_there(model, known)
 
     def _store(self, q: Quantity, i: int, cell: str, value: Any) -> None:
         key = q.key.replace("*", str(i))

@@ -74,7 +74,7 @@ class Plan:
         for one, value in chosen.items():
             data = with_value(data, one, value)
         try:
-            machine, faults = attempted(self.template.model, self.template.check, data)
+            machine, faults = attempted(type(self.base), self.template.check, data)
         except EntryError as error:
             return Wrong(f"{error.field}: {error}")
         except RefusedError as error:

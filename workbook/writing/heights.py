@@ -10,10 +10,14 @@ FULL = 11.0
 """points in which a column's width is counted"""
 
 
-def width(text: str, points: float) -> float:
+BOLD = 1.06
+"""how much wider than others bold letters are"""
+
+
+def width(text: str, points: float, bold: bool = False) -> float:
     """Return how wide a text is at most, in digits of a column's width."""
     ems = sum(EMS.get(letter, CAPITAL if letter.isupper() else LETTER) for letter in text)
-    return ems * points / FULL / DIGIT
+    return ems * points / FULL / DIGIT * (BOLD if bold else 1.0)
 
 
 def lines(text: str, points: float, room: float) -> int:

@@ -83,26 +83,44 @@ class Styles:
         self._workbook = workbook
         for kind in (*ROLES.values(), *TEXTS.values()):
             workbook.add_named_style(kind.style())
-        self.quantity = cache(self._quantity)
+        self._known: dict[tuple[Any, ...], int] = {}
         self.text = cache(self._text)
+
+    def quantity(self, role: str, number_format: str, align: Alignment, table: bool) -> int:
+        """Return the style of a quantity's cells."""
+        key = role, number_format, align.horizontal, align.indent, align.wrap_text, table
+        if key not in self._known:
+            self._known[key] = self._quantity(role, number_format, align, table)
+        return self._known[key]
 
     def close(self) -> None:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
-    def _quantity(self, role: str, number_format: str, align: str, table: bool) -> int:
+    def _quantity(self, role: str, number_format: str, align: Alignment, table: bool) -> int:
         cell = self._scratch.cell(1, 1)
-        kind = "calculation" if table and role == "result" else role  # a whole page in bold stands out of nothing
-        cell.style = ROLES[kind].name  # first: it resets number format and protection
+        cell.style = ROLES[kind(role, table)].name  # first: it resets number format and protection
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
-        cell.alignment = Alignment(horizontal=align)
+        cell.alignment = align
         return int(cell.style_id)
 
     def _text(self, kind: str) -> int:
         cell = self._scratch.cell(1, 1)
         cell.style = TEXTS[kind].name
         return int(cell.style_id)
+
+
+def kind(role: str, table: bool) -> str:
+    """Return the kind of a quantity's cells: a whole page in bold stands out of nothing."""
+    return "calculation" if table and role == "result" else role
+
+
+def placed(q: Quantity, value: Any, table: bool, first: bool) -> Alignment:
+    """Return how a quantity's cells are aligned; a text behind a number keeps off it, ``first`` being no such."""
+    side = alignment(q, value, table)
+    behind = int(table and side == "left" and not first)
+    return Alignment(horizontal=side, indent=behind, wrap_text=q.wrap or None, vertical="top" if q.wrap else None)
 
 
 def alignment(q: Quantity, value: Any, table: bool) -> str:

@@ -23,14 +23,15 @@ from workbook.entries import rules
 from workbook.writing import archive, caches, charts, heights, style
 from workbook.writing.cells import Cells, Strings
 from workbook.writing.place import refuse_existing, replace
+from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, widths
 
-WIDTHS = {1: 2, FIRST: 38}
-COLUMN_WIDTH = 12
 LAST_PAGE_COLUMN = 9
 LINE_HEIGHTS = {"header": 14, "equation": 12}
+"""in points, of the texts that wrap"""
+ROW_HEIGHT = 15
+"""of a line in a cell that wraps"""
 AS_TYPED = "@"
 """the format of a cell that keeps 4711, or 3-4, as a text"""
-"""in points, of the texts that wrap"""
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
@@ -73,15 +74,18 @@ def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workb
     workbook.remove(workbook.worksheets[0])
     sheets = {sheet.title: workbook.create_sheet(sheet.title) for sheet in book.sheets}
     styles = style.Styles(workbook)
+    standing = Standing(book)
     for sheet in book.sheets:
         page, content = sheets[sheet.title], cells[sheet.title]
-        write_texts(sheet, page, content, styles)
+        wide = widths(sheet, standing)
+        write_texts(sheet, page, content, styles, wide)
         for block in sheet.blocks:
             write_block(block, page, content, styles, model)
+            heighten(block, content, wide)
             validate(block, page, model)
         for chart, row, column, width, height in sheet.charts:
             page.add_chart(charts.draw(chart, book, *size(column, width, height)), f"{get_column_letter(column)}{row}")
-        set_up_page(sheet, page)
+        set_up_page(sheet, page, wide)
     styles.close()
     workbook.properties.title = book.title
     workbook.properties.creator = "motionbook"
@@ -95,7 +99,7 @@ def size(column: int, columns: int, rows: int) -> tuple[float, float]:
     return characters * CM_PER_CHARACTER, rows * CM_PER_ROW
 
 
-def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Styles) -> None:
+def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Styles, wide: dict[int, float]) -> None:
     """Write titles, labels and headers."""
     for text in sheet.texts:
         cells.put(text.row, text.column, styles.text(text.style), text.text or None)
@@ -103,7 +107,7 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
             target = f"{quote_sheetname(text.link)}!A1"
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
         if text.style in LINE_HEIGHTS and text.text:
-            room = (WIDTHS | sheet.widths).get(text.column, COLUMN_WIDTH)
+            room = wide.get(text.column, COLUMN_WIDTH)
             lines = heights.lines(text.text, style.TEXTS[text.style].font.sz or heights.FULL, room)
             cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + 2, cells.heights.get(text.row, 0))
 
@@ -116,7 +120,7 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
         looks[q.name] = styles.quantity(
             q.role,
             AS_TYPED if rules.is_free_text(model, q) else number_format(q, seen),
-            style.alignment(q, seen, block.is_table),
+            style.placed(q, seen, block.is_table, block.columns[q.name] == FIRST),
             block.is_table,
         )
     for _, q, _, row, column, content, value in block.cells():
@@ -131,6 +135,15 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
     style.hide_errors(page, block)
 
 
+def heighten(block: Block, cells: Cells, wide: dict[int, float]) -> None:
+    """Give the rows of texts in several lines their height."""
+    for _, q, _, row, column, content, value in block.cells():
+        text = content if q.formula is None else value
+        if q.wrap and isinstance(text, str):
+            lines = heights.lines(text, heights.FULL, wide.get(column, COLUMN_WIDTH))
+            cells.heights[row] = max(lines * ROW_HEIGHT, cells.heights.get(row, 0))
+
+
 def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
     """Attach the rule of each input to its cells."""
     for q in block.quantities:
@@ -140,12 +153,11 @@ def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
             page.add_data_validation(rule)
 
 
-def set_up_page(sheet: Sheet, page: Worksheet) -> None:
+def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float]) -> None:
     """Columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
-    widths = WIDTHS | sheet.widths
     for column in range(1, max(used, LAST_PAGE_COLUMN, sheet.print_columns) + 1):
-        page.column_dimensions[get_column_letter(column)].width = widths.get(column, COLUMN_WIDTH)
+        page.column_dimensions[get_column_letter(column)].width = wide.get(column, COLUMN_WIDTH)
     if sheet.folded:
         first, last = (get_column_letter(column) for column in (sheet.folded, used))
         page.column_dimensions.group(first, last, hidden=True)

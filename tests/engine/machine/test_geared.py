@@ -43,7 +43,7 @@ def figures(found, gears):
     torques, works = found.torques(gears), found.works(gears)
     return np.array([
         torques.lowest, torques.highest, found.rms_torque(gears), works.driving, works.regenerated, found.speed(gears),
-        found.behind[gears.rate], found.moments.mean[gears.rate], found.inertia(gears.ratio),
+        found.mean_speed(gears), found.behind[gears.rate], found.moments.mean[gears.rate], found.inertia(gears.ratio),
     ])  # fmt: skip
 
 
@@ -51,8 +51,8 @@ def alone(demand):
     """The same of one drive."""
     return [
         demand.torque.lowest.value, demand.torque.highest.value, demand.rms_torque, demand.energy.driving,
-        demand.energy.regenerated, demand.speed.peak, demand.shaft_torque(1).peak, demand.mean_shaft_torque(1),
-        demand.course.train.drive.mechanism.inertia(),
+        demand.energy.regenerated, demand.speed.peak, demand.mean_speed, demand.shaft_torque(1).peak,
+        demand.mean_shaft_torque(1), demand.course.train.drive.mechanism.inertia(),
     ]  # fmt: skip
 
 

@@ -158,6 +158,21 @@ def test_two_straight_lines_of_one_slope_do_not_jump():
     assert shortfalls(found.motion, "acceleration") == ()
 
 
+@pytest.mark.parametrize("law", CURVED)
+@pytest.mark.parametrize("bent", [0.0, 1e-13, 1e-6, -1e-6])
+def test_a_curve_between_lines_of_its_own_slope_is_straight_but_for_rounding(law, bent):
+    slope, (first, d, last) = 0.7193, (11.3, 17.9, 23.7)
+    curve = Phase(law, slope * d * (1.0 + bent), d)
+    found = joined([line(slope * first, first), curve, line(slope * last, last)], periodic=False).motion
+    assert found.phases[1].y1_max == pytest.approx(slope, rel=1e-5)
+    if abs(bent) < 1e-9:
+        assert (found.phases[1].y2_max, found.phases[1].y3_max) == (0.0, 0.0)
+        assert shortfalls(found, "jerk", periodic=False) == ()
+    else:
+        assert found.phases[1].y2_max > slope * 1e-7 / d
+    assert max(abs(one.jump_y) for one in found.junctions()[:-1]) < 1e-11
+
+
 @pytest.mark.parametrize(
     ("law", "reason"),
     [

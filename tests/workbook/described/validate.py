@@ -10,9 +10,9 @@ def wrong(schema, root, data, at=""):
     if "anyOf" in schema and not any(wrong(one, root, data, at) == [] for one in schema["anyOf"]):
         return [at]
     found = [at] * (not of_kind(schema, data) or not within(schema, data))
-    for one in schema.get("allOf", ()):
-        if wrong(one["if"], root, data, at) == []:
-            found += wrong(one["then"], root, data, at)
+    for one in (*schema.get("allOf", ()), *([schema] if "if" in schema else [])):
+        way = "then" if wrong(one["if"], root, data, at) == [] else "else"
+        found += wrong(one.get(way, {}), root, data, at)
     return found + (below(schema, root, data, at) if isinstance(data, dict | list) else [])
 
 

@@ -6,6 +6,7 @@ import pytest
 
 from tests.workbook.cells import computed, entered
 from tests.workbook.machines.test_machine import TEMPLATE, described, driven
+from workbook.entries.units import KW
 
 RATIO = 2 * math.pi / 0.01  # of a screw of 10 mm lead, rad/m
 RISE = ((30, 90, 20.0, "CIC"), (180, 240, -20.0, "CIC"))
@@ -48,7 +49,7 @@ def test_over_a_closed_cycle_the_motor_does_the_work_of_friction_and_process_for
     value = computed(TEMPLATE, small([forced((20, 120, 500.0, "always"))]))
     net = value("drive1_energy") - value("drive1_returned")
     assert net == pytest.approx(0.1 * 20.0 * 9.81 * 0.04 + 500.0 * 0.02, rel=1e-9)
-    assert value("drive1_power") == pytest.approx(net / 0.3, rel=1e-9)
+    assert KW * value("drive1_power") == pytest.approx(net / 0.3, rel=1e-9)
     assert value("drive1_returned") > 0.0
 
 

@@ -10,6 +10,7 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
+from workbook.entries.units import KW
 from workbook.laws.library import laws
 from workbook.machines.machine import bussed
 from workbook.machines.machine.chain import PowerEntry
@@ -36,32 +37,32 @@ def together(made):
 
 
 def off(value, exact):
-    """By how much the figures of the common bus are off, and what they say that it is at most."""
-    figures = [value(f"bus_{name}") for name in ("mains_peak", "mains", "resistor_peak", "resistor")]
-    return max(abs(one - other) for one, other in zip(figures, exact, strict=True)), value("bus_off")
+    """By how much the figures of the common bus are off (W), and what they say that it is at most."""
+    figures = [KW * value(f"bus_{name}") for name in ("mains_peak", "mains", "resistor_peak", "resistor")]
+    return max(abs(one - other) for one, other in zip(figures, exact, strict=True)), KW * value("bus_off")
 
 
 def test_the_sums_are_those_of_the_power_of_all_drives():
     made = machine()
     value = computed(TEMPLATE, made)
     alone, common = together(made).supply(False), together(made).supply(True)
-    assert value("power_mains") == pytest.approx(alone.mains_mean, rel=1e-9)
-    assert value("power_resistors") == pytest.approx(alone.resistor_mean, rel=1e-9)
+    assert KW * value("power_mains") == pytest.approx(alone.mains_mean, rel=1e-9)
+    assert KW * value("power_resistors") == pytest.approx(alone.resistor_mean, rel=1e-9)
     assert value("power_year") == pytest.approx(alone.energy_a_year(4000.0) / 3.6e6, rel=1e-9)
-    assert value("power_least") < common.mains_mean < value("power_mains")
+    assert KW * value("power_least") < common.mains_mean < KW * value("power_mains")
     by, at_most = off(value, common)
     assert 1e-5 * common.mains_peak < by <= at_most < 0.1 * common.mains_peak
-    assert value("bus_net_off") <= at_most
-    assert abs(value("bus_alone") - alone.mains_peak) <= at_most
+    assert KW * value("bus_net_off") <= at_most
+    assert abs(KW * value("bus_alone") - alone.mains_peak) <= at_most
 
 
 def test_the_peaks_of_each_drive_are_those_of_its_power():
     value = computed(TEMPLATE, machine())
     for k, one in enumerate(together(machine()).courses):
         supply = Drivetrains((one,), POWER.efficiency).supply(False)
-        assert value("power", "peak")[k] == pytest.approx(supply.mains_peak, rel=1e-9)
-        assert value("power", "burnt")[k] == pytest.approx(supply.resistor_peak, rel=1e-9)
-        assert value(f"drive{k + 1}_pmax") == pytest.approx(supply.mains_peak * POWER.efficiency, rel=1e-9)
+        assert KW * value("power", "peak")[k] == pytest.approx(supply.mains_peak, rel=1e-9)
+        assert KW * value("power", "burnt")[k] == pytest.approx(supply.resistor_peak, rel=1e-9)
+        assert KW * value(f"drive{k + 1}_pmax") == pytest.approx(supply.mains_peak * POWER.efficiency, rel=1e-9)
 
 
 def test_one_drive_is_its_own_bus():
@@ -96,7 +97,7 @@ def test_a_drive_at_a_rate_of_its_own_counts_at_that_rate():
     slow = computed(TEMPLATE, machine([AXES[0] | {"rate": 50.0}]))
     assert slow("power", "time") == [pytest.approx(1.2)]
     energy = slow("drive1_energy") / 0.9 / 1.2
-    assert slow("power_mains") == pytest.approx(energy, rel=1e-12)
+    assert KW * slow("power_mains") == pytest.approx(energy, rel=1e-12)
     assert slow("power", "bus") == [0]
     assert (slow("bus_mains_peak"), slow("bus_mains"), slow("bus_off")) == (0.0, 0.0, 0.0)
 

@@ -17,6 +17,7 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
+from workbook.entries.units import KW
 from workbook.laws.library import laws
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.view import Whole
@@ -131,7 +132,7 @@ def test_without_losses_the_motor_does_the_work_of_what_resists(request, number)
     value = computed(TEMPLATE, made)
     driving, back = value("drive1_energy"), value("drive1_returned")
     assert driving - back == pytest.approx(work(made), rel=1e-8, abs=1e-9 * (driving + back))
-    share = value("power_mains") - value("power_resistors")
+    share = KW * (value("power_mains") - value("power_resistors"))
     efficiency = made.power.efficiency
     assert share * value("timing_cycle") == pytest.approx(
         driving / efficiency - back * efficiency, rel=1e-9, abs=1e-9 * driving

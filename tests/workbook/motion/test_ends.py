@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.tiers import nights
+from tests.tiers import by_day, nights
 from tests.workbook.cells import computed, disagreeing
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
@@ -90,6 +90,22 @@ def test_what_is_mirrored_comes_to_the_same(law):
         assert jerk == mirrored or jerk == pytest.approx(mirrored, rel=1e-9)
     assert one("motion", "y") == pytest.approx([-y for y in other("motion", "y")], abs=1e-12)
     assert one("move_high") == pytest.approx(-other("move_low"), rel=1e-9)
+
+
+def along(law, seed):
+    """A curve between two straight lines of one slope that goes on with it, in lifts that are rounded."""
+    dice = random.Random(seed)
+    slope, (*spans, back) = dice.uniform(-3.0, 3.0), (dice.uniform(5.0, 80.0) for _ in range(4))
+    rows = [(name, slope * d, d) for name, d in zip(("LIN", law, "LIN"), spans, strict=True)]
+    return composed([*rows, ("LIN", -slope * sum(spans), back)])
+
+
+@pytest.mark.parametrize("law", by_day(FAMILIES[1:], "PO5", "MSN"))
+@pytest.mark.parametrize("seed", [0, *nights(4)])
+def test_a_curve_that_goes_straight_on_is_a_straight_line(law, seed):
+    value = of(along(law, seed))
+    assert [value("phases", column)[1] for column in ("a", "j")] == [0.0, 0.0]
+    assert value("move_pieces", "order")[1:3] == [0, 0]  # from the first line to it, and on to the next one
 
 
 @pytest.mark.parametrize("law", ["OWN", "shifted"])

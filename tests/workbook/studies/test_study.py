@@ -50,7 +50,14 @@ def compared(plan, number):
     columns = zip(plan.space.dimensions, plan.space.columns(number, number + 1), strict=True)
     found = plan.template.scaling.results(outer, {one.key: column for one, column in columns if one.part})
     both = {name for name in found if name.partition(".")[0] in book.blocks}
+    assert drive_results(book) <= both
     return {name: (np.ravel(found[name]())[0], of_book(book, name)) for name in both}, set(found) - both
+
+
+def drive_results(book):
+    """The names of what comes out of drives, a value each."""
+    singles = (block.quantities[0] for block in book.blocks.values() if len(block.quantities) == 1)
+    return {one.name for one in singles if one.role == "result" and one.name.startswith("drive")}
 
 
 def require_alike(pairs):

@@ -17,9 +17,10 @@ from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.writing import archive
-from workbook.writing.write import WIDTHS, parts
+from workbook.writing.widths import WIDTHS
+from workbook.writing.write import parts
 
-DASH = re.compile(r'([0.#]+);-\1;"–"')  # a declared rule: zero is shown as nothing
+DASH = re.compile(r'([0.#]+(?:E\+00)?);-\1;"–"')  # a declared rule: zero is shown as nothing
 BLANK = "0;;"  # a declared rule: zero is not shown
 DECIMALS = re.compile(r"0(?:\.([0#]+))?(E\+00)?")
 GENERAL = 9  # digits after the first that Excel shows of a number without a format of its own

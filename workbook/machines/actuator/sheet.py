@@ -22,6 +22,8 @@ from workbook.motion.pieces import room_check
 from workbook.motion.smooth import Joints
 
 SCOPE = "act_"
+CHART_ROWS = 17
+"""of each of its three charts: all of them stand on the first printed page"""
 BELOW_CHARTS = 66  # the row from which the sheet is free in its whole width
 
 
@@ -262,8 +264,8 @@ def draw(sheet: Sheet) -> None:
     for row, chart in (
         (5, Chart("Torque of the motor over time", "time t [s]", "motor torque T_m [Nm]", torque,
                   "Torque of the motor over one cycle, with its RMS value and the motor's continuous torque")),
-        (25, plane("cycle", "T_m", "continuous torque")),
-        (45, Chart("Speed of the load over time", "time t [s]", f"={SCOPE}title_v", speed,
+        (5 + CHART_ROWS, plane("cycle", "T_m", "continuous torque")),
+        (5 + CHART_ROWS + CHART_ROWS, Chart("Speed of the load over time", "time t [s]", f"={SCOPE}title_v", speed,
                    "Speed of the load over one cycle")),
     ):  # fmt: skip
-        sheet.chart(chart, column=11, row=row, width=8, height=19)
+        sheet.chart(chart, column=11, row=row, width=8, height=CHART_ROWS - 1)

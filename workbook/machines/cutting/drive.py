@@ -13,7 +13,7 @@ from workbook.drive import losses
 from workbook.drive.entries import GEARED
 from workbook.drive.motor import limit_checks, limits_given, limits_table, plane, rms_point
 from workbook.entries.texts import place_of
-from workbook.entries.units import RPM, shown
+from workbook.entries.units import KW, RPM, shown
 from workbook.machines.cutting.view import ROLLERS, Cutting
 
 S1 = "S1, slide 'Feeding group layout'"
@@ -119,7 +119,7 @@ def outcome(sheet: Sheet, machine: Cutting) -> None:
     """Declare peaks and RMS, and the checks against the motor's limits."""
     points, asked, drive = machine.samples.motor, machine.asked, machine.drive
     tau = machine.mechanism.stages[0].transmission
-    power = max(points.highest_power, -points.lowest_power, 1e-3)
+    power = shown(max(points.highest_power, -points.lowest_power, 1e-3), KW)
     sheet.heading("Results")
     sheet.rows(
         result("@tmax", "Largest torque of the motor", "C_m,max", "Nm",
@@ -145,10 +145,10 @@ def outcome(sheet: Sheet, machine: Cutting) -> None:
                ("=(2*SUMPRODUCT([drive.rpm]*(([drive.rpm]>0)-([drive.rpm]<0)))-ABS([drive.rpm.first])"
                 "-ABS([drive.rpm.last]))/(2*[drive.k.last])"), shown(points.mean_speed, RPM),
                source="of |n|, by the same rule; with C_m,rms the RMS point"),
-        result("@pmax", "Largest power of the motor", "P_max", "W",
-               "=MAX([drive.power])", points.highest_power, source="C_m ω_m", scale=power),
-        result("@pmin", "Lowest power of the motor", "P_min", "W",
-               "=MIN([drive.power])", points.lowest_power, source="negative: the load drives the motor",
+        result("@pmax", "Largest power of the motor", "P_max", "kW",
+               "=MAX([drive.power])", shown(points.highest_power, KW), source="C_m ω_m", scale=power),
+        result("@pmin", "Lowest power of the motor", "P_min", "kW",
+               "=MIN([drive.power])", shown(points.lowest_power, KW), source="negative: the load drives the motor",
                scale=power),
         result("@inertias", "Inertia ratio", "", "",
                "=IF(@jm>0,@jtot*@tau^2/@jm,0)", drive.inertia_ratio, source="load at the motor shaft / motor"),
@@ -192,7 +192,8 @@ def table(sheet: Sheet, machine: Cutting) -> None:
                "=[w]/@tau*60/(2*PI())", shown(x.motor.speed, RPM), source="ω_r/τ"),
         result("torque", "motor torque", "C_m", "Nm",
                "=@jm/@tau*[dw]+@tau*[total]*[loss]", x.motor.torque, source="(J_m/τ)ω̇_r + τ C*_r f"),
-        result("power", "motor power", "P", "W", "=[torque]*[w]/@tau", x.motor.power, source="C_m ω_m"),
+        result("power", "motor power", "P", "kW", "=[torque]*[w]/@tau/1000", shown(x.motor.power, KW),
+               source="C_m ω_m"),
         calc("y1", "geometric velocity", "y'", "m/rad", chosen("g"), x.geometric.y1, source="from Timing"),
         calc("y2", "geometric acceleration", "y''", "m/rad²", chosen("gg"), x.geometric.y2, source="from Timing"),
         calc("w", "roller speed", "ω_r", "rad/s", "=[y1]*@omega/@radius", x.speed, source="v/R"),
@@ -217,7 +218,7 @@ def draw(sheet: Sheet) -> None:
     )  # fmt: skip
     power = (Series("power", "[drive.theta]", "[drive.power]"),)
     sheet.chart(
-        Chart("Power of the motor over the cycle", "master angle θ [°]", "power P [W]", power,
+        Chart("Power of the motor over the cycle", "master angle θ [°]", "power P [kW]", power,
               "Power of the motor over one turn of the master shaft", (0, 360, 30)),
         column=11, row=45, width=8, height=16,
     )  # fmt: skip

@@ -29,7 +29,7 @@ class Apart:
     def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisRows]) -> None:
         self.given, self.number = given, number
         self.rows = [rows[axis_place(name, rows)] for name in (given.first, given.second)]
-        self.unit = self.rows[0].axis.unit
+        self.unit, self.over = self.rows[0].axis.unit, self.rows[0].machine.over
 
     @property
     def name(self) -> str:

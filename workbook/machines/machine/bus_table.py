@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import re
 
+import numpy as np
+
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Sheet, calc, constant
 from workbook.book.rows import filled
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.turn import TURN
+from workbook.entries.units import KW, shown
 from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.powered import line
 from workbook.machines.machine.stretched import Stretched
@@ -40,11 +44,13 @@ def breaks_table(sheet: Sheet, bus: Bus) -> None:
     sheet.table(
         "jumps", "Where power may jump: where stretches of drives begin", size + 1,
         constant("n", "number", "", "", list(range(1, size + 2))),
-        calc("at", "master angle", "θ", "°", [*places, "=360+0"], [*(one.at for one in found), TURN], scale=TURN,
+        calc("at", bus.over.angle, "θ", "°", [*places, "=360+0"], [*(one.at for one in found), TURN], scale=TURN,
              format="0.0##"),
-        calc("alone", "from the mains, alone", "", "W", [*jumps, "=0+0"], [*(one.alone for one in found), 0.0],
-             scale=bus.size),
-        calc("common", "on the bus", "", "W", [*drawn, "=0+0"], [*(one.common for one in found), 0.0], scale=bus.size),
+        calc("alone", "from the mains, alone", "", "kW", [*jumps, "=0+0"], [*(shown(one.alone, KW) for one in found),
+             0.0],
+             scale=shown(bus.size, KW)),
+        calc("common", "on the bus", "", "kW", [*drawn, "=0+0"], [*(shown(one.common, KW) for one in found), 0.0],
+             scale=shown(bus.size, KW)),
     )  # fmt: skip
 
 
@@ -54,7 +60,7 @@ def power_at(bus: Bus, one: Stretched) -> str:
     u = PLACE.replace("{x}", "@b@")
     text = f"{WITHIN.replace('{x}', '@b@')}*{one.velocity(u)}*{line(one, u)}"
     own = OWN.sub(rf"[drive{i}_st.\1]", text).replace("@b@", "[b]")
-    return f"=IF([power.bus.{bus.row(one)}]=0,0,drive{i}_turning*SUMPRODUCT({own}))"
+    return f"=IF([power.bus.{bus.row(one)}]=0,0,drive{i}_kilo*SUMPRODUCT({own}))"
 
 
 def bus_table(sheet: Sheet, bus: Bus) -> None:
@@ -70,30 +76,35 @@ def bus_table(sheet: Sheet, bus: Bus) -> None:
     c, d, rowed = "[sum]", "[sum_e]", bus.rowed
     above = f"IF(MIN({c},{d})>=0,({c}+{d})/2,IF(MAX({c},{d})<=0,0,MAX({c},{d})^2/(2*ABS({c}-{d}))))"
     sheet.row += 1
+    over, places = bus.over, rowed([low for low, _ in lines.spans])
+    at = calc("b", over.angle, "θ", "°", begin, places, scale=TURN,
+              format="0.0##")  # fmt: skip
+    time = calc("time", over.name, over.symbol, over.unit, f"={over.told('[b]')}", list(map(over.shown, places)),
+                scale=over.length, format=over.format)  # fmt: skip
     sheet.table(
-        "bus", "Power of the drives over the turn: joined by straight lines", room,
-        calc("b", "master angle", "θ", "°", begin, rowed([low for low, _ in lines.spans]), scale=TURN,
-             format="0.0##"),
-        calc("sum", "from the bus", "P", "W",
-             f"=[alone]-SUMPRODUCT(({drives}<0)*(0-{drives}))*power_efficiency", bus.ends(lines.common, 0),
-             scale=bus.size, source="of all drives together"),
-        calc("alone", "without a common bus", "P", "W", f"=SUMPRODUCT(({drives}>0)*{drives})/power_efficiency",
-             bus.ends(lines.alone, 0), scale=bus.size, source="of those that take"),
-        *(calc(f"p{one.driven.number}", f"axis {one.driven.number}: at its motor", "P", "W", power_at(bus, one),
-               values, scale=one.most_power)
+        "bus", f"Power of the drives over the {over.period}: joined by straight lines", room,
+        time if over.timed else at,
+        calc("sum", "from the bus", "P", "kW",
+             f"=[alone]-SUMPRODUCT(({drives}<0)*(0-{drives}))*power_efficiency", bus.ends(shown(lines.common, KW), 0),
+             scale=shown(bus.size, KW), source="of all drives together"),
+        calc("alone", "without a common bus", "P", "kW", f"=SUMPRODUCT(({drives}>0)*{drives})/power_efficiency",
+             bus.ends(shown(lines.alone, KW), 0), scale=shown(bus.size, KW), source="of those that take"),
+        *(calc(f"p{one.driven.number}", f"axis {one.driven.number}: at its motor", "P", "kW", power_at(bus, one),
+               shown(np.asarray(values), KW), scale=shown(one.most_power, KW))
           for one, values in zip(bus.drives, bus.power, strict=True)),
         constant("k", "row", "", "", list(range(1, room + 1))),
+        *([at] if over.timed else []),
         calc("e", "up to", "", "°", f"=MIN(360,{grid},{beyond})", rowed([high for _, high in lines.spans]),
              scale=TURN, format="0.0##"),
         calc("on", "is no spare row", "", "",
              "=IF([k]=1,1,IF(INDEX([bus.e],MAX([k]-1,1))>=360-timing_eps,0,1))", filled([1 for _ in lines.spans], room),
              format="0"),
-        calc("alone_e", "alone, before the next", "", "W", f"={after.format('alone', 'alone')}",
-             bus.ends(lines.alone, 1), scale=bus.size),
-        calc("sum_e", "together, before the next", "", "W", f"={after.format('sum', 'common')}",
-             bus.ends(lines.common, 1), scale=bus.size),
-        calc("above", "above 0, times its width", "", "W°", f"=[on]*([e]-[b])*{above}", filled(lines.areas, room),
-             scale=bus.size),
+        calc("alone_e", "alone, before the next", "", "kW", f"={after.format('alone', 'alone')}",
+             bus.ends(shown(lines.alone, KW), 1), scale=shown(bus.size, KW)),
+        calc("sum_e", "together, before the next", "", "kW", f"={after.format('sum', 'common')}",
+             bus.ends(shown(lines.common, KW), 1), scale=shown(bus.size, KW)),
+        calc("above", "above 0, times its width", "", "kW°", f"=[on]*([e]-[b])*{above}",
+             filled(shown(np.asarray(lines.areas), KW), room), scale=shown(bus.size, KW)),
     )  # fmt: skip
 
 
@@ -102,9 +113,10 @@ def same(at_breaks: str) -> str:
     return f"(({at_breaks}-IF([e]>=360-timing_eps,0,[e]))^2<=timing_eps^2)"
 
 
-def lines_chart() -> Chart:
-    """Return the chart of the power over the turn."""
-    lines = (Series("on a common bus", "[bus.b]", "[bus.sum]"),
-             Series("each drive alone, from the mains", "[bus.b]", "[bus.alone]", dashed=True))  # fmt: skip
-    return Chart("Power over the turn", "master angle θ [°]", "P [W]", lines,
-                 "Power from the mains over one turn of the master shaft", (0, 360, 60))  # fmt: skip
+def lines_chart(over: Abscissa) -> Chart:
+    """Return the chart of the power over the cycle."""
+    x = "[bus.time]" if over.timed else "[bus.b]"
+    lines = (Series("on a common bus", x, "[bus.sum]"),
+             Series("each drive alone, from the mains", x, "[bus.alone]", dashed=True))  # fmt: skip
+    return Chart(f"Power over the {over.period}", over.title, "P [kW]", lines,
+                 f"Power from the mains over {over.cycle}", over.axis(60))  # fmt: skip

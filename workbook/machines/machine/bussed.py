@@ -8,6 +8,7 @@ from functools import cached_property
 from engine.laws.base import Array
 from engine.machine.sharing import Jump, Running, Sharing, room_for
 from workbook.book.rows import filled
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.turn import TURN
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.linked.worked import LinkedWork
@@ -24,6 +25,11 @@ class Bus:
     def __init__(self, drives: Sequence[Stretched], entered: PowerEntry) -> None:
         self.all_drives, self.entered = drives, entered
         self.drives = [one for one in drives if not isinstance(one, LinkedWork)]
+
+    @property
+    def over(self) -> Abscissa:
+        """What the cycle is shown over."""
+        return self.all_drives[0].one.machine.over
 
     def shares(self, one: Stretched) -> bool:
         """Whether a drive is on the bus: one at a rate of its own has no place in the turn."""

@@ -26,7 +26,9 @@ def clearances_sheet(book: Book, apart: list[Apart]) -> None:
     """Declare the sheet, where there are clearances."""
     if not apart:
         return
-    sheet = book.sheet("Clearances", "Axes that must stay apart: the least gap over a turn, and where it is.")
+    sheet = book.sheet(
+        "Clearances", f"Axes that must stay apart: the least gap over a {apart[0].over.period}, and where it is."
+    )
     sheet.heading("Enter")
     sheet.note("gap = offset + factor · position + factor · position, in the unit of the first axis.")
     table(sheet, apart)
@@ -54,6 +56,7 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
         units = [one.rows[end].axis.given.unit for one in apart]
         return [f"=[{factor}]*1000" if unit == "mm" else f"=DEGREES([{factor}])" for unit in units]
 
+    over = apart[0].over
     high = "MAX(ABS([axes.low.{0}]),ABS([axes.high.{0}]))"
     size = f"ABS([offset])+ABS([factor1])*{high.format('{i}')}+ABS([factor2])*{high.format('{j}')}"
     sheet.table(
@@ -71,8 +74,9 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
               format="0.0##"),
         result("gap", "least gap", "", "", each("MIN([clear{n}_st.least])"), [one.gap.least for one in apart],
                scale=max(one.size for one in apart), source="exact, in the unit of the first axis"),
-        result("at", "at", "θ", "°", each("INDEX([clear{n}_st.place],MATCH(1,[clear{n}_st.near],0))"),
-               [one.place for one in apart], scale=TURN, format="0.0##"),
+        result("at", "at", over.symbol, over.unit,
+               each(over.told("INDEX([clear{n}_st.place],MATCH(1,[clear{n}_st.near],0))")),
+               [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
         calc("size", "the gap grows to", "", "", each(size), [one.size for one in apart]),
         calc("k1", "a unit of its motion", "", "", scale(0, "factor1"), [one.scales[0] for one in apart]),
         calc("k2", "of the other's", "", "", scale(1, "factor2"), [one.scales[1] for one in apart]),
@@ -88,9 +92,11 @@ def kept(one: Apart) -> Quantity:
     n = one.number
     gap, least, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
     lacking, unit = f"{least}-{gap}", one.rows[0].axis.given.unit
-    says = f'[clearances.name.{n}]&": "&{figure(gap)}&" {unit} at "&{figure(at)}&"°, "&{figure(lacking)}'
+    says = f'[clearances.name.{n}]&": "&{figure(gap)}&" {unit} at "&{figure(at)}&"{one.over.after}, "&{figure(lacking)}'
     short = rounded(one.given.least - one.gap.least)
-    said = f"{one.given.name}: {rounded(one.gap.least)} {unit} at {rounded(one.place)}°, "
+    said = (
+        f"{one.given.name}: {rounded(one.gap.least)} {unit} at {rounded(one.over.shown(one.place))}{one.over.after}, "
+    )
     condition = f"{gap}>={least}-check_zero*[clearances.size.{n}]"
     return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", condition, one.kept,
                  says=Said(f'{says}&" {unit} too little"', f"{said}{short} {unit} too little"))  # fmt: skip
@@ -113,7 +119,7 @@ def breaks(sheet: Sheet, one: Apart) -> None:
     sheet.table(
         f"clear{one.number}_breaks", "Where a stretch can begin", len(formulas),
         constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
-        calc("at", "master angle", "θ", "°", formulas, one.breaks, scale=TURN, format="0.0##"),
+        calc("at", one.over.angle, "θ", "°", formulas, one.breaks, scale=TURN, format="0.0##"),
     )  # fmt: skip
 
 

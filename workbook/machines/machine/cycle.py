@@ -19,40 +19,60 @@ LANE = "={1}+IF({3}>{2},timing_lane*({0}-{2})/({3}-{2}),0)"
 
 def cycle_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare the sheet."""
-    sheet = book.sheet("Cycle", "Every axis over one turn of the master shaft, sample by sample; what charts show.")
+    over = machine.over
+    sheet = book.sheet("Cycle", f"Every axis over {over.cycle}, sample by sample; what charts show.")
     samples = len(machine.angles)
-    columns = [column for one in axes for column in results(one)]
+    columns = [column for one in axes for column in results(one, machine.over.timed)]
     lanes = [in_lane(one, len(axes) + len(machine.lanes)) for one in axes]
     workings = [column for one in axes for column in found(one)]
+    theta = calc("theta", over.angle, "θ", "°", "=[k]*360/[cycle.k.last]",
+                 machine.angles, format="0.0##")  # fmt: skip
+    time = calc("time", over.name, over.symbol, over.unit, "=[k]*timing_cycle/[cycle.k.last]", machine.times,
+                format=over.format)  # fmt: skip
+    inner = [column for one in axes for column in geometric(one)] if over.timed else []
     sheet.table(
-        "cycle", "The axes over the master angle", samples,
-        calc("theta", "master angle", "θ", "°", "=[k]*360/[cycle.k.last]", machine.angles, format="0.0##"),
+        "cycle", f"The axes over the {over.name}", samples,
+        time if over.timed else theta,
         *columns, *lanes,
         constant("k", "sample", "k", "", list(range(samples))),
+        *([theta] if over.timed else []), *inner,
         *workings,
     )  # fmt: skip
     sheet.print_columns = 19
 
 
-def results(one: AxisRows) -> list[Quantity]:
-    """Return the motion of an axis, geometric and in time."""
-    axis, i, base, unit = one.axis, one.axis.number, one.axis.base, one.axis.given.unit
-    y, y1, y2, y3 = axis.at(one.machine.samples)
-    timed = axis.motion.at_speed(axis.told(one.machine.samples).x, axis.speed)
-    label = f"axis {i}:"
+def geometric(one: AxisRows) -> list[Quantity]:
+    """Return the derivatives of an axis by the master angle."""
+    axis, i, base = one.axis, one.axis.number, one.axis.base
+    _, y1, y2, y3 = axis.at(one.machine.samples)
+    label, shown_as = f"axis {i}:", calc if one.machine.over.timed else result
 
     def of(order: int) -> str:
         return derivative(one.pieces, order, str(i))
 
-    shown_y = f"=({of(0)})*1000" if unit == "mm" else f"=DEGREES({of(0)})"
+    return [
+        shown_as(f"g{i}", f"{label} geometric velocity", "y'", f"{base}/rad", f"={of(1)}", y1, source="dy/du"),
+        shown_as(f"gg{i}", f"{label} geometric acceleration", "y''", f"{base}/rad²", f"={of(2)}", y2,
+                 source="d²y/du²"),
+        shown_as(f"ggg{i}", f"{label} geometric jerk", "y'''", f"{base}/rad³",
+                 f"={of(3)}", y3, source="d³y/du³, between jumps"),
+    ]  # fmt: skip
+
+
+def results(one: AxisRows, in_time: bool) -> list[Quantity]:
+    """Return the motion of an axis, geometric and in time, or in time alone."""
+    axis, i, base, unit = one.axis, one.axis.number, one.axis.base, one.axis.given.unit
+    y = axis.at(one.machine.samples).y
+    timed = axis.motion.at_speed(axis.told(one.machine.samples).x, axis.speed)
+    label = f"axis {i}:"
+
+    place = derivative(one.pieces, 0, str(i))
+    shown_y = f"=({place})*1000" if unit == "mm" else f"=DEGREES({place})"
     return [
         result(f"y{i}", f"{label} position", "y", unit,
                f"{shown_y}+{CYCLES.format('[theta]', i, f'[p{i}]')}*[axes.travel.{i}]", shown(y, axis.unit),
                source=POSITION),
-        result(f"g{i}", f"{label} geometric velocity", "y'", f"{base}/rad", f"={of(1)}", y1, source="dy/du"),
-        result(f"gg{i}", f"{label} geometric acceleration", "y''", f"{base}/rad²", f"={of(2)}", y2, source="d²y/du²"),
-        result(f"ggg{i}", f"{label} geometric jerk", "y'''", f"{base}/rad³",
-               f"={of(3)}", y3, source="d³y/du³, between jumps"),
+        *([] if in_time else geometric(one)),
         result(f"t{i}", f"{label} velocity", "ẏ", f"{base}/s", f"=[g{i}]*timing_omega", timed.v, source="y' ω"),
         result(f"tt{i}", f"{label} acceleration", "ÿ", f"{base}/s²", f"=[gg{i}]*timing_omega^2", timed.a,
                source="y'' ω²"),
@@ -71,11 +91,12 @@ def in_lane(one: AxisRows, of: int) -> Quantity:
 def exportable(one: AxisRows) -> Exportable:
     """Return an axis as the sheet Export may have it."""
     axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
-    units = (unit, f"{unit}/°", f"{unit}/°²")
+    over = one.machine.over
+    units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
     later = Later(f"[axes.late.{i}]", "timing_eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
-    return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, ("°", *units),
-                      (shown(1.0, DEGREE), shown(1.0, axis.unit)), "*1000" if unit == "mm" else "*180/PI()",
-                      axis.motion.size, later)  # fmt: skip
+    return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
+                      (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
+                      "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip
 
 
 def found(one: AxisRows) -> list[Quantity]:

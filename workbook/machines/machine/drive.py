@@ -9,12 +9,13 @@ import numpy as np
 from engine.drivetrain.loads import GRAVITY
 from engine.machine.bent import PLACES
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.book.rows import filled
+from workbook.book.rows import filled, total
 from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
-from workbook.entries.units import RPM, shown
+from workbook.entries.units import KW, RPM, shown
 from workbook.machines.machine import chosen
+from workbook.machines.machine.breaks import ACTS, breaks_table, turns_table, windows_check, windows_table
 from workbook.machines.machine.chain import TABLE
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
@@ -23,13 +24,7 @@ from workbook.machines.machine.pacing import highest, mending, pace_columns, pac
 from workbook.machines.machine.powered import PEAKS, power_columns, power_peaks, power_rows
 from workbook.machines.machine.selecting import behind
 from workbook.machines.machine.stretched import Stretched
-from workbook.machines.machine.stretches import (
-    ACTS,
-    breaks_table,
-    stretches_table,
-    turns_table,
-    windows_table,
-)
+from workbook.machines.machine.stretches import stretches_table
 from workbook.machines.machine.view import kind_name
 
 CHART_COLUMN = 10
@@ -45,13 +40,13 @@ STRAIGHT = {
     "jtot": "=@j0-@jm+@j1/@i1^2+@m/@i^2",
     "tmax": "=MAX(MAX([@st.tyb]),MAX([@st.tye]))",
     "tmin": "=MIN(MIN([@st.tyb]),MIN([@st.tye]))",
-    "rms": "=SQRT(MAX(0,SUM([@st.square])/(2*PI())))",
+    "rms": f"=SQRT(MAX(0,{total('@st.square')}/(2*PI())))",
     "speed": "=ABS(@i)*MAX([axis{0}.v])*@faster*60/(2*PI())",
     "mean": "=ABS(@i)*@way*@faster/timing_cycle*60/(2*PI())",
     "smax": "=MAX(MAX(MAX([@st.ryb]),MAX([@st.rye])),0-MIN(MIN([@st.ryb]),MIN([@st.rye])))",
-    "smean": "=IF(@way>0,(SUM([@st.cube])/@way)^(1/3),0)",
-    "energy": "=SUM([@st.drives])",
-    "returned": "=SUM([@st.returns])",
+    "smean": f"=IF(@way>0,({total('@st.cube')}/@way)^(1/3),0)",
+    "energy": f"={total('@st.drives')}",
+    "returned": f"={total('@st.returns')}",
 }
 """the results of a drive of constant ratios, by its stretches"""
 BACKWARD = "MIN([@st.dir])<0"
@@ -71,7 +66,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven, size(driven))
         outcome(sheet, one, driven, STRAIGHT, [*power_peaks(view, PEAKS), *highest(view)])
-        sheet.checks(*checks(driven, mending(view)), laws_check(driven, one))
+        sheet.checks(*checks(driven, mending(view)), laws_check(driven, one), *windows_check(view))
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         tables(sheet, view)
         sheet.not_printed_below()
@@ -181,7 +176,7 @@ def outcome(
         calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
              OWN if own else MACHINES, align="right"),
         calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)',
-             own or one.machine.machine.master.rate),
+             own or one.machine.machine.per_minute),
         result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", formulas["jtot"],
                driven.inertia, source="Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
@@ -214,8 +209,8 @@ def outcome(
                found.energy.driving, scale=driven.scales.work, source="at its shaft, a cycle"),
         result("@returned", "Energy that comes back to it", "", "J", formulas["returned"],
                found.energy.regenerated, scale=driven.scales.work),
-        result("@power", "Mean power at its shaft", "P", "W", "=(@energy-@returned)/timing_cycle*@faster",
-               found.mean_power, scale=driven.scales.power),
+        result("@power", "Mean power at its shaft", "P", "kW", "=(@energy-@returned)/timing_cycle*@faster/1000",
+               shown(found.mean_power, KW), scale=shown(driven.scales.power, KW)),
         *rates,
     )  # fmt: skip
 
@@ -248,7 +243,7 @@ def known(driven: Driven, one: AxisRows) -> str:
     often = f"(([{table}.om]*[{table}.d])^2>({PLACES}*PI()*(1+check_zero))^2)"
     mixed = f"SUMPRODUCT(([{table}.A]<>0)*({curved}+{often}))"
     turns = one.ends.turning_round() if one.ends and driven.given.kind == TABLE else []
-    return "+".join([mixed, *beyond, *turns, "SUM([@st.back])"]) + "+IF(MAX([@st.e])<360,1,0)=0"
+    return "+".join([mixed, *beyond, *turns, total("@st.back")]) + "+IF(MAX([@st.e])<360,1,0)=0"
 
 
 def reducer_checks(driven: Driven, mends: Said) -> list[Quantity]:
@@ -282,7 +277,7 @@ def ratios(driven: Driven) -> list[Quantity]:
 def way_of(view: Stretched) -> Quantity:
     """Return the row of the way; where phases hand over, one may move there and back."""
     driven, h = view.driven, f"[axis{view.driven.number}.h]"
-    formula = "=SUM([@st.w])" if view.one.ends else f"=SUMPRODUCT({h}*(({h}>0)-({h}<0)))"
+    formula = f"={total('@st.w')}" if view.one.ends else f"=SUMPRODUCT({h}*(({h}>0)-({h}<0)))"
     return calc("@way", "Way of the axis, there and back", "Σ|h|", "m" if driven.travels else "rad", formula, view.way)
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, PrivateAttr, model_validator
 
 from workbook.book.sentence import figure
+from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.exported import Exporting
 from workbook.entries.phase import Passing, require_straight
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
@@ -47,7 +48,7 @@ Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LO
 
 
 class Master(Model):
-    """The master shaft: one cycle a turn."""
+    """The master shaft: one cycle a turn. A machine without one has cycle = 0.3 (s) instead, and all places in s."""
 
     rate: Positive  # cycles/min
 
@@ -113,14 +114,19 @@ class Axis(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, or that begin before the one above ends."""
         yield from forward(self.name, self.phases)
-        reached = 0.0
-        for i, phase in enumerate(self.phases):
-            early = reached - phase.start
-            if early > ANGLE_TOLERANCE:
-                said = f"begins at {figure(phase.start)}°, {figure(early)}° before row {i} ends"
-                yield DesignError(f"phases.{i}.start", f"{self.name} row {i + 1} {said}", "follows", reached)
-                break
-            reached = phase.stop
+        yield from following(self.name, self.phases)
+
+
+def following(name: str, phases: Sequence[AxisPhase], over: Abscissa = ANGLE) -> Iterator[DesignError]:
+    """Yield the first phase of an axis that begins before the one above ends."""
+    reached = 0.0
+    for i, phase in enumerate(phases):
+        early = over.degrees(reached) - over.degrees(phase.start)
+        if early > ANGLE_TOLERANCE:
+            said = f"begins at {figure(phase.start)}{over.after}, {over.said(early)} before row {i} ends"
+            yield DesignError(f"phases.{i}.start", f"{name} row {i + 1} {said}", "follows", reached)
+            return
+        reached = phase.stop
 
 
 class MachineSizes(SelectionSizes):
@@ -132,7 +138,7 @@ class MachineSizes(SelectionSizes):
 
 
 class AnyMachine(Exporting):
-    """Axes over one master shaft."""
+    """Axes over one master shaft, or without one over a cycle in s."""
 
     AXES_AT = ("axes",)
     template: Literal["machine"] = "machine"
@@ -189,6 +195,26 @@ class AnyMachine(Exporting):
             axis.built_as(names.get(f"drive{i}_built"))
 
     @property
+    def over(self) -> Abscissa:
+        """What its cycle is entered and shown over."""
+        return ANGLE
+
+    @property
+    def per_minute(self) -> float:
+        """Cycles a minute."""
+        return self.master.rate
+
+    @property
+    def axes_turned(self) -> Sequence[Axis]:
+        """The axes with all their places in degrees of one turn."""
+        return self.axes
+
+    @property
+    def switches_turned(self) -> Sequence[SwitchEntry]:
+        """The switches, likewise."""
+        return self.switches
+
+    @property
     def choosable(self) -> list[int]:
         """The axes, from 0, that the sheet Selection may look at: with a drive of constant ratio."""
         axes = enumerate(self.axes)
@@ -206,7 +232,7 @@ class AnyMachine(Exporting):
     def _find_room(self) -> None:
         """Settle the room for the pieces of an axis: those of its phases, and a rest between each two."""
         number = counts(self.laws)
-        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) for axis in self.axes]
+        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) for axis in self.axes_turned]
         room = settle(self, max(needed), 2 * self.sizes.phases + 1)
         found = [
             DesignError(f"axes.{i}.phases", CROWDED.format(count, room), rule_of(i + 1), [*map(at_rest, axis.phases)])

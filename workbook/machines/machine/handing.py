@@ -10,6 +10,7 @@ from engine.motion.pieces import MotionPiece
 from engine.motion.turning import WITHIN, rest_of
 from workbook.book.declare import Quantity, calc
 from workbook.book.rows import filled
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.view import MovingAxis
 from workbook.motion.cells import PieceRows
@@ -37,8 +38,8 @@ def doubled(formula: str) -> str:
 class StepEnds(Ends):
     """The same for a table in which phases stand in the second, fourth, sixth row, and rests between them."""
 
-    def __init__(self, rows: PieceRows, axis: MovingAxis, used: str) -> None:
-        self.axis = axis
+    def __init__(self, rows: PieceRows, axis: MovingAxis, used: str, over: Abscissa) -> None:
+        self.axis, self.over = axis, over
         name = f"[axes.name.{axis.number}]", axis.given.name
         super().__init__(rows, axis.joined, axis.given.phases, used, name, entered=axis.passed)
 
@@ -168,6 +169,10 @@ class StepEnds(Ends):
             [none, *(text for formula in column for text in (formula, none))] for column in zip(*each, strict=True)
         )
         return whether, velocity, acceleration
+
+    def by_rad(self, cell: str, order: int) -> str:
+        """Return the formula of what is entered of a derivative, by rad."""
+        return self.over.rate(cell, order)
 
     @property
     def axis_room(self) -> int:

@@ -20,10 +20,11 @@ NONE: Bars = ((0.0, 0.0), (0.0, 0.0))
 
 
 class Lane:
-    """A switch as the timing diagram shows it: bars on a lane."""
+    """A switch as the timing diagram shows it: bars on a lane; ``typed`` are its times as they are entered."""
 
-    def __init__(self, given: SwitchEntry, number: int) -> None:
+    def __init__(self, given: SwitchEntry, number: int, typed: SwitchEntry) -> None:
         self.given, self.number = given, number
+        self.typed: list[TimeOn] = filled(typed.on, TIMES, TimeOn())
         self.times: list[TimeOn] = filled(given.on, TIMES, TimeOn())
 
     @cached_property

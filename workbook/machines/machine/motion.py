@@ -31,7 +31,9 @@ class AxisRows:
         self.steps = machine.machine.sizes.phases + machine.machine.sizes.phases + 1
         self.pieces: PieceRows = rows_of(self.at, axis.motion, stack, self.steps, axis.places)
         self.joints = Joints.of(self.pieces, axis.motion, self.asked)
-        self.ends = StepEnds(self.pieces, axis, f"COUNT([{self.name}.stop])") if machine.hands_over else None
+        self.ends = (
+            StepEnds(self.pieces, axis, f"COUNT([{self.name}.stop])", machine.over) if machine.hands_over else None
+        )
 
     @property
     def name(self) -> str:
@@ -50,12 +52,14 @@ class AxisRows:
     @property
     def asked(self) -> Asked:
         """How smooth the axis must be."""
-        t, i, base = self.name, self.axis.number, self.axis.base
-        units = tuple((f'"{unit}"', unit) for unit in (f"{base}/rad", f"{base}/rad²", f"{base}/rad³"))
+        t, i, base, over = self.name, self.axis.number, self.axis.base, self.machine.over
+        by = "s" if over.timed else "rad"
+        units = tuple((f'"{unit}"', unit) for unit in (f"{base}/{by}", f"{base}/{by}²", f"{base}/{by}³"))
         return Asked(
             self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
-            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), ('"°"', "°"), units,
+            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), (f'"{over.after}"', over.after), units,
             (f"[axes.name.{i}]", self.axis.given.name), rows=False,
+            speed=("timing_omega", self.axis.speed) if over.timed else None,
         )  # fmt: skip
 
 

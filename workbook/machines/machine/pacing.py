@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 from engine.machine.pace import APART, FAR, LIMITS, PARTS, REACH, TRIALS, TRUSTED, Crossing, Trial, meets, reached
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.rows import filled
+from workbook.book.rows import filled, total
 from workbook.book.sentence import Said, amount
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_MINUTE, shown
@@ -165,16 +165,16 @@ def pace_tables(sheet: Sheet, view: Stretched) -> None:
     torque, behind = max(rest[0], 1e-9), max(driven.sizes.behind, rest[1])
     sheet.heading("Workings: the highest rate", ABOUT)
     sheet.rows(
-        calc("@square0", "Mean square of the torque at no rate", "", "Nm²", "=SUM([@st.sq0])/(2*PI())", rest[0],
+        calc("@square0", "Mean square of the torque at no rate", "", "Nm²", f"={total('@st.sq0')}/(2*PI())", rest[0],
              scale=torque),
         calc("@mean0", "Mean torque behind the reducer at no rate", "", "Nm",
-             "=IF(@way>0,(SUM([@st.cu0])/@way)^(1/3),0)", rest[1], scale=behind),
+             f"=IF(@way>0,({total('@st.cu0')}/@way)^(1/3),0)", rest[1], scale=behind),
     )  # fmt: skip
     bounds = ",".join(f"[@limiting.x.{n}]" for n in range(1, len(pace.bounds) + 1))
     xs, asked, behind_it = zip(*pace.trials, strict=True)
     apart = f"IF(ABS([gap])>{APART:.0E}*[x],1,0)".replace("E-0", "E-")
-    squares = ["=@rms^2", *(f"=SUM([@st.sq_{trial}])/(2*PI())" for trial in range(1, LAST))]
-    means = ["=@smean+0", *(f"=IF(@way>0,(SUM([@st.cu_{t}])/@way)^(1/3),0)" for t in range(1, LAST))]
+    squares = ["=@rms^2", *(f"={total(f'@st.sq_{trial}')}/(2*PI())" for trial in range(1, LAST))]
+    means = ["=@smean+0", *(f"=IF(@way>0,({total(f'@st.cu_{t}')}/@way)^(1/3),0)" for t in range(1, LAST))]
     sheet.table(
         "@pace", "Trials: the present rate, and where a limit seems to bind", LAST,
         constant("k", "trial", "", "", list(range(LAST))),
@@ -272,5 +272,5 @@ def highest(view: Stretched) -> list[Quantity]:
                align="right"),
         calc("@settled", "Last step of its search, of it", "", "",
              "=IF(MIN([@limiting.x])>0,ABS(MIN([@limiting.x])/[@pace.x.last]-1),0)", view.pace.last_step, scale=1.0,
-             format="0E+00", source="the search has settled where it is below 1e-6"),
+             format='0E+00;-0E+00;"–"', source="the search has settled where it is below 1e-6"),
     ]  # fmt: skip

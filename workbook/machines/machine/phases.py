@@ -9,6 +9,7 @@ from engine.timing import Movement
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import shown
 from workbook.laws import phases as joined
@@ -22,7 +23,8 @@ from workbook.motion.through import entries
 def phases_table(sheet: Sheet, one: AxisRows) -> None:
     """Declare the phases of an axis."""
     axis, n, base, unit = one.axis, one.machine.machine.sizes.phases, one.axis.base, one.axis.given.unit
-    entered, phases, laws = axis.given.phases, axis.phases, [p.law for p in axis.given.phases]
+    entered, phases, laws = axis.typed.phases, axis.phases, [p.law for p in axis.given.phases]
+    over, turned = one.machine.over, axis.given.phases
     key = f"axes.{axis.number - 1}.phases.*"
 
     def entry(name: str) -> list[Any]:
@@ -46,54 +48,87 @@ def phases_table(sheet: Sheet, one: AxisRows) -> None:
         lacking, mean = doubled(handed.other(lacking, "0")), doubled(handed.own("rms", mean))
         kinds = [both.kinds for _, both in handed.numbered]
         passing = [
-            *entries(entry("velocity"), entry("acceleration"), key, (at.unit(1), at.unit(2))),
+            *entries(entry("velocity"), entry("acceleration"), key, *rates_of(one)),
             ends("begins", "begin", filled([begin for begin, _ in kinds], n, "")),
             ends("ends", "end", filled([end for _, end in kinds], n, "")),
         ]
+    shown_as = calc if over.timed else result
+    geometric = [
+        shown_as("y1", "geometric velocity", "y'", f"{base}/rad",
+               own("vmax", VELOCITY), of(lambda m: m.y1_max), source="C_v h/δ"),
+        shown_as("y2", "geometric acceleration", "y''", f"{base}/rad²",
+               own("amax", ACCELERATION), of(lambda m: m.y2_max), source="C_a h/δ²"),
+        shown_as("y3", "geometric jerk", "y'''", f"{base}/rad³",
+               own("jmax", JERK), jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
+    ]  # fmt: skip
     sheet.table(
         one.name, f"Phases of axis {axis.number}: fill one row each, in order; between them it rests; "
         "leave spare rows empty", n,
         calc("kind", "phase", "", "", doubled(joined.kind("stop", at.ends)), joined.kinds(phases, n)),
-        given("start", "from", "", "°", entry("start"), f"{key}.start", format="0.0##"),
-        given("stop", "to", "", "°", entry("stop"), f"{key}.stop", format="0.0##"),
+        given("start", "from", "", over.unit, entry("start"), f"{key}.start", format=over.format),
+        given("stop", "to", "", over.unit, entry("stop"), f"{key}.stop", format=over.format),
         given("lift", "lift", "h", unit, entry("lift"), f"{key}.lift", format="0.0##"),
         given("law", "law", "", "", entry("law"), f"{key}.law", choices="=law_code"),
         *passing,
-        result("y1", "geometric velocity", "y'", f"{base}/rad",
-               own("vmax", VELOCITY), of(lambda m: m.y1_max), source="C_v h/δ"),
-        result("y2", "geometric acceleration", "y''", f"{base}/rad²",
-               own("amax", ACCELERATION), of(lambda m: m.y2_max), source="C_a h/δ²"),
-        result("y3", "geometric jerk", "y'''", f"{base}/rad³",
-               own("jmax", JERK), jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
-        result("v", "velocity", "ẏmax", f"{base}/s", "=[y1]*timing_omega", of(lambda m: m.v_max), source="y' ω"),
+        *([] if over.timed else geometric),
+        result("v", "velocity", "ẏmax", f"{base}/s", "=[y1]*timing_omega", of(lambda m: m.v_max),
+               source="C_v h/t" if over.timed else "y' ω"),
         result("a", "acceleration", "ÿmax", f"{base}/s²",
-               "=[y2]*timing_omega^2", of(lambda m: m.a_max), source="y'' ω²"),
+               "=[y2]*timing_omega^2", of(lambda m: m.a_max),
+               source="C_a h/t²" if over.timed else "y'' ω²"),
         result("j", "jerk", "j_max", f"{base}/s³",
-               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(of(lambda m: m.j_max)), source="y''' ω³"),
+               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(of(lambda m: m.j_max)),
+               source="C_j h/t³" if over.timed else "y''' ω³"),
         result("rms", "RMS acceleration", "ÿrms", f"{base}/s²",
-               f"{mean}*timing_omega^2", of(lambda m: m.a_rms), source="C_a,rms h/δ² ω²"),
+               f"{mean}*timing_omega^2", of(lambda m: m.a_rms),
+               source="C_a,rms h/t²" if over.timed else "C_a,rms h/δ² ω²"),
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "",
              LAW_NUMBER, joined.law_numbers(laws, one.machine.machine.laws, n), format="0"),
         calc("h", "lift", "h", base, "=[lift]/1000" if unit == "mm" else "=RADIANS([lift])",
              filled([p.lift for p in phases], n), source="conversion"),
         calc("span", "duration", "δ", "rad",
-             '=IF([stop]="",0,RADIANS([stop]-[start]))', filled([p.duration for p in phases], n), source="conversion"),
+             f'=IF([stop]="",0,RADIANS({over.in_degrees("[stop]")}-{over.in_degrees("[start]")}))',
+             filled([p.duration for p in phases], n), source="conversion"),
         calc("begin", "begins at", "", "°",
-             '=IF([stop]="",360,[start])', filled([p.start for p in entered], n, 360.0), format="0.0##",
+             f'=IF([stop]="",360,{over.in_degrees("[start]")})', filled([p.start for p in turned], n, 360.0),
+             scale=360.0, format="0.0##",
              source="spare rows: the end"),
         calc("end", "ends at", "", "°",
-             '=IF([stop]="",360,[stop])', filled([p.stop for p in entered], n, 360.0), format="0.0##"),
+             f'=IF([stop]="",360,{over.in_degrees("[stop]")})', filled([p.stop for p in turned], n, 360.0),
+             scale=360.0, format="0.0##"),
+        *(geometric if over.timed else []),
         calc("gap", "rest before", "", "°",
              "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
         calc("backwards", "runs backwards", "", "",
              '=IF([stop]="",0,IF([stop]>[start],0,1))', 0, format="0;;", source="1 where it does"),
         calc("early", "begins too early", "", "",
              '=IF([stop]="",0,IF([gap]<0-check_zero,1,0))', 0, format="0;;", source="1 where it does"),
+        *([beyond('[stop]=""', over)] if over.timed else []),
         calc("lack", "jump of y", "Δy", base,
              lacking, filled([p.lack for p in phases], n), source="at its end: the law's lack"),
         rules=[AT_REST],
     )  # fmt: skip
+
+
+def rates_of(one: AxisRows) -> tuple[tuple[str, str], tuple[str, str]]:
+    """Return the units, and the symbols, of what is entered for the place where two phases meet."""
+    base, at = one.axis.base, one.at
+    timed = (f"{base}/s", f"{base}/s²"), ("ẏ", "ÿ")
+    return timed if one.machine.over.timed else ((at.unit(1), at.unit(2)), ("y'", "y''"))
+
+
+def beyond(empty: str, over: Abscissa, ends: tuple[str, str] = ("[start]", "[stop]"), name: str = "beyond") -> Quantity:
+    """Return the column that says which rows go on beyond the cycle."""
+    last = over.in_degrees(f"MAX({','.join(ends)})")
+    return calc(name, "goes beyond the cycle", "", "", f"=IF({empty},0,IF({last}-360>check_zero,1,0))", 0, format="0;;",
+                source="1 where it does")  # fmt: skip
+
+
+def goes_beyond(name: str, row: str, last: str, over: Abscissa) -> str:
+    """Return the formula of the sentence on what goes on beyond the cycle: by the formulas of its name and row."""
+    at, by = (f"ROUND({x},9)" for x in (last, f"{last}-{over.told('360')}"))
+    return f'{name}&{row}&" goes to "&{at}&"{over.after}, "&{by}&"{over.after} beyond the cycle"'
 
 
 def gaps(one: AxisRows) -> list[float]:
@@ -104,28 +139,38 @@ def gaps(one: AxisRows) -> list[float]:
 
 
 ENDS = "ROUND(INDEX([{0}.stop],{1}),9)"
-BACKWARDS = (
-    f'" ends at "&{ENDS}&"°, "&ROUND(INDEX([{{0}}.start],{{1}})-INDEX([{{0}}.stop],{{1}}),9)&"° before it begins"'
-)
-EARLY = (
-    '" begins at "&ROUND(INDEX([{0}.start],{1}),9)&"°, "&ROUND(0-INDEX([{0}.gap],{1}),9)'
-    '&"° before row "&({1}-1)&" ends"'
-)
+SHORT = "ROUND(INDEX([{0}.start],{1})-INDEX([{0}.stop],{1}),9)"
+BACKWARDS = f'" ends at "&{ENDS}&"{{2}}, "&{SHORT}&"{{2}} before it begins"'
+EARLY = '" begins at "&ROUND(INDEX([{0}.start],{1}),9)&"{2}, "&ROUND({3},9)&"{2} before row "&({1}-1)&" ends"'
 
 
 def in_row(one: AxisRows, column: str, says: str) -> str:
     """Return the formula of a sentence on the first phase of an axis in which ``column`` is 1."""
-    row = f"MATCH(1,[{one.name}.{column}],0)"
-    return f'[axes.name.{one.axis.number}]&" row "&{row}&{says.format(one.name, row)}'
+    row, over = f"MATCH(1,[{one.name}.{column}],0)", one.machine.over
+    early = over.told(f"0-INDEX([{one.name}.gap],{row})")
+    return f'[axes.name.{one.axis.number}]&" row "&{row}&{says.format(one.name, row, over.after, early)}'
+
+
+def within_check(one: AxisRows) -> list[Quantity]:
+    """Return the check that phases end with the cycle, where an entry says how long that is."""
+    over, t, i = one.machine.over, one.name, one.axis.number
+    if not over.timed:
+        return []
+    row = f"MATCH(1,[{t}.beyond],0)"
+    last = f"MAX(INDEX([{t}.start],{row}),INDEX([{t}.stop],{row}))"
+    return [check(f"{t}_within", f"Axis {i}: no phase goes on beyond the cycle", f"SUM([{t}.beyond])=0", True,
+                  rule=over.rule("axes", i, "within"),
+                  says=goes_beyond(f'[axes.name.{i}]&" row "', row, last, over))]  # fmt: skip
 
 
 def axis_checks(sheet: Sheet, one: AxisRows) -> None:
     """Declare the checks of one axis; each calls it by its number, as it may get another name."""
     axis, t, i = one.axis, one.name, one.axis.number
-    motion, unit, key, label = axis.motion, axis.given.unit, f"axes.{i - 1}", f"Axis {i}"
+    motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", one.machine.over
     greatest = f"MAX(MAX([{t}.h]),-MIN([{t}.h]))"
     lack = f"MAX(MAX([{t}.lack]),-MIN([{t}.lack]))"
-    ends = f"IF(360-MAX([{t}.stop])>check_zero,0,INDEX([{t}.lack],COUNT([{t}.stop])))"
+    last = over.in_degrees(f"MAX([{t}.stop])")
+    ends = f"IF(360-{last}>check_zero,0,INDEX([{t}.lack],COUNT([{t}.stop])))"
     gap = f"SUM([{t}.h])-{ends}"
 
     def outward(formula: str) -> str:
@@ -133,9 +178,10 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
 
     sheet.checks(
         check(f"{t}_forward", f"{label}: every phase runs forward", f"SUM([{t}.backwards])=0", True,
-              rule=f"{key}:forward", says=in_row(one, "backwards", BACKWARDS)),
+              rule=over.rule("axes", i, "forward"), says=in_row(one, "backwards", BACKWARDS)),
         check(f"{t}_follows", f"{label}: no phase begins before the one above ends", f"SUM([{t}.early])=0", True,
-              rule=f"{key}:follows", says=in_row(one, "early", EARLY)),
+              rule=over.rule("axes", i, "follows"), says=in_row(one, "early", EARLY)),
+        *within_check(one),
         check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{greatest}", motion.complete,
               says=amount(outward(lack), shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
         room_check(f"{t}_room", one.at, i, label),

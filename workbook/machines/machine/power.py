@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from engine.machine.bus import Means, means, peaks, together
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.rows import total
 from workbook.book.sentence import Said
-from workbook.entries.units import shown
+from workbook.entries.units import KW, shown
 from workbook.machines.machine.bus_table import breaks_table, bus_table, lines_chart
 from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.chain import PowerEntry
@@ -19,7 +20,7 @@ KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 TOGETHER = "Drives use what others give back; what is left goes into one resistor."
 APART = (
-    "A drive at a rate of its own has no place in the turn, and one whose ratio changes is not summed: they are alone."
+    "A drive at a rate of its own has no place in the {}, and one whose ratio changes is not summed: they are alone."
 )
 ROOM = "more places where power may jump than this sheet has rows for; build it with larger sizes.motion_pieces"
 CHART_COLUMN = 10
@@ -37,7 +38,7 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]
     sheet = book.sheet("Power", "Energy of the drives: from the mains, in brake resistors, over a year.")
     bus = Bus(drives, given_power)
     each = [alone(one.driven, given_power.efficiency) for one in drives]
-    floor = max(1e-3, *(one.driven.scales.power for one in drives))
+    floor = shown(max(1e-3, *(one.driven.scales.power for one in drives)), KW)
     sheet.heading("Enter", NOTE)
     sheet.rows(
         given("power_efficiency", "Efficiency of a drive", "η", "", given_power.efficiency, "power.efficiency",
@@ -48,11 +49,11 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]
     sheet.rows(*totals(together(each), given_power, floor))
     if bus.drives:
         sheet.heading("Results: on a common DC bus", TOGETHER)
-        sheet.note(APART)
+        sheet.note(APART.format(bus.over.period))
         sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if bus.shares(work)], floor))
         sheet.checks(check("power_room", "Power: rows for all places",
                            "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=Said(f'"{ROOM}"', ROOM)))  # fmt: skip
-        sheet.chart(lines_chart(), column=CHART_COLUMN, row=5, width=9, height=20)
+        sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)
     sheet.row += 1
     drives_table(sheet, drives, each, bus, floor)
     if bus.drives:
@@ -65,41 +66,44 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]
 def totals(whole: Means, entered: PowerEntry, floor: float) -> list[Quantity]:
     """Return the results of drives that share no bus."""
     return [
-        result("power_mains", "Mean power from the mains", "P", "W", "=SUM([power.mains])",
-               whole.mains, scale=floor, source="exact, without a common DC bus"),
-        result("power_resistors", "Mean power in the brake resistors", "", "W", "=SUM([power.resistor])",
-               whole.resistor, scale=floor),
-        result("power_year", "Energy a year", "E", "kWh", "=power_mains*power_hours/1000",
+        result("power_mains", "Mean power from the mains", "P", "kW", f"={total('power.mains')}",
+               shown(whole.mains, KW), scale=floor, source="exact, without a common DC bus"),
+        result("power_resistors", "Mean power in the brake resistors", "", "kW", f"={total('power.resistor')}",
+               shown(whole.resistor, KW), scale=floor),
+        result("power_year", "Energy a year", "E", "kWh", "=power_mains*power_hours",
                shown(whole.energy_a_year(entered.hours), KWH), scale=floor),
-        result("power_least", "Mean power from the mains if all that comes back is used", "", "W",
-               "=MAX(0,power_mains-power_resistors)", whole.least, scale=floor, source="no bus can do better"),
+        result("power_least", "Mean power from the mains if all that comes back is used", "", "kW",
+               "=MAX(0,power_mains-power_resistors)", shown(whole.least, KW), scale=floor,
+               source="no bus can do better"),
     ]  # fmt: skip
 
 
 def common(bus: Bus, each: Sequence[Means], floor: float) -> list[Quantity]:
     """Return the results of drives on a common bus, and by how much they are off at most."""
-    size, net, lines = max(bus.size, floor), together(each), bus.lines
+    size, net, lines = max(shown(bus.size, KW), floor), together(each), bus.lines
     mains, resistor = max(0.0, float(lines.common.max())), max(0.0, -float(lines.common.min()))
     found = Means(lines.mean, lines.mean - lines.net)
     own = "SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))"
     return [
-        result("bus_alone", "Peak power from the mains without the bus", "", "W",
-               "=MAX(MAX([bus.alone]),MAX([bus.alone_e]))", float(lines.alone.max()), scale=size),
-        result("bus_mains_peak", "Peak power from the mains", "P_max", "W",
-               "=MAX(0,MAX([bus.sum]),MAX([bus.sum_e]))", mains, scale=size),
-        result("bus_mains", "Mean power from the mains", "P", "W", "=SUM([bus.above])/360", found.mains, scale=size),
-        result("bus_resistor_peak", "Peak power in the brake resistor", "", "W",
-               "=MAX(0,0-MIN([bus.sum]),0-MIN([bus.sum_e]))", resistor, scale=size),
-        result("bus_resistor", "Mean power in the brake resistor", "", "W",
-               "=bus_mains-SUMPRODUCT(([bus.e]-[bus.b])*[bus.on],([bus.sum]+[bus.sum_e])/2)/360", found.resistor,
+        result("bus_alone", "Peak power from the mains without the bus", "", "kW",
+               "=MAX(MAX([bus.alone]),MAX([bus.alone_e]))", shown(float(lines.alone.max()), KW), scale=size),
+        result("bus_mains_peak", "Peak power from the mains", "P_max", "kW",
+               "=MAX(0,MAX([bus.sum]),MAX([bus.sum_e]))", shown(mains, KW), scale=size),
+        result("bus_mains", "Mean power from the mains", "P", "kW", f"={total('bus.above')}/360",
+               shown(found.mains, KW), scale=size),
+        result("bus_resistor_peak", "Peak power in the brake resistor", "", "kW",
+               "=MAX(0,0-MIN([bus.sum]),0-MIN([bus.sum_e]))", shown(resistor, KW), scale=size),
+        result("bus_resistor", "Mean power in the brake resistor", "", "kW",
+               "=bus_mains-SUMPRODUCT(([bus.e]-[bus.b])*[bus.on],([bus.sum]+[bus.sum_e])/2)/360",
+               shown(found.resistor, KW),
                scale=size),
-        result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours/1000",
+        result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours",
                shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, source="of these drives"),
-        result("bus_off", "None of these is off by more than", "", "W", "=SUM([power.off])",
-               sum(map(bus.off, bus.drives)), scale=size,
+        result("bus_off", "None of these is off by more than", "", "kW", f"={total('power.off')}",
+               shown(sum(map(bus.off, bus.drives)), KW), scale=size,
                source="Σ |P''| δ²/8 + |ΔP'| δ/4: straight lines between places"),
-        calc("bus_net_off", "Their means are off by", "", "W",
-             f"=ABS(bus_mains-bus_resistor-{own})", abs(found.net - net.net), scale=size,
+        calc("bus_net_off", "Their means are off by", "", "kW",
+             f"=ABS(bus_mains-bus_resistor-{own})", shown(abs(found.net - net.net), KW), scale=size,
              source="mains less resistor, beside the exact one"),
         constant("bus_step", "Places of the sum are apart by", "δ", "°", bus.step, source="or less, at every jump"),
     ]  # fmt: skip
@@ -109,7 +113,7 @@ def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means
     """Declare a row for each drive: its energy, mean and peak powers, and what it adds to the error of the sum."""
     driven = [one.driven for one in drives]
     scopes = [f"drive{one.number}_" for one in driven]
-    scale, peak = max(one.scales.work for one in driven), max(one.most_power for one in drives)
+    scale, peak = max(one.scales.work for one in driven), shown(max(one.most_power for one in drives), KW)
     energies, power = [one.demand.energy for one in driven], [one.demand.power for one in driven]
     most = [peaks(one.highest.value, one.lowest.value, bus.entered.efficiency) for one in power]
     linked = [isinstance(one, LinkedWork) for one in drives]
@@ -128,16 +132,17 @@ def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means
              [one.driving for one in energies], scale=scale),
         calc("returned", "comes back to it", "", "J", [f"={scope}returned+0" for scope in scopes],
              [one.regenerated for one in energies], scale=scale),
-        result("mains", "mean power from the mains", "P", "W", "=[driving]/power_efficiency/[time]",
-               [one.mains for one in each], scale=floor),
-        result("peak", "peak", "P_max", "W", [f"={scope}pmax/power_efficiency" for scope in scopes],
-               [one.mains for one in most], scale=peak, source="exact"),
-        result("resistor", "mean power in its resistor", "", "W", "=[returned]*power_efficiency/[time]",
-               [one.resistor for one in each], scale=floor),
-        result("burnt", "peak", "", "W", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
-               [one.resistor for one in most], scale=peak, source="exact"),
+        result("mains", "mean power from the mains", "P", "kW", "=[driving]/power_efficiency/[time]/1000",
+               [shown(one.mains, KW) for one in each], scale=floor),
+        result("peak", "peak", "P_max", "kW", [f"={scope}pmax/power_efficiency" for scope in scopes],
+               [shown(one.mains, KW) for one in most], scale=peak, source="exact"),
+        result("resistor", "mean power in its resistor", "", "kW", "=[returned]*power_efficiency/[time]/1000",
+               [shown(one.resistor, KW) for one in each], scale=floor),
+        result("burnt", "peak", "", "kW", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
+               [shown(one.resistor, KW) for one in most], scale=peak, source="exact"),
         calc("bus", "on the common bus", "", "", of('=IF({0}own_rate="",1,0)'),
              [int(bus.shares(one)) for one in drives], format="0", source="1: yes"),
-        calc("off", "its lines are off by at most", "", "W", of("=[bus]*MAX([{0}st.off])"),
-             [0.0 if links else bus.off(one) for one, links in zip(drives, linked, strict=True)], scale=bus.size),
+        calc("off", "its lines are off by at most", "", "kW", of("=[bus]*MAX([{0}st.off])"),
+             [0.0 if links else shown(bus.off(one), KW) for one, links in zip(drives, linked, strict=True)],
+             scale=shown(bus.size, KW)),
     )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from engine.machine.powering import PARTS, taylor
 from workbook.book.declare import Quantity, calc, result
+from workbook.entries.units import KW, shown
 from workbook.machines.machine.stretched import Stretched
 
 PAST = "([x{n}]*(({u}-[p{n}])*([z4]-[z0])>0)+(1-[x{n}])*(([p{n}]-[z0])^2<([p{n}]-[z4])^2))"
@@ -24,12 +25,12 @@ def line(view: Stretched, u: str) -> str:
 
 def power_columns(view: Stretched) -> list[Quantity]:
     """Return the columns of the stretches: the power at ends, where it is largest, where the torque bends; errors."""
-    size, of = view.most_power, view.powering
+    size, of = shown(view.most_power, KW), view.powering
 
     def end(name: str, words: str, k: int) -> Quantity:
         u, t = (("[ub]", "[tyb]"), ("[ue]", "[tye]"))[k]
-        return calc(f"pw{name}", f"power at its {words}", "P", "W", f"=@turning*ABS([dir])*{t}*{view.velocity(u)}",
-                    of(lambda one: one.ends[k]), scale=size)  # fmt: skip
+        return calc(f"pw{name}", f"power at its {words}", "P", "kW", f"=@kilo*ABS([dir])*{t}*{view.velocity(u)}",
+                    of(lambda one: shown(one.ends[k], KW)), scale=size)  # fmt: skip
 
     def bend(n: int) -> str:
         """The power at a bend: y is known there, and y' by a step of Newton's from a place that nearly is."""
@@ -41,8 +42,9 @@ def power_columns(view: Stretched) -> list[Quantity]:
     return [
         end("b", "begin", 0), end("e", "end", 1),
         *top(view, "a", "0", "z0", "p3"), *top(view, "c", "1", "p3", "z4"),
-        calc("pwk", "where the torque bends", "", "W",
-             f"=IF([x1]+[x2]=0,0,(0-[sign])*@turning*MAX({bend(1)},{bend(2)}))", of(lambda one: one.at_bends, 0.0),
+        calc("pwk", "where the torque bends", "", "kW",
+             f"=IF([x1]+[x2]=0,0,(0-[sign])*@kilo*MAX({bend(1)},{bend(2)}))", of(lambda one: shown(one.at_bends, KW),
+             0.0),
              scale=size),
         *errors(view),
     ]  # fmt: skip
@@ -72,9 +74,9 @@ def top(view: Stretched, name: str, bent: str, low: str, high: str) -> list[Quan
         calc(place, "at", "u", "rad",
              f"=IF([on]*ABS([dir])=0,[z0],[{low}]+{width}*([{part}]+({fine}+0.5)/{PARTS})/{PARTS})",
              view.powering(lambda one: one.tops[k].place, last), scale=1.0),
-        calc(f"pw{name}", "power there", "P", "W",
-             f"=[on]*(ABS{width}>check_zero)*@turning*[dir]*{view.velocity(f'[{place}]')}*{torque(f'[{place}]')}",
-             view.powering(lambda one: one.tops[k].power, 0.0), scale=view.most_power),
+        calc(f"pw{name}", "power there", "P", "kW",
+             f"=[on]*(ABS{width}>check_zero)*@kilo*[dir]*{view.velocity(f'[{place}]')}*{torque(f'[{place}]')}",
+             view.powering(lambda one: shown(one.tops[k].power, KW), 0.0), scale=shown(view.most_power, KW)),
     ]  # fmt: skip
 
 
@@ -99,9 +101,9 @@ def errors(view: Stretched) -> list[Quantity]:
              of(lambda one: one.sharpest), scale=motion.size(3)),
         calc("nm", "greatest y''''", "", "", f"=IF([A]=0,{most(snap, 4)},ABS([A]*[om]^4))", of(lambda one: one.snap),
              scale=view.most_snap),
-        calc("off", "straight lines are off by at most", "", "W",
-             f"=[on]*ABS([dir])*@turning/power_efficiency*(({bend})*{short}^2/8+{broken}*{short}/4)",
-             of(view.off, 0.0), scale=max(view.most_off, 1e-3)),
+        calc("off", "straight lines are off by at most", "", "kW",
+             f"=[on]*ABS([dir])*@kilo/power_efficiency*(({bend})*{short}^2/8+{broken}*{short}/4)",
+             of(lambda part: shown(view.off(part), KW), 0.0), scale=shown(max(view.most_off, 1e-3), KW)),
     ]  # fmt: skip
 
 
@@ -121,6 +123,7 @@ def power_rows(view: Stretched) -> list[Quantity]:
     """Return the rows that the columns refer to."""
     return [
         calc("@turning", "Speed of the motor for y' = 1", "", "rad/s", "=@i*timing_omega*@faster", view.turning),
+        calc("@kilo", "… of which Nm make kW", "", "", "=@turning/1000", shown(view.turning, KW)),
         calc("@steep", "No slope has the power up to", "", "",
              "=check_zero*MAX(@tmax,0-@tmin)*@hard/(timing_omega*@faster)^2", view.flat, scale=max(view.flat, 1e-12)),
     ]  # fmt: skip
@@ -128,11 +131,12 @@ def power_rows(view: Stretched) -> list[Quantity]:
 
 def power_peaks(view: Stretched, of: tuple[str, str]) -> list[Quantity]:
     """Return the results: highest and lowest power at the motor's shaft, by these formulas."""
-    power, size = view.driven.demand.power, view.most_power
+    power, size = view.driven.demand.power, shown(view.most_power, KW)
     most, least = of
     return [
-        result("@pmax", "Highest power at its shaft", "P_max", "W", f"=MAX(0,{most})",
-               max(0.0, power.highest.value), scale=size, source="exact: at ends, bends, and where its slope is 0"),
-        result("@pmin", "Lowest: what comes back", "P_min", "W", f"=MIN(0,{least})", min(0.0, power.lowest.value),
-               scale=size),
+        result("@pmax", "Highest power at its shaft", "P_max", "kW", f"=MAX(0,{most})",
+               shown(max(0.0, power.highest.value), KW), scale=size,
+               source="exact: at ends, bends, and where its slope is 0"),
+        result("@pmin", "Lowest: what comes back", "P_min", "kW", f"=MIN(0,{least})",
+               shown(min(0.0, power.lowest.value), KW), scale=size),
     ]  # fmt: skip

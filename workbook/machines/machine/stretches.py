@@ -8,17 +8,12 @@ integrals are those of straight lines between the places where y passes 0 of the
 from __future__ import annotations
 
 from functools import partial
-from itertools import chain
-from typing import Any
 
-from engine.machine.bent import HALVED, root_term, septic
 from engine.motion.pieces import MotionPiece
 from engine.motion.turning import PARTS
-from workbook.book.declare import Quantity, Sheet, calc, constant, given
+from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
-from workbook.entries.turn import TURN
-from workbook.entries.units import DEGREE, shown
-from workbook.machines.machine.chain import WINDOWS
+from workbook.machines.machine.breaks import ACTS
 from workbook.machines.machine.stretched import Stretched
 
 LEAST = 6
@@ -36,104 +31,6 @@ FINER = ("", "/100", "/10000")
 BRANCHES = (("1", "z0", "p1"), ("2", "p1", "p2"), ("3", "p2", "z4"))
 WORKS = (("1", "z0", "p3"), ("1", "p3", "p1"), ("2", "p1", "p2"), ("3", "p2", "z4"))
 ORDER = {"z0": 0, "p3": 1, "p1": 2, "p2": 3, "z4": 4}
-ACTS = "(({x}>=[@windows.from])*({x}<[@windows.from]+[@windows.span])+({x}+360<[@windows.from]+[@windows.span]))"
-
-
-def windows_table(sheet: Sheet, key: str, view: Stretched) -> None:
-    """Declare the process forces over the cycle."""
-    entered, unit = view.driven.entered.load.windows, "N" if view.driven.travels else "Nm"
-    found = view.driven.windows
-
-    def entry(name: str) -> list[Any]:
-        return filled([getattr(w, name) for w in entered], WINDOWS, None)
-
-    spans = [shown((w.end - w.begin), DEGREE) for w in found]
-    sheet.row += 1
-    sheet.table(
-        "@windows", "Process forces over the cycle: leave spare rows empty", WINDOWS,
-        constant("k", "number", "k", "", list(range(1, WINDOWS + 1))),
-        given("start", "from", "", "°", entry("start"), f"{key}.load.windows.*.start", format="0.0##"),
-        given("stop", "to", "", "°", entry("stop"), f"{key}.load.windows.*.stop", format="0.0##",
-              source="of the master shaft"),
-        given("force", "force", "", unit, entry("force"), f"{key}.load.windows.*.force", format="0.0##"),
-        given("resists", "resists", "", "", entry("resists"), f"{key}.load.windows.*.resists",
-              source="always, or moving"),
-        calc("from", "from", "", "°", "=[start]+0", filled([w.start for w in entered], WINDOWS), format="0.0##"),
-        calc("span", "for", "", "°", "=[stop]-[start]+IF([stop]+0<[start]+0,360,0)",
-             filled([span + (360 if span < 0 else 0) for span in spans], WINDOWS), format="0.0##"),
-        calc("always", "always", "", unit, '=IF([resists]="moving",0,[force]+0)',
-             filled([w.load.torque for w in found], WINDOWS)),
-        calc("moving", "against motion", "", unit, '=IF([resists]="moving",[force]+0,0)',
-             filled([w.load.friction for w in found], WINDOWS)),
-    )  # fmt: skip
-
-
-def turns_table(sheet: Sheet, view: Stretched) -> None:
-    """Declare where the acceleration turns within a piece."""
-    table, room = f"axis{view.driven.number}_pieces", view.room
-    c3, c4, c5, d = (held(view, name) for name in ("c3", "c4", "c5", "d"))
-    quintic = f"{held(view, 'c6')}=0,{held(view, 'c7')}=0"
-    amplitude, om, ph = (held(view, name) for name in ("A", "om", "ph"))
-    polynomial = (f"IF({c5}=0,0,[w]/(10*{c5}))", f"IF([w]=0,0,{c3}/[w])", "0", "0")
-    places = range(1, view.places_of_piece + 1)
-    terms = [0.0 if septic(piece) else root_term(*piece.c[3:6]) for piece in view.pieces]
-    inside = f"4*{c4}^2-10*{c3}*{c5}"
-    rooted = f"AND({quintic},{inside}>0)" if view.septics else f"{inside}>0"
-
-    def sine(j: int) -> str:
-        return f"((INT({ph}/PI()-0.5+check_zero)+{j}+0.5)*PI()-{ph})/{om}"
-
-    def of_polynomial(j: int) -> str:
-        if not view.septics:
-            return polynomial[j - 1]
-        half = f"IF({c3}=0,1-{HALVED!r},{HALVED!r})*{d}" if j == 1 else "0"
-        return view.by_ladder(f"bend{j}", f"IF(AND({quintic}),{polynomial[j - 1]},{half})")
-
-    def found(j: int) -> list[float]:
-        return filled([places[j] for places in view.raw], room, view.spare_places[j])
-
-    sheet.table(
-        "@turns", "Where the acceleration turns within a piece", room,
-        constant("r", "piece", "r", "", list(range(1, room + 1))),
-        calc("w", "of its slope's roots", "w", "",
-             f"=IF({rooted},0-(2*{c4}+IF({c4}<0-check_zero*SQRT({inside}),0-1,1)*SQRT({inside})),0)",
-             filled(terms, room, terms[-1]), scale=max(1e-9, *map(abs, terms))),
-        *(calc(f"u{j}", f"place {j}", "u", "rad", f"=IF({amplitude}=0,{of_polynomial(j)},{sine(j)})", found(j - 1),
-               scale=1.0)
-          for j in places),
-        *(calc(f"t{j}", f"place {j}", "θ", "°",
-               f"=IF(AND([u{j}]>check_zero*{d},[u{j}]<(1-check_zero)*{d}),"
-               f"INDEX([{table}.begin],[r])+DEGREES([u{j}]),360)",
-               view.turned[j - 1], source="360: none", format="0.0##", scale=360.0)
-          for j in places),
-    )  # fmt: skip
-
-
-def held(view: Stretched, name: str) -> str:
-    """Return the formula of a figure of a row's piece; 0 of a power that no motion of the book has."""
-    power = int(name[1:]) if name[1:].isdigit() else 0
-    return "0" if power >= view.one.pieces.powers else f"INDEX([axis{view.driven.number}_pieces.{name}],[r])"
-
-
-def breaks_table(sheet: Sheet, view: Stretched) -> None:
-    """Declare where a stretch can begin: at pieces, where the acceleration turns in one, at process forces."""
-    i, room = view.driven.number, view.room
-    formulas = [f"=[axis{i}_pieces.begin.{r}]" for r in range(1, room + 1)]
-    formulas += [f"=[@turns.t{j}.{r}]" for j in range(1, view.places_of_piece + 1) for r in range(1, room + 1)]
-    for n in range(1, WINDOWS + 1):
-        for edge in ("start", "stop"):
-            told = f"([@windows.{edge}.{n}]-[axes.late.{i}])"
-            formulas.append(f'=IF([@windows.{edge}.{n}]="",360,{told}-360*INT({told}/360))')
-    late = f"(0-[axes.late.{i}])"
-    formulas += [f"={late}-360*INT({late}/360)", *(formula for _, formula in view.further), "=360+0"]
-    further = [angle for angle, _ in view.further]
-    sheet.table(
-        "@breaks", "Where a stretch can begin", len(formulas),
-        constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
-        calc("at", "angle of its phases", "θ", "°", formulas,
-             [*view.begins, *chain(*view.turned), *view.edges, view.turn_begin, *further, TURN], scale=360.0,
-             format="0.0##"),
-    )  # fmt: skip
 
 
 def stretches_table(sheet: Sheet, view: Stretched, *more: Quantity) -> None:
@@ -207,7 +104,8 @@ def directed(view: Stretched) -> list[Quantity]:
              f"=IF(ABS({middle})>check_zero*@vmax,SIGN({middle}),0)", of(lambda p: p.going), format="0"),
         calc("back", "turns back", "", "", f"=IF([dir]=0,0,IF({back},1,0))", of(lambda p: int(p.turns_back)),
              format="0"),
-        calc("x", "master angle in its middle", "θ", "°", f"={angle}-360*INT({angle}/360)", view.middles, scale=360.0,
+        calc("x", f"{view.one.machine.over.angle} in its middle", "θ", "°", f"={angle}-360*INT({angle}/360)",
+             view.middles, scale=360.0,
              format="0.0##"),
         calc("r", "what resists", "R", force,
              f"=IF([dir]=0,@steady+SUMPRODUCT({acts}*[@windows.always]),[dir]*@steady+@rub"

@@ -13,7 +13,7 @@ from engine.machine.bus import Means, together
 from engine.machine.geared import constant
 from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of, turn_time
-from workbook.entries.units import PER_MINUTE, shown, si
+from workbook.entries.units import KW, PER_MINUTE, shown, si
 from workbook.laws.family import COEFFICIENTS
 from workbook.laws.library import laws, named
 from workbook.laws.shelf import LawShelf
@@ -41,8 +41,8 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
     whole = Whole(machine, laws(machine.laws))
     rows = Rows(machine)
-    rate = columns.get(MASTER, Column([machine.master.rate], ONE.places))
-    faster = ratio_of(rate.each, machine.master.rate)
+    rate = columns.get(MASTER, Column([machine.per_minute], ONE.places))
+    faster = ratio_of(rate.each, machine.per_minute)
     found: Worked = {
         "about_rate": lambda: rate.each, "timing_rate": lambda: rate.each,
         "about_cycle": partial(cycles, rate), "timing_cycle": partial(cycles, rate),
@@ -129,7 +129,7 @@ def of_clearance(rows: Rows, k: int) -> Worked:
     """Return the results of a clearance, from 1."""
     return {
         f"clearances.gap.{k}": lambda: rows.apart[k - 1].gap.least,
-        f"clearances.at.{k}": lambda: rows.apart[k - 1].place,
+        f"clearances.at.{k}": lambda: rows.apart[k - 1].over.shown(rows.apart[k - 1].place),
         f"clear{k}_kept": lambda: told(rows.apart[k - 1].kept),
     }
 
@@ -142,10 +142,10 @@ def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
 
     hours = machine.power.hours
     found: Worked = {
-        "power_mains": lambda: whole().mains,
-        "power_resistors": lambda: whole().resistor,
+        "power_mains": lambda: shown(whole().mains, KW),
+        "power_resistors": lambda: shown(whole().resistor, KW),
         "power_year": lambda: shown(whole().energy_a_year(hours), KWH),
-        "power_least": lambda: whole().least,
+        "power_least": lambda: shown(whole().least, KW),
     }
     for k, one in enumerate(drives, 1):
         found |= {f"power.mains.{k}": partial(mains_of, one), f"power.resistor.{k}": partial(resistor_of, one)}
@@ -155,13 +155,13 @@ def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
 
 
 def mains_of(one: Studied) -> Any:
-    """Return the mean power of a drive from the mains (W)."""
-    return one.mains.mains
+    """Return the mean power of a drive from the mains (kW)."""
+    return shown(one.mains.mains, KW)
 
 
 def resistor_of(one: Studied) -> Any:
-    """Return the mean power in its resistor (W)."""
-    return one.mains.resistor
+    """Return the mean power in its resistor (kW)."""
+    return shown(one.mains.resistor, KW)
 
 
 def least_rate(drives: list[Studied]) -> Any:

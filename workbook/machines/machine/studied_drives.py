@@ -14,7 +14,7 @@ from engine.machine.bus import Means, means
 from engine.machine.geared import Geared, Gears, Torques, Works, mean_power, shares_of
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
-from workbook.entries.units import PER_MINUTE, RPM, shown, si
+from workbook.entries.units import KW, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
 from workbook.machines.machine.driven import Driven
@@ -46,7 +46,7 @@ class Studied:
         self.motor_key, self.motors = only(columns, f"{begin}.motor")
         self.reducer_key, self.reducers = only(columns, f"{begin}.reducer")
         given = axis.given.rate
-        master = Column([machine.master.rate], ONE.places) if given is None else Column([given], ONE.places)
+        master = Column([machine.per_minute], ONE.places) if given is None else Column([given], ONE.places)
         self.rates = columns.get(f"{begin}.rate") or (columns.get("master.rate", master) if given is None else master)
 
     def motor(self, value: Any) -> MotorInUse:
@@ -105,6 +105,11 @@ class Studied:
     def speed(self) -> Array:
         """Largest speeds (rpm)."""
         return shown(self.geared.speed(self.gears), RPM)
+
+    @property
+    def mean_speed(self) -> Array:
+        """Mean speeds over the cycle (rpm)."""
+        return shown(self.geared.mean_speed(self.gears), RPM)
 
     @cached_property
     def works(self) -> Works:
@@ -165,10 +170,20 @@ class Studied:
         return view_of_drive(MovingAxis(given, axis.number, axis.library, speed_of(at)), self.products)
 
     @cached_property
+    def drives(self) -> dict[tuple[int, int, int], Driven]:
+        """The drive of each design."""
+        return {one: self.drive(*one) for one in dict.fromkeys(self.designs)}
+
+    def each(self, figure: Callable[[Driven], float]) -> Array:
+        """Return a figure of each design's drive, which is worked out by itself."""
+        found = {one: figure(drive) for one, drive in self.drives.items()}
+        return np.array([found[one] for one in self.designs])
+
+    @cached_property
     def highest_each(self) -> dict[tuple[int, int, int], Highest]:
         """The highest rate of each drive, and the limit that binds there."""
         rows = self.rows()
-        return {one: rate_of(Stretched(rows, self.drive(*one))) for one in dict.fromkeys(self.designs)}
+        return {one: rate_of(Stretched(rows, drive)) for one, drive in self.drives.items()}
 
     @property
     def highest(self) -> Array:
@@ -197,6 +212,7 @@ class Studied:
             "tmin": lambda: self.torques.lowest,
             "rms": lambda: self.rms,
             "speed": lambda: self.speed,
+            "mean": lambda: self.mean_speed,
             "res_rms": lambda: shares_of(motor("rated_torque"), self.rms),
             "res_peak": lambda: shares_of(motor("peak_torque"), self.torques.peak),
             "res_speed": lambda: shares_of(motor("max_speed"), self.speed),
@@ -204,7 +220,9 @@ class Studied:
             "smean": lambda: self.mean_behind,
             "energy": lambda: self.works.driving,
             "returned": lambda: self.works.regenerated,
-            "power": lambda: self.power,
+            "power": lambda: shown(self.power, KW),
+            "pmax": lambda: self.each(lambda drive: shown(max(0.0, drive.demand.power.highest.value), KW)),
+            "pmin": lambda: self.each(lambda drive: shown(min(0.0, drive.demand.power.lowest.value), KW)),
             "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
             "ok_peak": lambda: told(self.torques.peak <= motor("peak_torque")),
             "ok_speed": lambda: told(self.speed <= motor("max_speed")),
@@ -230,16 +248,6 @@ class EachStudied(Studied):
 
     tells_highest = False
 
-    @cached_property
-    def drives(self) -> dict[tuple[int, int, int], Driven]:
-        """The drive of each design."""
-        return {one: self.drive(*one) for one in dict.fromkeys(self.designs)}
-
-    def each(self, figure: Callable[[Driven], float]) -> Array:
-        """Return a figure of each design's drive."""
-        found = {one: figure(drive) for one, drive in self.drives.items()}
-        return np.array([found[one] for one in self.designs])
-
     @property
     def at_motor(self) -> Array:
         """Largest inertia at the motor over the cycle, without it (kg m²)."""
@@ -260,6 +268,11 @@ class EachStudied(Studied):
     def speed(self) -> Array:
         """Largest speeds (rpm)."""
         return shown(self.each(lambda drive: drive.demand.speed.peak), RPM)
+
+    @property
+    def mean_speed(self) -> Array:
+        """Mean speeds over the cycle (rpm)."""
+        return shown(self.each(lambda drive: drive.demand.mean_speed), RPM)
 
     @cached_property
     def works(self) -> Works:

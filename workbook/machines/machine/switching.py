@@ -9,7 +9,7 @@ from pydantic import Field, GetJsonSchemaHandler, field_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
-from workbook.book.sentence import figure
+from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA
 from workbook.entries.turn import TURN
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, Model
@@ -71,23 +71,35 @@ class SwitchEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a time with one end, and the first that does not last or is not over where another begins."""
         for k, time in enumerate(self.on):
-            if not time.told and time != TimeOn():
+            if not time.told and time != type(time)():
                 yield DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED)
                 break
-        said = self._fault()
-        if said:
-            yield DesignError("on", f"{self.name} {said}", "apart", [UNUSED for _ in self.on])
+        yield from self.apart()
 
-    def _fault(self) -> str:
-        told = [(k, time) for k, time in enumerate(self.on, 1) if time.told]
-        for k, time in told:
-            if time.span <= ANGLE_TOLERANCE:
-                return f"time {k} does not last"
-        for k, time in told:
-            over = max((beyond(time, other) for j, other in told if j != k), default=0.0)
-            if over > ANGLE_TOLERANCE:
-                return f"time {k} is on {figure(over)}° beyond the begin of another"
-        return ""
+    def apart(self) -> Iterator[DesignError]:
+        """Yield the first time that does not last, or is not over where another begins."""
+        yield from meeting(self)
+
+
+def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError]:
+    """Yield the first time of a switch, in degrees, that does not last, or is not over where another begins."""
+    said = fault_of(turned, over)
+    if said:
+        unused = [UNUSED for _ in turned.on]
+        yield DesignError("on", f"{turned.name} {said}", "apart", unused)
+
+
+def fault_of(turned: SwitchEntry, over: Abscissa) -> str:
+    """Return what is wrong with the times of a switch, which are in degrees."""
+    told = [(k, time) for k, time in enumerate(turned.on, 1) if time.told]
+    for k, time in told:
+        if time.span <= ANGLE_TOLERANCE:
+            return f"time {k} does not last"
+    for k, time in told:
+        more = max((beyond(time, other) for j, other in told if j != k), default=0.0)
+        if more > ANGLE_TOLERANCE:
+            return f"time {k} is on {over.said(more)} beyond the begin of another"
+    return ""
 
 
 def beyond(time: TimeOn, other: TimeOn) -> float:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from engine.timing import turn_time
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
-from workbook.drive.in_short import Highest, InShort, axes_in_short
+from workbook.drive.in_short import NO_DRIVE, Highest, InShort, axes_in_short
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
-from workbook.entries.units import shown
+from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
@@ -30,12 +32,13 @@ from workbook.machines.machine.selecting.sheet import selection_sheet
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
+from workbook.machines.machine.timed import TimedMachine, told_in_seconds
 from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet
 from workbook.selection.entries import Products
-from workbook.template import Template, finish
+from workbook.template import Other, Template, finish
 
 
 def declare(given: AnyMachine) -> Book:
@@ -49,11 +52,13 @@ def declare(given: AnyMachine) -> Book:
     sheet = summary_sheet(
         book,
         given,
-        "A machine: the motions of its axes over one master shaft, at one rate.",
+        "A machine: the motions of its axes over a cycle in s."
+        if machine.over.timed
+        else "A machine: the motions of its axes over one master shaft, at one rate.",
         [
-            result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", given.master.rate),
+            result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", given.per_minute),
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
-            *highest_rate(drives.values(), len(rows)),
+            *highest_rate(drives.values(), len(rows), machine.over),
         ],
     )  # fmt: skip
     axes_in_short(
@@ -106,7 +111,7 @@ def highest_of(view: Stretched) -> Highest | None:
     return None if isinstance(view, LinkedWork) else rate_of(view)
 
 
-def highest_rate(drives: Iterable[Stretched], axes: int) -> list[Quantity]:
+def highest_rate(drives: Iterable[Stretched], axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds.
 
     There are none where a drive tells none.
@@ -121,10 +126,19 @@ def highest_rate(drives: Iterable[Stretched], axes: int) -> list[Quantity]:
     told = [f"INDEX({column},{place})" if axes > 1 else column for column in names]
     return [
         result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least.rate,
-               source="of all drives"),
+               source="of all drives; all times scaled together" if over.timed else "of all drives"),
+        *([shortest(least.rate)] if over.timed else []),
         result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
                f"{axis}: {least.limit}", align="right"),
     ]  # fmt: skip
+
+
+def shortest(rate: float) -> Quantity:
+    """Return the result of the shortest cycle: at the highest rate."""
+    time = turn_time(si(rate, PER_MINUTE)) if rate > 0 else NO_DRIVE
+    formula = f'=IF(about_highest>0,60/about_highest,"{NO_DRIVE}")'
+    return result("about_shortest", "Shortest cycle", "t_c,min", "s", formula, time, align="right",
+                  source="at the highest rate")  # fmt: skip
 
 
 TEMPLATE = Template(
@@ -142,4 +156,5 @@ TEMPLATE = Template(
     axes=axes,
     scaling=SCALING,
     switches=switches,
+    others={"master.cycle": Other(TimedMachine, told_in_seconds)},
 )

@@ -1,9 +1,10 @@
-"""The Timing sheet: the axes over one turn of the master shaft, their phases, movements and diagram."""
+"""The Timing sheet: the axes over one turn of the master shaft or a cycle in s, their phases, movements and diagram."""
 
 from __future__ import annotations
 
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import FIRST, Book, Sheet, calc, constant, given, result
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
+from workbook.entries.abscissa import TAKEN
 from workbook.entries.units import shown
 from workbook.machines.machine.lanes import named
 from workbook.machines.machine.motion import AxisRows
@@ -11,22 +12,18 @@ from workbook.machines.machine.phases import axis_checks, phases_table
 from workbook.machines.machine.view import MovingAxis, Whole, unit_name
 
 LANE_SHARE = 0.8
-PHASE, PASSING = 12, 4
-"""columns of what is entered of a phase and comes out of it, and of those where movements hand over at speed"""
+PHASE, PHASE_IN_TIME, PASSING = 12, 11, 4
+"""columns of what is entered of a phase and comes out of it, in time alone, and where movements hand over at speed"""
 
 
 def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
-    sheet = book.sheet("Timing", "The axes over one turn of the master shaft: phases, movements, timing diagram.")
+    sheet = book.sheet("Timing", f"The axes over {machine.over.cycle}: phases, movements, timing diagram.")
     sheet.heading("Enter")
-    sheet.rows(
-        given("timing_rate", "Production rate", "n", "cycles/min",
-              machine.machine.master.rate, "master.rate", format="0.0##", source="one a turn of the master shaft"),
-        calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
-        calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
-             "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
-    )  # fmt: skip
-    columns = PHASE + (PASSING if any(one.ends is not None for one in axes) else 0)
+    sheet.rows(*(in_seconds(machine) if machine.over.timed else at_rate(machine)))
+    columns = (PHASE_IN_TIME if machine.over.timed else PHASE) + (
+        PASSING if any(one.ends is not None for one in axes) else 0
+    )
     draw_diagram(sheet, machine, columns)
     axes_table(sheet, machine)
     for one in axes:
@@ -50,6 +47,31 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
 
 
+def at_rate(machine: Whole) -> list[Quantity]:
+    """Return the rows of a machine with a master shaft."""
+    return [
+        given("timing_rate", "Production rate", "n", "cycles/min",
+              machine.machine.per_minute, "master.rate", format="0.0##", source="one a turn of the master shaft"),
+        calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
+        calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
+             "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
+    ]  # fmt: skip
+
+
+def in_seconds(machine: Whole) -> list[Quantity]:
+    """Return the rows of a machine without one."""
+    return [
+        given("timing_cycle", "Time of a cycle", "t_c", "s", machine.over.length, "master.cycle",
+              format=machine.over.format, source="phases, shifts, switches and process forces are in s of it"),
+        calc("timing_rate", "Production rate", "n", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
+             source="60 / t_c"),
+        calc("timing_omega", "Speed of a turn a cycle", "ω", "rad/s", "=2*PI()*timing_rate/60", machine.speed,
+             source="2π n / 60; workings count a cycle as one turn, of 360°"),
+        calc(TAKEN, "Time of a cycle, as taken", "", "s", "=IF(timing_cycle>0,timing_cycle,360)", machine.over.length,
+             format=machine.over.format, source="by it times become degrees of that turn"),
+    ]  # fmt: skip
+
+
 def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
     """Return the units of all axes, of positions or, with an ending, of their rates."""
     units = dict.fromkeys((axis.base if si else axis.given.unit) + ending for axis in machine.axes)
@@ -58,7 +80,7 @@ def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
 
 def axes_table(sheet: Sheet, machine: Whole) -> None:
     """Declare the names of the axes, what each must do and what it comes to."""
-    axes, n = machine.axes, len(machine.axes)
+    axes, n, over = machine.axes, len(machine.axes), machine.over
 
     def each(formula: str) -> list[str]:
         return [f"={outward(axis, formula.format(f'axis{axis.number}'))}" for axis in axes]
@@ -77,7 +99,7 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
               source="returns to its position, or feeds on"),
         given("smooth", "must be continuous", "", "", [a.given.smoothness for a in axes], "axes.*.smoothness",
               source="velocity, acceleration, jerk"),
-        given("shift", "shift", "", "°", [a.given.shift for a in axes], "axes.*.shift", format="0.0##",
+        given("shift", "shift", "", over.unit, [a.typed.shift for a in axes], "axes.*.shift", format=over.format,
               source="later than its phases say"),
         calc("travel", "travel a cycle", "Σh", unit,
              each("SUM([{0}.h])"), [shown(a.motion.lifts_sum, a.unit) for a in axes]),
@@ -87,7 +109,8 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
              each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes], scale=size),
         result("v", "greatest velocity", "ẏ", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
         result("a", "greatest acceleration", "ÿ", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
-        calc("late", "shift, as taken", "", "°", "=[shift]+0", [a.given.shift for a in axes], format="0.0##"),
+        calc("late", "shift, as taken", "", "°", f"={over.in_degrees('[shift]')}+0",
+             [a.given.shift for a in axes], format="0.0##"),
     )  # fmt: skip
 
 
@@ -99,16 +122,17 @@ def outward(axis: MovingAxis, formula: str) -> str:
 def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
     n = len(machine.axes) + len(machine.lanes)
-    lines = [Series(f"=axis{a.number}_name", "[cycle.theta]", f"[cycle.lane{a.number}]") for a in machine.axes]
+    over = machine.over
+    lines = [Series(f"=axis{a.number}_name", over.column, f"[cycle.lane{a.number}]") for a in machine.axes]
     lines += [
         Series(f"={named(one.number)}", f"[switch_lanes.x{one.number}]", f"[switch_lanes.y{one.number}]")
         for one in machine.lanes
     ]
     bars = ", bars where a switch is on" if machine.lanes else ""
     chart = Chart(
-        "Timing diagram", "master angle θ [°]", "", tuple(lines),
-        f"Timing diagram: rises, rests and returns of each axis over one turn of the master shaft{bars}",
-        (0, 360, 30), (0, n, 1), lanes=True,
+        "Timing diagram", over.title, "", tuple(lines),
+        f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}",
+        over.axis(30), (0, n, 1), lanes=True,
     )  # fmt: skip
     sheet.row += 1
     height = 5 + n + n // 2
@@ -119,16 +143,17 @@ def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
 def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the charts of position, velocity and acceleration of all axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
+    over = machine.over
     kinds = (
         ("y", f"y [{joined(machine, si=False)}]", "Position"),
         ("t", f"ẏ [{joined(machine, '/s')}]", "Velocity"),
         ("tt", f"ÿ [{joined(machine, '/s²')}]", "Acceleration"),
     )
     sheet.chart_row(
-        *(Chart(title, "master angle θ [°]", label,
-                tuple(Series(f"=axis{a.number}_name", "[cycle.theta]", f"[cycle.{column}{a.number}]")
+        *(Chart(title, over.title, label,
+                tuple(Series(f"=axis{a.number}_name", over.column, f"[cycle.{column}{a.number}]")
                       for a in machine.axes),
-                f"{title} of each axis over the master angle", (0, 360, 60))
+                f"{title} of each axis over the {over.name}", over.axis(60))
           for column, label, title in kinds),
         width=(columns + 2) // 3, height=18,
     )  # fmt: skip

@@ -11,6 +11,7 @@ from workbook.laws.variations import SIX, factors, law_for, page_of, passing, va
 from workbook.machines.machine.chain import LINKED, WINDOWS
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
+from workbook.machines.machine.timed import in_seconds
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
@@ -24,7 +25,7 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
     free = any(axis.motor is None for axis in machine.axes)
     suited = list if free else shaped
-    return [AnyMachine.model_validate(data) for data in variations(machine, varied, suited)]
+    return [type(machine).model_validate(data) for data in variations(machine, varied, suited)]
 
 
 def shaped(laws: dict[str, Any]) -> list[str]:
@@ -47,7 +48,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     k = turn % SIX
     sizes, scale = data["sizes"], factors(k)
     vary_laws(data["laws"], k, scale, sizes["pieces"])
-    data["master"]["rate"] *= next(scale)
+    master = data["master"]
+    pace = next(iter(master))
+    master[pace] *= next(scale)
     for i, axis in enumerate(data["axes"]):
         axis |= {
             "closes": "feed" if (i + k) % 2 else "position",
@@ -73,6 +76,8 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
+    if pace == "cycle":
+        in_seconds(data, master[pace])
     return data
 
 

@@ -15,6 +15,7 @@ from engine.motion import Motion, MotionValues, Phase
 from engine.motion.joining import Joined, Rates, joined
 from engine.motion.shifted import Shifted, Told
 from engine.timing import Axis, Movement, lane, shaft_speed, turn_time
+from workbook.entries.abscissa import TAKEN
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, shown, si
 from workbook.machines.machine import chain
@@ -22,6 +23,7 @@ from workbook.machines.machine import entries as entered
 from workbook.machines.machine.clearance import ENDS, MOST_CLEARANCES, ClearanceEntry
 from workbook.machines.machine.lanes import Lane, named
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry
+from workbook.machines.machine.timed import Cycle, TimedMachine
 from workbook.motion.through import passed
 
 UNITS = {"mm": MM, "°": DEGREE}
@@ -31,10 +33,16 @@ BASES = {"mm": "m", "°": "rad"}
 
 
 class MovingAxis:
-    """One axis: its motion with the rests between its phases, and where each of both stands in tables of steps."""
+    """One axis: its motion with the rests between its phases, and where each of both stands in tables of steps.
 
-    def __init__(self, given: entered.Axis, number: int, library: dict[str, Law], speed: float) -> None:
+    ``given`` has its places in degrees of one turn, ``typed`` as they are entered.
+    """
+
+    def __init__(
+        self, given: entered.Axis, number: int, library: dict[str, Law], speed: float, typed: entered.Axis | None = None
+    ) -> None:  # fmt: skip
         self.given, self.number, self.speed = given, number, speed
+        self.typed = typed or given
         self.unit, self.base = UNITS[given.unit], BASES[given.unit]
         self.library = library
 
@@ -43,7 +51,8 @@ class MovingAxis:
         """The axis at the rate that its drive is sized at."""
         if self.given.rate is None:
             return self
-        return MovingAxis(self.given, self.number, self.library, shaft_speed(si(self.given.rate, PER_MINUTE)))
+        speed = shaft_speed(si(self.given.rate, PER_MINUTE))
+        return MovingAxis(self.given, self.number, self.library, speed, self.typed)
 
     @cached_property
     def rests(self) -> list[int]:
@@ -146,19 +155,21 @@ class Whole:
     """The engine's view of a machine."""
 
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
-        self.machine = machine
-        self.axes = [MovingAxis(a, i, library, self.speed) for i, a in enumerate(machine.axes, 1)]
-        self.lanes = [Lane(one, i) for i, one in enumerate(machine.switches, 1)]
+        self.machine, self.over = machine, machine.over
+        both = zip(machine.axes_turned, machine.axes, strict=True)
+        self.axes = [MovingAxis(a, i, library, self.speed, typed) for i, (a, typed) in enumerate(both, 1)]
+        each = zip(machine.switches_turned, machine.switches, strict=True)
+        self.lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(each, 1)]
 
     @property
     def time(self) -> float:
         """Time of a turn (s)."""
-        return turn_time(si(self.machine.master.rate, PER_MINUTE))
+        return turn_time(si(self.machine.per_minute, PER_MINUTE))
 
     @property
     def speed(self) -> float:
         """Speed of the master shaft (rad/s)."""
-        return shaft_speed(si(self.machine.master.rate, PER_MINUTE))
+        return shaft_speed(si(self.machine.per_minute, PER_MINUTE))
 
     @property
     def hands_over(self) -> bool:
@@ -179,6 +190,11 @@ class Whole:
     def samples(self) -> Array:
         """The same in rad."""
         return si(self.angles, DEGREE)
+
+    @property
+    def times(self) -> Array:
+        """The sampled angles as they are shown."""
+        return self.over.shown(self.angles)
 
     @property
     def near(self) -> float:
@@ -206,6 +222,9 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     found: dict[str, Any] = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
     chosen = machine.axes[0].name if CHOSEN in names else None
     found["selection"] = machine.selection.model_copy(update={"axis": chosen})
+    if TAKEN in names:
+        known = {name: getattr(machine, name) for name in type(machine).model_fields}
+        return TimedMachine.model_construct(**known | found | {"master": Cycle(cycle=TURN)})
     return machine.model_copy(update=found)
 
 
@@ -252,7 +271,8 @@ def kind_name(number: int, kind: str) -> str:
 
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
-    found: dict[str, Any] = {"master": {}} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
+    master = {"cycle": None} if machine.over.timed else {}
+    found: dict[str, Any] = {"master": master} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
     found |= {f"switches.{i}.on": [] for i in range(len(machine.switches))}
     for i, one in enumerate(machine.clearances):
         found |= {f"clearances.{i}.{end}": int(getattr(one, end)) for end in ENDS}

@@ -13,9 +13,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from workbook.witnesses.pycel.limits import NEAR
+from workbook.witnesses.pycel.limits import NEAR, NUMBERS
 
-NUMBERS = frozenset((float, int))  # not bool, whose kind counts in comparisons
 COMPARED = {"Lt": np.less, "LtE": np.less_equal, "Gt": np.greater, "GtE": np.greater_equal, "Eq": np.equal,
             "NotEq": np.not_equal}  # fmt: skip
 SUMS = {"Add": np.add, "Sub": np.subtract, "Mult": np.multiply}

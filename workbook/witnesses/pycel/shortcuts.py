@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from pycel.lib import lookup
 
-from workbook.witnesses.pycel.arrays import NUMBERS, Array, applied, array_of, operated, plain, plainly
-from workbook.witnesses.pycel.limits import OPERATORS, build_operators, count_searches, cross, raised
+from workbook.witnesses.pycel.arrays import SUMS, Array, applied, array_of, operated, plain, plainly
+from workbook.witnesses.pycel.limits import NUMBERS, OPERATORS, build_operators, count_searches, cross, raised
 
 Function = Callable[..., Any]
 RANGES = frozenset((tuple, Array))
@@ -24,7 +24,6 @@ PLAIN = NUMBERS | RANGES
 COUNTED = NUMBERS | {bool}  # 1 and 0 where they are added or multiplied
 NOTHING = frozenset(("", "–"))  # texts in the cells of our books, and surely no numbers
 SIMPLE = {name: OPERATORS[name] for name in ("Add", "Sub", "Mult", "Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}
-SUMS = frozenset(("Add", "Sub", "Mult"))
 DIVIDE = OPERATORS["Div"]
 
 
@@ -161,10 +160,8 @@ def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Fu
 
     def shortened(checked: Function) -> Function:
         def call(*arguments: Any) -> Any:
-            one_range = len(arguments) == 1 and type(arguments[0]) is tuple
-            values = numbers_of(arguments[0] if one_range else (arguments,))
-            if not values and len(arguments) == 1 and type(arguments[0]) is Array:
-                values = numbers_of(arguments[0].rows())
+            one_range = len(arguments) == 1 and type(arguments[0]) in RANGES
+            values = numbers_of(plain(arguments[0]) if one_range else (arguments,))
             return body(values) if values else checked(*arguments)
 
         return call
@@ -236,5 +233,8 @@ KNOWING = frozenset(("sin", "cos", "sqrt", "exp", "ln", "abs_", "min_", "max_", 
 
 def shortened(name: str, function: Function) -> Function:
     """Return a function of pycel as formulas call it: with its straight way, if it has one, and for arrays."""
-    made = SHORTENED[name](plainly(function)) if name in SHORTENED else function
-    return made if name in KNOWING & SHORTENED.keys() else plainly(made)
+    plain_one = plainly(function)
+    if name not in SHORTENED:
+        return plain_one
+    made = SHORTENED[name](plain_one)
+    return made if name in KNOWING else plainly(made)

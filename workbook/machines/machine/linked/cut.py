@@ -10,10 +10,10 @@ from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, SAME
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
+from workbook.machines.machine.breaks import ACTS
 from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.places import columns, stacked
 from workbook.machines.machine.linked.worked import FIGURES, LinkedWork
-from workbook.machines.machine.stretches import ACTS
 from workbook.motion.sampled import derivative
 
 LETTERS = ("F", "S", "T")
@@ -65,7 +65,8 @@ def stretches_table(sheet: Sheet, view: LinkedWork) -> None:
         calc("back", "turns back", "", "", f"=IF([dir]=0,0,IF({back},1,0))",
              [int(one.turns_back(span, driven.fastest)) for one, span in zip(helds, view.ranges, strict=True)],
              format="0"),
-        calc("x", "master angle in its middle", "θ", "°", f"={angle}-360*INT({angle}/360)", view.middles, scale=360.0,
+        calc("x", f"{view.one.machine.over.angle} in its middle", "θ", "°", f"={angle}-360*INT({angle}/360)",
+             view.middles, scale=360.0,
              format="0.0##"),
         calc("r", "what resists", "R", "N" if driven.travels else "Nm",
              f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
@@ -250,6 +251,6 @@ def nodes_table(sheet: Sheet, view: LinkedWork) -> None:
         calc("u", "within piece", "u", "rad",
              "=INDEX([@sec.ub],[sec])+(1+[t])/2*(INDEX([@sec.ue],[sec])-INDEX([@sec.ub],[sec]))", places, scale=1.0),
         *columns(view, stacked(view.worked), helds, places),
-        calc("P", "power, over the reducer's ratio", "", "W", "=[T]*[w]", view.at_nodes("power"),
+        calc("P", "torque times speed, before the reducer", "", "Nm rad/s", "=[T]*[w]", view.at_nodes("power"),
              scale=max(1e-9, float(np.abs(view.at_nodes("power")).max()))),
     )  # fmt: skip

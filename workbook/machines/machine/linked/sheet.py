@@ -7,30 +7,32 @@ import numpy as np
 from engine.machine.places import SUFFICES
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.book.rows import total
 from workbook.drive.motor import limits_table, plane, rms_point
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine import chosen, drive
+from workbook.machines.machine.breaks import breaks_table, turns_table, windows_check
 from workbook.machines.machine.chain import UNSIZED
 from workbook.machines.machine.cycle import CYCLES
 from workbook.machines.machine.linked import cut, found, kinds, reach
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
 from workbook.machines.machine.powered import power_peaks
-from workbook.machines.machine.stretches import breaks_table, turns_table
 
 RESULTS = {
     "jtot": "=@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2",
     "tmax": "=MAX([@sec.topT])",
     "tmin": "=0-MAX([@sec.topD])",
-    "rms": "=SQRT(MAX(0,SUM([@sec.square])/(2*PI())))",
+    "rms": f"=SQRT(MAX(0,{total('@sec.square')}/(2*PI())))",
     "speed": "=@i1*MAX([@sec.topw])*60/(2*PI())",
-    "mean": "=@i1*SUM([@sec.way])/(2*PI())*60/(2*PI())",
+    "mean": f"=@i1*{total('@sec.way')}/(2*PI())*60/(2*PI())",
     "smax": "=MAX([@sec.topS])",
-    "smean": "=IF(SUM([@sec.way])>0,(SUM([@sec.cube])/SUM([@sec.way]))^(1/3),0)",
+    "smean": f"=IF({total('@sec.way')}>0,({total('@sec.cube')}/{total('@sec.way')})^(1/3),0)",
     "energy": "=SUMPRODUCT(([@sec.work]>0)*[@sec.work])",
     "returned": "=0-SUMPRODUCT(([@sec.work]<0)*[@sec.work])",
 }
-PEAKS = "@i1*MAX([@sec.topP])", "0-@i1*MAX([@sec.topQ])"
+PEAKS = "@i1*MAX([@sec.topP])/1000", "0-@i1*MAX([@sec.topQ])/1000"
 """highest and lowest power"""
 
 
@@ -42,16 +44,17 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
     with sheet.scoped(f"drive{i}_"):
         drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
         drive.outcome(sheet, one, driven, RESULTS, power_peaks(view, PEAKS))
-        sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *checks(view))
+        sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *windows_check(view), *checks(view))
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
-        sheet.chart(angles(), column=drive.CHART_COLUMN, row=28, width=8, height=18)
+        sheet.chart(angles(one.machine.over), column=drive.CHART_COLUMN, row=28, width=8, height=18)
         kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
         drive.tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
         sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
         drive.workings(sheet, one, driven, [
-            calc("@omega", "Master shaft at its rate", "ω", "rad/s", "=timing_omega*@faster", driven.axis.speed),
+            calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=timing_omega*@faster",
+                 driven.axis.speed),
             *kinds.of(driven).sizes(driven),
         ])  # fmt: skip
         kinds.of(driven).table(sheet, driven, one.machine.machine.sizes.positions)
@@ -117,10 +120,10 @@ def cycle(sheet: Sheet, view: LinkedWork) -> None:
     )  # fmt: skip
 
 
-def angles() -> Chart:
+def angles(over: Abscissa) -> Chart:
     """Return the chart of the mechanism's shaft over the cycle."""
-    lines = (Series("angle", "[cycle.theta]", "[@cycle.phi]"),)
+    lines = (Series("angle", over.column, "[@cycle.phi]"),)
     return Chart(
-        "Angle of the mechanism's shaft", "master angle θ [°]", "φ [rad]", lines,
-        "Angle of the mechanism's shaft over one turn of the master shaft", (0, 360, 60),
+        "Angle of the mechanism's shaft", over.title, "φ [rad]", lines,
+        f"Angle of the mechanism's shaft over {over.cycle}", over.axis(60),
     )  # fmt: skip

@@ -12,6 +12,7 @@ from operator import methodcaller
 from engine.machine.bent import Away, away
 from engine.machine.grid import Behind
 from workbook.book.declare import Quantity, Sheet, calc
+from workbook.book.rows import total
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import LINES, LOST, ORDER, integral
 
@@ -84,7 +85,7 @@ def means(sheet: Sheet, view: Stretched) -> None:
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
     sheet.rows(
-        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", "=SUM([@st.bq])/(2*PI())", own, scale=scale.turned),
+        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", f"={total('@st.bq')}/(2*PI())", own, scale=scale.turned),
         calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²",
              mean("bs", ">", "<", f"+{held}"), square, scale=scale.square),
         calc("@ask_square_back", "… where the load drives it", "", "Nm²", mean("bs", "<", ">"),

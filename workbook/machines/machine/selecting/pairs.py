@@ -47,7 +47,8 @@ def grid(
     )  # fmt: skip
     for c in range(1, across + 1):
         told = [f'=[reducers.name.{c}]&""', f"=[@reducers.i.{c}]+0"]
-        each = calc("v", f"reducer {c}", "", "", told, [names[c - 1], reductions[c - 1]], align="left")
+        each = calc("v", f"reducer {c}", "", "", told, [names[c - 1], reductions[c - 1]],
+                    align="center", wrap=True)  # fmt: skip
         sheet.beside(heads, f"@{name}_head{c}", each)
     rows = sheet.table(
         f"@{name}", title, down,

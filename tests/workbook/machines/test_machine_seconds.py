@@ -1,0 +1,261 @@
+"""A machine without a master shaft: its cycle and all places over it in s; the same machine told in degrees."""
+
+import copy
+import math
+import random
+
+import numpy as np
+import openpyxl
+import pytest
+import tomli_w
+
+from tests.tiers import by_day, nights
+from tests.workbook.cells import computed, disagreeing, entered
+from workbook.build import build, described, inputs
+from workbook.entries.design import as_entered
+from workbook.errors import InputError
+from workbook.judging.verify import verify
+from workbook.machines.machine.timed import TimedMachine, told_in_seconds
+from workbook.reading.descriptions import checked, counted, read_machine
+from workbook.templates import TEMPLATES
+from workbook.writing.same import same_book
+
+MACHINE = TEMPLATES["machine"]
+SMALL = {"cycle": 12, "law": 4, "own_law": 60, "phases": 3}
+OUT, BACK = {"start": 0.05, "stop": 0.095, "lift": 20.0, "law": "MTP"}, {
+    "start": 0.2, "stop": 0.29, "lift": -20.0, "law": "CIC"
+}  # fmt: skip
+DRIVE = {
+    "mechanism": {"kind": "lead screw", "size": 20.0, "efficiency": 0.8},
+    "load": {"mass": 30.0, "friction": 0.05, "windows": [{"start": 0.28, "stop": 0.07, "force": 40.0}]},
+    "motor": {"inertia": 0.001, "rated_torque": 500.0, "peak_torque": 1500.0, "max_speed": 30000.0},
+}
+
+
+def axis(name="MC02", *phases, **more):
+    return {"name": name, "group": "Pressing", "phases": copy.deepcopy(list(phases or (OUT, BACK)))} | more
+
+
+def told(*axes, cycle=0.3, **more):
+    """A description in seconds."""
+    data = {"template": "machine", "title": "In seconds", "master": {"cycle": cycle}, "sizes": SMALL}
+    return data | {"axes": list(axes or [axis()])} | more
+
+
+def machine(*axes, **more):
+    return checked(MACHINE, told(*axes, **more), counted)
+
+
+def small(name):
+    """A committed machine with small tables, told in degrees."""
+    given = read_machine(MACHINE.description.with_name(f"{name}.toml"))
+    data = given.model_dump()
+    data["sizes"] |= {"cycle": 12, "law": 4, "own_law": 60}
+    return type(given).model_validate(data)
+
+
+ENTRIES = {"timing_cycle", "timing_rate_entries", "timing_rate_entries_says"}
+
+
+def figures(book):
+    """What the engine has for each formula cell of a book, by block, column and row, with the peak of the column."""
+    found = {}
+    for name, block in book.blocks.items():
+        for q in block.quantities:
+            if q.formula is not None and not name.startswith("checks"):
+                values = np.atleast_1d(np.array(q.value, dtype=object)).tolist()
+                numbers = [abs(x) for x in values if isinstance(x, int | float)]
+                peak = max([*numbers, q.scale or 0.0]) or 1.0
+                found |= {(name, q.name, i): (q.unit, x, peak) for i, x in enumerate(values)}
+    return found
+
+
+def require_same(given):
+    """A machine gives the same results in degrees and in seconds, but for places, which are told in other units."""
+    one, other = (figures(MACHINE.declare(m)) for m in (given, told_in_seconds(given)))
+    assert {name for name, *_ in set(one) - set(other)} <= ENTRIES
+    moved = {at[:2] for at in set(one) & set(other) if one[at][0] != other[at][0]}
+    far = []
+    for at in set(one) & set(other):
+        unit, value, peak = one[at]
+        unit_too, value_too, _ = other[at]
+        if isinstance(value, str):
+            far += [at] if value != value_too and at[:2] not in moved and not at[1].endswith("says") else []
+        elif unit == unit_too and abs(value - value_too) > 1e-9 * peak:
+            far.append(at)
+    assert far == []
+    return moved, one
+
+
+@pytest.mark.parametrize("name", ["machine", "machine-linkages"])
+def test_the_same_machine_in_degrees_and_in_seconds_gives_the_same(name):
+    data = small(name).model_dump()
+    data["master"]["rate"] = 137.3
+    given = type(small(name)).model_validate(data)
+    moved, found = require_same(given)
+    assert {column for _, column in moved} <= {"at", "x1", "x2"}
+    assert {"drive1_rms", "power_mains", "axis1_position"} < {name for name, *_ in found}
+    assert name != "machine" or {"bus_mains_peak", "sel_best"} & {name for name, *_ in found}
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name", ["machine", "machine-linkages"])
+def test_its_cells_compute_what_the_engine_does_and_it_comes_back(name):
+    given = told_in_seconds(small(name))
+    assert disagreeing(MACHINE, given)[0] == []
+    assert entered(MACHINE, given) == (given, [])
+
+
+def test_a_drive_under_a_process_force_across_the_end_of_the_cycle():
+    given = machine(axis(**DRIVE))
+    assert disagreeing(MACHINE, given)[0] == []
+    assert entered(MACHINE, given) == (given, [])
+
+
+def test_out_in_and_through(tmp_path):
+    """From build to verify, inputs and regenerate."""
+    given = machine(axis(shift=0.01), axis("X", OUT, closes="feed"), switches=[{"name": "V", "on": [[0.25, 0.02]]}])
+    build(given, tmp_path / "book.xlsx")
+    report = verify(tmp_path / "book.xlsx")
+    assert report.findings == []
+    back, notes = inputs(tmp_path / "book.xlsx")
+    assert (back, notes) == (given, [])
+    assert isinstance(back, TimedMachine)
+    build(back, tmp_path / "again.xlsx")
+    assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
+    (tmp_path / "again.toml").write_text(tomli_w.dumps(as_entered(back)), encoding="utf-8")
+    assert described(tmp_path / "again.toml") == given
+
+
+def test_the_figures_of_a_movement_are_those_of_its_time():
+    """ẏ = C_v h/t, ÿ = C_a h/t²; the rate comes out of the cycle."""
+    value = computed(
+        MACHINE, machine(axis("A", {"start": 0.1, "stop": 0.25, "lift": 30.0, "law": "CIC"}, closes="feed"))
+    )
+    assert value("axis1", "v")[0] == pytest.approx(2 * 0.03 / 0.15, rel=1e-12)
+    assert value("axis1", "a")[0] == pytest.approx(2 * math.pi * 0.03 / 0.15**2, rel=1e-12)
+    assert value("timing_rate") == pytest.approx(200.0, rel=1e-12)
+    assert value("cycle", "time") == pytest.approx(np.linspace(0.0, 0.3, 13).tolist(), rel=1e-12)
+    assert value("cycle", "y1")[7] == pytest.approx(15.0, rel=1e-9)  # 0.175 s: half of its time
+
+
+def test_a_longer_cycle_leaves_a_rest_and_moves_as_before():
+    given = told(axis("A", OUT, {**BACK, "stop": 0.3}))
+    one = computed(MACHINE, checked(MACHINE, given, counted))
+    longer = computed(MACHINE, checked(MACHINE, given | {"master": {"cycle": 0.4}}, counted))
+    for column in ("v", "a", "j", "rms"):
+        assert longer("axis1", column) == pytest.approx(one("axis1", column), rel=1e-12)
+    assert (one("overall"), longer("overall")) == ("OK", "OK")
+    assert longer("axis1_steps", "span")[4] == pytest.approx(math.tau / 4, rel=1e-12)
+    assert longer("cycle", "y1")[9:] == pytest.approx([0.0] * 4, abs=1e-9)
+
+
+def test_instants_that_coincide_but_for_rounding_do():
+    edge = 0.1 + 0.2  # 0.30000000000000004
+    given = machine(axis("A", {**OUT, "start": 0.1 + 0.1 + 0.1 - 0.1, "stop": edge}, closes="feed"), cycle=0.3)
+    assert given.design.faults == ()
+    assert computed(MACHINE, given)("overall") == "OK"
+
+
+LATE, EARLY = {**BACK, "stop": 0.31}, {**BACK, "start": 0.09}
+WINDOW = {"load": {"mass": 1.0, "windows": [{"start": 0.1, "stop": 0.32, "force": 40.0}]}}
+CASES = {
+    "an overlap": (told(axis("MC02", OUT, EARLY)), "MC02 row 2 begins at 0.09 s, 0.005 s before row 1 ends"),
+    "backwards": (told(axis("MC02", OUT, {**BACK, "stop": 0.15})),
+                  "MC02 row 2 ends at 0.15 s, 0.05 s before it begins"),
+    "beyond the cycle": (told(axis("MC02", OUT, LATE)), "MC02 row 2 goes to 0.31 s, 0.01 s beyond the cycle"),
+    "a force beyond it": (told(axis(**DRIVE | WINDOW)),
+                          "MC02 process force 1 goes to 0.32 s, 0.02 s beyond the cycle"),
+    "a time beyond it": (told(switches=[{"name": "V", "on": [[0.01, 0.02], [0.05, 0.5]]}]),
+                         "V time 2 goes to 0.5 s, 0.2 s beyond the cycle"),
+    "times that meet": (told(switches=[{"name": "V", "on": [[0.25, 0.06], [0.05, 0.1]]}]),
+                        "V time 1 is on 0.01 s beyond the begin of another"),
+    "a time of no length": (told(switches=[{"name": "V", "on": [[0.25, 0.25]]}]), "V time 1 does not last"),
+    "a jump": (told(axis("A", {"start": 0.1, "stop": 0.2, "lift": 10.0, "law": "CUB"}, closes="feed")),
+               "A at 0.1 s: acceleration jumps by 6 m/s²"),
+    "no cycle": (told(cycle=0.0), "Time of a cycle: 0; expected a number greater than 0"),
+    "a negative cycle": (told(cycle=-12.0), "Time of a cycle: -12; expected a number greater than 0"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", by_day(CASES, "an overlap", "a time of no length", "a negative cycle"))
+def test_what_does_not_do_is_told_by_row_and_amount(case, tmp_path):
+    data, said = CASES[case]
+    (tmp_path / "machine.toml").write_text(tomli_w.dumps(data), encoding="utf-8")
+    given = described(tmp_path / "machine.toml")
+    lines = build(given, tmp_path / "book.xlsx")
+    assert any(line.endswith(f": {said}") for line in lines), lines
+    report = verify(tmp_path / "book.xlsx")
+    assert report.findings == []
+    assert any(check.found == "FAIL" and check.says.endswith(said) for check in report.failing)
+    back, notes = inputs(tmp_path / "book.xlsx")
+    assert (back, notes) == (given, [])
+
+
+CHANGED = [(0.25, "row 2 goes to 0.29 s, 0.04 s beyond the cycle"), (None, "Time of a cycle: empty")]
+
+
+@pytest.mark.parametrize(("value", "said"), CHANGED)
+@pytest.mark.sample(1)
+def test_a_shorter_cycle_in_the_book_fails_and_comes_back(value, said, tmp_path):
+    """The engineer changes the time on the sheet: what ends behind it FAILs; an empty cell is told."""
+    given = machine()
+    build(given, tmp_path / "book.xlsx")
+    place = MACHINE.declare(given).blocks["timing_cycle"]
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    book[place.sheet.title].cell(place.row, place.columns["timing_cycle"]).value = value
+    book.save(tmp_path / "edited.xlsx")
+    report = verify(tmp_path / "edited.xlsx")
+    assert report.findings == []
+    assert any(said in check.says for check in report.failing)
+    found, _ = inputs(tmp_path / "edited.xlsx")
+    assert as_entered(found)["master"] == ({"cycle": value} if value else {})
+
+
+def test_both_a_rate_and_a_cycle_are_refused_in_a_line():
+    data = told()
+    data["master"]["rate"] = 200.0
+    with pytest.raises(InputError, match=r"^master\.rate: entered beside cycle; expected one of them"):
+        checked(MACHINE, data, counted)
+
+
+def test_an_exported_axis_and_its_sheet_are_over_seconds():
+    given = machine(axis(shift=0.05), export={"axis": 1}, sizes=SMALL | {"export": 12})
+    (cam,) = MACHINE.axes(given)
+    assert (cam.x_unit, cam.units[1]) == ("s", "mm/s")
+    value = computed(MACHINE, given)
+    assert disagreeing(MACHINE, given)[0] == []
+    assert value("export", "at")[-1] == pytest.approx(0.3, rel=1e-12)
+    assert value("export", "y") == pytest.approx(value("cycle", "y1"), abs=1e-9)
+    assert [x / 1000 for x in value("export", "y1")] == pytest.approx(value("cycle", "t1"), abs=1e-9)
+    assert [x / 1000 for x in value("export", "y2")] == pytest.approx(value("cycle", "tt1"), abs=1e-6)
+
+
+def test_phases_that_meet_at_speed_tell_it_by_the_second():
+    """Between two curved phases 2 m/s, as entered; the sheet tells it at the junction."""
+    rise = {"start": 0.0, "stop": 0.1, "lift": 100.0, "law": "PO5"}
+    on = {"start": 0.1, "stop": 0.3, "lift": 100.0, "law": "PO5", "velocity": 2.0, "acceleration": -5.0}
+    laws = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
+    given = machine(axis("A", rise, on, closes="feed"), laws=laws)
+    assert disagreeing(MACHINE, given)[0] == []
+    value = computed(MACHINE, given)
+    assert value("cycle", "t1")[4] == pytest.approx(2.0, rel=1e-9)
+    assert value("cycle", "tt1")[4] == pytest.approx(-5.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("cycle", [1e-3, 0.3, 5000.0])
+def test_variations_agree_whatever_the_cycle(cycle):
+    """Also one of more seconds than a turn has degrees."""
+    told_so = [phase | {end: phase[end] / 0.3 * cycle for end in ("start", "stop")} for phase in (OUT, BACK)]
+    given = machine(axis("A", *told_so), cycle=cycle, switches=[{"name": "V", "on": [[0.0, cycle / 3]]}])
+    assert given.design.faults == ()
+    for one in MACHINE.variants(given)[:2]:
+        assert disagreeing(MACHINE, one)[0] == []
+
+
+@pytest.mark.parametrize("number", [0, *nights(12)])
+def test_random_machines_are_the_same_in_seconds(number):
+    """A variation of the committed machine, all of it another, told both ways."""
+    variants = MACHINE.variants(small("machine"))
+    given = variants[random.Random(number).randrange(len(variants))]
+    require_same(given)

@@ -1,0 +1,133 @@
+"""How wide columns are: as declared, and wider where a text may stand that is cut there.
+
+A text runs over empty cells beside it, as spreadsheet programs show it; where it meets the next one its column grows.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from openpyxl.styles import Font
+
+from workbook.book.declare import FIRST, REFERENCE, Block, Book, Quantity, Sheet
+from workbook.book.formats import sample
+from workbook.book.rows import as_rows
+from workbook.writing import heights, style
+
+WIDTHS = {1: 2, FIRST: 38}
+COLUMN_WIDTH = 12
+RUN = 12
+"""columns over which a text may run"""
+GAP = 0.75
+"""digits beside a text, so that it does not touch what stands next to it"""
+WORD, NAME = re.compile(r'"((?:[^"]|"")*)"'), re.compile(r"\w+")
+
+
+class Standing:
+    """The texts that may stand in cells: what is there, what a formula can take from other cells, or says itself."""
+
+    def __init__(self, book: Book) -> None:
+        self._book = book
+        self._known: dict[tuple[str, str], frozenset[str]] = {}
+
+    def texts(self, block: Block, q: Quantity) -> frozenset[str]:
+        """Return the texts that may stand in a column of a block."""
+        key = block.name, q.name
+        if key not in self._known:
+            self._known[key] = frozenset()  # a formula that names its own column, the row above
+            self._known[key] = frozenset(self._of(block, q))
+        return self._known[key]
+
+    def _of(self, block: Block, q: Quantity) -> Iterator[str]:
+        found = [text for text in as_rows(q.value, block.size, q.name) if isinstance(text, str)]
+        yield from found
+        if q.role == "input" and q.choices.startswith("="):
+            for table, column in [self._book.column_names.get(q.choices[1:], ("", ""))]:
+                yield from self._column(table, column)
+        if found and q.formula is not None:
+            for formula in {q.formula} if isinstance(q.formula, str) else set(q.formula):
+                yield from self._taken(block, formula)
+
+    def _taken(self, block: Block, formula: str) -> Iterator[str]:
+        """Yield what a formula says, and what stands in the cells that it names."""
+        yield from (word.replace('""', '"') for word in WORD.findall(formula))
+        for first, second, _ in REFERENCE.findall(formula):
+            within = not second or second == "-1"
+            yield from self._column(block.name if within else first, first if within else second[1:])
+        for name in set(NAME.findall(REFERENCE.sub("", WORD.sub("", formula)))):
+            yield from self._column(name, name)
+
+    def _column(self, table: str, column: str) -> frozenset[str]:
+        block = self._book.blocks.get(table)
+        q = next((q for q in block.quantities if q.name == column), None) if block else None
+        return self.texts(block, q) if block and q else frozenset()
+
+
+def width(text: str, font: Font) -> float:
+    """Return how wide a text is at most, in digits of a column's width."""
+    return heights.width(text, font.sz or heights.FULL, bool(font.b))
+
+
+def look(block: Block, q: Quantity) -> Font:
+    """Return the font of a quantity's cells."""
+    return style.ROLES[style.kind(q.role, block.is_table)].font
+
+
+def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
+    """Return the width of each column that has one of its own, in digits."""
+    found: dict[int, float] = WIDTHS | sheet.widths
+    taken = {(text.row, text.column) for text in sheet.texts if text.text}
+    taken |= {place for block in sheet.blocks for place in filled(block)}
+    for block in sheet.blocks:
+        for q, column in zip(block.quantities, block.columns.values(), strict=True):
+            if q.role in ("sentence", "check"):
+                continue
+            texts, font = standing.texts(block, q), look(block, q)
+            needed = longest(words(texts) if q.wrap else texts, font)
+            has = found.get(column, COLUMN_WIDTH)
+            if needed + GAP > has:
+                run = min(free(found, taken, row, column, side(block, q)) for row in rows(block))
+                found[column] = max(has, needed + GAP - (0 if q.wrap else run))
+    return found
+
+
+def side(block: Block, q: Quantity) -> int:
+    """Return where a quantity's texts run over: to the right, to the left, or, in the middle of a table, nowhere."""
+    towards: dict[str, int] = {"left": 1, "right": -1}
+    return towards.get(style.alignment(q, sample(q), block.is_table), 0)
+
+
+def words(texts: Iterable[str]) -> list[str]:
+    """Return the words of texts."""
+    return [word for text in texts for word in text.split()]
+
+
+def longest(texts: Iterable[str], font: Font) -> float:
+    """Return the width of the widest of some texts."""
+    return max((width(text, font) for text in texts), default=0.0)
+
+
+def rows(block: Block) -> range:
+    """Return the rows of a block."""
+    return range(block.row, block.row + block.size)
+
+
+def filled(block: Block) -> Iterator[tuple[int, int]]:
+    """Yield the places of a block's cells that are not empty."""
+    for q, column in zip(block.quantities, block.columns.values(), strict=True):
+        values: list[Any] = as_rows(q.value, block.size, q.name)
+        for row, value in zip(rows(block), values, strict=True):
+            if q.formula is not None or value not in (None, ""):
+                yield row, column
+
+
+def free(found: dict[int, float], taken: set[tuple[int, int]], row: int, column: int, step: int) -> float:
+    """Return how much room the empty cells beside a cell have."""
+    room = 0.0
+    for beside in range(column + step, column + step * (RUN + 1), step or 1):
+        if (row, beside) in taken or beside < FIRST:
+            break
+        room += found.get(beside, COLUMN_WIDTH)
+    return room
