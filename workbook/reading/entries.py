@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterator
 from typing import Any
 
 from openpyxl.utils import get_column_letter
@@ -24,7 +24,8 @@ from workbook.template import MOST
 from workbook.templates import AnyTemplate
 from workbook.visible import found
 
-Evaluate = Callable[[BookFile], Callable[[Address], Any]]  # gives what gives the value of a formula cell
+Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
+"""gives what gives the value of a formula cell, told which of them it will be asked"""
 Mend = Callable[[BookFile, Book], list[Any]]  # puts back what was moved, and says what that was
 
 
@@ -64,6 +65,7 @@ class Entries:
         layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
         self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
         self.moved = mend(file, layout)
+        self._layout = layout
         for block in layout.blocks.values():
             self._read_block(block)
         for key in self._emptied:
@@ -200,7 +202,7 @@ class Entries:
 
     def _entered(self, cell: Address, q: Quantity) -> Any:
         value = self.file.value(cell)
-        if isinstance(value, str) and value.startswith("=") and not isinstance(value, Words):
+        if is_formula(value):
             self.computed[cell] = self._computed(cell, q, value)
             return self.computed[cell]
         return value
@@ -208,13 +210,21 @@ class Entries:
     def _computed(self, cell: Address, q: Quantity, formula: str) -> Any:
         """Return the value of a formula that was entered; note in a line where that is in doubt."""
         if self._value is None:
-            self._value = self._evaluate(self.file)
+            self._value = self._evaluate(self.file, [*self._formulas()])
         try:
             return self._value(cell)
         except DisputedError as doubt:
             where = f"{self.file.path.name}: {cell} ({q.label})"
             self.disputed.append(f"{where}: the formula {found(formula)} is in doubt: {doubt}; enter the value itself")
             return None
+
+    def _formulas(self) -> Iterator[Address]:
+        """Yield the input cells that hold a formula."""
+        for block in self._layout.blocks.values():
+            place = self.file.places.get(block.name)
+            columns = [j for j, q in enumerate(block.quantities) if q.role == "input"]
+            cells = [place.cell(i, j) for j in columns for i in range(place.rows)] if place else []
+            yield from (cell for cell in cells if cell.column and is_formula(self.file.value(cell)))
 
     def _where(self, key: str) -> str:
         """Return the cell of ``key``, or of the first entry below or above it."""
@@ -223,6 +233,11 @@ class Entries:
             key = key.rpartition(".")[0]
             best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
         return f"{self.file.path.name}: {best or key}"
+
+
+def is_formula(value: Any) -> bool:
+    """Whether a cell's content is computed, not entered."""
+    return isinstance(value, str) and value.startswith("=") and not isinstance(value, Words)
 
 
 def within(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:

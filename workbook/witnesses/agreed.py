@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
+from contextlib import suppress
 from typing import Any
 
 from workbook.book.address import Address
@@ -14,7 +15,7 @@ from workbook.visible import found
 from workbook.witnesses.bare import without
 from workbook.witnesses.registry import WITNESSES
 from workbook.witnesses.spread import spreads
-from workbook.witnesses.witness import Witness
+from workbook.witnesses.witness import CYCLE, Witness
 
 ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
@@ -25,23 +26,27 @@ UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}
 """and what one has for more that it cannot take"""
 
 
-def agreed(file: BookFile, names: Iterable[str] = WITNESSES) -> Callable[[Address], Any]:
-    """Return what gives the value of a formula cell of ``file``.
+def agreed(
+    file: BookFile, asked: Collection[Address] = (), names: Iterable[str] = WITNESSES
+) -> Callable[[Address], Any]:
+    """Return what gives the value of a formula cell of ``file``, most likely of those in ``asked``.
 
     Two witnesses, the first of ``names`` that are on this machine and can evaluate it, must agree on it, and the saved
     value, if the file has one. What gives a value raises DisputedError where they do not, or where not two of them can
-    evaluate it; an error value that two give is a value, and one that differs from the other's value is a doubt.
+    evaluate it, or one finds that it hangs on a cycle; an error value that two give is a value, and one that differs
+    from the other's value is a doubt.
     """
-    return Evaluation(file, names).value
+    return Evaluation(file, asked, names).value
 
 
 class Evaluation:
     """The values of a file by one witness after the other, each asked only where it is needed."""
 
-    def __init__(self, file: BookFile, names: Iterable[str]) -> None:
-        self._file, self._names = file, list(names)
-        self._asked: dict[str, Cells] = {}
+    def __init__(self, file: BookFile, asked: Collection[Address], names: Iterable[str]) -> None:
+        self._file, self._asked, self._names = file, asked, list(names)
+        self._said: dict[str, Cells] = {}
         self._failed: dict[str, str] = {}  # why a witness cannot open the file
+        self._apart: set[str] = set()  # those for which what is asked was put into a file of its own
 
     def value(self, address: Address) -> Any:
         """Return the value of a cell; raise DisputedError as :func:`agreed` says."""
@@ -49,6 +54,8 @@ class Evaluation:
         said: dict[str, Any] = {}
         for name, values in self._witnesses(address):
             said[name] = values.get(address)
+            if said[name] == CYCLE:
+                raise DisputedError("it computes from itself, or from cells that do")
             known = {name: value for name, value in said.items() if value not in UNABLE.get(name, UNKNOWN)}
             alike = len(said) == ENOUGH and not {*said.values()} & {*UNKNOWN} and len({*said.values()}) == 1
             if len(known) == ENOUGH or alike:
@@ -89,7 +96,7 @@ class Evaluation:
             witness = WITNESSES[name]()
             if witness.kept or witness.version() is None:
                 continue
-            values = self._asked.setdefault(name, {})
+            values = self._said.setdefault(name, {})
             try:
                 if address not in values:
                     values |= self._values(name, witness, address)
@@ -99,15 +106,26 @@ class Evaluation:
             yield name, values
 
     def _values(self, name: str, witness: Witness, address: Address) -> Cells:
-        """Return what a witness computes: in the file, or, where it cannot open that, in what the cell depends on."""
+        """Return what a witness computes: in the file, or, where it cannot open that, in what is asked, or in a cell's.
+
+        A file of its own for each cell takes its time where an engineer has entered many formulas.
+        """
         if name not in self._failed:
             try:
                 with without(self._file, (), {}) as bare:
                     return witness.values(bare)
             except WitnessError as error:
                 self._failed[name] = str(error)[:MOST]
-        formulas = set(self._file.contents.formula_cells) - {address}
-        aside = formulas - self._file.contents.needed(formulas, [address])
+        if name not in self._apart:
+            self._apart.add(name)
+            with suppress(WitnessError):
+                return self._needed(witness, {address, *self._asked})
+        return self._needed(witness, {address})
+
+    def _needed(self, witness: Witness, asked: Collection[Address]) -> Cells:
+        """Return what a witness computes in a file of the cells ``asked`` and of those on which they depend."""
+        formulas = set(self._file.contents.formula_cells).difference(asked)
+        aside = formulas - self._file.contents.needed(formulas, asked)
         with without(self._file, aside, {}) as bare:
             return witness.values(bare)
 

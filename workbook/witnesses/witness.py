@@ -13,6 +13,9 @@ from workbook.reading.files import BookFile
 from workbook.reading.refusal import Refusal
 from workbook.reading.saved import values_within
 
+CYCLE = "#CYCLE!"
+"""what a witness has for a cell that computes from itself, or from cells that do: no program shows it"""
+
 
 class Witness(Protocol):
     """One way to evaluate a workbook, independent of the others; one that only kept values is always asked."""

@@ -19,6 +19,7 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses import agreed as module
 from workbook.witnesses.agreed import agreed, same
 from workbook.witnesses.spread import spreads
+from workbook.witnesses.witness import CYCLE
 
 CELL = Address("Timing", 1, 1)
 COMMANDS = [["inputs", "book.xlsx"], ["verify", "book.xlsx"], ["regenerate", "book.xlsx", "-o", "new.xlsx"]]
@@ -47,7 +48,7 @@ def asked(monkeypatch, *witnesses, saved=None):
     """The value that witnesses and a saved value agree on."""
     named = {f"w{i}": each for i, each in enumerate(witnesses)}
     monkeypatch.setattr(module, "WITNESSES", named)
-    return agreed(BookFile(Path("book.xlsx"), openpyxl.Workbook(), {}, saved={CELL: saved}), named)(CELL)
+    return agreed(BookFile(Path("book.xlsx"), openpyxl.Workbook(), {}, saved={CELL: saved}), names=named)(CELL)
 
 
 FAILED = WitnessError("cannot")
@@ -93,10 +94,41 @@ def test_a_value_is_disputed(values, saved, says, monkeypatch):
         asked(monkeypatch, *map(witness, values), saved=saved)
 
 
+@pytest.mark.parametrize("first", [CYCLE, None, 5])
+def test_a_cell_that_computes_from_itself_is_in_doubt_and_no_one_else_is_asked(first, monkeypatch):
+    told = [witness(first), witness(CYCLE), witness(5)]
+    with pytest.raises(DisputedError, match="computes from itself"):
+        asked(monkeypatch, *told, saved=5)
+    assert told[2].asked == 0
+    assert told[1].asked == (first != CYCLE)
+
+
 def test_witnesses_that_keep_values_or_are_absent_are_not_asked(monkeypatch):
     kept, absent, third = witness(7, kept=True), witness(8, version=None), witness(9)
     assert asked(monkeypatch, kept, witness(5), absent, witness(5), third) == 5
     assert kept.asked == absent.asked == third.asked == 0
+
+
+def test_a_witness_that_cannot_open_a_file_is_asked_once_more_for_all_that_was_entered(monkeypatch):
+    class Picky(witness(5)):
+        def values(self, file):
+            formulas = file.contents.formula_cells
+            super().values(file)
+            if Address("Own", 1, 1) in formulas:
+                raise FAILED
+            return dict.fromkeys(formulas, 5)
+
+    workbook = openpyxl.Workbook()
+    workbook.active["A1"] = "=1"
+    workbook.create_sheet("Own")["A1"] = "=LET(x,1,x)"
+    cells = [Address(workbook.active.title, row, 2) for row in range(1, 40)]
+    for cell in cells:
+        workbook.active[cell.a1] = "=A1+4"
+    named = {"picky": Picky, "other": type("Other", (Picky,), {})}
+    monkeypatch.setattr(module, "WITNESSES", named)
+    value = agreed(BookFile(Path("book.xlsx"), workbook, {}), cells, names=named)
+    assert [value(cell) for cell in cells] == [5] * len(cells)
+    assert Picky.__mro__[1].asked == 2 * len(named)
 
 
 RANGES = {
@@ -125,7 +157,7 @@ def test_such_a_range_is_a_doubt_unless_the_file_was_saved_with_its_value(formul
     with pytest.raises(DisputedError, match="takes one cell of it"):
         agreed(BookFile(Path("book.xlsx"), workbook, {}))(at)
     page["B1"], page["C9"] = None, ArrayFormula("C9", "=SUM(A1:A3*A1:A3)")
-    said = agreed(BookFile(Path("book.xlsx"), workbook, {}), ("pycel",))
+    said = agreed(BookFile(Path("book.xlsx"), workbook, {}), names=("pycel",))
     with pytest.raises(DisputedError, match="pycel has 14"):
         said(at)
 

@@ -18,9 +18,9 @@ from workbook.witnesses.pycel.limits import Crossed
 from workbook.witnesses.pycel.numbering import Numbering
 from workbook.witnesses.pycel.order import ordered
 from workbook.witnesses.pycel.steps import FormulaStep, RangeStep
+from workbook.witnesses.witness import CYCLE
 
 Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
-CYCLE = "#CYCLE!"
 PLAIN = frozenset((float, int, str, bool, type(None)))
 UNKNOWN = object()  # the value of a range that is not filled
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
