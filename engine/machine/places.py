@@ -1,7 +1,8 @@
 """A drive at places of a motion, and what is found from them alone: reversals, extremes. SI units.
 
-It is how a table of cells works a drive of a changing ratio out; :mod:`engine.machine.demand` goes another way. In a
-stretch direction and process force stay as they are, so everything in it is smooth but where power turns round.
+It is how a table of cells works a drive of a changing ratio, or with viscous friction, out;
+:mod:`engine.machine.demand` goes another way. In a stretch direction and process force stay as they are, so everything
+in it is smooth but where power turns round.
 """
 
 from __future__ import annotations
@@ -18,7 +19,6 @@ from engine.laws.base import Array
 from engine.machine.bent import Scales
 from engine.machine.demand import Demand
 from engine.machine.train import Force, Motion3, Train
-from engine.mechanisms.linkage import Linkage
 from engine.motion import Phase
 from engine.motion.pieces import MotionPiece
 
@@ -43,8 +43,8 @@ FIRST = 2.0 ** np.arange(NODES.size - 1, -1, -1)
 """powers of 2, which tell the first of several places"""
 WIDTHS = 0.02, 0.005, 0.001
 """of half a section: how far apart the places of three parabolas are, one after the other"""
-FARTHEST = tuple(1.0 - width - WIDTHS[-1] for width in WIDTHS)
-"""how far from the middle the places of each lie at most"""
+FARTHEST = (*(1.0 - width - WIDTHS[-1] for width in WIDTHS[:-1]), 1.0 - 1e-5)
+"""how far from the middle the places of each lie at most: those of the last may lie beside an end of the section"""
 LEVEL = 0.01
 """of what is next to nothing: how little a section's values may differ to be level"""
 SAME = 1e-4
@@ -96,7 +96,6 @@ class Held:
     """
 
     train: Train
-    linkage: Linkage
     piece: MotionPiece
     speed: float
     going: float
@@ -121,7 +120,7 @@ class Held:
         """Return the drive at places of the piece: power goes through each stage by the sign of what is behind it."""
         train, m = self.train, self.train.drive.mechanism
         y, v, a = (self.piece.derivative(k, u) * self.speed**k for k in range(3))
-        _, first, second = self.linkage.shaft(y, self.within)
+        first, second = train.ratio(y, self.within)
         turning = second * v**2 + first * a
         force, (before, last) = self.force.at(Motion3(y, v, a)), m.stages
         through = loss_factor(force, self.going, last.efficiency, train.method, 0.0)
@@ -265,7 +264,7 @@ class Polynomial:
             around.append(self.around(places[-1], width))
             places.append(beside(places[-1] + width * highest(around[-1], self.lost), farthest))
         around.append(self.around(places[-1], WIDTHS[-1]))
-        rise = above(around[-1], FLAT * self.lost)
+        rise = above(around[-1], places[-1], FLAT * self.lost)
         (x1, x2, x3), (one, other, last) = places, around
         value = max(last[1] + rise, float(self.values.max()))
         return Top(self.node, *self.three, self.bend, x1, *one, x2, *other, x3, *last, rise, value)
@@ -283,14 +282,15 @@ def highest(values: tuple[float, float, float], lost: float) -> float:
     return max(-FAR, min(FAR, (c - a) / (2.0 * bend))) if bend > lost else 0.0
 
 
-def above(values: tuple[float, float, float], lost: float) -> float:
-    """Return by how much the parabola through three values rises above the one in the middle."""
+def above(values: tuple[float, float, float], x: float, lost: float) -> float:
+    """Return by how much the parabola through values at and around a place rises above it within the section."""
     a, b, c = values
-    bend, slope = 2.0 * b - a - c, abs(c - a)
+    bend, slope, width = 2.0 * b - a - c, c - a, WIDTHS[-1]
     if bend <= lost:
         return 0.0
-    far = slope > 2.0 * BEYOND * bend
-    return BEYOND * (slope - BEYOND * bend) / 2.0 if far else slope**2 / (8.0 * bend)
+    high = min(BEYOND, (1.0 - x) / width, slope / (2.0 * bend))
+    far = max(-BEYOND, (-1.0 - x) / width, high)
+    return far * (slope - far * bend) / 2.0
 
 
 def scales_of(demand: Demand, torque: float, behind: float) -> Scales:

@@ -110,11 +110,15 @@ class Train:
 
         ``within`` and errors as of :meth:`engine.mechanisms.linkage.Linkage.shaft`.
         """
-        if self.linkage is None:
-            ratio = self.drive.mechanism.stages[-1].ratio
-            return ShaftMotion(np.full(load.y.shape, ratio), ratio * load.v, ratio * load.a)
-        _, first, second = self.linkage.shaft(load.y, within)
+        first, second = self.ratio(load.y, within)
         return ShaftMotion(first, first * load.v, second * load.v**2 + first * load.a)
+
+    def ratio(self, y: Array, within: float | None = None) -> tuple[Array, Array]:
+        """Return φ' and φ'' at positions of the load; ``within`` and errors as of :meth:`shaft`."""
+        if self.linkage is None:
+            return np.full(y.shape, self.drive.mechanism.stages[-1].ratio), np.zeros(y.shape)
+        _, first, second = self.linkage.shaft(y, within)
+        return first, second
 
     @property
     def gear(self) -> float:

@@ -66,7 +66,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     axis["rate"] = drawn.choice((None, drawn.uniform(5, 600)))
     often = drawn.uniform(0, 1)
     force = drawn.choice((0.0, drawn.uniform(-900, 900)))
-    kind = axis["mechanism"]["kind"]
+    kind, viscous = axis["mechanism"]["kind"], axis["load"]["viscous"]
     sized = travels and kind not in LINKED
     axis["mechanism"] |= {"size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1)}
     if kind in LINKED:
@@ -77,6 +77,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     } if travels else {
         "inertia": drawn.choice((0.0, often)), "torque": drawn.choice((0.0, force)), "friction_torque": often,
     }  # fmt: skip
+    axis["load"]["viscous"] = None if viscous is None else drawn.choice((0.0, drawn.uniform(0, 200)))
     axis["parts"] = [
         {
             "name": f"part {i}", "count": float(drawn.randint(0, 5)), "inertia": drawn.uniform(0, 0.1),

@@ -11,7 +11,7 @@ from workbook.book.rows import filled
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.turn import TURN
 from workbook.machines.machine.chain import PowerEntry
-from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.stretched import Stretched
 
 FULL, MORE = 2, 12
@@ -24,7 +24,7 @@ class Bus:
 
     def __init__(self, drives: Sequence[Stretched], entered: PowerEntry) -> None:
         self.all_drives, self.entered = drives, entered
-        self.drives = [one for one in drives if not isinstance(one, LinkedWork)]
+        self.drives = [one for one in drives if not isinstance(one, PlacedWork)]
 
     @property
     def over(self) -> Abscissa:

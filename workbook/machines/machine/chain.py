@@ -47,6 +47,11 @@ LEAST_POINTS = 2
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
+def bends(kind: str, viscous: float | None) -> bool:
+    """Whether a drive's torque is a bent line over the acceleration: of constant ratio, without viscous friction."""
+    return kind not in LINKED and viscous is None
+
+
 def size_by_kind(made: dict[str, Any]) -> None:
     """Let the schema of a mechanism do without the size: not every kind has one."""
     made["required"] = [name for name in made["required"] if name != "size"]
@@ -152,6 +157,10 @@ class AxisLoad(Model):
     inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg m²")
     torque: Number = Field(default=0.0, description="Torque against positive motion, in Nm; always, also at rest")
     friction_torque: NotNegative = Field(default=0.0, description="Friction torque, in Nm; it opposes the motion")
+    viscous: NotNegative | None = Field(
+        default=None,
+        description="Viscous friction, in N per m/s, or Nm per rad/s; with it the axis' sheet has an entry for it",
+    )
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
 

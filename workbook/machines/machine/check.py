@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Any
 
 from engine.laws import Law
 from engine.laws.piece_extremes import extremes_of
@@ -18,9 +19,10 @@ from workbook.machines.machine.chain import LARGE, LINKED, TABLE
 from workbook.machines.machine.drive import UNSHAPED
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.linked.driven import LinkedDriven, apart, linkage_of
+from workbook.machines.machine.linked.changing import LinkedWork
+from workbook.machines.machine.linked.driven import LinkedDriven, PlacedDriven, apart, linkage_of
 from workbook.machines.machine.linked.reach import unreached_row
-from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import MovingAxis, Whole
@@ -41,19 +43,38 @@ def check(machine: AnyMachine) -> None:
             require_room(machine, one)
         if one.given.mechanism and one.given.mechanism.kind in LINKED:
             require_reached(machine, one)
+        elif one.given.motor and one.given.load.viscous is not None:
+            require_places(machine, one)
 
 
 def require_room(machine: AnyMachine, axis: MovingAxis) -> None:
     """Raise DesignError where phases between prescribed ends turn too often for the stretches of a drive's sheet."""
-    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
-    whole = Whole(machine, shelf.laws)
-    rows = AxisRows(whole, whole.axes[axis.number - 1], shelf.stack)
+    rows = rows_of(machine, axis)
     stretched = Stretched(rows, Driven(rows.axis, machine.selection))
     tabled = axis.given.mechanism is not None and axis.given.mechanism.kind == TABLE
     if len(stretched.spans) > stretched.rows or (tabled and any(angle < TURN for angle, _ in stretched.further)):
-        rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
-        fits = [phase.model_dump() | rest for phase in axis.given.phases]
-        raise DesignError(f"axes.{axis.number - 1}.phases", UNSHAPED, f"shaped{axis.number}", fits)
+        raise DesignError(f"axes.{axis.number - 1}.phases", UNSHAPED, f"shaped{axis.number}", resting(axis))
+
+
+def resting(axis: MovingAxis) -> list[dict[str, Any]]:
+    """Return the phases of an axis, none of which moves it."""
+    rest = {"law": "DWL", "lift": 0.0, "velocity": None, "acceleration": None}
+    return [phase.model_dump() | rest for phase in axis.given.phases]
+
+
+def require_places(machine: AnyMachine, axis: MovingAxis) -> None:
+    """Raise DesignError where the places of a sheet do not suffice for a drive with viscous friction."""
+    rows = rows_of(machine, axis)
+    work = PlacedWork(rows, PlacedDriven(rows.axis, machine.selection))
+    if not work.enough:
+        raise DesignError(f"axes.{axis.number - 1}.phases", work.too_few, f"nodes{axis.number}", resting(axis))
+
+
+def rows_of(machine: AnyMachine, axis: MovingAxis) -> AxisRows:
+    """Return an axis as its book cuts it."""
+    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
+    whole = Whole(machine, shelf.laws)
+    return AxisRows(whole, whole.axes[axis.number - 1], shelf.stack)
 
 
 def require_reached(machine: AnyMachine, axis: MovingAxis) -> None:
@@ -68,11 +89,10 @@ def require_reached(machine: AnyMachine, axis: MovingAxis) -> None:
     said = unreached_row(axis, linkage_of(given, axis.unit))
     if said:
         raise DesignError(where, said, f"reach{i}", large)
-    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
-    whole = Whole(machine, shelf.laws)
-    rows = AxisRows(whole, whole.axes[i - 1], shelf.stack)
-    if not LinkedWork(rows, LinkedDriven(rows.axis, machine.selection)).enough:
-        raise DesignError(where, TOO_FEW, f"nodes{i}", large)
+    rows = rows_of(machine, axis)
+    work = LinkedWork(rows, LinkedDriven(rows.axis, machine.selection))
+    if not work.enough:
+        raise DesignError(where, work.too_few, f"nodes{i}", large)
 
 
 @lru_cache(maxsize=KNOWN)

@@ -20,7 +20,8 @@ class Choice(Products):
     Selection that looks for its motor and reducer."""
 
     axis: Called | None = Field(
-        default=None, description="Axis with a drive of constant ratio that the sheet Selection looks at; else no sheet"
+        default=None,
+        description="Axis with a drive of constant ratio, not viscous, that the sheet Selection looks at; or none",
     )
     rank: Rank = Field(default="smallest motor", description="What the sheet Selection ranks usable pairs by")
     inertia_ratio: Positive = Field(

@@ -19,6 +19,7 @@ from workbook.machines.machine.breaks import ACTS, breaks_table, turns_table, wi
 from workbook.machines.machine.chain import TABLE
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
+from workbook.machines.machine.loads import loads
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import highest, mending, pace_columns, pace_tables
 from workbook.machines.machine.powered import PEAKS, power_columns, power_peaks, power_rows
@@ -103,8 +104,13 @@ def size(driven: Driven) -> list[Quantity]:
 
 
 def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
-    """Declare what is entered of this mechanism, its load, reducer and motor."""
+    """Declare what is entered of this mechanism, its load, reducer and motor.
+
+    With viscous friction they are watched by two checks: the sentence of one would be too long for a cell.
+    """
     m, key = driven.given, f"axes.{driven.number - 1}"
+    products = chosen.entries(driven.entered, key)
+    apart = products if driven.entered.load.viscous is not None else []
     sheet.heading("Enter")
     sheet.rows(
         calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left",
@@ -116,28 +122,9 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
         given("@eta2", "Efficiency of the mechanism", "η_2", "",
               m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
         *loads(driven, key),
-        *chosen.entries(driven.entered, key),
+        *([] if apart else products),
     )  # fmt: skip
-
-
-def loads(driven: Driven, key: str) -> list[Quantity]:
-    """Return the entries of the load of this kind."""
-    e = driven.entered.load
-    rows: tuple[tuple[str, str, str, str, str], ...] = (
-        ("mass", "Mass that travels", "m", "kg", ""),
-        ("friction", "Coefficient of friction", "μ", "", "opposes the motion"),
-        ("slope", "Slope", "θ", "°", "rising with positive travel"),
-        ("force", "Force against positive travel", "F", "N", "always, also at rest"),
-    ) if driven.travels else (
-        ("inertia", "Inertia that turns", "J", "kg m²", ""),
-        ("torque", "Torque against positive motion", "T", "Nm", "always, also at rest"),
-        ("friction_torque", "Friction torque", "T_f", "Nm", "opposes the motion"),
-    )  # fmt: skip
-    return [
-        given(f"@{name}", label, symbol, unit, getattr(e, name), f"{key}.load.{name}",
-              format="General" if unit == "kg m²" else "0.0##", source=source)
-        for name, label, symbol, unit, source in rows
-    ]  # fmt: skip
+    sheet.rows(*apart)
 
 
 def tables(sheet: Sheet, view: Stretched) -> None:

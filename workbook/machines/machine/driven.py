@@ -68,6 +68,11 @@ class Driven:
             return Load(e.inertia, e.torque, e.friction_torque)
         return Slide(e.mass, e.friction, radians(e.slope), e.force).load
 
+    @property
+    def viscous(self) -> float:
+        """Viscous friction of the load (N per m/s, or Nm per rad/s)."""
+        return self.entered.load.viscous or 0.0
+
     @cached_property
     def parts(self) -> list[Part]:
         """The rotating parts."""
@@ -96,7 +101,7 @@ class Driven:
     @property
     def train(self) -> Train:
         """The drive with all that acts on the load."""
-        return Train(self.drive, windows=self.windows)
+        return Train(self.drive, viscous=self.viscous, windows=self.windows)
 
     @cached_property
     def demand(self) -> Demand:

@@ -34,6 +34,7 @@ from workbook.machines.machine.chain import (
     MechanismEntry,
     PowerEntry,
     Reducer,
+    bends,
 )
 from workbook.machines.machine.choice import UNCHOSEN, Choice
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
@@ -216,9 +217,9 @@ class AnyMachine(Exporting):
 
     @property
     def choosable(self) -> list[int]:
-        """The axes, from 0, that the sheet Selection may look at: with a drive of constant ratio."""
+        """The axes, from 0, that the sheet Selection may look at: with a drive of constant ratio, and not viscous."""
         axes = enumerate(self.axes)
-        return [i for i, axis in axes if axis.motor and axis.mechanism and axis.mechanism.kind not in LINKED]
+        return [i for i, axis in axes if axis.mechanism and bends(axis.mechanism.kind, axis.load.viscous)]
 
     def _chooses(self) -> None:
         """Raise an error where Selection looks at no axis with a drive of constant ratio."""

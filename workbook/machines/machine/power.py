@@ -13,14 +13,15 @@ from workbook.machines.machine.bus_table import breaks_table, bus_table, lines_c
 from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.driven import Driven
-from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.stretched import Stretched
 
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 TOGETHER = "Drives use what others give back; what is left goes into one resistor."
 APART = (
-    "A drive at a rate of its own has no place in the {}, and one whose ratio changes is not summed: they are alone."
+    "A drive at a rate of its own has no place in the {}, and one whose ratio changes, or with viscous friction, is not"
+    " summed: they are alone."
 )
 ROOM = "more places where power may jump than this sheet has rows for; build it with larger sizes.motion_pieces"
 CHART_COLUMN = 10
@@ -116,7 +117,7 @@ def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means
     scale, peak = max(one.scales.work for one in driven), shown(max(one.most_power for one in drives), KW)
     energies, power = [one.demand.energy for one in driven], [one.demand.power for one in driven]
     most = [peaks(one.highest.value, one.lowest.value, bus.entered.efficiency) for one in power]
-    linked = [isinstance(one, LinkedWork) for one in drives]
+    linked = [isinstance(one, PlacedWork) for one in drives]
 
     def of(formula: str, other: str = "=0*[k]") -> list[str]:
         return [other if links else formula.format(scope) for scope, links in zip(scopes, linked, strict=True)]

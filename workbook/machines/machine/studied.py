@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from engine.machine.bus import Means, together
-from engine.machine.geared import constant
 from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of, turn_time
 from workbook.entries.units import KW, PER_MINUTE, shown, si
@@ -19,9 +18,10 @@ from workbook.laws.library import laws, named
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.linked.driven import PlacedDriven, driven_of
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.power import KWH
-from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told, view_of_drive
+from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling, Worked
 
@@ -91,7 +91,8 @@ class Rows:
 
 def drive_of(axis: MovingAxis, rows: Rows, columns: Mapping[str, Column]) -> Studied:
     """Return the drive of an axis with many motors and reducers, at many rates."""
-    kind = Studied if constant(view_of_drive(axis, rows.machine.selection).demand.course) else EachStudied
+    placed = isinstance(driven_of(axis, rows.machine.selection), PlacedDriven)
+    kind = EachStudied if placed else Studied
     return kind(axis, rows.machine, columns, partial(rows.of, axis.number))
 
 

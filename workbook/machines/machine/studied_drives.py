@@ -15,18 +15,16 @@ from engine.machine.geared import Geared, Gears, Torques, Works, mean_power, sha
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
 from workbook.entries.units import KW, PER_MINUTE, RPM, shown, si
-from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine, Axis
-from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked.driven import driven_of
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import rate_of
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
 from workbook.selection.catalogue import MotorRow, ReducerRow
-from workbook.selection.entries import Products
 
 WEIGHED = ("mass", "cost")
 ONE = Column([None], np.zeros(1, dtype=np.intp))
@@ -72,7 +70,7 @@ class Studied:
     @cached_property
     def driven(self) -> Driven:
         """The drive as it is entered."""
-        return view_of_drive(self.axis, self.products)
+        return driven_of(self.axis, self.products)
 
     @cached_property
     def geared(self) -> Geared:
@@ -167,7 +165,7 @@ class Studied:
         given = changed(given, "reducer", self.reducer_key, self.reducers.values[reducer])
         at = self.rates.values[rate]
         given = given if given.rate is None else given.model_copy(update={"rate": at})
-        return view_of_drive(MovingAxis(given, axis.number, axis.library, speed_of(at)), self.products)
+        return driven_of(MovingAxis(given, axis.number, axis.library, speed_of(at)), self.products)
 
     @cached_property
     def drives(self) -> dict[tuple[int, int, int], Driven]:
@@ -312,12 +310,6 @@ def changed(given: Axis, place: str, key: str, value: Any) -> Axis:
     """Return the entries of an axis with another entry of its motor or reducer."""
     entries = getattr(given, place)
     return given.model_copy(update={place: entries.model_copy(update={key: value})}) if key else given
-
-
-def view_of_drive(axis: MovingAxis, products: Products) -> Driven:
-    """Return the drive of an axis."""
-    linked = axis.given.mechanism is not None and axis.given.mechanism.kind in LINKED
-    return (LinkedDriven if linked else Driven)(axis, products)
 
 
 def speed_of(rate: float) -> float:

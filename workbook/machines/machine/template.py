@@ -14,17 +14,16 @@ from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
-from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
-from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.linked.driven import LinkedDriven
-from workbook.machines.machine.linked.sheet import linked_sheet
-from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.linked.changing import LinkedWork
+from workbook.machines.machine.linked.driven import LinkedDriven, PlacedDriven, driven_of
+from workbook.machines.machine.linked.sheet import placed_sheet
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.pacing import rate_of
 from workbook.machines.machine.power import power_sheet
@@ -72,8 +71,8 @@ def declare(given: AnyMachine) -> Book:
     book.name("axes", axis_name="name")
     for one in rows:
         view = drives.get(one.axis.number)
-        if isinstance(view, LinkedWork):
-            linked_sheet(book, view)
+        if isinstance(view, PlacedWork):
+            placed_sheet(book, view)
         elif view:
             drive_sheet(book, view)
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
@@ -90,9 +89,10 @@ def declare(given: AnyMachine) -> Book:
 
 def view_of(one: AxisRows, products: Products) -> Stretched:
     """Return the drive of an axis over its motion."""
-    if one.axis.given.mechanism and one.axis.given.mechanism.kind in LINKED:
-        return LinkedWork(one, LinkedDriven(one.axis, products))
-    return Stretched(one, Driven(one.axis, products))
+    driven = driven_of(one.axis, products)
+    if isinstance(driven, LinkedDriven):
+        return LinkedWork(one, driven)
+    return PlacedWork(one, driven) if isinstance(driven, PlacedDriven) else Stretched(one, driven)
 
 
 def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
@@ -107,8 +107,8 @@ def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
 
 
 def highest_of(view: Stretched) -> Highest | None:
-    """Return the highest rate of a drive; none of one whose ratio changes: its sheet has none."""
-    return None if isinstance(view, LinkedWork) else rate_of(view)
+    """Return the highest rate of a drive; none of one that is worked out place by place: its sheet has none."""
+    return None if isinstance(view, PlacedWork) else rate_of(view)
 
 
 def highest_rate(drives: Iterable[Stretched], axes: int, over: Abscissa) -> list[Quantity]:

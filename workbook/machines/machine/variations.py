@@ -8,7 +8,7 @@ from typing import Any
 from engine.machine.grid import RANKS
 from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
-from workbook.machines.machine.chain import LINKED, WINDOWS
+from workbook.machines.machine.chain import LINKED, WINDOWS, bends
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_seconds
@@ -82,8 +82,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
 
 
 def constant_drives(data: dict[str, Any]) -> list[str]:
-    """Return the axes with a drive of constant ratio."""
-    return [axis["name"] for axis in data["axes"] if axis["motor"] and axis["mechanism"]["kind"] not in LINKED]
+    """Return the axes with a drive of constant ratio, without viscous friction."""
+    driven = (axis for axis in data["axes"] if axis["motor"])
+    return [axis["name"] for axis in driven if bends(axis["mechanism"]["kind"], axis["load"]["viscous"])]
 
 
 def choose(data: dict[str, Any], names: list[str], k: int) -> None:
@@ -165,6 +166,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     axis["mechanism"] |= {"size": 7.0 + 11 * k if sized else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
     if axis["mechanism"]["kind"] in LINKED:
         linked(axis, i, k, sizes["positions"])
+    viscous = None if axis["load"]["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k]
     axis["load"] = {
         "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
         "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k], "windows": forces(i, k, 400.0),
@@ -172,6 +174,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         "inertia": 0.01 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
         "windows": forces(i, k, 6.0),
     }  # fmt: skip
+    axis["load"]["viscous"] = viscous
     axis["parts"] = [
         {
             "name": f"part {j + 1}",

@@ -215,8 +215,9 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
         kinds = [kind for kind in get_args(chain.Kind) if kind_name(i, kind) in names]
         if units:
             drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
+            load = LEAST.model_copy(update={"viscous": 0.0}) if viscous_name(i) in names else LEAST
             axes.append(
-                machine.axes[0].model_copy(update={"unit": units[0], "load": LEAST, "parts": [], "rate": None} | drive)
+                machine.axes[0].model_copy(update={"unit": units[0], "load": load, "parts": [], "rate": None} | drive)
             )
     told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
     found: dict[str, Any] = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
@@ -269,6 +270,11 @@ def kind_name(number: int, kind: str) -> str:
     return f"drive{number}_{kind.replace(' ', '_').replace('-', '_')}"
 
 
+def viscous_name(number: int) -> str:
+    """Return the name of the cell of an axis' viscous friction: by it a file tells that it has one."""
+    return f"drive{number}_viscous"
+
+
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
     master = {"cycle": None} if machine.over.timed else {}
@@ -279,4 +285,5 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     for i, axis in enumerate(machine.axes):
         if axis.mechanism:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
-    return found
+    viscous = (i for i, axis in enumerate(machine.axes) if axis.load.viscous is not None)
+    return found | {f"axes.{i}.load.viscous": 0.0 for i in viscous}

@@ -13,7 +13,7 @@ from workbook.entries.turn import TURN
 from workbook.machines.machine.breaks import ACTS
 from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.places import columns, stacked
-from workbook.machines.machine.linked.worked import FIGURES, LinkedWork
+from workbook.machines.machine.linked.worked import FIGURES, PlacedWork
 from workbook.motion.sampled import derivative
 
 LETTERS = ("F", "S", "T")
@@ -37,7 +37,7 @@ def begins(table: str, breaks: str, rows: int, spans: list[tuple[float, float]])
     ]  # fmt: skip
 
 
-def bounds(view: LinkedWork, piece: str, ranges: list[tuple[float, float]]) -> list[Quantity]:
+def bounds(view: PlacedWork, piece: str, ranges: list[tuple[float, float]]) -> list[Quantity]:
     """Return begin and end from the begin of the piece."""
     begin = f"INDEX([axis{view.driven.number}_pieces.begin],{piece})"
     return [
@@ -46,9 +46,9 @@ def bounds(view: LinkedWork, piece: str, ranges: list[tuple[float, float]]) -> l
     ]  # fmt: skip
 
 
-def stretches_table(sheet: Sheet, view: LinkedWork) -> None:
+def stretches_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare the stretches: in each, direction and process force stay as they are."""
-    i, rows, driven = view.driven.number, view.rows, view.linked
+    i, rows, driven = view.driven.number, view.rows, view.driven
     pieces = f"axis{i}_pieces"
     velocity = velocity_at(view, "(([ub]+[ue])/2)")
     back = f"MIN([dir]*{velocity_at(view, '[ub]')},[dir]*{velocity_at(view, '[ue]')})<0-check_zero*@vmax"
@@ -71,14 +71,14 @@ def stretches_table(sheet: Sheet, view: LinkedWork) -> None:
         calc("r", "what resists", "R", "N" if driven.travels else "Nm",
              f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))",
              [one.force.level for one in helds], scale=driven.sizes.force),
-        *kinds.of(view.linked).held(view.linked, derivative(view.one.pieces, 0, place="(([ub]+[ue])/2)"),
+        *kinds.of(view.driven).held(view.driven, derivative(view.one.pieces, 0, place="(([ub]+[ue])/2)"),
                                     [one.within for one in helds]),
         calc("acts", "the motor acts", "", "", '=IF(AND([dir]=0,@holding="brake"),0,1)', [one.acts for one in helds],
              format="0", source="not at rest behind a brake"),
     )  # fmt: skip
 
 
-def velocity_at(view: LinkedWork, u: str) -> str:
+def velocity_at(view: PlacedWork, u: str) -> str:
     """Return the formula of y' of a stretch's piece at a place."""
     rows, text = view.one.pieces, ""
     for n in range(rows.powers - 1, 0, -1):
@@ -90,7 +90,7 @@ def velocity_at(view: LinkedWork, u: str) -> str:
     return f"({text})"
 
 
-def looks_table(sheet: Sheet, view: LinkedWork) -> None:
+def looks_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare the places at which each stretch is looked at, and how often power has turned round up to each."""
     rows = view.rows
     numbers = [k for k in range(1, rows + 1) for _ in LOOKS]
@@ -110,7 +110,7 @@ def looks_table(sheet: Sheet, view: LinkedWork) -> None:
     )  # fmt: skip
 
 
-def signs(view: LinkedWork, k: int) -> list[Quantity]:
+def signs(view: PlacedWork, k: int) -> list[Quantity]:
     """Return the sign of a figure, and how often it has changed."""
     letter, name = LETTERS[k], FIGURES[k]
     counts = ("1", "IF(@j1>0,1,0)", "IF(@j0>0,1,0)")[k]
@@ -128,7 +128,7 @@ def signs(view: LinkedWork, k: int) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def lost_rows(view: LinkedWork) -> list[Quantity]:
+def lost_rows(view: PlacedWork) -> list[Quantity]:
     """Return the rows of what has no sign."""
     return [
         calc(f"@lost_{letter}", f"No sign has {letter} up to", "", "",
@@ -138,7 +138,7 @@ def lost_rows(view: LinkedWork) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def turns_table(sheet: Sheet, view: LinkedWork) -> None:
+def turns_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare where power turns round: of the load, in the reducer, in the motor."""
     rows, turns = view.turn_rows, view.turns
     ends = [f"MAX([@look.n{letter}])" for letter in LETTERS]
@@ -220,7 +220,7 @@ def rule_table(sheet: Sheet) -> None:
     )  # fmt: skip
 
 
-def cuts_table(sheet: Sheet, view: LinkedWork) -> None:
+def cuts_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare where a section can begin: at stretches, and where power turns round."""
     formulas = [f"=[@st.b.{k}]" for k in range(1, view.rows + 1)]
     formulas += [f"=[@turn.at.{k}]" for k in range(1, view.turn_rows + 1)]
@@ -234,7 +234,7 @@ def cuts_table(sheet: Sheet, view: LinkedWork) -> None:
     )  # fmt: skip
 
 
-def nodes_table(sheet: Sheet, view: LinkedWork) -> None:
+def nodes_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare the drive at the nodes of each section."""
     rows = view.section_rows
     ranges = [view.within(held, span) for held, span in view.placed]

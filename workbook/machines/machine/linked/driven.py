@@ -1,4 +1,4 @@
-"""The engine's view of a drive of a ratio that depends on the load's position."""
+"""The engine's view of a drive that is worked out place by place: of a ratio that changes, or viscous friction."""
 
 from __future__ import annotations
 
@@ -19,8 +19,11 @@ from engine.mechanisms.rocker import rocker
 from engine.mechanisms.table import PositionTable
 from workbook.book.sentence import figure
 from workbook.entries.units import DEGREE, MM, si
+from workbook.machines.machine import chain
 from workbook.machines.machine.chain import MechanismEntry, TablePoint
 from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.view import MovingAxis
+from workbook.selection.entries import Products
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
@@ -65,8 +68,24 @@ def unlike_table(points: list[TablePoint], unit: str) -> str:
     return SHARP.format(sharp.index(True) + 1, sharp.index(True) + 2) if True in sharp else ""
 
 
-class LinkedDriven(Driven):
+class PlacedDriven(Driven):
     """An axis with such a drive."""
+
+    @cached_property
+    def sizes(self) -> Sizes:
+        """How large its quantities grow."""
+        found = self.demand
+        behind, torque = (max(found.shaft_torque(k).peak, LEAST) for k in (1, 0))
+        return Sizes(self.axis.hardest, max(found.shaft_torque(2).peak, LEAST), behind, torque, 0.0)
+
+    @cached_property
+    def scales(self) -> Scales:
+        """What its integrals are measured by."""
+        return scales_of(self.demand, self.sizes.torque, self.sizes.behind)
+
+
+class LinkedDriven(PlacedDriven):
+    """An axis with a drive of a ratio that depends on the load's position."""
 
     @cached_property
     def linkage(self) -> Linkage:
@@ -86,7 +105,7 @@ class LinkedDriven(Driven):
     @property
     def train(self) -> Train:
         """The drive with all that acts on the load."""
-        return Train(self.drive, self.linkage, windows=self.windows)
+        return Train(self.drive, self.linkage, self.viscous, self.windows)
 
     @cached_property
     def judged(self) -> Judged:
@@ -103,14 +122,10 @@ class LinkedDriven(Driven):
         """The same over the motor's; 0 of a motor without inertia."""
         return self.judged.inertia_ratio if self.motor_used.inertia else 0.0
 
-    @cached_property
-    def sizes(self) -> Sizes:
-        """How large its quantities grow."""
-        found = self.demand
-        behind, torque = (max(found.shaft_torque(k).peak, LEAST) for k in (1, 0))
-        return Sizes(self.axis.hardest, max(found.shaft_torque(2).peak, LEAST), behind, torque, 0.0)
 
-    @cached_property
-    def scales(self) -> Scales:
-        """What its integrals are measured by."""
-        return scales_of(self.demand, self.sizes.torque, self.sizes.behind)
+def driven_of(axis: MovingAxis, products: Products) -> Driven:
+    """Return the drive of an axis, as its torque is worked out. Raises ValueError where it has none."""
+    mechanism, viscous = axis.given.mechanism, axis.given.load.viscous
+    if mechanism and mechanism.kind in chain.LINKED:
+        return LinkedDriven(axis, products)
+    return (Driven if viscous is None else PlacedDriven)(axis, products)

@@ -11,7 +11,7 @@ from engine.laws.base import Array
 from engine.machine.places import BEYOND, FAR, FARTHEST, FINE, FLAT, KNOWN, LEVEL, NODES, WIDTHS, Sums, Worked, largest
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.machines.machine.linked.cut import begins, bounds
-from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.linked.worked import PlacedWork
 
 
 class Figure(NamedTuple):
@@ -25,13 +25,14 @@ class Figure(NamedTuple):
     of: Callable[[Worked], Array]
 
 
+RATIO = "g"
 BOTH = "MAX(MAX({f}),0-MIN({f}))"
 FIGURES = (
     Figure("T", "torque", "T", "{f}", "MAX({f})", lambda one: one.torque),
     Figure("D", "torque downwards", "T", "(0-{f})", "(0-MIN({f}))", lambda one: -one.torque),
     Figure("S", "torque behind the reducer", "S", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.behind)),
     Figure("w", "speed of the shaft", "w", "({f}^2)^0.5", BOTH, lambda one: np.abs(one.rate)),
-    Figure("g", "ratio, its least", "g", "(0-{f})", "(0-MIN({f}))", lambda one: -one.first),
+    Figure("g", "ratio, its least", RATIO, "(0-{f})", "(0-MIN({f}))", lambda one: -one.first),
     Figure("P", "power", "P", "{f}", "MAX({f})", lambda one: one.power),
     Figure("Q", "power that comes back", "P", "(0-{f})", "(0-MIN({f}))", lambda one: -one.power),
 )
@@ -39,23 +40,24 @@ LOST = {name: f"{LEVEL!r}*@lost_{name}" for name in ("T", "S", "w", "g", "P")}
 BARYCENTRIC = "SUMPRODUCT([@rule.inter]/({x}-[@rule.x]),{f})/SUMPRODUCT([@rule.inter]/({x}-[@rule.x]))"
 
 
-def ranges(view: LinkedWork, column: str) -> list[str]:
+def ranges(view: PlacedWork, column: str) -> list[str]:
     """Return the nodes of each section in a column."""
     firsts = range(1, 1 + len(view.at_nodes("torque")), len(NODES))
     return [f"[@pl.{column}.{first}]:[@pl.{column}.{first + len(NODES) - 1}]" for first in firsts]
 
 
-def lost_rows(view: LinkedWork) -> list[Quantity]:
+def lost_rows(view: PlacedWork) -> list[Quantity]:
     """Return the rows of what is next to nothing of speeds, ratios and powers."""
+    ratios = [("g", "ratios", view.least("first"))] if view.varies else []
     return [
         calc(f"@lost_{column}", f"Next to nothing of {words} is", "", "",
              f"=check_zero*{BOTH.format(f=f'[@pl.{column}]')}", size, format="0E+00", scale=size)
-        for column, words, size in (("w", "speeds", view.least("rate")), ("g", "ratios", view.least("first")),
+        for column, words, size in (("w", "speeds", view.least("rate")), *ratios,
                                     ("P", "powers", view.least("power")))
     ]  # fmt: skip
 
 
-def extremes(view: LinkedWork, figure: Figure) -> list[Quantity]:
+def extremes(view: PlacedWork, figure: Figure) -> list[Quantity]:
     """Return the columns that find the largest value of a figure in each section."""
     m, of, lost, values = figure.mark, ranges(view, figure.column), LOST[figure.column], figure.of
     sizes = [largest(values(one)) for one in view.worked]
@@ -97,8 +99,10 @@ def extremes(view: LinkedWork, figure: Figure) -> list[Quantity]:
         return f"IF({bend}>{lost},MAX(0-{FAR!r},MIN({FAR!r},{slope}/(2*{bend}))),0)"
 
     narrow, slope = bent(len(WIDTHS))
-    far = f"{BEYOND!r}*(ABS({slope})-{BEYOND!r}*{narrow})/2"
-    rise = f"=IF({narrow}<={FLAT!r}*{lost},0,IF(ABS({slope})>2*{BEYOND!r}*{narrow},{far},{slope}^2/(8*{narrow})))"
+    last, width = f"[x{len(WIDTHS)}{m}]", repr(WIDTHS[-1])
+    high = f"MIN({BEYOND!r},(1-{last})/{width},{slope}/(2*{narrow}))"
+    far = f"MAX(0-{BEYOND!r},(0-1-{last})/{width},{high})"
+    rise = f"=IF({narrow}<={FLAT!r}*{lost},0,{far}*({slope}-{far}*{narrow})/2)"
     vertex = f"{b}-(({b}-{a})^2*({fb}-{fc})-({b}-{c})^2*({fb}-{fa}))/(2*[bend{m}])"
     return [
         calc(f"k{m}", f"{figure.words}: largest at node", "", "",
@@ -121,9 +125,9 @@ def extremes(view: LinkedWork, figure: Figure) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def sections_table(sheet: Sheet, view: LinkedWork) -> None:
+def sections_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare the sections, with their extremes and integrals."""
-    rows, driven = view.section_rows, view.linked
+    rows, driven = view.section_rows, view.driven
     square, work, cube, _ = driven.scales
     torque, behind, turning = (ranges(view, column) for column in ("T", "S", "w"))
     half = "=[on]*([ue]-[ub])/2*SUMPRODUCT([@rule.w],"
@@ -147,10 +151,10 @@ def sections_table(sheet: Sheet, view: LinkedWork) -> None:
         calc("way", "∫|φ̇|", "", "", [f"{half}({one}^2)^0.5)" for one in turning], of("way"), scale=view.rate),
         calc("rest", "last coefficient of T", "", "Nm", lasts,
              of("rest"), scale=driven.sizes.torque),
-        *(column for figure in FIGURES for column in extremes(view, figure)),
+        *(column for figure in FIGURES if view.varies or figure.column != RATIO for column in extremes(view, figure)),
     )  # fmt: skip
 
 
-def sums_of(view: LinkedWork) -> Sums:
+def sums_of(view: PlacedWork) -> Sums:
     """Return the integrals of all sections together."""
     return Sums(*map(sum, zip(*view.sums, strict=True)))

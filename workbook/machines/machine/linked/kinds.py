@@ -1,19 +1,19 @@
-"""The mechanisms of a changing ratio by their kind: what the sheet of each has."""
+"""The mechanisms by their kind: what the sheet of each has."""
 
 from __future__ import annotations
 
 from types import ModuleType
 
 from workbook.book.declare import Quantity, check
-from workbook.machines.machine.linked import crank, rocker, table
-from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.linked import constant, crank, rocker, table
+from workbook.machines.machine.linked.driven import LinkedDriven, PlacedDriven
 
 KINDS: dict[str, ModuleType] = {"crank-slider": crank, "rocker": rocker, "table": table}
 
 
-def of(driven: LinkedDriven) -> ModuleType:
+def of(driven: PlacedDriven) -> ModuleType:
     """Return what the sheet of a drive's mechanism has."""
-    return KINDS[driven.given.kind]
+    return KINDS.get(driven.given.kind, constant)
 
 
 def checks(driven: LinkedDriven) -> list[Quantity]:

@@ -9,7 +9,7 @@ from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded
 from workbook.entries.units import shown
 from workbook.machines.machine.linked import kinds
-from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.linked.changing import LinkedWork
 from workbook.machines.machine.view import MovingAxis
 
 WORDS = " reaches {} {}, {} {} beyond the {}"

@@ -1,10 +1,11 @@
-"""The sheet Drive of an axis with a mechanism of a changing ratio."""
+"""The sheet Drive of an axis whose drive is worked out place by place: of a changing ratio, or viscous friction."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from engine.machine.places import SUFFICES
+from engine.laws.base import Array
+from engine.machine.places import SUFFICES, Worked
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import total
@@ -16,12 +17,15 @@ from workbook.machines.machine.breaks import breaks_table, turns_table, windows_
 from workbook.machines.machine.chain import UNSIZED
 from workbook.machines.machine.cycle import CYCLES
 from workbook.machines.machine.linked import cut, found, kinds, reach
+from workbook.machines.machine.linked.changing import LinkedWork
 from workbook.machines.machine.linked.places import stacked, turned
-from workbook.machines.machine.linked.worked import TOO_FEW, LinkedWork
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.powered import power_peaks
 
+CHANGING = {"jtot": "=@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2"}
+"""of a ratio that changes: the largest inertia"""
 RESULTS = {
-    "jtot": "=@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2",
+    "jtot": drive.STRAIGHT["jtot"],
     "tmax": "=MAX([@sec.topT])",
     "tmin": "=0-MAX([@sec.topD])",
     "rms": f"=SQRT(MAX(0,{total('@sec.square')}/(2*PI())))",
@@ -34,19 +38,24 @@ RESULTS = {
 }
 PEAKS = "@i1*MAX([@sec.topP])/1000", "0-@i1*MAX([@sec.topQ])/1000"
 """highest and lowest power"""
+TITLES = (
+    "Speed and torque of the motor over the cycle",
+    "Angle of the mechanism's shaft, speed and torque of the motor over the cycle",
+)
 
 
-def linked_sheet(book: Book, view: LinkedWork) -> None:
+def placed_sheet(book: Book, view: PlacedWork) -> None:
     """Declare the sheet."""
-    one, driven = view.one, view.linked
+    one, driven = view.one, view.driven
     i = driven.number
     sheet = drive.begun(book, driven)
     with sheet.scoped(f"drive{i}_"):
         drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
-        drive.outcome(sheet, one, driven, RESULTS, power_peaks(view, PEAKS))
+        drive.outcome(sheet, one, driven, RESULTS | (CHANGING if view.varies else {}), power_peaks(view, PEAKS))
         sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *windows_check(view), *checks(view))
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
-        sheet.chart(angles(one.machine.over), column=drive.CHART_COLUMN, row=28, width=8, height=18)
+        if view.varies:
+            sheet.chart(angles(one.machine.over), column=drive.CHART_COLUMN, row=28, width=8, height=18)
         kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
         drive.tables(sheet, view)
         sheet.not_printed_below()
@@ -59,7 +68,8 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
         ])  # fmt: skip
         kinds.of(driven).table(sheet, driven, one.machine.machine.sizes.positions)
         cycle(sheet, view)
-        reach.reach_table(sheet, view)
+        if isinstance(view, LinkedWork):
+            reach.reach_table(sheet, view)
         turns_table(sheet, view)
         kinds.of(driven).passing(sheet, view)
         breaks_table(sheet, view)
@@ -77,47 +87,58 @@ def linked_sheet(book: Book, view: LinkedWork) -> None:
     sheet.print_columns = 18
 
 
-def checks(view: LinkedWork) -> list[Quantity]:
+def checks(view: PlacedWork) -> list[Quantity]:
     """Return the checks of the mechanism: its sizes, where it can bring its load to, and the sheet's own places."""
-    driven, i = view.linked, view.driven.number
-    label, key = f"{driven.called}: ", f"axes.{i - 1}"
+    driven, i = view.driven, view.driven.number
     enough = (
         f"MAX([@sec.rest])<={SUFFICES!r}*MAX(MAX([@pl.T]),0-MIN([@pl.T])),MAX([@st.e])>=360,MAX([@sec.e])>=360,"
         "MAX([@look.nF])+MAX([@look.nS])+MAX([@look.nT])<=MAX([@turn.k])"
     )
+    places = check("@ok_nodes", f"{driven.called}: the sheet has places enough", f"AND({enough})", True,
+                   "extremes, RMS torque and energy are exact", f":nodes{i}", f'"{view.too_few}"')  # fmt: skip
+    if not isinstance(view, LinkedWork):
+        return [places]
     return [
-        check("@ok_sized", f"{label}the mechanism has its sizes", kinds.of(driven).SIZED, True,
-              rule=f"{key}.mechanism:sized", says=f'"{UNSIZED}"'),
-        *kinds.checks(driven),
+        check("@ok_sized", f"{driven.called}: the mechanism has its sizes", kinds.of(driven).SIZED, True,
+              rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
+        *kinds.checks(view.linked),
         reach.reach_check(view),
-        check("@ok_nodes", f"{label}the sheet has places enough", f"AND({enough})", True,
-              "extremes, RMS torque and energy are exact", f":nodes{i}", f'"{TOO_FEW}"'),
+        places,
         reach.back_check(view),
     ]  # fmt: skip
 
 
-def cycle(sheet: Sheet, view: LinkedWork) -> None:
-    """Declare angle, speed and torque over the cycle, for the charts."""
-    i, driven, samples = view.driven.number, view.linked, stacked(view.samples)
+def cycle(sheet: Sheet, view: PlacedWork) -> None:
+    """Declare speed and torque over the cycle, for the charts; of a ratio that changes, the angle of its shaft too."""
+    i, driven, samples = view.driven.number, view.driven, stacked(view.samples)
     within = np.array([view.helds[number - 1].within for number in view.sampled])
     told = view.driven.axis.told(view.one.machine.samples)
     near = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
     v, a = (f"({power}*INDEX([cycle.{name}{i}],[k]+1))" for power, name in (("@faster", "t"), ("@faster^2", "tt")))
-    begun = CYCLES.format("INDEX([cycle.theta],[k]+1)", i, f"INDEX([cycle.p{i}],[k]+1)")
-    y = f"INDEX([cycle.y{i}],[k]+1)-{begun}*[axes.travel.{i}]"
+    angle, place = cycled(view, samples, within) if view.varies else ([], [])
     sheet.heading("Table over the cycle")
     sheet.table(
-        "@cycle", "Angle of the mechanism's shaft, speed and torque of the motor over the cycle", len(told.x),
+        "@cycle", TITLES[view.varies], len(told.x),
         result("rpm", "motor speed", "n", "rpm", "=@i1*[w]*60/(2*PI())",
-               shown(driven.mechanism.turning(0, samples.rate), RPM), source="i_1 φ' ẏ"),
+               shown(driven.mechanism.turning(0, samples.rate if view.varies else samples.v), RPM), source="i_1 φ' ẏ"),
         result("torque", "motor torque", "T", "Nm", "=[T]+0", samples.torque, scale=driven.sizes.torque),
-        kinds.of(driven).angle(driven, samples.y, within),
+        *angle,
         constant("k", "sample", "k", "", list(range(len(told.x)))),
         calc("st", "stretch", "", "", f"=MATCH({near},[@st.b],1)", view.sampled, format="0"),
-        calc("p", "position", "y", view.base, f"=({y})/1000" if driven.travels else f"=RADIANS({y})", samples.y,
-             scale=view.driven.axis.motion.size(0)),
+        *place,
         *turned(view, samples, (v, a), within),
     )  # fmt: skip
+
+
+def cycled(view: PlacedWork, samples: Worked, within: Array) -> tuple[list[Quantity], list[Quantity]]:
+    """Return the columns of the angle of the mechanism's shaft at samples, and of the load's position."""
+    i, driven = view.driven.number, view.driven
+    begun = CYCLES.format("INDEX([cycle.theta],[k]+1)", i, f"INDEX([cycle.p{i}],[k]+1)")
+    y = f"INDEX([cycle.y{i}],[k]+1)-{begun}*[axes.travel.{i}]"
+    return [kinds.of(driven).angle(driven, samples.y, within)], [
+        calc("p", "position", "y", view.base, f"=({y})/1000" if driven.travels else f"=RADIANS({y})", samples.y,
+             scale=driven.axis.motion.size(0)),
+    ]  # fmt: skip
 
 
 def angles(over: Abscissa) -> Chart:

@@ -15,8 +15,8 @@ from engine.mechanisms.linkage import Linkage, near_end
 from engine.mechanisms.rocker import farther
 from engine.mechanisms.slide import SlideLinkage, Triangle
 from workbook.book.declare import Quantity, Sheet, calc
+from workbook.machines.machine.linked.changing import LinkedWork
 from workbook.machines.machine.linked.driven import LinkedDriven
-from workbook.machines.machine.linked.worked import LinkedWork
 
 FORM = "slide from the shaft"
 ANGLE = "{d}+@r^2-@l^2"

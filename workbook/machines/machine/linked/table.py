@@ -19,8 +19,8 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, given
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
 from workbook.machines.machine.linked import passes
+from workbook.machines.machine.linked.changing import LinkedWork
 from workbook.machines.machine.linked.driven import FALLS, SHARP, LinkedDriven
-from workbook.machines.machine.linked.worked import LinkedWork
 
 SIZED = "@count>=2"
 FITS = "SUM([@cubics.falls])+SUM([@cubics.sharp])=0"

@@ -1,4 +1,4 @@
-"""A drive of a changing ratio over its motion: stretches, where power turns round in them, sections."""
+"""A drive over its motion, place by place: stretches, where power turns round in them, sections."""
 
 from __future__ import annotations
 
@@ -29,12 +29,10 @@ from engine.machine.places import (
     suffices,
     sums,
 )
-from engine.mechanisms.linkage import near_end
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown, si
-from workbook.machines.machine.linked.driven import LinkedDriven
-from workbook.machines.machine.linked.passes import Passes
+from workbook.machines.machine.linked.driven import PlacedDriven
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Stretched
 
@@ -42,7 +40,6 @@ FIGURES = ("force", "behind", "torque")
 """what power changes its way with: at the load, in the reducer, in the motor"""
 RATES = {"w": "rate", "g": "first", "P": "power"}
 SPARE_TURNS = 8
-TOO_FEW = "too near to a dead centre, or power turns round too often, for the places of this sheet"
 EACH = len(LOOKS)
 """places at which a stretch is looked at"""
 
@@ -66,13 +63,17 @@ class Turn(NamedTuple):
     angle: float
 
 
-class LinkedWork(Stretched):
+class PlacedWork(Stretched):
     """Such a drive over the stretches of its axis' motion."""
 
-    def __init__(self, one: AxisRows, driven: LinkedDriven) -> None:
+    driven: PlacedDriven
+    varies = False
+    """whether its ratio depends on the position"""
+    too_few = "power turns round too often for the places of this sheet"
+    """what is said where these do not suffice"""
+
+    def __init__(self, one: AxisRows, driven: PlacedDriven) -> None:
         super().__init__(one, driven)
-        self.linked = driven
-        self.passes = Passes(one, driven)
 
     @property
     def base(self) -> str:
@@ -91,13 +92,13 @@ class LinkedWork(Stretched):
     @property
     def rows(self) -> int:
         """Rows of the table of stretches."""
-        return len(range(super().rows + self.passes.rows - self.one.machine.machine.sizes.phases))
+        return len(range(super().rows - self.one.machine.machine.sizes.phases))
 
     @property
     def turn_rows(self) -> int:
         """Rows of the table of where power turns round."""
         n = self.one.machine.machine.sizes.phases
-        return n + n + n + SPARE_TURNS + self.passes.turns
+        return n + n + n + SPARE_TURNS
 
     @property
     def section_rows(self) -> int:
@@ -114,16 +115,16 @@ class LinkedWork(Stretched):
             begin, d, p = (f"[axis{i}_pieces.{name}.{r}]" for name in ("begin", "d", "p"))
             span, h = (f"INDEX([axis{i}_steps.{name}],{p})" for name in ("span", "h"))
             found.append((angle or TURN, f"=IF({d}*ABS({h})>{LONG!r}*{span}*ABS({h}),{begin}+DEGREES({d})/2,360)"))
-        return [*super().further, *found, *self.passes.further]
+        return [*super().further, *found]
 
     def held(self, at: float) -> Held:
         """Return the stretch in which an angle of the motion lies."""
         axis, piece = self.driven.axis, self.pieces[self.piece_at(at)]
         u = si(at, DEGREE) - piece.begin
-        train, way = self.linked.train, going(piece, u, self.driven.fastest)
+        train, way = self.driven.train, going(piece, u, self.driven.fastest)
         force = train.force(way, si(at, DEGREE) + axis.shifted.shift, axis.motion.total)
-        within = float(piece.derivative(0, np.array([u]))[0]) - min(0.0, near_end(self.linked.linkage))
-        return Held(train, self.linked.linkage, piece, axis.speed, way, force, within)
+        within = float(piece.derivative(0, np.array([u]))[0]) + self.further_in
+        return Held(train, piece, axis.speed, way, force, within)
 
     @cached_property
     def helds(self) -> list[Held]:
@@ -141,6 +142,11 @@ class LinkedWork(Stretched):
         """Begin and end of each stretch, from the begin of its piece (rad)."""
         spans = filled(self.spans, self.rows, self.spans[-1])
         return [self.within(held, span) for held, span in zip(self.helds, spans, strict=True)]
+
+    @property
+    def further_in(self) -> float:
+        """By how much a stretch's position counts as farther than it is."""
+        return 0.0
 
     def within(self, held: Held, span: tuple[float, float]) -> tuple[float, float]:
         """Return begin and end of a span in degrees from the begin of its piece (rad)."""
@@ -169,7 +175,7 @@ class LinkedWork(Stretched):
     @property
     def counts(self) -> tuple[bool, bool, bool]:
         """Whether each figure turns round by itself: not without anything that turns before it."""
-        return True, self.linked.mechanism.on_shaft(1) > 0.0, self.linked.at_motor > 0.0
+        return True, self.driven.mechanism.on_shaft(1) > 0.0, self.driven.at_motor > 0.0
 
     @cached_property
     def signs(self) -> dict[str, list[list[float]]]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
 from workbook.machines.machine.choice import UNCHOSEN, Choice
-from workbook.machines.machine.linked.worked import LinkedWork
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.selecting.best import best_table, order_table
 from workbook.machines.machine.selecting.charts import chart, uses
 from workbook.machines.machine.selecting.drives import chosen, drives_table, known, points_table
@@ -28,7 +28,7 @@ def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: S
     """Declare the sheet, where an axis is named for it."""
     if given_.axis is None:
         return
-    view = Choosing(given_, sizes, [one for one in drives if not isinstance(one, LinkedWork)])
+    view = Choosing(given_, sizes, [one for one in drives if not isinstance(one, PlacedWork)])
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: what can do its cycle, best first.")
     with sheet.scoped("sel_"):
         entries(sheet, view)
@@ -54,7 +54,7 @@ def entries(sheet: Sheet, view: Choosing) -> None:
     sheet.heading("Enter", ABOUT)
     sheet.rows(
         given("@axis", "Axis", "", "", s.axis, "selection.axis", choices="=sel_axes", align="left",
-              source="one whose drive has a constant ratio"),
+              source="one whose drive has a constant ratio, and no viscous friction"),
         given("@rank", "Rank usable pairs by", "", "", s.rank, "selection.rank", align="left",
               source="smallest motor: the least rated torque, then the least of it used"),
         given("@inertia_ratio", "Largest inertia ratio", "", "", s.inertia_ratio, "selection.inertia_ratio",

@@ -1,0 +1,188 @@
+"""Viscous friction in cells: in closed form, by energy, beside a drive without it, at other samples, wrong entries."""
+
+import math
+import random
+
+import pytest
+
+from tests.mutation.bench import Bench
+from tests.mutation.examine import examined
+from tests.mutation.machines import machine as drawn_machine
+from tests.tiers import nights, seed
+from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from tests.workbook.machines.test_machine_linked import CRANK, FIGURES, LOSSY, MOTOR, linked, small
+from workbook.reading.descriptions import checked
+
+SCREW = {"kind": "lead screw", "size": 10.0, "efficiency": 1.0}
+TURNING = {"kind": "rotary table", "efficiency": 0.8}
+TURNS = 2 * math.pi / 0.01  # of the screw, rad/m
+RISE = ((30, 90, 20.0, "CIC"), (180, 300, -20.0, "CIC"))
+LIGHT = {"inertia": 0.0, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 4500.0}
+TIMES = 0.3 * 60 / 360, 0.3 * 120 / 360  # of both movements at 200 cycles/min, s
+
+
+def viscous(value=300.0, mechanism=SCREW, phases=RISE, **entries):
+    """An axis with viscous friction and no other load, on a motor without inertia."""
+    load = {"viscous": value} | entries.pop("load", {})
+    return axis(1, *phases) | {"mechanism": mechanism, "load": load, "motor": LIGHT} | entries
+
+
+def lossy(value=300.0, mechanism=SCREW, **entries):
+    """An axis with losses, a process force, parts, a reducer, a shift."""
+    more = {"load": LOSSY["load"] | {"viscous": value}, "motor": MOTOR}
+    return linked(*RISE, mechanism=mechanism | {"efficiency": 0.85}, **(LOSSY | more | entries))
+
+
+def turning(value):
+    """The same on a rotary table."""
+    load = {"inertia": 0.02, "friction_torque": 0.3, "torque": 0.4, "viscous": value}
+    return lossy(value, mechanism=TURNING, unit="°", load=load, motor=MOTOR | {"holding": "brake"})
+
+
+AXES = {
+    "screw": lambda: lossy(),
+    "rotary table": lambda: turning(0.05),
+    "crank": lambda: lossy(mechanism=CRANK),
+    "none of it": lambda: lossy(0.0),
+}
+
+
+@pytest.mark.parametrize("name", AXES)
+@pytest.mark.sample(2)
+def test_cells_agree_with_the_engine_and_entries_come_back(name):
+    machine = small(AXES[name]())
+    wrong, _ = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
+@pytest.mark.parametrize("name", ["screw", "crank"])
+@pytest.mark.parametrize("turn", range(6))
+@pytest.mark.sample(3)
+def test_cells_agree_at_every_variation(name, turn):
+    variation = TEMPLATE.variants(small(AXES[name]()))[turn]
+    wrong, _ = disagreeing(TEMPLATE, variation)
+    assert wrong == []
+
+
+@pytest.mark.parametrize("name", AXES)
+@pytest.mark.sample(1)
+def test_no_result_hangs_on_the_samples(name):
+    books = [TEMPLATE.declare(small(AXES[name](), cycle=cycle)) for cycle in (12, 720)]
+    few, many = ({q.name: q.value for block in book.blocks.values() if not block.is_table for q in block.quantities}
+                 for book in books)  # fmt: skip
+    assert few == many
+    few, many = (computed(TEMPLATE, small(AXES[name](), cycle=cycle)) for cycle in (12, 720))
+    for figure in FIGURES:
+        assert few(f"drive1_{figure}") == many(f"drive1_{figure}"), figure
+
+
+def test_peak_rms_and_power_of_viscous_friction_alone_in_closed_form():
+    """ẏ = (h/t)(1 − cos 2πξ): T = c ẏ/i up to 2 h/t, ⟨ẏ²⟩ = 3/2 (h/t)²; the power c ẏ² never comes back."""
+    c, h, i = 300.0, 0.02, TURNS
+    value = computed(TEMPLATE, small(viscous(c)))
+    fastest = [2 * h / t for t in TIMES]
+    assert value("drive1_tmax") == pytest.approx(c * fastest[0] / i, rel=1e-9)
+    assert value("drive1_tmin") == pytest.approx(-c * fastest[1] / i, rel=1e-9)
+    squares = sum(1.5 * h**2 / t for t in TIMES)  # ∮ ẏ² dt
+    assert value("drive1_rms") == pytest.approx(c / i * math.sqrt(squares / 0.3), rel=1e-9)
+    assert value("drive1_pmax") == pytest.approx(c * fastest[0] ** 2 / 1000, rel=1e-9)
+    assert value("drive1_pmin") == pytest.approx(0.0, abs=1e-9)
+    assert value("drive1_energy") == pytest.approx(c * squares, rel=1e-9)
+    assert value("drive1_returned") == pytest.approx(0.0, abs=1e-9)
+
+
+def test_the_peak_beside_a_mass_lies_where_neither_speed_nor_acceleration_is_greatest():
+    """m ÿ + c ẏ = A sin 2πξ + B (1 − cos 2πξ): from B − √(A² + B²) to B + √(A² + B²)."""
+    c, m, h, t = 300.0, 12.0, 0.02, TIMES[0]
+    value = computed(TEMPLATE, small(viscous(c, load={"mass": m})))
+    most, level = 2 * math.pi * m * h / t**2, c * h / t
+    assert value("drive1_tmax") == pytest.approx((level + math.hypot(most, level)) / TURNS, rel=1e-9)
+    assert value("drive1_tmin") == pytest.approx((level - math.hypot(most, level)) / TURNS, rel=1e-9)
+    assert level - math.hypot(most, level) < -level - math.hypot(most / 4, level / 2)
+
+
+@pytest.mark.parametrize("mechanism", [SCREW, CRANK], ids=lambda m: m["kind"])
+def test_over_a_cycle_the_motor_does_the_work_of_viscous_friction_too(mechanism):
+    """∮ T dφ = ∮ c ẏ² dt + μ m g · 2 h: without losses in between, whatever the mechanism does."""
+    load = {"mass": 12.0, "friction": 0.1}
+    told = viscous(300.0, mechanism, load=load) | {"motor": MOTOR}
+    value = computed(TEMPLATE, small(told))
+    work = 300.0 * sum(1.5 * 0.02**2 / t for t in TIMES)
+    net = value("drive1_energy") - value("drive1_returned")
+    assert net == pytest.approx(work + 0.1 * 12.0 * 9.81 * 0.04, rel=1e-9)
+    assert value("drive1_returned") > 0.0
+
+
+@pytest.mark.parametrize("number", [*range(2), *nights(200)])
+def test_none_of_it_is_the_same_as_a_drive_without_it(request, number):
+    """Places of each section beside bent lines in closed form: two sheets that share no cell."""
+    name = f"viscous {number}"
+    drawn = random.Random(seed(name) if request.node.get_closest_marker("nightly") else name)
+    data = drawn_machine(small(lossy(None)), drawn).model_dump()
+    bare, placed = (checked(TEMPLATE, with_viscous(data, value), str) for value in (None, 0.0))
+    assert bare.design.replaced == placed.design.replaced == {}
+    one, other = computed(TEMPLATE, bare), computed(TEMPLATE, placed)
+    peak = max(one("drive1_tmax"), -one("drive1_tmin"), 1e-9)
+    size = dict.fromkeys(("tmax", "tmin", "rms"), peak) | {
+        name: max(one("drive1_energy"), one("drive1_returned"), 1e-9) for name in ("energy", "returned")
+    }
+    size["power"] = max(one("drive1_pmax"), -one("drive1_pmin"), 1e-9)
+    for figure in FIGURES[:-1]:
+        expected = pytest.approx(one(f"drive1_{figure}"), rel=1e-8, abs=1e-8 * size.get(figure, 0.0))
+        assert other(f"drive1_{figure}") == expected, figure
+
+
+def with_viscous(data, value):
+    """The description of one axis with another viscous friction."""
+    (one,) = data["axes"]
+    return data | {"axes": [one | {"load": one["load"] | {"viscous": value}}]}
+
+
+@pytest.mark.parametrize("number", nights(200))
+def test_random_machines_agree(request, number):
+    drawn = random.Random(seed(f"viscous {number}"))
+    made = drawn_machine(small(lossy(mechanism=drawn.choice((SCREW, CRANK)))), drawn)
+    wrong, _ = disagreeing(TEMPLATE, made)
+    assert wrong == []
+
+
+def test_every_mutant_of_the_new_cells_is_found():
+    """Faults in the formulas that hang on viscous friction or the constant ratio, and in the results."""
+    bench = Bench(TEMPLATE, small(lossy(), cycle=12))
+    names = {"F", "F1", "w", "turn", "S", "T", "tmax", "rms", "energy", "pmax", "jtot"}
+    sheet = bench.declared.blocks["drive1_viscous"].sheet.title
+    places = {(c.row, c.column) for c in bench.declared.cells()
+              if c.block.sheet.title == sheet and c.quantity.name.removeprefix("drive1_") in names}  # fmt: skip
+    sample = [one for one in bench.orchard.sample(6000, 7) if one.address.sheet == sheet]
+    mutants = [one for one in sample if (one.address.row, one.address.column) in places]
+    assert len(mutants) > 60
+    assert [str(v.mutant) for v in examined(bench, mutants, []) if not v.found(False) and not v.equivalent] == []
+
+
+def test_a_negative_one_fails_by_name_and_is_carried():
+    data = small(lossy()).model_dump()
+    data["axes"][0]["load"]["viscous"] = -5.0
+    machine = checked(TEMPLATE, data, str)
+    (fault,) = machine.design.faults
+    assert (fault.key, fault.said) == ("axes.0.load.viscous", "expected a number of at least 0")
+    value = computed(TEMPLATE, machine)
+    assert value("drive1_own_rate_entries") == "FAIL"
+    assert value("drive1_own_rate_entries_says") == "Viscous friction: -5; expected a number of at least 0"
+    back, lost = entered(TEMPLATE, machine)
+    assert lost == []
+    assert back.design.replaced == machine.design.replaced
+
+
+def test_an_axis_without_a_drive_has_none():
+    with pytest.raises(ValueError, match="entered for an axis without a drive"):
+        described([axis(1, *RISE, load={"viscous": 3.0})])
+
+
+def test_selection_does_not_look_at_such_a_drive():
+    bare = lossy(None) | {"name": "Bare"}
+    data = small(lossy()).model_dump() | {"axes": [lossy(), bare], "selection": {"axis": "A1"}}
+    fault, *_ = checked(TEMPLATE, data, str).design.faults
+    assert fault.said == "no axis with a drive of constant ratio is named A1"
+    assert checked(TEMPLATE, data | {"selection": {"axis": "Bare"}}, str).design.faults == ()
