@@ -3,6 +3,7 @@
 import math
 import random
 
+import openpyxl
 import pytest
 
 from tests.mutation.bench import Bench
@@ -12,7 +13,11 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_linked import CRANK, FIGURES, LOSSY, MOTOR, linked, small
+from workbook.build import build, inputs
+from workbook.judging.verify import verify
+from workbook.machines.machine.timed import told_in_seconds
 from workbook.reading.descriptions import checked
+from workbook.writing.same import same_book
 
 SCREW = {"kind": "lead screw", "size": 10.0, "efficiency": 1.0}
 TURNING = {"kind": "rotary table", "efficiency": 0.8}
@@ -186,3 +191,30 @@ def test_selection_does_not_look_at_such_a_drive():
     fault, *_ = checked(TEMPLATE, data, str).design.faults
     assert fault.said == "no axis with a drive of constant ratio is named A1"
     assert checked(TEMPLATE, data | {"selection": {"axis": "Bare"}}, str).design.faults == ()
+
+
+def test_out_in_and_through_with_its_cell_emptied(tmp_path):
+    """From build to verify, inputs and regenerate; an empty cell counts as none of it, and keeps its place."""
+    path, again = tmp_path / "book.xlsx", tmp_path / "again.xlsx"
+    machine = small(lossy())
+    build(machine, path)
+    assert verify(path).findings == []
+    back, notes = inputs(path)
+    assert (back, notes) == (machine, [])
+    build(back, again)
+    assert same_book(path, again)
+    written = openpyxl.load_workbook(path)
+    title, cell = next(written.defined_names["drive1_viscous"].destinations)
+    written[title][cell].value = None
+    written.save(again)
+    back, _ = inputs(again)
+    assert back == small(lossy(0.0))
+
+
+def test_in_seconds_it_is_the_same():
+    machine = small(lossy())
+    timed = told_in_seconds(machine)
+    assert entered(TEMPLATE, timed) == (timed, [])
+    one, other = computed(TEMPLATE, machine), computed(TEMPLATE, timed)
+    for figure in FIGURES[:-1]:
+        assert other(f"drive1_{figure}") == pytest.approx(one(f"drive1_{figure}"), rel=1e-9), figure
