@@ -20,6 +20,7 @@ from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.judging.right import Right
 from workbook.judging.verify import Report, judge
+from workbook.machines.machine.chain import LINKED
 from workbook.reading.descriptions import read_machine
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template
@@ -44,14 +45,31 @@ def sized(template: Template, **sizes: int) -> Machine:
 
 
 def smaller(machine: Machine, **sizes: int) -> Machine:
-    """Return a machine with smaller tables, and of its catalogues some products."""
+    """Return a machine with smaller tables, of its catalogues some products, and of its drives only some."""
     data = machine.model_dump()
     data["sizes"] |= SMALL | sizes
     if "selection" in data:
         chosen = data["selection"]
         chosen["motors"], chosen["reducers"] = chosen["motors"][::6], chosen["reducers"][:1] + chosen["reducers"][1::4]
         data["sizes"] |= {name: len(chosen[name]) + 1 for name in ("motors", "reducers")}
+    if machine.template == "machine":
+        thin_out(data)
     return type(machine).model_validate(data)
+
+
+def thin_out(data: dict[str, Any]) -> None:
+    """Leave a machine all its linkages, the first of its drives of a constant ratio, and fewer rows of everything.
+
+    A drive has as many cells as the whole book of another template.
+    """
+    driven = [axis for axis in data["axes"] if axis["mechanism"]]
+    constant = [axis for axis in driven if axis["mechanism"]["kind"] not in LINKED]
+    for axis in constant[1:]:
+        for entry in ("mechanism", "load", "parts", "motor", "reducer"):
+            del axis[entry]
+    if data["selection"]["axis"] in {axis["name"] for axis in constant[1:]}:
+        data["selection"]["axis"] = driven[0]["name"]
+    data["sizes"] |= {"phases": 4, "pieces": 7, "motion_pieces": None}
 
 
 def remembered(declare: Callable[[Machine], Book]) -> Callable[[Machine], Book]:

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 import openpyxl
 import pytest
 
-from tests.mutation.bench import SMALL
+from tests.mutation.bench import smaller
 from tests.tiers import by_day
 from tests.workbook import own
 from tests.workbook.judging.hands import Known, repacked, sub
@@ -39,11 +39,6 @@ def described(name):
     return next(path for path in committed() if path.stem == name)
 
 
-def small(machine):
-    sizes = machine.sizes.model_copy(update=SMALL)
-    return machine.model_copy(update={"sizes": sizes})
-
-
 class Filled:
     """A book with a bag of own cells in it."""
 
@@ -67,7 +62,7 @@ def filled(tmp_path_factory):
         if name not in made:
             folder = tmp_path_factory.mktemp(name)
             path = folder / f"{name}.xlsx"
-            build(small(read_machine(described(name))), path)
+            build(smaller(read_machine(described(name))), path)
             made[name] = Filled(path, folder)
         return made[name]
 
