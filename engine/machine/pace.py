@@ -18,11 +18,12 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.bent import LEAST, LOST, BentPart
+from engine.machine.bent import LEAST, BentPart
 from engine.machine.demand import Demand
 from engine.machine.limits import ReducerLimits
 from engine.machine.rows import Rows, rows_of
 from engine.machine.searching import rule
+from engine.machine.stationary import LOST
 
 TRIALS = 5
 FAR = 1e12

@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.bent import LOST, BentPart, septic
+from engine.machine.bent import BentPart
+from engine.machine.stationary import LOST, septic
 from engine.motion.pieces import MotionPiece
 
 PARTS = 300
@@ -132,11 +133,10 @@ class Powering:
 
     @property
     def sharpest(self) -> float:
-        """The largest |y'''|."""
+        """The largest |y'''|; of two sines what it stays below."""
         one = self.part
-        amplitude, omega, _ = one.piece.sines[0]
-        if amplitude:
-            return abs(amplitude * omega**3)
+        if one.piece.sines[0][0]:
+            return math.fsum(abs(amplitude * omega**3) for amplitude, omega, _ in one.piece.sines)
         if septic(one.piece):
             return bound(one.piece, 3, one.low, one.high)
         c4, c5 = one.piece.c[4:6]
@@ -145,11 +145,10 @@ class Powering:
 
     @property
     def snap(self) -> float:
-        """The largest fourth derivative of y."""
+        """The largest fourth derivative of y; of two sines what it stays below."""
         one = self.part
-        amplitude, omega, _ = one.piece.sines[0]
-        if amplitude:
-            return abs(amplitude * omega**4)
+        if one.piece.sines[0][0]:
+            return math.fsum(abs(amplitude * omega**4) for amplitude, omega, _ in one.piece.sines)
         if septic(one.piece):
             return bound(one.piece, 4, one.low, one.high)
         c4, c5 = one.piece.c[4:6]

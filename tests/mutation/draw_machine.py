@@ -14,7 +14,7 @@ from workbook.machines.machine.variations import constant_drives
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
-SHAPED = {name for name in MOVING if FAMILY[name].page.shapes is not None or name == "PO7"}
+SHAPED = {name for name in MOVING if FAMILY[name].page.shapes is not None or name in ("PO7", "DHM")}
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:

@@ -161,9 +161,9 @@ def test_parts_of_a_drive_have_their_room_whichever_axis_it_moves():
     "law",
     [
         {"family": "OWN", "pieces": [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]},
-        {"family": "DHM"},
+        {"family": "SPL", "points": [{"at": x, "s": s} for x, s in ((0.0, 0.0), (0.4, 0.9), (0.6, 0.3), (1.0, 1.0))]},
     ],
-    ids=["one that turns back", "one of two sines"],
+    ids=["one that turns back", "a spline that does"],
 )
 def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(law, tmp_path):
     axes = [driven((0, 90, 2.0, "mine"), (180, 200, -2.0, "CIC"))]

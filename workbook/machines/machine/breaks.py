@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import chain
 from typing import Any
 
-from engine.machine.bent import HALVED, root_term, septic
+from engine.machine.stationary import HALVED, root_term, septic
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
@@ -77,7 +77,13 @@ def turns_table(sheet: Sheet, view: Stretched) -> None:
     rooted = f"AND({quintic},{inside}>0)" if view.septics else f"{inside}>0"
 
     def sine(j: int) -> str:
-        return f"((INT({ph}/PI()-0.5+check_zero)+{j}+0.5)*PI()-{ph})/{om}"
+        found = f"((INT({ph}/PI()-0.5+check_zero)+{j}+0.5)*PI()-{ph})/{om}"
+        for second in view.one.pieces.sines[1:]:
+            other, phase = (held(view, f"{name}{second.mark}") for name in ("A", "ph"))
+            of_two = f"IF(ABS({{0}})<1,ATAN2({{0}},SQRT(1-({{0}})^2))/{om},0)"
+            share = f"{amplitude}*SIN({ph})/(16*{other}*SIN({phase}-2*{ph}))"
+            found = f"IF({other}=0,{found},{of_two.format(share) if j == 1 else 0})"
+        return found
 
     def of_polynomial(j: int) -> str:
         if not view.septics:

@@ -7,7 +7,7 @@ from typing import Any
 
 from engine.laws import Law
 from engine.laws.piece_extremes import extremes_of
-from engine.machine.bent import LOST, plain
+from engine.machine.stationary import LOST, plain
 from engine.motion.joining import EndedPhase
 from engine.motion.pieces import Scaled, pieces_of
 from workbook.entries.turn import TURN

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from engine.drivetrain.loads import GRAVITY
-from engine.machine.bent import PLACES
+from engine.machine.stationary import PLACES
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled, total
 from workbook.book.sentence import NOTHING, Said, exceeding
@@ -54,7 +54,7 @@ BACKWARD = "MIN([@st.dir])<0"
 """whether the motor turns backward too"""
 MACHINES, OWN = "the machine's rate", "a rate of its own"
 UNSHAPED = (
-    "a phase has a law whose pieces are neither a polynomial nor one sine, or that turns back between its rests, or "
+    "a phase has a law whose pieces are neither a polynomial nor sines alone, or that turns back between its rests, or "
     "turns round too often"
 )
 
@@ -219,18 +219,17 @@ def laws_check(driven: Driven, one: AxisRows) -> Quantity:
 
 
 def known(driven: Driven, one: AxisRows) -> str:
-    """Return the condition under which the stretches know all of the motion's pieces.
+    """Return the condition under which the stretches know all of the motion's pieces; they do any of two sines.
 
     Phases pass the points of a table of positions once: none of them may turn round.
     """
     number = driven.number
     table, powers = f"axis{number}_pieces", one.pieces.powers
     curved = "+".join(f"([{table}.c{n}]<>0)" for n in range(3, powers))
-    beyond = [f"SUMPRODUCT(([{table}.A{sine.mark}]<>0)*1)" for sine in one.pieces.sines[1:]]
     often = f"(([{table}.om]*[{table}.d])^2>({PLACES}*PI()*(1+check_zero))^2)"
     mixed = f"SUMPRODUCT(([{table}.A]<>0)*({curved}+{often}))"
     turns = one.ends.turning_round() if one.ends and driven.given.kind == TABLE else []
-    return "+".join([mixed, *beyond, *turns, total("@st.back")]) + "+IF(MAX([@st.e])<360,1,0)=0"
+    return "+".join([mixed, *turns, total("@st.back")]) + "+IF(MAX([@st.e])<360,1,0)=0"
 
 
 def reducer_checks(driven: Driven, mends: Said) -> list[Quantity]:

@@ -96,10 +96,14 @@ def errors(view: Stretched) -> list[Quantity]:
     bend = f"{slope}*ABS([per])*[nm]*@vmax+(2*{slope}*MAX(ABS([yb]),ABS([ye]))+MAX(ABS([tyb]),ABS([tye])))*[jm]"
     broken = "ABS([per])*[jm]*@vmax*([x3]*ABS([g1])*(1-power_efficiency^2)+[x1]*ABS([s1])+[x2]*ABS([s2]))"
     short = "MIN(RADIANS(bus_step),[ue]-[ub])"
+
+    def waves(order: int) -> str:
+        return "+".join(f"ABS([A{sine.mark}]*[om{sine.mark}]^{order})" for sine in view.one.pieces.sines)
+
     return [
-        calc("jm", "greatest y'''", "", "", f"=IF([A]=0,{most(sharp, 3)},ABS([A]*[om]^3))",
+        calc("jm", "greatest y'''", "", "", f"=IF([A]=0,{most(sharp, 3)},{waves(3)})",
              of(lambda one: one.sharpest), scale=motion.size(3)),
-        calc("nm", "greatest y''''", "", "", f"=IF([A]=0,{most(snap, 4)},ABS([A]*[om]^4))", of(lambda one: one.snap),
+        calc("nm", "greatest y''''", "", "", f"=IF([A]=0,{most(snap, 4)},{waves(4)})", of(lambda one: one.snap),
              scale=view.most_snap),
         calc("off", "straight lines are off by at most", "", "kW",
              f"=[on]*ABS([dir])*@kilo/power_efficiency*(({bend})*{short}^2/8+{broken}*{short}/4)",

@@ -13,9 +13,10 @@ import numpy as np
 from engine.drivetrain import Load
 from engine.drivetrain.bends import Bends
 from engine.laws.base import Array
-from engine.machine.bent import PLACES, BentPart, going, inside, middle, stretches, turned, turning
+from engine.machine.bent import BentPart, going, middle, stretches, turned
 from engine.machine.pace import Pace
 from engine.machine.powering import Powering, flat_up_to
+from engine.machine.stationary import PLACES, inside, turning
 from engine.machine.train import Window
 from engine.motion.handover import SEPTIC
 from engine.motion.pieces import MotionPiece

@@ -31,10 +31,11 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
 def shaped(laws: dict[str, Any]) -> list[str]:
     """Return the laws that drives take whatever their parameters and neighbours: constants, quarter sines, ramps.
 
-    The polynomial 4-5-6-7 too. Beside a straight line a phase may move there and back: not behind every mechanism.
+    The polynomial 4-5-6-7 and two sines too. Beside a straight line a phase may move there and back: not behind every
+    mechanism.
     """
     found = {name: page_of(name, entry) for name, entry in laws.items()}
-    known = {name: page.shapes is not None or page.way == SEVENTH for name, page in found.items()}
+    known = {name: page.shapes is not None or page.way == SEVENTH or page.second_sine for name, page in found.items()}
     return [name for name, page in found.items() if known[name] and page.way != STRAIGHT]
 
 
