@@ -22,93 +22,129 @@ from workbook.motion.through import entries
 
 def phases_table(sheet: Sheet, one: AxisRows) -> None:
     """Declare the phases of an axis."""
-    axis, n, base, unit = one.axis, one.machine.machine.sizes.phases, one.axis.base, one.axis.given.unit
-    entered, phases, laws = axis.typed.phases, axis.phases, [p.law for p in axis.given.phases]
-    over, turned = one.machine.over, axis.given.phases
-    key = f"axes.{axis.number - 1}.phases.*"
+    timed, geometric = one.machine.over.timed, geometric_extremes(one)
+    sheet.table(
+        one.name, f"Phases of axis {one.axis.number}: fill one row each, in order; between them it rests; "
+        "leave spare rows empty", one.machine.machine.sizes.phases,
+        *entered(one), *passing(one), *([] if timed else geometric), *extremes(one),
+        *used(one), *(geometric if timed else []), *faults(one),
+        rules=[AT_REST],
+    )  # fmt: skip
 
-    def entry(name: str) -> list[Any]:
-        return filled([getattr(p, name) for p in entered], n, None)
 
-    def of(figure: Callable[[Movement], float]) -> list[float]:
-        return [figure(axis.moves[k]) if k in axis.moves else 0.0 for k in range(n)]
+def entry(one: AxisRows, name: str) -> list[Any]:
+    """Return what is entered in a column, and nothing in spare rows."""
+    return filled([getattr(p, name) for p in one.axis.typed.phases], one.machine.machine.sizes.phases, None)
 
-    handed, at, steps = one.ends, one.at, f"{one.name}_steps"
 
-    def own(column: str, formula: str) -> str:
-        return doubled(handed.own(column, formula)) if handed else formula
+def moving(one: AxisRows, figure: Callable[[Movement], float]) -> list[float]:
+    """Return a figure of each phase that moves, 0 of the others."""
+    moves = one.axis.moves
+    return [figure(moves[k]) if k in moves else 0.0 for k in range(one.machine.machine.sizes.phases)]
 
-    def ends(name: str, word: str, values: list[str]) -> Quantity:
-        return result(name, f"kind of its {word}", "", "", f"=INDEX([{steps}.{name}],2*[k])", values, align="center",
+
+def own(one: AxisRows, column: str, formula: str) -> str:
+    """Return a formula of each phase: that of its own ends, if phases of the book hand over, or the law's."""
+    return doubled(one.ends.own(column, formula)) if one.ends else formula
+
+
+def entered(one: AxisRows) -> list[Quantity]:
+    """Return what kind of phase it is, and the entries of each."""
+    over, key = one.machine.over, f"axes.{one.axis.number - 1}.phases.*"
+    return [
+        calc("kind", "phase", "", "", doubled(joined.kind("stop", one.at.ends)),
+             joined.kinds(one.axis.phases, one.machine.machine.sizes.phases)),
+        given("start", "from", "", over.unit, entry(one, "start"), f"{key}.start", format=over.format),
+        given("stop", "to", "", over.unit, entry(one, "stop"), f"{key}.stop", format=over.format),
+        given("lift", "lift", "h", one.axis.given.unit, entry(one, "lift"), f"{key}.lift", format="0.0##"),
+        given("law", "law", "", "", entry(one, "law"), f"{key}.law", choices="=law_code"),
+    ]  # fmt: skip
+
+
+def passing(one: AxisRows) -> list[Quantity]:
+    """Return the entries of where phases meet, and the kind of both ends; none where all of them begin at rest."""
+    if not one.ends:
+        return []
+    n, kinds = one.machine.machine.sizes.phases, [both.kinds for _, both in one.ends.numbered]
+
+    def end(name: str, word: str, values: list[str]) -> Quantity:
+        return result(name, f"kind of its {word}", "", "", f"=INDEX([{one.name}_steps.{name}],2*[k])",
+                      filled(values, n, ""), align="center",
                       source="R rest, G velocity, U reversal, B both")  # fmt: skip
 
-    lacking, mean = "=[h]*(1-INDEX(law_s1,[no]))", f"={RMS}"
-    passing: list[Quantity] = []
-    if handed:
-        lacking, mean = doubled(handed.other(lacking, "0")), doubled(handed.own("rms", mean))
-        kinds = [both.kinds for _, both in handed.numbered]
-        passing = [
-            *entries(entry("velocity"), entry("acceleration"), key, *rates_of(one)),
-            ends("begins", "begin", filled([begin for begin, _ in kinds], n, "")),
-            ends("ends", "end", filled([end for _, end in kinds], n, "")),
-        ]
-    shown_as = calc if over.timed else result
-    geometric = [
-        shown_as("y1", "geometric velocity", "y'", f"{base}/rad",
-               own("vmax", VELOCITY), of(lambda m: m.y1_max), source="C_v h/δ"),
-        shown_as("y2", "geometric acceleration", "y''", f"{base}/rad²",
-               own("amax", ACCELERATION), of(lambda m: m.y2_max), source="C_a h/δ²"),
-        shown_as("y3", "geometric jerk", "y'''", f"{base}/rad³",
-               own("jmax", JERK), jerks(of(lambda m: m.y3_max)), source="C_j h/δ³"),
+    return [
+        *entries(entry(one, "velocity"), entry(one, "acceleration"), f"axes.{one.axis.number - 1}.phases.*",
+                 *rates_of(one)),
+        end("begins", "begin", [begin for begin, _ in kinds]), end("ends", "end", [end for _, end in kinds]),
     ]  # fmt: skip
-    sheet.table(
-        one.name, f"Phases of axis {axis.number}: fill one row each, in order; between them it rests; "
-        "leave spare rows empty", n,
-        calc("kind", "phase", "", "", doubled(joined.kind("stop", at.ends)), joined.kinds(phases, n)),
-        given("start", "from", "", over.unit, entry("start"), f"{key}.start", format=over.format),
-        given("stop", "to", "", over.unit, entry("stop"), f"{key}.stop", format=over.format),
-        given("lift", "lift", "h", unit, entry("lift"), f"{key}.lift", format="0.0##"),
-        given("law", "law", "", "", entry("law"), f"{key}.law", choices="=law_code"),
-        *passing,
-        *([] if over.timed else geometric),
-        result("v", "velocity", "ẏmax", f"{base}/s", "=[y1]*timing_omega", of(lambda m: m.v_max),
-               source="C_v h/t" if over.timed else "y' ω"),
-        result("a", "acceleration", "ÿmax", f"{base}/s²",
-               "=[y2]*timing_omega^2", of(lambda m: m.a_max),
-               source="C_a h/t²" if over.timed else "y'' ω²"),
+
+
+def geometric_extremes(one: AxisRows) -> list[Quantity]:
+    """Return the largest y', y'' and y''' of each phase: workings only of a machine that is told in seconds."""
+    base, shown_as = one.axis.base, calc if one.machine.over.timed else result
+    return [
+        shown_as("y1", "geometric velocity", "y'", f"{base}/rad",
+                 own(one, "vmax", VELOCITY), moving(one, lambda m: m.y1_max), source="C_v h/δ"),
+        shown_as("y2", "geometric acceleration", "y''", f"{base}/rad²",
+                 own(one, "amax", ACCELERATION), moving(one, lambda m: m.y2_max), source="C_a h/δ²"),
+        shown_as("y3", "geometric jerk", "y'''", f"{base}/rad³",
+                 own(one, "jmax", JERK), jerks(moving(one, lambda m: m.y3_max)), source="C_j h/δ³"),
+    ]  # fmt: skip
+
+
+def extremes(one: AxisRows) -> list[Quantity]:
+    """Return what each movement comes to."""
+    base, timed = one.axis.base, one.machine.over.timed
+    mean = doubled(one.ends.own("rms", f"={RMS}")) if one.ends else f"={RMS}"
+    return [
+        result("v", "velocity", "ẏmax", f"{base}/s", "=[y1]*timing_omega", moving(one, lambda m: m.v_max),
+               source="C_v h/t" if timed else "y' ω"),
+        result("a", "acceleration", "ÿmax", f"{base}/s²", "=[y2]*timing_omega^2", moving(one, lambda m: m.a_max),
+               source="C_a h/t²" if timed else "y'' ω²"),
         result("j", "jerk", "j_max", f"{base}/s³",
-               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(of(lambda m: m.j_max)),
-               source="C_j h/t³" if over.timed else "y''' ω³"),
+               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(moving(one, lambda m: m.j_max)),
+               source="C_j h/t³" if timed else "y''' ω³"),
         result("rms", "RMS acceleration", "ÿrms", f"{base}/s²",
-               f"{mean}*timing_omega^2", of(lambda m: m.a_rms),
-               source="C_a,rms h/t²" if over.timed else "C_a,rms h/δ² ω²"),
+               f"{mean}*timing_omega^2", moving(one, lambda m: m.a_rms),
+               source="C_a,rms h/t²" if timed else "C_a,rms h/δ² ω²"),
+    ]  # fmt: skip
+
+
+def used(one: AxisRows) -> list[Quantity]:
+    """Return law, lift and angles of each phase as the cells compute with them."""
+    n, phases, over, turned = one.machine.machine.sizes.phases, one.axis.phases, one.machine.over, one.axis.given.phases
+    start, stop = over.in_degrees("[start]"), over.in_degrees("[stop]")
+    laws = joined.law_numbers([p.law for p in turned], one.machine.machine.laws, n)
+    return [
         constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "",
-             LAW_NUMBER, joined.law_numbers(laws, one.machine.machine.laws, n), format="0"),
-        calc("h", "lift", "h", base, "=[lift]/1000" if unit == "mm" else "=RADIANS([lift])",
+        calc("no", "law number", "", "", LAW_NUMBER, laws, format="0"),
+        calc("h", "lift", "h", one.axis.base, "=[lift]/1000" if one.axis.given.unit == "mm" else "=RADIANS([lift])",
              filled([p.lift for p in phases], n), source="conversion"),
-        calc("span", "duration", "δ", "rad",
-             f'=IF([stop]="",0,RADIANS({over.in_degrees("[stop]")}-{over.in_degrees("[start]")}))',
+        calc("span", "duration", "δ", "rad", f'=IF([stop]="",0,RADIANS({stop}-{start}))',
              filled([p.duration for p in phases], n), source="conversion"),
-        calc("begin", "begins at", "", "°",
-             f'=IF([stop]="",360,{over.in_degrees("[start]")})', filled([p.start for p in turned], n, 360.0),
-             scale=360.0, format="0.0##",
-             source="spare rows: the end"),
-        calc("end", "ends at", "", "°",
-             f'=IF([stop]="",360,{over.in_degrees("[stop]")})', filled([p.stop for p in turned], n, 360.0),
+        calc("begin", "begins at", "", "°", f'=IF([stop]="",360,{start})', filled([p.start for p in turned], n, 360.0),
+             scale=360.0, format="0.0##", source="spare rows: the end"),
+        calc("end", "ends at", "", "°", f'=IF([stop]="",360,{stop})', filled([p.stop for p in turned], n, 360.0),
              scale=360.0, format="0.0##"),
-        *(geometric if over.timed else []),
-        calc("gap", "rest before", "", "°",
-             "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
+    ]  # fmt: skip
+
+
+def faults(one: AxisRows) -> list[Quantity]:
+    """Return what is wrong with each phase, and the rest before it."""
+    over, lacking = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
+    if one.ends:
+        lacking = doubled(one.ends.other(lacking, "0"))
+    return [
+        calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
         calc("backwards", "runs backwards", "", "",
              '=IF([stop]="",0,IF([stop]>[start],0,1))', 0, format="0;;", source="1 where it does"),
         calc("early", "begins too early", "", "",
              '=IF([stop]="",0,IF([gap]<0-check_zero,1,0))', 0, format="0;;", source="1 where it does"),
         *([beyond('[stop]=""', over)] if over.timed else []),
-        calc("lack", "jump of y", "Δy", base,
-             lacking, filled([p.lack for p in phases], n), source="at its end: the law's lack"),
-        rules=[AT_REST],
-    )  # fmt: skip
+        calc("lack", "jump of y", "Δy", one.axis.base, lacking,
+             filled([p.lack for p in one.axis.phases], one.machine.machine.sizes.phases),
+             source="at its end: the law's lack"),
+    ]  # fmt: skip
 
 
 def rates_of(one: AxisRows) -> tuple[tuple[str, str], tuple[str, str]]:
