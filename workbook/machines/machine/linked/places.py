@@ -52,7 +52,7 @@ def turned(
         calc(f"w{mark}", "speed of the shaft", "φ̇", "rad/s", f"={g}*{v}", at.rate, scale=view.rate,
              source="φ' ẏ"),
         calc(f"turn{mark}", "acceleration of the shaft", "φ̈", "rad/s²", f"={change}{g}*{a}", at.turning,
-             source="φ'' ẏ² + φ' ÿ" if view.varies else "φ' ÿ"),
+             scale=view.acceleration_of_shaft, source="φ'' ẏ² + φ' ÿ" if view.varies else "φ' ÿ"),
         calc(f"F{mark}", "at the load", "F", view.force, f"=@m*{a}{rubs}+{at_st('r')}", at.force, scale=sizes.force,
              source=f"m ÿ + {rubbing}what resists"),
         calc(f"S{mark}", "behind the reducer", "S", "Nm", f"={at_st('acts')}*({last}+@j1*{turning})", at.behind,

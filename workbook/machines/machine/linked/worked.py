@@ -302,6 +302,11 @@ class PlacedWork(Stretched):
         return largest(self.at_nodes("rate"))
 
     @property
+    def acceleration_of_shaft(self) -> float:
+        """The largest acceleration of the shaft (rad/s²)."""
+        return largest(self.at_nodes("turning"))
+
+    @property
     def enough(self) -> bool:
         """Whether the places of the sheet suffice."""
         worst = max(one.rest for one in self.sums)
