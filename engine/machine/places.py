@@ -47,12 +47,12 @@ FARTHEST = (*(1.0 - width - WIDTHS[-1] for width in WIDTHS[:-1]), 1.0 - 1e-5)
 """how far from the middle the places of each lie at most: those of the last may lie beside an end of the section"""
 LEVEL = 0.01
 """of what is next to nothing: how little a section's values may differ to be level"""
-SAME = 1e-4
-"""of what has no sign: how little two values may differ for a chord through them"""
 KNOWN = 2e4
 """on a nearly level top a place is known to two parts: 1e-9 of this"""
 FINE = 1e5
-"""parts of half a section; places lie in the middle of one, never on a node"""
+"""parts of half a section; places lie in one, never on a node"""
+WITHIN = 0.25
+"""of a part: where places lie in it, and 0 too, which a top of symmetric values is but for rounding"""
 FAR, BEYOND = 20.0, 1.5
 """how far from their places, in their distance, both parabolas are taken to hold"""
 FLAT = 0.1
@@ -142,43 +142,6 @@ def carried(values: Array, lost: float) -> list[float]:
         before = found[-1] if found else 0.0
         found.append(before if abs(value) <= lost else math.copysign(1.0, value))
     return found
-
-
-class Bracket(NamedTuple):
-    """Two places of a stretch, the values of a figure there, and how small a value has no sign."""
-
-    low: float
-    high: float
-    at_low: float
-    at_high: float
-    lost: float
-
-    def within(self, u: float) -> float:
-        """Return a place, or the end that it lies beyond."""
-        return max(self.low, min(self.high, u))
-
-    @property
-    def first(self) -> float:
-        """Where a straight line through both ends is 0."""
-        rise = self.at_high - self.at_low
-        if abs(rise) <= self.lost:
-            return self.low
-        return self.within(self.low - self.at_low * (self.high - self.low) / rise)
-
-    def second(self, at_first: float) -> float:
-        """Return where an inverse parabola through both ends and the first place is 0."""
-        a, b, c, x = self.at_low, self.at_high, at_first, self.first
-        if min(abs(c - a), abs(c - b)) <= self.lost:
-            return x
-        found = self.low * b * c / ((a - b) * (a - c)) + self.high * a * c / ((b - a) * (b - c))
-        return self.within(found + x * a * b / ((c - a) * (c - b)))
-
-    def chord(self, one: float, other: float, at_one: float, at_other: float) -> float:
-        """Return where a straight line through two places is 0; the second where it is level."""
-        rise = at_other - at_one
-        if abs(rise) <= SAME * self.lost:
-            return other
-        return self.within(other - at_other * (other - one) / rise)
 
 
 class Top(NamedTuple):
@@ -271,8 +234,8 @@ class Polynomial:
 
 
 def beside(x: float, farthest: float) -> float:
-    """Return the middle of the part in which a place lies, no farther out than a limit."""
-    return (math.floor(max(-farthest, min(farthest, x)) * FINE) + 0.5) / FINE
+    """Return the place of the part in which another lies, no farther out than a limit."""
+    return (math.floor(max(-farthest, min(farthest, x)) * FINE + WITHIN) + WITHIN) / FINE
 
 
 def highest(values: tuple[float, float, float], lost: float) -> float:

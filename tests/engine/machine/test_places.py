@@ -20,3 +20,9 @@ def test_a_top_beyond_an_end_does_not_count(beyond, way):
     values = 7.0 * np.cos(NODES - way * beyond)
     expected = 7.0 * np.cos(1.0 - beyond)
     assert Polynomial(values, 7e-11).top.value == pytest.approx(expected, rel=1e-10)
+
+
+def test_a_top_in_the_middle_does_not_hang_on_rounding():
+    values = 7.0 * np.cos(NODES)
+    places = {Polynomial(values * (1.0 + way * 1e-15 * NODES), 7e-11).top.x1 for way in (-1.0, 0.0, 1.0)}
+    assert len(places) == 1

@@ -153,6 +153,20 @@ def test_random_machines_agree(request, number):
     assert wrong == []
 
 
+def test_a_torque_with_a_kink_beside_the_place_where_it_turns_round():
+    """Of a load that drives a light part: power turns round at the load and in the reducer between the same places."""
+    load = {"torque": -126.0, "friction_torque": 0.2, "viscous": 162.0}
+    parts = [{"name": "Disc", "count": 4.0, "inertia": 0.0544, "shaft": "mechanism"}]
+    reducer = {"ratio": 38.0, "efficiency": 0.55}
+    one = viscous(mechanism=TURNING | {"efficiency": 0.515}, phases=((0, 105, 99.0, "CIC"),), unit="°", load=load,
+                  parts=parts, reducer=reducer, rate=147.7, closes="feed")  # fmt: skip
+    machine = small(one)
+    kinks = next(q for q in TEMPLATE.declare(machine).blocks["drive1_turn"].quantities if q.name == "kink")
+    assert max(kinks.value) > 0
+    wrong, _ = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+
+
 def test_every_mutant_of_the_new_cells_is_found():
     """Faults in the formulas that hang on viscous friction or the constant ratio, and in the results."""
     bench = Bench(TEMPLATE, small(lossy(), cycle=12))

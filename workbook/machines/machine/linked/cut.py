@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, SAME, WEIGHTS, Worked, section
+from engine.machine.brackets import SAME
+from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, WEIGHTS, Worked, section
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.machines.machine.breaks import ACTS
 from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.places import columns, stacked
-from workbook.machines.machine.linked.worked import FIGURES, PlacedWork
+from workbook.machines.machine.linked.worked import FIGURES, PlacedWork, Turn
 from workbook.motion.sampled import derivative
 
 LETTERS = ("F", "S", "T")
 """of the columns of force, torque behind the reducer, torque of the motor"""
+FIRST_RANGE = 2
+"""row above which there is but one: no program looks up in a single cell alike"""
 
 
 def begins(table: str, breaks: str, rows: int, spans: list[tuple[float, float]]) -> list[Quantity]:
@@ -138,6 +142,56 @@ def lost_rows(view: PlacedWork) -> list[Quantity]:
     ]  # fmt: skip
 
 
+def of_figure(letters: str) -> str:
+    """Return the formula of which of three is that of a row's figure."""
+    return f"CHOOSE(MAX([figure],1),{letters})"
+
+
+def looked(at: str) -> str:
+    """Return the formula of a row's figure at a place at which stretches are looked at."""
+    return of_figure(",".join(f"INDEX([@look.{letter}],{at})" for letter in LETTERS))
+
+
+def brackets(turns: list[Turn], size: float) -> list[Quantity]:
+    """Return the columns of places between which power turns round.
+
+    Where it does so for an earlier figure between them, the figure has a kink: the part on one side of that counts.
+    """
+    low, below = looked("[row]-1"), range(2, len(turns) + 1)
+    signs = f"[gk]*{low}{{}}[lost]*ABS({low})"
+    same, other = (f"AND([kink]>0,{signs.format(sign)})" for sign in (">", "<="))
+
+    def number(n: int) -> str:
+        above = f"[@turn.row.1]:[@turn.row.{n - 1}]"
+        found = f"IF(COUNTIF({above},[row])=0,0,MATCH([row],{above},0))" if n > FIRST_RANGE else "IF([row]=[row-1],1,0)"
+        return f"=IF([figure]<2,0,{found})"
+
+    def at_kink(column: str, n: int) -> str:
+        first, last = (f"[@turn.{column}.{k}]" for k in (1, n - 1))
+        return f"INDEX({first}:{last},[kink])" if n > FIRST_RANGE else first
+
+    def kinked(found: Callable[[int], str]) -> list[str]:
+        return ["=0*[k]", *(f"=IF([kink]=0,0,{found(n)})" for n in below)]
+
+    def value(n: int) -> str:
+        return of_figure(",".join(at_kink(f"{letter}3", n) for letter in LETTERS))
+
+    def of(name: str) -> list[float]:
+        return [getattr(turn.bracket, name) for turn in turns]
+
+    return [
+        calc("kink", "has a kink at number", "", "", ["=0*[k]", *map(number, below)], [turn.kink for turn in turns],
+             format="0", source="where power turns round for an earlier figure"),
+        calc("uk", "beside that", "u", "rad", kinked(lambda n: at_kink("u3", n)), [turn.beside for turn in turns],
+             scale=1.0),
+        calc("gk", "there", "", "", kinked(value), [turn.at_kink for turn in turns], scale=size),
+        calc("lo", "from", "u", "rad", f"=IF({same},[uk],INDEX([@look.u],[row]-1))", of("low"), scale=1.0),
+        calc("hi", "to", "u", "rad", f"=IF({other},[uk],INDEX([@look.u],[row]))", of("high"), scale=1.0),
+        calc("glo", "there", "", "", f"=IF({same},[gk],{low})", of("at_low"), scale=size),
+        calc("ghi", "and there", "", "", f"=IF({other},[gk],{looked('[row]')})", of("at_high"), scale=size),
+    ]  # fmt: skip
+
+
 def turns_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare where power turns round: of the load, in the reducer, in the motor."""
     rows, turns = view.turn_rows, view.turns
@@ -149,16 +203,10 @@ def turns_table(sheet: Sheet, view: PlacedWork) -> None:
         f"MATCH([k]-({sums[1]}),[@look.nT],0))))"
     )
 
-    def of(letters: str) -> str:
-        return f"CHOOSE(MAX([figure],1),{letters})"
-
-    def looked(at: str) -> str:
-        return of(",".join(f"INDEX([@look.{letter}],{at})" for letter in LETTERS))
-
     def figured(mark: str) -> str:
-        return of(",".join(f"[{letter}{mark}]" for letter in LETTERS))
+        return of_figure(",".join(f"[{letter}{mark}]" for letter in LETTERS))
 
-    lost, one, other = of("@lost_F,@lost_S,@lost_T"), figured("1"), figured("2")
+    lost, one, other = of_figure("@lost_F,@lost_S,@lost_T"), figured("1"), figured("2")
     line = "[lo]-[glo]*([hi]-[lo])/([ghi]-[glo])"
     parabola = (
         "[lo]*[at1]*[ghi]/(([glo]-[at1])*([glo]-[ghi]))+[hi]*[glo]*[at1]/(([ghi]-[glo])*([ghi]-[at1]))"
@@ -186,10 +234,7 @@ def turns_table(sheet: Sheet, view: PlacedWork) -> None:
         calc("row", "before the place", "", "", row, [turn.row for turn in turns], format="0"),
         calc("st", "stretch", "", "", "=INDEX([@look.st],[row])", [turn.stretch for turn in turns], format="0"),
         calc("lost", "has no sign up to", "", "", f"={lost}", [turn.bracket.lost for turn in turns], scale=size),
-        calc("lo", "from", "u", "rad", "=INDEX([@look.u],[row]-1)", [turn.bracket.low for turn in turns], scale=1.0),
-        calc("hi", "to", "u", "rad", "=INDEX([@look.u],[row])", [turn.bracket.high for turn in turns], scale=1.0),
-        calc("glo", "there", "", "", f"={looked('[row]-1')}", [turn.bracket.at_low for turn in turns], scale=size),
-        calc("ghi", "and there", "", "", f"={looked('[row]')}", [turn.bracket.at_high for turn in turns], scale=size),
+        *brackets(turns, size),
         calc("u1", "first place", "u", "rad", f"=IF(ABS([ghi]-[glo])<=[lost],[lo],{within(line)})",
              [turn.bracket.first for turn in turns], scale=1.0, source="chord"),
         *tried("1", [turn.first for turn in turns], [turn.bracket.first for turn in turns]),

@@ -8,7 +8,21 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.places import BEYOND, FAR, FARTHEST, FINE, FLAT, KNOWN, LEVEL, NODES, WIDTHS, Sums, Worked, largest
+from engine.machine.places import (
+    BEYOND,
+    FAR,
+    FARTHEST,
+    FINE,
+    FLAT,
+    KNOWN,
+    LEVEL,
+    NODES,
+    WIDTHS,
+    WITHIN,
+    Sums,
+    Worked,
+    largest,
+)
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.machines.machine.linked.cut import begins, bounds
 from workbook.machines.machine.linked.worked import PlacedWork
@@ -88,7 +102,8 @@ def extremes(view: PlacedWork, figure: Figure) -> list[Quantity]:
         return [value(f"{name}{n}", "around it", through(place), f"{name}{n}") for name, place in places]
 
     def beside(place: str, farthest: float) -> str:
-        return f"=(INT(MAX(0-{farthest!r},MIN({farthest!r},{place}))*{FINE:.0f})+0.5)/{FINE:.0f}"
+        held = f"MAX(0-{farthest!r},MIN({farthest!r},{place}))"
+        return f"=(INT({held}*{FINE:.0f}+{WITHIN!r})+{WITHIN!r})/{FINE:.0f}"
 
     def bent(n: int) -> tuple[str, str]:
         one, other, third = (f"[{name}{n}{m}]" for name in ("a", "b", "c"))

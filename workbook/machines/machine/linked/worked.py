@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
@@ -10,11 +10,11 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.machine.bent import going, middle, stretches
+from engine.machine.brackets import Bracket
 from engine.machine.places import (
     LONG,
     LOOKS,
     NODES,
-    Bracket,
     Held,
     Polynomial,
     Sums,
@@ -45,11 +45,18 @@ EACH = len(LOOKS)
 
 
 class Turn(NamedTuple):
-    """Where power turns round: the number of the figure, from 1, the row of places, and what was tried."""
+    """Where power turns round: the number of the figure, from 1, the row of places, and what was tried.
+
+    ``kink`` is the number, from 1, of an earlier turn between the same places: there the figure has a kink, and at a
+    place beside it the value ``at_kink``.
+    """
 
     figure: int
     row: int
     stretch: int
+    kink: int
+    beside: float
+    at_kink: float
     bracket: Bracket
     first: Worked
     at_first: float
@@ -201,26 +208,29 @@ class PlacedWork(Stretched):
     @cached_property
     def turns(self) -> list[Turn]:
         """Where power turns round; spare rows look at the first two places."""
-        found = [turn for k, name in enumerate(FIGURES, 1) for turn in self._turns(k, name)]
-        return filled(found, self.turn_rows, self._turn(0, 2))
+        found: list[Turn] = []
+        for number, name in enumerate(FIGURES, 1):
+            changes = self.changes(name)
+            for row, (before, count) in enumerate(zip([0, *changes], changes, strict=False), 1):
+                if count > before:
+                    found.append(self._turn(number, row, found))
+        return filled(found, self.turn_rows, self._turn(0, 2, []))
 
     @property
     def turned_round(self) -> int:
         """How often power turns round."""
         return sum(self.changes(name)[-1] for name in FIGURES)
 
-    def _turns(self, number: int, name: str) -> Iterator[Turn]:
-        changes = self.changes(name)
-        for row, (before, count) in enumerate(zip([0, *changes], changes, strict=False), 1):
-            if count > before:
-                yield self._turn(number, row)
-
-    def _turn(self, number: int, row: int) -> Turn:
+    def _turn(self, number: int, row: int, before: list[Turn]) -> Turn:
         stretch, name = (row - 1) // EACH, FIGURES[max(number, 1) - 1]
         held, k = self.helds[stretch], (row - 1) % EACH
         u, values = section(self.ranges[stretch], LOOKS), getattr(self.looks[stretch], name)
         low, high, at_low, at_high = (float(one[n]) for one in (u, values) for n in (k - 1, k))
-        bracket = Bracket(low, high, at_low, at_high, self.lost(name))
+        bracket, beside, at_kink = Bracket(low, high, at_low, at_high, self.lost(name)), 0.0, 0.0
+        kink = next((n for n, one in enumerate(before, 1) if one.row == row), 0)
+        if kink:
+            beside, at_kink = before[kink - 1].place3, float(getattr(before[kink - 1].third, name)[0])
+            bracket = bracket.beside(beside, at_kink)
         first = held.at(np.array([bracket.first]))
         place2 = bracket.second(at_first := float(getattr(first, name)[0]))
         second = held.at(np.array([place2]))
@@ -229,7 +239,7 @@ class PlacedWork(Stretched):
         place = bracket.chord(place2, place3, at_second, at_third := float(getattr(third, name)[0]))
         angle = shown(held.piece.begin + place, DEGREE) if number else TURN
         tried = bracket, first, at_first, place2, second, at_second, place3, third, at_third
-        return Turn(number, row, stretch + 1, *tried, place, angle)
+        return Turn(number, row, stretch + 1, kink, beside, at_kink, *tried, place, angle)
 
     @cached_property
     def sections(self) -> list[tuple[float, float]]:
