@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator
-from contextlib import suppress
 from typing import Any
 
 from workbook.book.address import Address
 from workbook.errors import DisputedError, WitnessError
-from workbook.reading.contents import Cells
+from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile
 from workbook.visible import found
 from workbook.witnesses.bare import without
@@ -24,6 +24,11 @@ UNKNOWN = (None, "#NAME?")
 """what a witness has for a function that it does not know"""
 UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}
 """and what one has for more that it cannot take"""
+ELSEWHERE = frozenset([
+    "INDIRECT", "OFFSET", "CELL", "INFO", "SHEET", "SHEETS", "FORMULATEXT", "ISFORMULA", "SUBTOTAL", "AGGREGATE",
+    "GETPIVOTDATA", "EVALUATE",
+])  # fmt: skip
+"""functions that read other cells than those they name, or more of these than their values"""
 
 
 def agreed(
@@ -43,10 +48,11 @@ class Evaluation:
     """The values of a file by one witness after the other, each asked only where it is needed."""
 
     def __init__(self, file: BookFile, asked: Collection[Address], names: Iterable[str]) -> None:
-        self._file, self._asked, self._names = file, asked, list(names)
+        self._file, self._names = file, list(names)
         self._said: dict[str, Cells] = {}
-        self._failed: dict[str, str] = {}  # why a witness cannot open the file
-        self._apart: set[str] = set()  # those for which what is asked was put into a file of its own
+        self._failed: dict[str, str] = {}  # why a witness cannot open a file
+        self._files = list(files_of(file.contents, asked))
+        self._opened = Counter[str]()  # so many of these files was a witness given
 
     def value(self, address: Address) -> Any:
         """Return the value of a cell; raise DisputedError as :func:`agreed` says."""
@@ -106,28 +112,46 @@ class Evaluation:
             yield name, values
 
     def _values(self, name: str, witness: Witness, address: Address) -> Cells:
-        """Return what a witness computes: in the file, or, where it cannot open that, in what is asked, or in a cell's.
-
-        A file of its own for each cell takes its time where an engineer has entered many formulas.
-        """
-        if name not in self._failed:
+        """Return what a witness computes in the first file that it can open; else in one of what a cell depends on."""
+        while self._opened[name] < len(self._files):
+            cells = self._files[self._opened[name]]
+            self._opened[name] += 1
             try:
-                with without(self._file, (), {}) as bare:
-                    return witness.values(bare)
+                return self._computed(witness, cells)
             except WitnessError as error:
                 self._failed[name] = str(error)[:MOST]
-        if name not in self._apart:
-            self._apart.add(name)
-            with suppress(WitnessError):
-                return self._needed(witness, {address, *self._asked})
-        return self._needed(witness, {address})
+        alone = not reads_elsewhere(self._file.contents, {address})
+        if not alone and name in self._failed:
+            raise WitnessError(self._failed[name])
+        return self._computed(witness, {address} if alone else self._file.contents.formula_cells)
 
-    def _needed(self, witness: Witness, asked: Collection[Address]) -> Cells:
-        """Return what a witness computes in a file of the cells ``asked`` and of those on which they depend."""
-        formulas = set(self._file.contents.formula_cells).difference(asked)
-        aside = formulas - self._file.contents.needed(formulas, asked)
-        with without(self._file, aside, {}) as bare:
+    def _computed(self, witness: Witness, cells: Collection[Address]) -> Cells:
+        """Return what a witness computes in a file of formula cells and of those on which they depend."""
+        aside = set(self._file.contents.formula_cells).difference(cells)
+        with without(self._file, aside - self._file.contents.needed(aside, cells), {}) as bare:
             return witness.values(bare)
+
+
+def files_of(contents: Contents, asked: Collection[Address]) -> Iterator[Collection[Address]]:
+    """Yield of which formula cells, and those they depend on, a witness is given a file until it can open one.
+
+    All of the book's take long. They are needed where a formula reads more than the cells that it names.
+    """
+    if reads_elsewhere(contents, asked):
+        yield contents.formula_cells
+        asked = [cell for cell in asked if not reads_elsewhere(contents, {cell})]
+    if asked:
+        yield asked
+
+
+def reads_elsewhere(contents: Contents, asked: Collection[Address]) -> bool:
+    """Whether formulas, or those on which they depend, read more than the values of the cells that they name.
+
+    Of those that cannot be taken apart it is not known what they read: they are computed among all others anyway.
+    """
+    others = set(contents.formula_cells).difference(asked)
+    read = (contents.formulas.get(cell) for cell in contents.needed(others, asked).union(asked))
+    return not all(formula is None or formula.functions.isdisjoint(ELSEWHERE) for formula in read)
 
 
 def same(value: Any, other: Any) -> bool:

@@ -109,26 +109,59 @@ def test_witnesses_that_keep_values_or_are_absent_are_not_asked(monkeypatch):
     assert kept.asked == absent.asked == third.asked == 0
 
 
-def test_a_witness_that_cannot_open_a_file_is_asked_once_more_for_all_that_was_entered(monkeypatch):
+def entered(own, formula="=A1+4", count=39):
+    """A file of formulas entered in a sheet, beside an own formula in another; and the cells of the former."""
+    workbook = openpyxl.Workbook()
+    page = workbook.active
+    page["A1"] = "=1"
+    workbook.create_sheet("Own")["A1"] = own
+    cells = [Address(page.title, row, 2) for row in range(1, count + 1)]
+    for cell in cells:
+        page[cell.a1] = formula
+    return BookFile(Path("book.xlsx"), workbook, {}), cells
+
+
+def picky(refused):
+    """A witness that cannot open a file in which a formula cell is refused."""
+
     class Picky(witness(5)):
         def values(self, file):
             formulas = file.contents.formula_cells
             super().values(file)
-            if Address("Own", 1, 1) in formulas:
+            if refused(formulas):
                 raise FAILED
             return dict.fromkeys(formulas, 5)
 
-    workbook = openpyxl.Workbook()
-    workbook.active["A1"] = "=1"
-    workbook.create_sheet("Own")["A1"] = "=LET(x,1,x)"
-    cells = [Address(workbook.active.title, row, 2) for row in range(1, 40)]
-    for cell in cells:
-        workbook.active[cell.a1] = "=A1+4"
-    named = {"picky": Picky, "other": type("Other", (Picky,), {})}
+    return Picky
+
+
+OWN = Address("Own", 1, 1)
+OPENED = {
+    "what was entered": (lambda cells: OWN in cells, "=A1+4", 1),
+    "what was entered, and then each by itself": (lambda cells: len(cells) > 2, "=A1+4", 4),
+}
+
+
+@pytest.mark.parametrize(("refused", "formula", "files"), OPENED.values(), ids=OPENED.keys())
+def test_a_witness_is_given_few_files_of_what_was_entered(refused, formula, files, monkeypatch):
+    file, cells = entered("=LET(x,1,x)", formula, 3)
+    named = {"picky": picky(refused), "other": picky(refused)}
     monkeypatch.setattr(module, "WITNESSES", named)
-    value = agreed(BookFile(Path("book.xlsx"), workbook, {}), cells, names=named)
+    value = agreed(file, cells, names=named)
     assert [value(cell) for cell in cells] == [5] * len(cells)
-    assert Picky.__mro__[1].asked == 2 * len(named)
+    assert [one.__mro__[1].asked for one in named.values()] == [files, files]
+
+
+@pytest.mark.parametrize("formula", ['INDIRECT("Own!A1")', "OFFSET(Own!B2,-1,-1)", "OFFSET(Own!A2,-1,0)+0*SHEET()"])
+def test_cells_that_a_formula_does_not_name_are_there_when_it_is_computed(formula, tmp_path):
+    file, cells = entered("=3+4", f"={formula}", 1)
+    for path in (tmp_path / "book.xlsx", tmp_path / "gone.xlsx"):
+        said = agreed(BookFile(path, file.workbook, {}, saved={cells[0]: 8.0}), cells)
+        if path.stem == "book":
+            file.workbook.save(path)
+        with pytest.raises(DisputedError) as doubt:
+            said(cells[0])
+        assert "has 0" not in str(doubt.value)
 
 
 RANGES = {
