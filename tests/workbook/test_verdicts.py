@@ -22,6 +22,7 @@ VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those 
     "indexing-overlap-stations": (50, []),
     "machine": (85, []),
     "machine-linkages": (72, []),
+    "machine-seconds": (60, []),
     "motion-composer": (28, []),
     "motion-composer-example-1": (28, []),
     "motion-composer-example-2": (28, []),

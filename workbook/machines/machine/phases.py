@@ -107,6 +107,19 @@ def extremes(one: AxisRows) -> list[Quantity]:
         result("rms", "RMS acceleration", "ÿrms", f"{base}/s²",
                f"{mean}*timing_omega^2", moving(one, lambda m: m.a_rms),
                source="C_a,rms h/t²" if timed else "C_a,rms h/δ² ω²"),
+        *(times(one) if timed else []),
+    ]  # fmt: skip
+
+
+def times(one: AxisRows) -> list[Quantity]:
+    """Return how long each phase lasts, and how long the axis rests before it (s)."""
+    over, turned = one.machine.over, one.axis.given.phases
+    lasting = [over.shown(p.stop - p.start) for p in turned]
+    return [
+        result("lasts", "duration", "t", over.unit, '=IF([stop]="",0,[stop]-[start])',
+               filled(lasting, one.machine.machine.sizes.phases), scale=over.length),
+        result("rests", "rest before", "", over.unit, f"={over.told('[gap]')}",
+               [over.shown(gap) for gap in gaps(one)], scale=over.length),
     ]  # fmt: skip
 
 

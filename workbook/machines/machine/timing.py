@@ -135,7 +135,7 @@ def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
         over.axis(30), (0, n, 1), lanes=True,
     )  # fmt: skip
     sheet.row += 1
-    height = 5 + n + n // 2
+    height = max(12, 5 + n + n // 2)
     sheet.chart(chart, FIRST, sheet.row, columns, height)
     sheet.row += height
 
