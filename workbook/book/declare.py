@@ -144,6 +144,10 @@ class Text(NamedTuple):
 
 LONG = 40
 """rows of a table that is not printed below others, and of which a page is printed where it stands alone"""
+TITLES = 3
+"""rows of a sheet's title, purpose and overall verdict"""
+DEEPEST = 12
+"""a table that begins farther down than this is not alone on its sheet"""
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 
 
@@ -170,6 +174,12 @@ class Sheet:
     """row of the heading above"""
     called: str = ""
     """what its checks begin with, if not with its title; on the sheet itself they go without"""
+
+    @property
+    def head(self) -> int:
+        """The last row that stays in sight and stands on each printed page: that of a long table's heads over it."""
+        top = next(iter(self.blocks), None)
+        return top.row - 1 if top and top.size > LONG and top.row <= DEEPEST else TITLES
 
     @contextmanager
     def scoped(self, scope: str) -> Iterator[None]:

@@ -162,13 +162,13 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float]) -> None:
         first, last = (get_column_letter(column) for column in (sheet.folded, used))
         page.column_dimensions.group(first, last, hidden=True)
     page.sheet_view.showGridLines = False
-    page.freeze_panes = "A4"
+    page.freeze_panes = f"A{sheet.head + 1}"
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
     page.page_setup.orientation, page.page_setup.paperSize = "landscape", 9
     page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(sheet.one_page)
     page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
-    page.print_title_rows = "1:3"
+    page.print_title_rows = f"1:{sheet.head}"
     right = get_column_letter(sheet.print_columns or max(used, LAST_PAGE_COLUMN))
     page.print_area = f"A1:{right}{sheet.print_rows or max(sheet.row, 30)}"
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))

@@ -1,4 +1,4 @@
-"""The Motion sheet: phases joined over any abscissa, their junctions, and the motion sampled."""
+"""The sheets of a composed motion: phases over any abscissa and their junctions; behind them samples and pieces."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def handing(machine: Composition, rows: PieceRows) -> Ends | None:
 
 
 def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
-    """Declare the sheet: units and results at the top, the motion beside them, then phases, junctions, table."""
+    """Declare the sheet: units and results at the top, the motion beside them, then phases and junctions."""
     sheet = book.sheet("Motion", "Phases joined over any abscissa: position, velocity and acceleration per unit of it.")
     sheet.heading("Enter: units and cycle here, the phases in the table below")
     entries(sheet, machine)
@@ -55,20 +55,31 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     draw_derivatives(sheet)
     sheet.heading("Junctions", "What jumps where one phase hands over to the next: after less before.")
     junctions(sheet, machine)
-    sheet.heading("Table of the motion")
+    sheet.print_columns = 17
+
+
+def cycle_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
+    """Declare the sheet of the sampled motion."""
+    sheet = book.sheet("Cycle", "The motion sample by sample; what charts show.")
     samples(sheet, machine, rows)
-    sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
+    sheet.print_columns = 10
+
+
+def pieces_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
+    """Declare the sheet of the motion as pieces."""
+    joints, ends, room = Joints.of(rows, machine.motion, asked(machine)), handing(machine, rows), machine.room
+    sheet = book.sheet("Pieces", "Workings: the motion as pieces.")
+    sheet.heading(TITLE, ABOUT)
     sheet.rows(
         pieces_in_all(rows),
         joints.order(),
     )  # fmt: skip
-    sheet.row += 1
-    room = machine.room
     columns, taken = joints.columns(room), ends.taken(room) if ends else []
     columns += ends.turns.of_pieces(room) if ends else []
-    pieces_table(sheet, TITLE, rows, room, machine.motion.size, *columns, taken=taken)
+    sheet.row += 1
+    pieces_table(sheet, "Its pieces, phase by phase", rows, room, machine.motion.size, *columns, taken=taken)
     ends_tables(sheet, [("", ends)] if ends else [])
-    sheet.print_columns = 17
+    sheet.print_columns = 20
 
 
 def asked(machine: Composition) -> Asked:

@@ -1,4 +1,4 @@
-"""The Drive sheet: inertia, load, motor and reducer of one axis; torque and power over the cycle."""
+"""The drive of one axis: inertia, load, motor and reducer; behind it torque and power over the cycle."""
 
 from __future__ import annotations
 
@@ -30,12 +30,18 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
         workings(sheet, machine)
         outcome(sheet, machine)
         phases(sheet, machine)
-        sheet.heading("Table over the cycle")
+    sheet.print_columns = 18
+    sheet.one_page = True
+
+
+def drive_cycle_sheet(book: Book, machine: Cutting) -> None:
+    """Declare the sheet of the drive over the cycle, and what its chart shows beside it."""
+    sheet = book.sheet("Drive cycle", "The drive over one turn of the master shaft, sample by sample.")
+    with sheet.scoped(SCOPE):
         table(sheet, machine)
         limits_table(sheet, machine.motor.corners(float(machine.samples.speed.min())), "MIN([drive.w])<0-@still")
         rms_point(sheet, machine.samples.motor.mean_speed, machine.samples.motor.rms_torque)
-    sheet.print_columns = 18
-    sheet.one_page = True
+    sheet.print_columns = 15
 
 
 def entries(sheet: Sheet, machine: Cutting) -> None:

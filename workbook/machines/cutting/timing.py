@@ -1,4 +1,4 @@
-"""The Timing sheet: three axes over one turn of the master shaft, their movements, diagram and checks."""
+"""Timing of three axes over one turn of the master shaft: phases, diagram and checks; behind it samples and pieces."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def asked(machine: Cutting, i: int) -> Asked:
 
 
 def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
-    """Declare the sheet: what to enter at the top, the diagram beside it, the table over the cycle below."""
+    """Declare the sheet: what to enter at the top, the diagram beside it, then the phases of each axis."""
     timing = machine.machine.timing
     sheet = book.sheet("Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram.")
     sheet.heading("Enter")
@@ -82,16 +82,6 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
         phases(sheet, machine, i, of_axis, of_ends)
         joined(sheet, machine, i, of_joints, of_ends)
     draw_curves(sheet, range(1, len(timing.axes) + 1))
-    sheet.heading("Table over the cycle")
-    cycle(sheet, machine, rows)
-    sheet.heading("Workings: the motions as pieces", ABOUT)
-    room = machine.room
-    for i, (axis, of_axis, of_joints, of_ends) in enumerate(zip(machine.axes, rows, joints, ends, strict=True), 1):
-        sheet.rows(pieces_in_all(of_axis), of_joints.order())
-        columns, taken = of_joints.columns(room), of_ends.taken(room) if of_ends else []
-        columns += of_ends.turns.of_pieces(room) if of_ends else []
-        pieces_table(sheet, f"Pieces of axis {i}", of_axis, room, axis.motion.size, *columns, taken=taken)
-    ends_tables(sheet, [(f"axis {i}", found) for i, found in enumerate(ends, 1) if found])
     sheet.print_columns = 17
 
 
@@ -125,8 +115,26 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
     )  # fmt: skip
 
 
-def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
-    """Declare the table over the cycle: results of the three axes, then the workings of each."""
+def pieces_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
+    """Declare the sheet of the motions as pieces."""
+    sheet = book.sheet("Pieces", "Workings: the motion of each axis as pieces.")
+    ends, room = handing(machine, rows), machine.room
+    for i, (axis, of_axis, of_ends) in enumerate(zip(machine.axes, rows, ends, strict=True), 1):
+        joints = Joints.of(of_axis, axis.motion, asked(machine, i))
+        sheet.heading(f"Axis {i}", ABOUT)
+        sheet.rows(pieces_in_all(of_axis), joints.order())
+        columns, taken = joints.columns(room), of_ends.taken(room) if of_ends else []
+        columns += of_ends.turns.of_pieces(room) if of_ends else []
+        sheet.row += 1
+        pieces_table(sheet, f"Pieces of axis {i}", of_axis, room, axis.motion.size, *columns, taken=taken)
+        sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
+    ends_tables(sheet, [(f"axis {i}", found) for i, found in enumerate(ends, 1) if found])
+    sheet.print_columns = 20
+
+
+def cycle_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
+    """Declare the sheet of the motions over the cycle: results of the three axes, then the workings of each."""
+    sheet = book.sheet("Cycle", "The three axes over one turn of the master shaft, sample by sample; what charts show.")
     at = si(machine.angles, DEGREE)
     numbered = list(enumerate(machine.axes, 1))
     results = [
@@ -147,6 +155,7 @@ def cycle(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows]) -> None:
         constant("k", "sample", "k", "", list(range(len(at)))),
         *workings,
     )  # fmt: skip
+    sheet.print_columns = 19
 
 
 def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: float) -> list[Quantity]:
