@@ -146,7 +146,7 @@ LONG = 40
 """rows of a table that is not printed below others, and of which a page is printed where it stands alone"""
 TITLES = 3
 """rows of a sheet's title, purpose and overall verdict"""
-DEEPEST = 12
+DEEPEST = 14
 """a table that begins farther down than this is not alone on its sheet"""
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 

@@ -39,6 +39,7 @@ def selection_sheet(book: Book, load: LoadCells, view: Choosing) -> Sheet:
         pairs(sheet, view)
         curves(sheet, load, view)
     sheet.print_columns = 20
+    sheet.one_page = True
     return sheet
 
 

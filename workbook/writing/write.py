@@ -13,6 +13,8 @@ from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.workbook.properties import CalcProperties
 from openpyxl.worksheet.header_footer import HeaderFooterItem, _HeaderFooterPart
 from openpyxl.worksheet.hyperlink import Hyperlink
+from openpyxl.worksheet.page import PageMargins
+from openpyxl.worksheet.pagebreak import Break
 from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
@@ -20,7 +22,7 @@ from pydantic import BaseModel
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.book.formats import number_format, sample
 from workbook.entries import rules
-from workbook.writing import archive, caches, charts, heights, style
+from workbook.writing import archive, caches, charts, heights, pages, style
 from workbook.writing.cells import Cells, Strings
 from workbook.writing.place import refuse_existing, replace
 from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, widths
@@ -85,7 +87,7 @@ def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workb
             validate(block, page, model)
         for chart, row, column, width, height in sheet.charts:
             page.add_chart(charts.draw(chart, book, *size(column, width, height)), f"{get_column_letter(column)}{row}")
-        set_up_page(sheet, page, wide)
+        set_up_page(sheet, page, wide, content.heights)
     styles.close()
     workbook.properties.title = book.title
     workbook.properties.creator = "motionbook"
@@ -153,8 +155,8 @@ def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
             page.add_data_validation(rule)
 
 
-def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float]) -> None:
-    """Columns, panes, protection without a password, and how it prints."""
+def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dict[int, float]) -> None:
+    """Set columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
     for column in range(1, max(used, LAST_PAGE_COLUMN, sheet.print_columns) + 1):
         page.column_dimensions[get_column_letter(column)].width = wide.get(column, COLUMN_WIDTH)
@@ -165,12 +167,21 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float]) -> None:
     page.freeze_panes = f"A{sheet.head + 1}"
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
+    set_up_print(sheet, page, used, wide, high)
+
+
+def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float], high: dict[int, float]) -> None:
+    """Set what is printed, and where its pages end."""
+    columns, last = sheet.print_columns or max(used, LAST_PAGE_COLUMN), sheet.print_rows or max(sheet.row, 30)
+    whole = pages.whole_on_one(sheet, last)
     page.page_setup.orientation, page.page_setup.paperSize = "landscape", 9
-    page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(sheet.one_page)
+    page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(whole)
     page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
+    page.page_margins = PageMargins(**pages.MARGINS)
     page.print_title_rows = f"1:{sheet.head}"
-    right = get_column_letter(sheet.print_columns or max(used, LAST_PAGE_COLUMN))
-    page.print_area = f"A1:{right}{sheet.print_rows or max(sheet.row, 30)}"
+    page.print_area = f"A1:{get_column_letter(columns)}{last}"
+    for row in [] if whole else pages.breaks(sheet, last, columns, wide, high):
+        page.row_breaks.append(Break(id=row))
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
 

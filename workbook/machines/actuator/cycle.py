@@ -25,6 +25,8 @@ def cycle_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Cycle", "The load carried through each stage to the motor, over one cycle.")
     with sheet.scoped("act_"):
+        sheet.note("The load, ω_L, ω̇_L and T*_L, is at the shaft that the motor is coupled to, without the motor.")
+        cycle(sheet, machine, rows)
         sheet.heading(
             "Workings",
             "From stage to stage T(k) = f T(k + 1)/i + J ω̇: "
@@ -32,11 +34,6 @@ def cycle_sheet(book: Book, machine: Sized, rows: PieceRows) -> None:
         )
         extremes(sheet, machine)
         limits(sheet, machine)
-        sheet.heading(
-            "Table over the cycle",
-            "The load, ω_L, ω̇_L and T*_L, is that at the shaft which the motor is coupled to, without the motor.",
-        )
-        cycle(sheet, machine, rows)
         found = joints(machine, rows)
         sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
         sheet.rows(

@@ -22,7 +22,7 @@ from workbook.motion.pieces import room_check
 from workbook.motion.smooth import Joints
 
 SCOPE = "act_"
-CHART_ROWS = 17
+CHART_ROWS = 16
 """of each of its three charts: all of them stand on the first printed page"""
 BELOW_CHARTS = 66  # the row from which the sheet is free in its whole width
 

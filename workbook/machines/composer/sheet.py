@@ -1,4 +1,4 @@
-"""The sheets of a composed motion: phases over any abscissa and their junctions; behind them samples and pieces."""
+"""The sheets of a composed motion: phases over any abscissa, their junctions and pieces; behind them samples."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ from workbook.motion.pieces import ABOUT, TITLE, pieces_in_all, pieces_table, ro
 from workbook.motion.sampled import POSITION, derivative, finding
 from workbook.motion.smooth import Asked, Joints
 
+PICTURES = (4, 15, 26)
+"""the rows in which charts begin"""
 UNITS = ('move_y&"/"&move_x', 'move_y&"/"&move_x&"²"', 'move_y&"/"&move_x&"³"')
 
 
@@ -38,7 +40,7 @@ def handing(machine: Composition, rows: PieceRows) -> Ends | None:
 
 
 def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
-    """Declare the sheet: units and results at the top, the motion beside them, then phases and junctions."""
+    """Declare the sheet: units and results at the top, the motion beside them, phases, junctions, pieces."""
     sheet = book.sheet("Motion", "Phases joined over any abscissa: position, velocity and acceleration per unit of it.")
     sheet.heading("Enter: units and cycle here, the phases in the table below")
     entries(sheet, machine)
@@ -47,14 +49,15 @@ def motion_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.row += 1
     joints, ends = Joints.of(rows, machine.motion, asked(machine)), handing(machine, rows)
     checks(sheet, machine, joints, ends)
-    draw_position(sheet)
+    draw(sheet)
     sheet.heading(
         "Phases", "As in S3: a law, a lift and a duration each; the position is carried on from phase to phase."
     )
     phases(sheet, machine, rows, ends)
-    draw_derivatives(sheet)
     sheet.heading("Junctions", "What jumps where one phase hands over to the next: after less before.")
     junctions(sheet, machine)
+    sheet.not_printed_below()
+    pieces(sheet, machine, rows, joints, ends)
     sheet.print_columns = 17
 
 
@@ -65,21 +68,19 @@ def cycle_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     sheet.print_columns = 10
 
 
-def pieces_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
-    """Declare the sheet of the motion as pieces."""
-    joints, ends, room = Joints.of(rows, machine.motion, asked(machine)), handing(machine, rows), machine.room
-    sheet = book.sheet("Pieces", "Workings: the motion as pieces.")
-    sheet.heading(TITLE, ABOUT)
+def pieces(sheet: Sheet, machine: Composition, rows: PieceRows, joints: Joints, ends: Ends | None) -> None:
+    """Declare the motion as pieces."""
+    sheet.heading(f"Workings: {TITLE.lower()}", ABOUT)
     sheet.rows(
         pieces_in_all(rows),
         joints.order(),
     )  # fmt: skip
+    sheet.row += 1
+    room = machine.room
     columns, taken = joints.columns(room), ends.taken(room) if ends else []
     columns += ends.turns.of_pieces(room) if ends else []
-    sheet.row += 1
-    pieces_table(sheet, "Its pieces, phase by phase", rows, room, machine.motion.size, *columns, taken=taken)
+    pieces_table(sheet, TITLE, rows, room, machine.motion.size, *columns, taken=taken)
     ends_tables(sheet, [("", ends)] if ends else [])
-    sheet.print_columns = 20
 
 
 def asked(machine: Composition) -> Asked:
@@ -235,11 +236,8 @@ def curve(title: str, column: str, what: str) -> Chart:
     )
 
 
-def draw_position(sheet: Sheet) -> None:
-    """Place the position beside what is entered and what comes out."""
-    sheet.chart(curve("Position", "y", "y"), column=10, row=5, width=8, height=24)
-
-
-def draw_derivatives(sheet: Sheet) -> None:
-    """Place velocity and acceleration side by side."""
-    sheet.chart_row(curve("Velocity", "y1", "v"), curve("Acceleration", "y2", "a"), width=8, height=18)
+def draw(sheet: Sheet) -> None:
+    """Place position, velocity and acceleration one below the other, beside what is entered and what comes out."""
+    curves = curve("Position", "y", "y"), curve("Velocity", "y1", "v"), curve("Acceleration", "y2", "a")
+    for row, one in zip(PICTURES, curves, strict=True):
+        sheet.chart(one, column=10, row=row, width=8, height=11)

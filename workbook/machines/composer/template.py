@@ -9,14 +9,14 @@ from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.composer.axes import axes
 from workbook.machines.composer.entries import MotionComposer
 from workbook.machines.composer.phases import PER, PER2
-from workbook.machines.composer.sheet import cells, cycle_sheet, motion_sheet, pieces_sheet
+from workbook.machines.composer.sheet import cells, cycle_sheet, motion_sheet
 from workbook.machines.composer.variations import variants
 from workbook.machines.composer.view import Composition
 from workbook.motion.cells import rows_of
 from workbook.motion.exported import Exportable, export_sheet
 from workbook.template import Template, finish
 
-UNIT = "in the units of Motion"
+UNIT = "as on Motion"
 
 
 def declare(given: MotionComposer) -> Book:
@@ -42,7 +42,6 @@ def declare(given: MotionComposer) -> Book:
     motion_sheet(book, composed, rows)
     shelf.sheets(book)
     cycle_sheet(book, composed, rows)
-    pieces_sheet(book, composed, rows)
     units = ("x", "lift", PER, PER2)
     export_sheet(book, given, [Exportable("motion", '="motion"', rows, units, (1.0, 1.0), "", motion.size)])
     return finish(book, "Composed motion", ("S1", "S3"))

@@ -30,17 +30,19 @@ def drive_sheet(book: Book, machine: Cutting) -> None:
         workings(sheet, machine)
         outcome(sheet, machine)
         phases(sheet, machine)
+        sheet.not_printed_below()
+        sheet.heading("Workings: as drawn in the charts")
+        limits_table(sheet, machine.motor.corners(float(machine.samples.speed.min())), "MIN([drive.w])<0-@still")
+        rms_point(sheet, machine.samples.motor.mean_speed, machine.samples.motor.rms_torque)
     sheet.print_columns = 18
     sheet.one_page = True
 
 
 def drive_cycle_sheet(book: Book, machine: Cutting) -> None:
-    """Declare the sheet of the drive over the cycle, and what its chart shows beside it."""
+    """Declare the sheet of the drive over the cycle."""
     sheet = book.sheet("Drive cycle", "The drive over one turn of the master shaft, sample by sample.")
     with sheet.scoped(SCOPE):
         table(sheet, machine)
-        limits_table(sheet, machine.motor.corners(float(machine.samples.speed.min())), "MIN([drive.w])<0-@still")
-        rms_point(sheet, machine.samples.motor.mean_speed, machine.samples.motor.rms_torque)
     sheet.print_columns = 15
 
 

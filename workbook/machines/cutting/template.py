@@ -15,7 +15,7 @@ from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.cutting.axes import axes
 from workbook.machines.cutting.drive import drive_cycle_sheet, drive_sheet
 from workbook.machines.cutting.entries import CuttingMachine
-from workbook.machines.cutting.timing import cells, cycle_sheet, pieces_sheet, timing_sheet
+from workbook.machines.cutting.timing import cells, cycle_sheet, timing_sheet
 from workbook.machines.cutting.variations import variants
 from workbook.machines.cutting.view import Cutting
 from workbook.motion.cells import PieceRows, rows_of
@@ -72,7 +72,6 @@ def declare(given: CuttingMachine) -> Book:
     shelf.sheets(book)
     cycle_sheet(book, reference, rows)
     drive_cycle_sheet(book, reference)
-    pieces_sheet(book, reference, rows)
     export_sheet(book, given, [exportable(i, axis, one) for (i, axis), one in zip(axes, rows, strict=True)])
     return finish(book, "Cutting machine", ("S1", "S2", "S3", "S5"))
 

@@ -1,4 +1,4 @@
-"""Timing of three axes over one turn of the master shaft: phases, diagram and checks; behind it samples and pieces."""
+"""Timing of three axes over one turn of the master shaft: phases, diagram, checks and pieces; behind it samples."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def asked(machine: Cutting, i: int) -> Asked:
 
 
 def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
-    """Declare the sheet: what to enter at the top, the diagram beside it, then the phases of each axis."""
+    """Declare the sheet: what to enter at the top, the diagram beside it, then each axis's phases; below, pieces."""
     timing = machine.machine.timing
     sheet = book.sheet("Timing", "Three axes over one turn of the master shaft: phases, movements, timing diagram.")
     sheet.heading("Enter")
@@ -82,6 +82,8 @@ def timing_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> Non
         phases(sheet, machine, i, of_axis, of_ends)
         joined(sheet, machine, i, of_joints, of_ends)
     draw_curves(sheet, range(1, len(timing.axes) + 1))
+    sheet.not_printed_below()
+    pieces(sheet, machine, rows, ends)
     sheet.print_columns = 17
 
 
@@ -115,21 +117,17 @@ def axes_table(sheet: Sheet, machine: Cutting) -> None:
     )  # fmt: skip
 
 
-def pieces_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
-    """Declare the sheet of the motions as pieces."""
-    sheet = book.sheet("Pieces", "Workings: the motion of each axis as pieces.")
-    ends, room = handing(machine, rows), machine.room
+def pieces(sheet: Sheet, machine: Cutting, rows: Sequence[PieceRows], ends: Sequence[Ends | None]) -> None:
+    """Declare the motions as pieces."""
+    sheet.heading("Workings: the motions as pieces", ABOUT)
+    room = machine.room
     for i, (axis, of_axis, of_ends) in enumerate(zip(machine.axes, rows, ends, strict=True), 1):
         joints = Joints.of(of_axis, axis.motion, asked(machine, i))
-        sheet.heading(f"Axis {i}", ABOUT)
         sheet.rows(pieces_in_all(of_axis), joints.order())
         columns, taken = joints.columns(room), of_ends.taken(room) if of_ends else []
         columns += of_ends.turns.of_pieces(room) if of_ends else []
-        sheet.row += 1
         pieces_table(sheet, f"Pieces of axis {i}", of_axis, room, axis.motion.size, *columns, taken=taken)
-        sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     ends_tables(sheet, [(f"axis {i}", found) for i, found in enumerate(ends, 1) if found])
-    sheet.print_columns = 20
 
 
 def cycle_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None:
@@ -209,5 +207,5 @@ def draw_curves(sheet: Sheet, numbers: range) -> None:
                 tuple(Series(f"=axis{i}_name", "[cycle.theta]", f"[cycle.{column}{i}]") for i in numbers),
                 f"{title} of the three axes over the master angle", (0, 360, 60))
           for column, label, title in kinds),
-        width=6, height=18,
+        width=6, height=15,
     )  # fmt: skip

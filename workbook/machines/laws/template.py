@@ -25,7 +25,7 @@ def declare(given: MotionLaws) -> Book:
         [
             calc("about_laws", "Laws compared", "", "", "=COUNT([costs.no])", len(view.moving), format="0"),
             result("about_loss", "Least copper loss without a jump of acceleration", "", "", "=least_loss",
-                   view.least("loss"), format="0.0000", source="C_a,rms² / 12; the cubic has 1"),
+                   view.least("loss"), format="0.0000", source="C_a,rms² / 12"),
             result("about_va", "Least power without a jump of acceleration", "", "", "=least_va",
                    view.least("va"), format="0.0000", source="max |v·a|"),
         ],

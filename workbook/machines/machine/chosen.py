@@ -178,6 +178,7 @@ def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
     """Declare the sheet of motors and reducers, from which drives take theirs by name."""
     sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
     products, sizes = machine.selection, machine.sizes
+    sheet.one_page = True
 
     def column(kind: str, rows: int, name: str, entry: str, label: str, symbol: str = "", unit: str = "",
                **more: str) -> Quantity:  # fmt: skip

@@ -138,13 +138,12 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         i = station.number
         title, what = ("Cycle", "Both parts") if machine.alone else (f"Cycle {i}", f"Transfer and tool {i}")
         sheet = book.sheet(title, f"{what} over one turn of the master shaft, one after the other and with overlap.")
-        if station.number == 1:
-            sheet.rows(lane_height())
-            sheet.row += 1
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
         sheet.heading("Workings: the motions as pieces", ABOUT)
         if station.number == 1:
+            sheet.rows(lane_height())
+            sheet.row += 1
             transfer_pieces(sheet, machine, pieces)
         with sheet.scoped(station.scope):
             for schedule in SCHEDULES:

@@ -1,0 +1,92 @@
+"""Printed pages end between things: no chart is cut, no table that a page has room for, no text runs under a chart."""
+
+from functools import cache
+from itertools import pairwise
+
+import openpyxl
+import pytest
+
+from tests.workbook.writing.carlito import room
+from tests.workbook.writing.test_widths import WRAPPED, declared, wide
+from workbook.build import committed
+from workbook.reading.descriptions import read_machine
+from workbook.templates import TEMPLATES
+from workbook.writing.widths import COLUMN_WIDTH
+
+BOOKS = committed()
+WIDE, HIGH = 297 / 25.4 * 72, 210 / 25.4 * 72
+
+
+@cache
+def opened(path):
+    return openpyxl.load_workbook(path.with_suffix(".xlsx"))
+
+
+def printed(path):
+    """Yield each sheet of a book with its page in the file, its last printed row, and where its pages begin and end."""
+    machine = read_machine(path)
+    for sheet in TEMPLATES[machine.template].declare(machine).sheets:
+        page = opened(path)[sheet.title]
+        last = int(page.print_area.rpartition("$")[2])
+        ends = [one.id for one in page.row_breaks.brk]
+        yield sheet, page, last, list(pairwise([0, *ends, last]))
+
+
+@pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
+def test_no_chart_is_cut_by_the_end_of_a_page(path):
+    for sheet, page, last, between in printed(path):
+        for chart, row, _, _, height in sheet.charts:
+            high = [page.row_dimensions[r].height or 15 for r in range(row, row + height)]
+            rows = next(n for n in range(1, height + 1) if sum(high[:n]) >= 15 * height or n == height)
+            if row <= last:
+                assert any(top < row and row + rows - 1 <= end for top, end in between), (sheet.title, chart.title)
+
+
+@pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
+def test_no_table_is_cut_that_a_page_has_room_for(path):
+    for sheet, page, last, between in printed(path):
+        tables = [(block.row - 3, block.row + block.size - 1, block.name) for block in sheet.blocks if block.is_table]
+        for first, end, name in tables:
+            if end <= last and fits(page, first - 1, end, sheet.head, 0.9):
+                assert any(top < first and end <= bottom for top, bottom in between), (sheet.title, name)
+
+
+def fits(page, first, last, head, share):
+    """Whether rows take no more than a share of a page, with the titles over them."""
+    across = page.print_area.rpartition(":")[2].split("$")[1]
+    columns = range(1, openpyxl.utils.column_index_from_string(across) + 1)
+    letters = [openpyxl.utils.get_column_letter(column) for column in columns]
+    width = sum(5.25 * page.column_dimensions[letter].width + 3.75 for letter in letters)
+    margins = page.page_margins
+    scale = min(1.0, (WIDE - 72 * (margins.left + margins.right)) / width)
+    room = share * (HIGH - 72 * (margins.top + margins.bottom)) / scale
+    return sum(page.row_dimensions[r].height or 15 for r in [*range(1, head + 1), *range(first, last + 1)]) <= room
+
+
+@pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
+def test_no_page_is_higher_than_paper(path):
+    """Else the program breaks it once more, where it likes."""
+    for sheet, page, _, between in printed(path):
+        if not page.page_setup.fitToHeight:
+            for top, end in between:
+                assert fits(page, max(top, sheet.head) + 1, end, sheet.head, 1.0), (sheet.title, top, end)
+
+
+@pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
+def test_no_text_runs_under_a_chart(path):
+    book, widths_of = declared(path)
+    assert [found for sheet in book.sheets for found in under(sheet, widths_of[sheet.title])] == []
+
+
+def under(sheet, room_of):
+    """Yield the texts that have no room before the chart in their rows."""
+    taken = {(t.row, t.column) for t in sheet.texts if t.text}
+    taken |= {(cell.row, cell.column) for block in sheet.blocks for cell in block.cells()}
+    for _, row, column, _, height in sheet.charts:
+        beside = [t for t in sheet.texts if row <= t.row < row + height - 1 and t.column < column]
+        for text in beside:
+            before = range(text.column, column)
+            if text.style not in WRAPPED and not any((text.row, c) in taken for c in before[1:]):
+                has = sum(room(room_of.get(c, COLUMN_WIDTH)) - room(0) for c in before)
+                if wide(text.text, text.style) > has:
+                    yield sheet.title, text.text

@@ -1,0 +1,121 @@
+"""Where a printed sheet goes on to its next page: between its tables, charts and sections, not through them."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterator, Mapping
+from itertools import accumulate, pairwise
+from typing import NamedTuple
+
+from workbook.book.declare import Block, Sheet
+from workbook.writing.widths import COLUMN_WIDTH
+
+MARGINS = {"left": 0.4, "right": 0.4, "top": 0.45, "bottom": 0.6, "header": 0.25, "footer": 0.3}
+"""inches; A4 in landscape less these is in points"""
+WIDTH = 72 * (297 / 25.4 - MARGINS["left"] - MARGINS["right"])
+HEIGHT = 72 * (210 / 25.4 - MARGINS["top"] - MARGINS["bottom"])
+DIGIT, BESIDE = 5.25, 3.75
+"""of a column in points: each digit of its width, and what is beside them"""
+ROW = 15.0
+"""points of a row, and of a row that a chart is high"""
+TALL = {"title": 24.0, "heading": 18.0}
+SPARE = 0.96
+"""share of a page that is filled at most: programs differ in how high rows are"""
+PAGE, SECTION, RUN, TABLE, CHART = 20, 4, 3, 60, 200
+"""what a further page costs, and what it costs to cut one of these"""
+CLOSE = 3
+"""rows of a section, and of a table, that its heading keeps to"""
+
+
+class Whole(NamedTuple):
+    """Rows that belong together, and what it costs to cut them."""
+
+    first: int
+    last: int
+    cost: int
+
+
+def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high: Mapping[int, float]) -> list[int]:
+    """Return the rows after which a page ends, of a sheet that prints so many rows and columns at its width.
+
+    ``wide`` and ``high`` are the widths of its columns (digits) and the heights of its rows (points), where they
+    are not the usual ones. The fewest and least cuts, by what they cost; none where all is one page.
+    """
+    ends = list(accumulate(heights(sheet, last, high), initial=0.0))
+    room = SPARE * HEIGHT / scale(columns, wide) - ends[sheet.head]
+    costs = cutting(sheet, last, ends)
+    best: dict[int, tuple[int, int]] = {sheet.head: (0, 0)}  # by the row that a page ends with: cost, page before
+    for row in range(sheet.head + 1, last + 1):
+        found = [
+            (cost + PAGE + (costs[row] if row < last else 0), before)
+            for before, (cost, _) in best.items()
+            if ends[row] - ends[before] <= room
+        ]
+        if found:
+            best[row] = min(found, key=lambda one: (one[0], -one[1]))
+    return list(reversed(list(back(best, last, sheet.head))))
+
+
+def whole_on_one(sheet: Sheet, last: int) -> bool:
+    """Return whether what is printed is one page: as asked, or as a sample of a table that goes on below."""
+    return sheet.one_page or any(block.row <= last < block.row + block.size - 1 for block in sheet.blocks)
+
+
+def back(best: Mapping[int, tuple[int, int]], last: int, head: int) -> Iterator[int]:
+    """Yield the rows that pages end with, from the last page but one."""
+    row = best[last][1] if last in best else head
+    while row > head:
+        yield row
+        row = best[row][1]
+
+
+def scale(columns: int, wide: Mapping[int, float]) -> float:
+    """Return how much smaller than on the screen so many columns are printed."""
+    return min(1.0, WIDTH / sum(DIGIT * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
+
+
+def heights(sheet: Sheet, last: int, high: Mapping[int, float]) -> list[float]:
+    """Return the heights of rows in points."""
+    tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
+    return [high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)]
+
+
+def cutting(sheet: Sheet, last: int, ends: list[float]) -> list[int]:
+    """Return what it costs that a page ends with a row, of each row."""
+    costs = [0] * (last + 1)
+    for whole in wholes(sheet, last, ends):
+        for row in range(whole.first, min(whole.last, last + 1)):
+            costs[row] += whole.cost
+    return costs
+
+
+def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[Whole]:
+    """Yield what belongs together: charts, tables with their titles and checks, rows of figures, sections."""
+    for first, end in runs(sorted({block.row for block in sheet.blocks if not block.is_table})):
+        yield Whole(first, end, RUN)
+    heads = sorted(text.row for text in sheet.texts if text.style == "heading" and text.row <= last)
+    for _, row, _, _, height in sheet.charts:
+        if row <= last:
+            yield Whole(row, bisect_left(ends, ends[row - 1] + height * ROW), CHART)
+    judged = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}
+    for block in sheet.blocks:
+        if block.is_table:
+            title, end = block.row - titled(block, sheet), block.row + block.size - 1
+            yield Whole(title, end + 2 if end + 2 in judged else end, TABLE)
+            yield Whole(title, block.row + CLOSE - 1, TABLE)
+    for head, behind in pairwise([*heads, last + 1]):
+        yield Whole(head, behind - 1, SECTION)
+        yield Whole(head, head + CLOSE, TABLE)
+
+
+def runs(rows: list[int]) -> Iterator[tuple[int, int]]:
+    """Yield the first and the last of rows that follow each other without a gap."""
+    begins = [row for before, row in pairwise([-1, *rows]) if row > before + 1]
+    finishes = [row for row, behind in pairwise([*rows, 10**9]) if behind > row + 1]
+    yield from zip(begins, finishes, strict=True)
+
+
+def titled(block: Block, sheet: Sheet) -> int:
+    """Return how many rows before a table its title is."""
+    rows = [text.row for text in sheet.texts if text.style == "subheading" and text.row < block.row]
+    return block.row - max(rows, default=block.row)
