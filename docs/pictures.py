@@ -22,16 +22,16 @@ HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch
 FUNCTIONS = "motion-functions"  # computed by the add-in
 PICTURES = (  # file, workbook, page of the printed book, left, top, width, height in dots
-    ("summary.png", "machine", 1, 75, 85, 1010, 665),
-    ("timing.png", "cutting-machine", 2, 75, 85, 1000, 650),
-    ("drive.png", "cutting-machine", 5, 75, 85, 1010, 665),
-    ("selection.png", "flying-cutter", 6, 75, 85, 1010, 640),
-    ("motion.png", "motion-composer", 2, 75, 85, 1010, 610),
-    ("overlap.png", "indexing-overlap", 2, 75, 85, 1010, 640),
-    ("actuator.png", "actuator-sizing", 2, 75, 85, 1010, 665),
-    ("cutter.png", "flying-cutter", 2, 75, 85, 1010, 665),
-    ("laws.png", "motion-laws", 2, 75, 85, 1010, 665),
-    ("functions.png", FUNCTIONS, 1, 75, 85, 910, 665),
+    ("summary.png", "machine", 1, 40, 30, 1081, 712),
+    ("timing.png", "cutting-machine", 2, 40, 30, 1090, 696),
+    ("drive.png", "cutting-machine", 5, 40, 30, 1081, 712),
+    ("selection.png", "flying-cutter", 6, 40, 30, 1081, 685),
+    ("motion.png", "motion-composer", 2, 40, 30, 1081, 653),
+    ("overlap.png", "indexing-overlap", 2, 40, 30, 1081, 685),
+    ("actuator.png", "actuator-sizing", 2, 40, 30, 1081, 712),
+    ("cutter.png", "flying-cutter", 2, 40, 30, 1081, 712),
+    ("laws.png", "motion-laws", 2, 40, 30, 1081, 712),
+    ("functions.png", FUNCTIONS, 1, 40, 30, 974, 712),
 )
 
 

@@ -17,8 +17,8 @@ FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
 def checks_sheet(book: Book) -> Sheet:
     """Declare the sheet; to be called when every check of the book is declared."""
     sheet = book.sheet("Checks", "Every check of this book; one FAIL fails the book.")
-    sheet.one_page = True
-    sheet.widths = {2: 60, 6: 90}
+    sheet.one_page = sheet.portrait = True
+    sheet.widths, sheet.print_columns = {2: 60, 6: 90}, 6
     found = book.checks
     summed = summary(book)
     sheet.heading("Results")
@@ -41,6 +41,7 @@ def checks_sheet(book: Book) -> Sheet:
                  [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
         calc("nth", "failing so far", "", "", ["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]], counted(book)),
     )  # fmt: skip
+    sheet.not_printed_below()
     return sheet
 
 

@@ -167,6 +167,7 @@ class Sheet:
     folded: int = 0
     """the column from which on there are workings alone: an outline of them is folded"""
     one_page: bool = False
+    portrait: bool = False
     widths: dict[int, float] = field(default_factory=dict)
     """of columns that differ from those of other sheets"""
     scope: str = ""

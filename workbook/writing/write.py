@@ -28,8 +28,8 @@ from workbook.writing.place import refuse_existing, replace
 from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, widths
 
 LAST_PAGE_COLUMN = 9
-LINE_HEIGHTS = {"header": 14, "equation": 12}
-"""in points, of the texts that wrap"""
+LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 12}, {"header": 2, "equation": 5}
+"""in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
 ROW_HEIGHT = 15
 """of a line in a cell that wraps"""
 AS_TYPED = "@"
@@ -111,7 +111,9 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
         if text.style in LINE_HEIGHTS and text.text:
             room = wide.get(text.column, COLUMN_WIDTH)
             lines = heights.lines(text.text, style.TEXTS[text.style].font.sz or heights.FULL, room)
-            cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + 2, cells.heights.get(text.row, 0))
+            cells.heights[text.row] = max(
+                lines * LINE_HEIGHTS[text.style] + BESIDE[text.style], cells.heights.get(text.row, 0)
+            )
 
 
 def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel]) -> None:
@@ -174,7 +176,7 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
     """Set what is printed, and where its pages end."""
     columns, last = sheet.print_columns or max(used, LAST_PAGE_COLUMN), sheet.print_rows or max(sheet.row, 30)
     whole = pages.whole_on_one(sheet, last)
-    page.page_setup.orientation, page.page_setup.paperSize = "landscape", 9
+    page.page_setup.orientation, page.page_setup.paperSize = "portrait" if sheet.portrait else "landscape", 9
     page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(whole)
     page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
     page.page_margins = PageMargins(**pages.MARGINS)

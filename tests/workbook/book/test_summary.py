@@ -74,6 +74,21 @@ def test_a_book_prints_on_few_pages(name, tmp_path):
 
 
 @pytest.mark.parametrize("template", TEMPLATES)
+def test_every_check_is_printed(template):
+    sheet = TEMPLATES[template].declare(read_machine(FOLDER / f"{template}.toml")).sheets[-1]
+    (table,) = [block for block in sheet.blocks if block.name == "checks"]
+    assert sheet.print_rows >= table.row + table.size - 1
+    assert sheet.print_columns >= table.columns["says"]
+
+
+def test_the_first_page_tells_the_rate_that_the_drives_figures_hold_at():
+    """On the drive's sheet of the cutting machine it is one of its own."""
+    book = TEMPLATES["cutting-machine"].declare(read_machine(FOLDER / "cutting-machine.toml"))
+    rates = {b.name: b.quantities[0].value for b in book.sheets[0].blocks if b.quantities[0].unit == "pieces/min"}
+    assert rates == {"about_rate": 200.0, "about_drive": 100.0}
+
+
+@pytest.mark.parametrize("template", TEMPLATES)
 def test_the_first_page_shows_each_column_of_its_tables(template):
     sheet = TEMPLATES[template].declare(read_machine(FOLDER / f"{template}.toml")).sheets[0]
     printed = [block for block in sheet.blocks if block.row < sheet.print_rows]

@@ -90,3 +90,12 @@ def under(sheet, room_of):
                 has = sum(room(room_of.get(c, COLUMN_WIDTH)) - room(0) for c in before)
                 if wide(text.text, text.style) > has:
                     yield sheet.title, text.text
+
+
+@pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
+def test_no_cell_stands_under_a_chart(path):
+    for sheet in declared(path)[0].sheets:
+        filled = {(cell.row, cell.column) for block in sheet.blocks for cell in block.cells()}
+        for chart, row, column, width, height in sheet.charts:
+            covered = {(r, c) for r in range(row, row + height - 1) for c in range(column, column + width)}
+            assert not filled & covered, (sheet.title, chart.title)

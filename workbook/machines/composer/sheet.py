@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from engine.motion import Junction
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
+from workbook.book.declare import FIRST, Book, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount
 from workbook.laws import phases as joined
@@ -65,7 +65,7 @@ def cycle_sheet(book: Book, machine: Composition, rows: PieceRows) -> None:
     """Declare the sheet of the sampled motion."""
     sheet = book.sheet("Cycle", "The motion sample by sample; what charts show.")
     samples(sheet, machine, rows)
-    sheet.print_columns = 10
+    sheet.print_columns, sheet.widths = 10, {FIRST: 14}
 
 
 def pieces(sheet: Sheet, machine: Composition, rows: PieceRows, joints: Joints, ends: Ends | None) -> None:

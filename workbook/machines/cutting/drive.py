@@ -7,7 +7,7 @@ from typing import Any
 from engine.drivetrain.cycle import Move
 from engine.drivetrain.losses import rounding_of
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.book.declare import FIRST, Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.drive import losses
 from workbook.drive.entries import GEARED
@@ -43,7 +43,7 @@ def drive_cycle_sheet(book: Book, machine: Cutting) -> None:
     sheet = book.sheet("Drive cycle", "The drive over one turn of the master shaft, sample by sample.")
     with sheet.scoped(SCOPE):
         table(sheet, machine)
-    sheet.print_columns = 15
+    sheet.print_columns, sheet.widths = 15, {FIRST: 14}
 
 
 def entries(sheet: Sheet, machine: Cutting) -> None:

@@ -50,6 +50,8 @@ def declare(given: CuttingMachine) -> Book:
         "A three-axis cutting machine: motion laws, timing diagram, and the drive of the feeding group.",
         [
             result("about_rate", "Production rate", "n", "pieces/min", "=timing_rate", given.timing.rate),
+            result("about_drive", "Rate at which the drive is sized", "n", "pieces/min",
+                   "=drive_rate", given.drive.rate),
             result("about_peak", "Peak torque of the drive's motor", "C_m,max", "Nm",
                    "=MAX(drive_tmax,0-drive_tmin)", points.peak_torque.value),
             result("about_rms", "RMS torque of the drive's motor", "C_m,rms", "Nm",

@@ -10,7 +10,7 @@ from engine import timing as engine_timing
 from engine.laws.base import Array
 from engine.timing import lane, turn_time
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.machines.cutting.phases import joined, phases
 from workbook.machines.cutting.view import Cutting
@@ -22,6 +22,8 @@ from workbook.motion.smooth import Asked, Joints
 
 S1 = "S1, slide 'Timing diagram for a cutting machine'"
 LANE_SHARE = 0.8
+ABSCISSA = 14
+"""width of the column of the master angle"""
 LANE = "={1}+IF([axes.high.{0}]>[axes.low.{0}],timing_lane*([y{0}]-[axes.low.{0}])/([axes.high.{0}]-[axes.low.{0}]),0)"
 
 
@@ -153,7 +155,7 @@ def cycle_sheet(book: Book, machine: Cutting, rows: Sequence[PieceRows]) -> None
         constant("k", "sample", "k", "", list(range(len(at)))),
         *workings,
     )  # fmt: skip
-    sheet.print_columns = 19
+    sheet.print_columns, sheet.widths = 20, {FIRST: ABSCISSA}
 
 
 def moved(i: int, axis: engine_timing.Axis, rows: PieceRows, at: Array, speed: float) -> list[Quantity]:
@@ -191,7 +193,7 @@ def draw_diagram(sheet: Sheet, numbers: range) -> None:
         "Timing diagram: rises, dwells and returns of each axis over one turn of the master shaft",
         (0, 360, 30), (0, 3, 1), lanes=True,
     )  # fmt: skip
-    sheet.chart(chart, column=10, row=5, width=8, height=21)
+    sheet.chart(chart, column=12, row=5, width=7, height=21)
 
 
 def draw_curves(sheet: Sheet, numbers: range) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbook.book.declare import Book, Quantity, calc, constant, result
+from workbook.book.declare import FIRST, Book, Quantity, calc, constant, result
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.timing import LANE_SHARE
@@ -38,7 +38,7 @@ def cycle_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         *([theta] if over.timed else []), *inner,
         *workings,
     )  # fmt: skip
-    sheet.print_columns = 19
+    sheet.print_columns, sheet.widths = 19, {FIRST: 14}
 
 
 def geometric(one: AxisRows) -> list[Quantity]:
