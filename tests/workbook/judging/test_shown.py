@@ -483,7 +483,7 @@ def shorter(chart):
 
 
 def other_sheet(chart):
-    chart.series[0].yVal.numRef.f = chart.series[0].yVal.numRef.f.replace("Timing", "Drive")
+    chart.series[0].yVal.numRef.f = chart.series[0].yVal.numRef.f.replace("Cycle", "Drive")
 
 
 def other_x(chart):
