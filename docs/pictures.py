@@ -22,15 +22,15 @@ HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch
 FUNCTIONS = "motion-functions"  # computed by the add-in
 PICTURES = (  # file, workbook, page of the printed book, left, top, width, height in dots
-    ("summary.png", "machine", 1, 40, 30, 1081, 712),
-    ("timing.png", "cutting-machine", 2, 40, 30, 1090, 696),
-    ("drive.png", "cutting-machine", 5, 40, 30, 1081, 712),
-    ("selection.png", "flying-cutter", 6, 40, 30, 1081, 685),
-    ("motion.png", "motion-composer", 2, 40, 30, 1081, 653),
-    ("overlap.png", "indexing-overlap", 2, 40, 30, 1081, 685),
-    ("actuator.png", "actuator-sizing", 2, 40, 30, 1081, 712),
-    ("cutter.png", "flying-cutter", 2, 40, 30, 1081, 712),
-    ("laws.png", "motion-laws", 2, 40, 30, 1081, 712),
+    ("summary.png", "machine", 1, 30, 30, 1112, 712),
+    ("timing.png", "cutting-machine", 2, 30, 30, 1112, 696),
+    ("drive.png", "cutting-machine", 5, 30, 30, 1112, 712),
+    ("selection.png", "flying-cutter", 6, 30, 30, 1112, 685),
+    ("motion.png", "motion-composer", 2, 30, 30, 1112, 653),
+    ("overlap.png", "indexing-overlap", 2, 30, 30, 1112, 685),
+    ("actuator.png", "actuator-sizing", 2, 30, 30, 1112, 712),
+    ("cutter.png", "flying-cutter", 2, 30, 30, 1112, 712),
+    ("laws.png", "motion-laws", 2, 30, 30, 1112, 712),
     ("functions.png", FUNCTIONS, 1, 40, 30, 974, 712),
 )
 

@@ -58,17 +58,15 @@ def smaller(machine: Machine, **sizes: int) -> Machine:
 
 
 def thin_out(data: dict[str, Any]) -> None:
-    """Leave a machine all its linkages, the first of its drives of a constant ratio, and fewer rows of everything.
+    """Leave a machine all its linkages, of its other drives the one that Selection looks at, and fewer rows.
 
     A drive has as many cells as the whole book of another template.
     """
-    driven = [axis for axis in data["axes"] if axis["mechanism"]]
-    constant = [axis for axis in driven if axis["mechanism"]["kind"] not in LINKED]
-    for axis in constant[1:]:
-        for entry in ("mechanism", "load", "parts", "motor", "reducer"):
+    constant = [axis for axis in data["axes"] if axis["mechanism"] and axis["mechanism"]["kind"] not in LINKED]
+    kept = data["selection"]["axis"] or next((axis["name"] for axis in constant), None)
+    for axis in constant:
+        for entry in ("mechanism", "load", "parts", "motor", "reducer") if axis["name"] != kept else ():
             del axis[entry]
-    if data["selection"]["axis"] in {axis["name"] for axis in constant[1:]}:
-        data["selection"]["axis"] = driven[0]["name"]
     data["sizes"] |= {"phases": 4, "pieces": 7, "motion_pieces": None}
 
 

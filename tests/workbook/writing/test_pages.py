@@ -36,11 +36,13 @@ def printed(path):
 @pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
 def test_no_chart_is_cut_by_the_end_of_a_page(path):
     for sheet, page, last, between in printed(path):
-        for chart, row, _, _, height in sheet.charts:
+        across = openpyxl.utils.range_boundaries(page.print_area.rpartition("!")[2])[2]
+        for chart, row, column, width, height in sheet.charts:
             high = [page.row_dimensions[r].height or 15 for r in range(row, row + height)]
             rows = next(n for n in range(1, height + 1) if sum(high[:n]) >= 15 * height or n == height)
             if row <= last:
                 assert any(top < row and row + rows - 1 <= end for top, end in between), (sheet.title, chart.title)
+                assert column + width - 1 <= across, (sheet.title, chart.title)
 
 
 @pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)

@@ -193,7 +193,7 @@ def draw_diagram(sheet: Sheet, numbers: range) -> None:
         "Timing diagram: rises, dwells and returns of each axis over one turn of the master shaft",
         (0, 360, 30), (0, 3, 1), lanes=True,
     )  # fmt: skip
-    sheet.chart(chart, column=13, row=5, width=6, height=21)
+    sheet.chart(chart, column=13, row=5, width=5, height=21)
 
 
 def draw_curves(sheet: Sheet, numbers: range) -> None:

@@ -126,7 +126,7 @@ def highest_rate(drives: Iterable[Stretched], axes: int, over: Abscissa) -> list
     told = [f"INDEX({column},{place})" if axes > 1 else column for column in names]
     return [
         result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least.rate,
-               source="of all drives; all times scaled together" if over.timed else "of all drives"),
+               source="of all drives"),
         *([shortest(least.rate)] if over.timed else []),
         result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
                f"{axis}: {least.limit}", align="right"),
@@ -138,7 +138,7 @@ def shortest(rate: float) -> Quantity:
     time = turn_time(si(rate, PER_MINUTE)) if rate > 0 else NO_DRIVE
     formula = f'=IF(about_highest>0,60/about_highest,"{NO_DRIVE}")'
     return result("about_shortest", "Shortest cycle", "t_c,min", "s", formula, time, align="right",
-                  source="at the highest rate")  # fmt: skip
+                  source="all times scaled")  # fmt: skip
 
 
 TEMPLATE = Template(
