@@ -74,7 +74,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
              [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
         calc("v_low", "lowest velocity", "", "",
              [one.own(one.page.lowest) for one in laws],
-             [extremes_of(one.law.as_pieces(), one.law.start.v).v[0] for one in laws]),
+             [extremes_of(one.law.as_pieces(), one.law.start.v).v[0] for one in laws], scale=1.0),
         calc("wrong", "step of v the wrong way", "", "",
              [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
         end("s", "position", "first"),
@@ -85,7 +85,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         end("a", "acceleration", "last"),
         *(calc(name, f"{word} position", f"s_{end.lower()}", "",
                [one.own(one.page.reached(end)) for one in laws],
-               [reach_of(one.law.as_pieces(), one.law.start.v)[i] for one in laws])
+               [reach_of(one.law.as_pieces(), one.law.start.v)[i] for one in laws], scale=1.0)
           for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
         *ends,
     )  # fmt: skip

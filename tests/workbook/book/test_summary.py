@@ -41,6 +41,7 @@ def test_a_book_whose_checks_hold_has_nothing_to_mend():
 
 
 @pytest.mark.parametrize("rate", [300.0, 1000.0])
+@pytest.mark.sample(1)
 def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate, tmp_path, build_book):
     machine = described("machine", {"rate = 200.0": f"rate = {rate}"})
     book = TEMPLATES["machine"].declare(machine)

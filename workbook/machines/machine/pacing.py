@@ -15,7 +15,7 @@ from workbook.book.sentence import Said, amount
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_MINUTE, shown
 from workbook.machines.machine.stretched import Stretched
-from workbook.machines.machine.stretches import BRANCHES, LINES, LOST
+from workbook.machines.machine.stretches import BEFORE, BEHIND, BEYOND, BRANCHES, LINES, LOST
 
 FARTHEST = f"{FAR:.0E}".replace("+", "")
 NONE = {"1": "[{0}]<0", "2": f"OR([{{0}}]>={PARTS},[{{1}}]<0)", "3": f"[{{1}}]>={PARTS}"}
@@ -48,14 +48,9 @@ def at_rest(view: Stretched) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def way_of(name: str) -> str:
-    """Return the figure of the line of torque where the load of a stretch resists, or drives."""
-    return f"IF([sign]<0,@drives_{name},@resists_{name})"
-
-
 def peaks(view: Stretched) -> list[Quantity]:
     """Return the y at which the torques of motor and reducer meet their limits in braking, and the x at both ends."""
-    pace, near, far = view.pace, way_of("r"), way_of("r2")
+    pace, near, far = view.pace, BEFORE, BEYOND
     b, g, over = "ABS([b0])", "ABS([g1])", "ABS([g1]+[s1])"
     first = f"@motor_peak+{b}"
     second = f"[y1]+({first}-{g}*[y1])/{over}"
@@ -115,10 +110,8 @@ def tried(view: Stretched, trial: int) -> list[Quantity]:
         return f"SUMPRODUCT([gauss.w],({level}+{slope}*{y})^2)"
 
     def cubed(line: str, y: str, u: str) -> str:
-        level, slope = LINES[line]
-        side, factor = ("[sign]", "@i1/[f]") if line == "1" else ("(0-[sign])", "@i1*[f]")
-        inner = f"({side}*({level}+({slope}+[sign]*@j0*@i)*{y}))^3*[dir]*{view.velocity(u)}"
-        return f"({factor})^3*SUMPRODUCT([gauss.w],{inner})"
+        side = "[sign]" if line == "1" else "(0-[sign])"
+        return f"SUMPRODUCT([gauss.w],({side}*{BEHIND[line].format(y=y)})^3*[dir]*{view.velocity(u)})"
 
     resting = "IF([dir]=0,([ue]-[ub])*[hold]^2"
 

@@ -26,6 +26,10 @@ LINES = {
     "3": ("([b0]-[s1]*[y1]-[s2]*[y2])", "([g1]+[s1]+[s2])"),
 }
 """the torque's lines over y: beside 0, past y_1, past y_2"""
+BEFORE, BEYOND = (f"IF([sign]<0,@drives_{name},@resists_{name})" for name in ("r", "r2"))
+ALONG = f"([b0]*@i1/[f]-[sign]*{BEFORE}*{{y}})"
+BEHIND = {"1": ALONG, "2": ALONG, "3": f"([b0]*@i1/[f]-[sign]*({BEFORE}*[y2]+{BEYOND}*({{y}}-[y2])))"}
+"""of the torque behind the reducer: beside what the motor's own inertia takes it may be next to nothing"""
 FINER = ("", "/100", "/10000")
 """by which a round's bracket is smaller"""
 BRANCHES = (("1", "z0", "p1"), ("2", "p1", "p2"), ("3", "p2", "z4"))
@@ -189,9 +193,8 @@ def ends(view: Stretched) -> list[Quantity]:
                     of(lambda p: p.torque_at(k)), scale=sizes.torque)  # fmt: skip
 
     def shaft(y: str, word: str, k: int) -> Quantity:
-        own = f"@i1*([t{y}]+[dir]*[sign]*@j0*@i*[{y}])"
         return calc(f"r{y}", f"behind the reducer at its {word}", "S", "Nm",
-                    f"=IF([dir]=0,[hold]*@eta1*@i1,{own}*IF([{y}]<[y1],1/[f],[f]))",
+                    f"=IF([dir]=0,[hold]*@eta1*@i1,[dir]*IF([{y}]<[y2],{BEHIND['1']},{BEHIND['3']}))".format(y=f"[{y}]"),
                     of(lambda p: p.shaft_at(k)), scale=sizes.behind)  # fmt: skip
 
     return [
@@ -222,12 +225,9 @@ def integrals(view: Stretched) -> list[Quantity]:
                     of(lambda p: p.square((ORDER[low], ORDER[high]), torque)), scale=torque)  # fmt: skip
 
     def cube(line: str, low: str, high: str) -> Quantity:
-        level, slope = LINES[line]
         side = "[sign]" if line == "1" else "(0-[sign])"
-        inner = f"({side}*({{level}}+({slope}+[sign]*@j0*@i)*{{y}}))^3*{{v}}"
-        factor = "@i1/[f]" if line == "1" else "@i1*[f]"
         return calc(f"cu{line}", f"∫|S|³ on line {line}", "", "",
-                    integral(view, level, low, high, inner, f"*({factor})^3"),
+                    integral(view, "", low, high, f"({side}*{BEHIND[line]})^3*{{v}}"),
                     of(lambda p: p.cube((ORDER[low], ORDER[high]), cubed)), scale=cubed)  # fmt: skip
 
     def worked(line: str, low: str, high: str) -> Quantity:

@@ -14,7 +14,7 @@ from engine.machine.grid import Behind
 from workbook.book.declare import Quantity, Sheet, calc
 from workbook.book.rows import total
 from workbook.machines.machine.stretched import Stretched
-from workbook.machines.machine.stretches import LINES, LOST, ORDER, integral
+from workbook.machines.machine.stretches import BEHIND, LOST, ORDER, integral
 
 FIRST, SECOND = (("1", "z0", "p1"),), (("2", "p1", "p2"), ("3", "p2", "z4"))
 """where the torque behind the reducer has the sign of what resists, and where it has the other"""
@@ -42,9 +42,9 @@ def columns(view: Stretched) -> list[Quantity]:
         part = ORDER[lines[0][1]], ORDER[lines[-1][2]]
         where = f"on line{'s' if n > 1 else ''} {' and '.join(line for line, _, _ in lines)}"
         columns += [
-            calc(f"bs{n}", f"∫S² {where}", "", "", over(view, lines, "{torque}^2", 2),
+            calc(f"bs{n}", f"∫S² {where}", "", "", over(view, lines, "{torque}^2"),
                  view.counted(methodcaller("behind", "square", part, scale.square)), scale=scale.square),
-            calc(f"bp{n}", f"∫αS {where}", "", "", over(view, lines, "(0-[sign]*@i2*{y})*{torque}", 1),
+            calc(f"bp{n}", f"∫αS {where}", "", "", over(view, lines, "(0-[sign]*@i2*{y})*{torque}"),
                  view.counted(methodcaller("behind", "product", part, scale.product)), scale=scale.product),
         ]  # fmt: skip
     return [
@@ -56,15 +56,11 @@ def columns(view: Stretched) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def over(view: Stretched, lines: tuple[tuple[str, str, str], ...], inner: str, power: int) -> str:
+def over(view: Stretched, lines: tuple[tuple[str, str, str], ...], inner: str) -> str:
     """Return the formula of an integral over lines of the torque behind the reducer, in the direction of motion."""
     terms = []
     for line, low, high in lines:
-        level, slope = LINES[line]
-        torque = f"({level}+({slope}+[sign]*@j0*@i)*{{y}})"
-        factor = "(@i1/[f])" if line == "1" else "(@i1*[f])"
-        function = inner.replace("{torque}", torque)
-        terms.append(integral(view, level, low, high, function, f"*{factor}^{power}").removeprefix("="))
+        terms.append(integral(view, "", low, high, inner.replace("{torque}", BEHIND[line])).removeprefix("="))
     return f"={'+'.join(terms)}"
 
 
