@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from workbook.entries.texts import alike
 
 LONGEST = 31  # characters of a sheet's title, as UTF-16 counts them; Excel's limit
-RESERVED = ("Summary", "Cycle", "Pieces", "Laws", "Export", "Checks", "History")
+RESERVED = ("Summary", "Cycle", "Drive cycle", "Pieces", "Laws", "Export", "Checks", "History")
 """sheets that come later, and a title that Excel keeps for itself"""
 
 
