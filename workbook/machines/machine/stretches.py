@@ -193,9 +193,10 @@ def ends(view: Stretched) -> list[Quantity]:
                     of(lambda p: p.torque_at(k)), scale=sizes.torque)  # fmt: skip
 
     def shaft(y: str, word: str, k: int) -> Quantity:
+        line = f"IF([{y}]<[y2],{BEHIND['1']},{BEHIND['3']})".format(y=f"[{y}]")
         return calc(f"r{y}", f"behind the reducer at its {word}", "S", "Nm",
-                    f"=IF([dir]=0,[hold]*@eta1*@i1,[dir]*IF([{y}]<[y2],{BEHIND['1']},{BEHIND['3']}))".format(y=f"[{y}]"),
-                    of(lambda p: p.shaft_at(k)), scale=sizes.behind)  # fmt: skip
+                    f"=IF([dir]=0,[hold]*@eta1*@i1,[dir]*{line})", of(lambda p: p.shaft_at(k)),
+                    scale=sizes.behind)  # fmt: skip
 
     return [
         calc("hold", "torque at rest", "", "Nm", '=IF(@holding="brake",0,[r]/@eta2/@i2/@eta1/@i1)',
