@@ -53,6 +53,8 @@ CHAINS = {
     "va": ("va", "g", "gg"),
 }
 """what has extremes, with its slope and its curvature"""
+BENDING = ("s", "v", "a")
+"""whose slope is 0 at a rest: by its curvature there it is known whether it turns before the next point"""
 
 
 class Top(NamedTuple):
@@ -166,21 +168,36 @@ class Spread:
     def _begins(self) -> Array:
         return np.array(self.entered).T
 
+    def curves(self, what: str) -> Array:
+        """Return the curvature at the points, 0 where it is not asked for."""
+        found: Array = getattr(self.rates, CHAINS[what][2]) if what in BENDING else np.zeros(self.points)
+        return found
+
     def crosses(self, what: str) -> NDArray[np.bool_]:
         """Return for each point whether an extreme lies between it and the point before, on the same piece."""
-        slope = getattr(self.rates, CHAINS[what][1]).round(DIGITS)
+        slope, curve = getattr(self.rates, CHAINS[what][1]).round(DIGITS), self.curves(what).round(DIGITS)
+        leaves = np.where(slope[:-1] == 0.0, curve[:-1], slope[:-1])
+        arrives = np.where(slope[1:] == 0.0, -curve[1:], slope[1:])
+        moving = (slope[:-1] != 0.0) | (slope[1:] != 0.0)
         found = np.zeros(self.points, dtype=bool)
-        found[1:] = (self.piece[1:] == self.piece[:-1]) & (slope[1:] * slope[:-1] < 0.0)
+        found[1:] = (self.piece[1:] == self.piece[:-1]) & moving & (leaves * arrives < 0.0)
         return found
 
     def estimates(self, what: str) -> Array:
-        """Return at each point the value there, or by the chord of the slope that of the extreme just before it."""
+        """Return at each point the value there, or that of the extreme just before it.
+
+        The slope's zero is where its chord has it; where it is 0 at one end already, where the parabola with its
+        curvature there has its other zero.
+        """
         value, slope = (getattr(self.rates, name) for name in CHAINS[what][:2])
-        found: Array = value.copy()
-        for k in np.flatnonzero(self.crosses(what)):
-            share = slope[k - 1] ** 2 / (slope[k - 1] - slope[k])
-            found[k] = value[k - 1] + share * (self.u[k] - self.u[k - 1]) / 2.0
-        return found.round(DIGITS)
+        curve, crosses, before = self.curves(what), self.crosses(what), np.maximum(np.arange(self.points) - 1, 0)
+        width = self.u - self.u[before]
+        away = turning((slope[before], slope), (curve[before], curve), width)
+        by_chord = value[before] + slope[before] * away / 2.0
+        leaving = value[before] + curve[before] * away**2 / 6.0
+        arriving = value + curve * (width - away) ** 2 / 6.0
+        found = np.where(none(slope[before]), leaving, np.where(none(slope), arriving, by_chord))
+        return np.asarray(np.where(crosses, found, value).round(DIGITS))
 
     def tops(self, what: str) -> list[Top]:
         """Return the candidates: first for the largest values, then for the lowest."""
@@ -204,10 +221,10 @@ class Spread:
     def _refined(self, what: str, piece: NDArray[np.intp], low: Array, high: Array) -> list[Array]:
         """Return the steps from the chord of the slope towards its zero; where a bracket is a point, that point."""
         _, slope, curve = CHAINS[what]
-        begin, end = (getattr(self.at(piece, u), slope) for u in (low, high))
-        open_ = low < high
-        share = np.divide(begin, begin - end, out=np.ones_like(low), where=open_)
-        steps = [np.where(open_, low + (high - low) * share, high)]
+        ends = [self.at(piece, u) for u in (low, high)]
+        slopes, curves = (tuple(getattr(end, name) for end in ends) for name in (slope, curve))
+        bent = curves if what in BENDING else (np.zeros_like(low), np.zeros_like(low))
+        steps = [np.where(low < high, low + turning(slopes, bent, high - low), high)]
         for _ in range(STEPS):
             at = self.at(piece, steps[-1])
             rate, curvature = getattr(at, slope), getattr(at, curve)
@@ -219,6 +236,23 @@ class Spread:
         """Return by how much v falls before the peak's ξ, or rises after it, from each point to the next."""
         gain = np.diff(self.rates.v, prepend=self.rates.v[0])
         return np.maximum(0.0, np.where(self.xi <= peak + SAME, -gain, gain))
+
+
+def none(slopes: Array) -> NDArray[np.bool_]:
+    """Return whether slopes are none."""
+    return np.asarray(np.abs(slopes) < 0.5 * 10.0**-DIGITS)
+
+
+def turning(slopes: Sequence[Array], curves: Sequence[Array], width: Array) -> Array:
+    """Return how far behind the begin of a width a slope has a zero within it: g_0 w/(g_0 − g_1) by the chord.
+
+    Of a slope that is 0 at an end already, where the parabola c t + B t² with its curvature c there has its other zero.
+    """
+    (first, last), (leaving, arriving) = slopes, curves
+    rest, stop = none(first), none(last)
+    over = np.where(rest, leaving * width - last, np.where(stop, first + arriving * width, first - last))
+    part = np.where(rest, leaving * width, first)
+    return width * np.divide(part, over, out=np.ones_like(width), where=over != 0.0)
 
 
 def extreme(tops: Sequence[Top], side: int) -> Top:

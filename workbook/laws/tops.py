@@ -36,11 +36,29 @@ RISING, FALLING = range(1, RANKS + 1), range(RANKS + 1, RANKS + RANKS + 1)
 LEAST_POINTS = 60
 """in all, whatever sizes.own_law says"""
 WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
-TOP = (
-    "=ROUND(IF([k]=0,[{f}],IF([n]=[n-1],IF(ROUND([{g}],9)*ROUND([{g}-1],9)<0,"
-    "[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2,[{f}]),[{f}])),9)"
-)
+CURVES = {"s": "a", "v": "j", "a": "b"}
+"""the column of points that is the curvature, where a slope that is 0 at an end hangs on it"""
+ACROSS = "ROUND([{g}],9)*ROUND([{g}-1],9)<0"
+CHORD = "[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2"
+LEAVING = "AND(ROUND([{g}-1],9)=0,ROUND([{c}-1],9)*ROUND([{g}],9)<0)"
+LEFT = "[{f}-1]+[{c}-1]^3*([u]-[u-1])^4/([{c}-1]*([u]-[u-1])-[{g}])^2/6"
+ARRIVING = "AND(ROUND([{g}],9)=0,ROUND([{c}],9)*ROUND([{g}-1],9)>0)"
+COME = "[{f}]+[{c}]^3*([u]-[u-1])^4/([{c}]*([u]-[u-1])+[{g}-1])^2/6"
+TOP = f"=ROUND(IF([k]=0,[{{f}}],IF([n]=[n-1],IF({ACROSS},{CHORD},{{rest}}),[{{f}}])),9)"
 """by the chord of the slope; slopes below 1e-9 are none"""
+REST = f"IF({LEAVING},{LEFT},IF({ARRIVING},{COME},[{{f}}]))"
+"""where the slope is none at an end already: by the parabola with its curvature there"""
+CROSSES = "ROUND([f0],9)*ROUND([f1],9)<0"
+TURNS = (
+    f"OR({CROSSES},AND(ROUND([f0],9)=0,ROUND([e0],9)*ROUND([f1],9)<0),"
+    "AND(ROUND([f1],9)=0,ROUND([e1],9)*ROUND([f0],9)>0))"
+)
+SHARE = "[f0]/([f0]-[f1])"
+AWAY = "([high]-[low])"
+PARTED = (
+    f"IF(ROUND([f0],9)=0,[e0]*{AWAY}/([e0]*{AWAY}-[f1]),"
+    f"IF(ROUND([f1],9)=0,[f0]/([f0]+[e1]*{AWAY}),{SHARE}))"
+)
 BACK = "=IF([k]=0,0,MAX(0,IF([xi]<=@v_at+check_zero,[v-1]-[v],[v]-[v-1])))"
 BEND = "=2*INDEX(piece_c2,[q])+[u]*6*INDEX(piece_c3,[q])-INDEX(piece_P,[q])*INDEX(piece_omega,[q])^2*SIN([x])"
 
@@ -96,10 +114,29 @@ def points_table(sheet: Sheet, at: Spread, first: int, peak: float, stack: Piece
         calc("va", "v · a", "", "", "=[v]*[a]", rates.va),
         calc("g", "slope of v · a", "", "", "=[a]^2+[v]*[j]", rates.g, source="a² + v j"),
         *(calc(f"top_{f}", f"extreme of {f} here, by the chord", "", "",
-               TOP.format(f=f, g=g), at.estimates(f), source="or the value at the point")
+               estimate(f, g), at.estimates(f), source="or the value at the point")
           for f, g in COLUMNS.items()),
         calc("back", "the wrong way", "Δv", "", BACK, at.wrong_way(peak)),
     )  # fmt: skip
+
+
+def estimate(f: str, g: str) -> str:
+    """Return the formula of an extreme between a point and the one before, else of the value there."""
+    rest = REST.format(f=f, g=g, c=CURVES[f]) if f in CURVES else f"[{f}]"
+    return TOP.format(f=f, g=g, rest=rest)
+
+
+def bracket(at: Spread, what: str, tops: list[Top]) -> list[Quantity]:
+    """Return the columns of what the slope, and where it hangs on it the curvature, is at the ends of a bracket."""
+    before = [max(top.row - 2, 0) for top in tops]
+    there = [top.row - 1 for top in tops]
+    columns = [("f", "slope", COLUMNS[what]), *([("e", "curvature", CURVES[what])] if what in CURVES else [])]
+    return [
+        calc(f"{name}{k}", f"{word} {place}", "", "", f"=INDEX([@points.{column}],{row})",
+             [getattr(at.rates, column)[i] for i in rows], scale=at.size(column))
+        for name, word, column in columns
+        for k, (place, row, rows) in enumerate((("before", "MAX([row]-1,1)", before), ("there", "[row]", there)))
+    ]  # fmt: skip
 
 
 def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict[str, list[float]]) -> None:
@@ -107,8 +144,7 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
 
     ``entries`` are the columns of the law's rows in the stack, of which ``stack_row`` is the first.
     """
-    tops, slope = at.tops(what), COLUMNS[what]
-    rates = getattr(at.rates, slope)
+    tops = at.tops(what)
     held = {name: [entries[name][top.piece - 1] for top in tops] for name in ENTRIES}
     sheet.table(
         f"@top_{what}", f"Where the {WORDS[what]} may be largest, or lowest", len(tops),
@@ -120,13 +156,10 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
         calc("row", "row of its point", "", "",
              f"=MATCH([near],[@points.top_{what}],0)", [top.row for top in tops], format="0"),
         calc("p", "piece", "", "", "=INDEX([@points.p],[row])", [top.piece for top in tops], format="0"),
-        calc("f0", "slope before", "", "", f"=INDEX([@points.{slope}],MAX([row]-1,1))",
-             [rates[max(top.row - 2, 0)] for top in tops], scale=at.size(slope)),
-        calc("f1", "slope there", "", "", f"=INDEX([@points.{slope}],[row])", [rates[top.row - 1] for top in tops],
-             scale=at.size(slope)),
+        *bracket(at, what, tops),
         calc("high", "not after", "u", "", "=INDEX([@points.u],[row])", [top.high for top in tops]),
         calc("low", "not before", "u", "",
-             "=IF(AND(INDEX([@points.p],MAX([row]-1,1))=[p],ROUND([f0],9)*ROUND([f1],9)<0),"
+             f"=IF(AND(INDEX([@points.p],MAX([row]-1,1))=[p],{TURNS if what in CURVES else CROSSES}),"
              "INDEX([@points.u],MAX([row]-1,1)),[high])",
              [top.low for top in tops]),
         calc("q", "piece row", "q", "", "=@first+[p]-1", [float(stack_row + top.piece - 1) for top in tops],
@@ -134,7 +167,8 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
         *(calc(NAMES.get(name, name), f"{name} of the piece", name, "", f"=INDEX(piece_{name},[q])", held[name])
           for name in ENTRIES),
         calc("u0", "by the chord", "u", "",
-             "=IF([low]<[high],[low]+([high]-[low])*[f0]/([f0]-[f1]),[high])", [top.steps[0] for top in tops]),
+             f"=IF([low]<[high],[low]+{AWAY}*{PARTED if what in CURVES else SHARE},[high])",
+             [top.steps[0] for top in tops]),
         *(column for n in range(STEPS) for column in step(at, what, tops, n)),
         *valued(at, what, tops),
         calc("xi", "abscissa", "ξ", "",

@@ -28,6 +28,19 @@ def drawn(seed):
     ]  # fmt: skip
 
 
+def backing(seed):
+    """A law that begins against its way, or goes beyond its end: it turns between a rest and the next point."""
+    dice = random.Random(seed)
+    back, length = 10.0 ** dice.uniform(-0.9, 0.5), dice.uniform(0.3, 0.7)
+    first = Piece(length, (-back, dice.uniform(200, 400), 0.0, 0.0))
+    last = Piece(1.0 - length, (-dice.uniform(50, 90), dice.uniform(100, 300), 0.0, 0.0))
+    pieces = [first, last]
+    if seed % 2:
+        return pieces
+    at_end = first.c[0] + first.c[1] * length
+    return [Piece(1.0 - length, (-at_end, 0.0, 0.0, 0.0)), Piece(length, (at_end, -first.c[1], 0.0, 0.0))]
+
+
 def steepest(tops):
     return max(abs(top.value) for top in tops)
 
@@ -41,7 +54,7 @@ def found(at):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("pieces", [POLYNOMIAL_345, MIXED, GAP, *map(drawn, range(60))])
+@pytest.mark.parametrize("pieces", [POLYNOMIAL_345, MIXED, GAP, *map(drawn, range(60)), *map(backing, range(40))])
 def test_the_refined_extremes_are_those_of_the_ladder(pieces):
     at, k = spread(pieces), PieceLaw(pieces).coefficients
     jerk = max(map(abs, extremes_of(pieces, 0.0).j))
