@@ -24,6 +24,7 @@ STEPS = 4  # of Newton's method from the chord
 DIGITS = 9  # after the point that count: of equal estimates the first is taken, a slope below is none
 WIDEST = 0.3  # rad of a sine from one point to the next, at most
 LEAST = 6  # points of a piece
+AHEAD = 2e-9  # by how much an extreme counts as beyond both points between which it lies
 FLAT = 1e-12  # a curvature below this is none
 SAME = 1e-9  # of ξ: places no farther apart are one
 
@@ -197,6 +198,7 @@ class Spread:
         leaving = value[before] + curve[before] * away**2 / 6.0
         arriving = value + curve * (width - away) ** 2 / 6.0
         found = np.where(none(slope[before]), leaving, np.where(none(slope), arriving, by_chord))
+        found += AHEAD * np.sign(np.where(none(slope[before]), curve[before], slope[before]))
         return np.asarray(np.where(crosses, found, value).round(DIGITS))
 
     def tops(self, what: str) -> list[Top]:
@@ -217,6 +219,11 @@ class Spread:
                 sides, *(column.tolist() for column in columns), strict=True
             )
         ]
+
+    def is_still(self, top: Top) -> bool:
+        """Whether v has an extreme at a candidate, or its piece an end there."""
+        at_end = top.high <= 0.0 or top.high >= self.pieces[top.piece - 1].duration
+        return top.low < top.high or at_end or bool(none(self.rates.a[top.row - 1]))
 
     def _refined(self, what: str, piece: NDArray[np.intp], low: Array, high: Array) -> list[Array]:
         """Return the steps from the chord of the slope towards its zero; where a bracket is a point, that point."""

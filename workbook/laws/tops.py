@@ -39,13 +39,13 @@ WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va
 CURVES = {"s": "a", "v": "j", "a": "b"}
 """the column of points that is the curvature, where a slope that is 0 at an end hangs on it"""
 ACROSS = "ROUND([{g}],9)*ROUND([{g}-1],9)<0"
-CHORD = "[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2"
+CHORD = "[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2+2E-9*SIGN([{g}-1])"
 LEAVING = "AND(ROUND([{g}-1],9)=0,ROUND([{c}-1],9)*ROUND([{g}],9)<0)"
-LEFT = "[{f}-1]+[{c}-1]^3*([u]-[u-1])^4/([{c}-1]*([u]-[u-1])-[{g}])^2/6"
+LEFT = "[{f}-1]+[{c}-1]^3*([u]-[u-1])^4/([{c}-1]*([u]-[u-1])-[{g}])^2/6+2E-9*SIGN([{c}-1])"
 ARRIVING = "AND(ROUND([{g}],9)=0,ROUND([{c}],9)*ROUND([{g}-1],9)>0)"
-COME = "[{f}]+[{c}]^3*([u]-[u-1])^4/([{c}]*([u]-[u-1])+[{g}-1])^2/6"
+COME = "[{f}]+[{c}]^3*([u]-[u-1])^4/([{c}]*([u]-[u-1])+[{g}-1])^2/6+2E-9*SIGN([{g}-1])"
 TOP = f"=ROUND(IF([k]=0,[{{f}}],IF([n]=[n-1],IF({ACROSS},{CHORD},{{rest}}),[{{f}}])),9)"
-"""by the chord of the slope; slopes below 1e-9 are none"""
+"""by the chord of the slope, a little beyond the values of both points; slopes below 1e-9 are none"""
 REST = f"IF({LEAVING},{LEFT},IF({ARRIVING},{COME},[{{f}}]))"
 """where the slope is none at an end already: by the parabola with its curvature there"""
 CROSSES = "ROUND([f0],9)*ROUND([f1],9)<0"
@@ -55,10 +55,7 @@ TURNS = (
 )
 SHARE = "[f0]/([f0]-[f1])"
 AWAY = "([high]-[low])"
-PARTED = (
-    f"IF(ROUND([f0],9)=0,[e0]*{AWAY}/([e0]*{AWAY}-[f1]),"
-    f"IF(ROUND([f1],9)=0,[f0]/([f0]+[e1]*{AWAY}),{SHARE}))"
-)
+PARTED = f"IF(ROUND([f0],9)=0,[e0]*{AWAY}/([e0]*{AWAY}-[f1]),IF(ROUND([f1],9)=0,[f0]/([f0]+[e1]*{AWAY}),{SHARE}))"
 BACK = "=IF([k]=0,0,MAX(0,IF([xi]<=@v_at+check_zero,[v-1]-[v],[v]-[v-1])))"
 BEND = "=2*INDEX(piece_c2,[q])+[u]*6*INDEX(piece_c3,[q])-INDEX(piece_P,[q])*INDEX(piece_omega,[q])^2*SIN([x])"
 
@@ -86,7 +83,9 @@ def extremes(at: Spread, peak: float) -> list[Quantity]:
                 calc(f"@{what}_{name}", f"{'Largest' if side > 0 else 'Lowest'} {WORDS[what]}", what, "",
                      f"={function}({cells})", extreme(tops, side).value)
             )  # fmt: skip
-    firsts = ",".join(f"IF([@top_v.value.{n}]>=@v_most-check_zero,[@top_v.xi.{n}],1)" for n in range(1, RANKS + 1))
+    firsts = ",".join(
+        f"IF([@top_v.still.{n}]*[@top_v.value.{n}]>=@v_most-check_zero,[@top_v.xi.{n}],1)" for n in range(1, RANKS + 1)
+    )
     rows.append(calc("@v_at", "Where the velocity is largest", "ξ_v", "", f"=MIN({firsts})", peak))
     rows.append(
         calc("@back", "Greatest step of v the wrong way", "", "", "=MAX([@points.back])",
@@ -139,6 +138,14 @@ def bracket(at: Spread, what: str, tops: list[Top]) -> list[Quantity]:
     ]  # fmt: skip
 
 
+def still(at: Spread, tops: list[Top]) -> Quantity:
+    """Return the column of whether a candidate is an extreme of v, or an end of a piece: not beside an extreme."""
+    formula = "=IF(OR([low]<[high],ROUND([f1],9)=0,[high]<=0,[high]>=INDEX([@pieces.d],[p])),1,0)"
+    return calc(
+        "still", "is an extreme or an end", "", "", formula, [int(at.is_still(top)) for top in tops], format="0"
+    )
+
+
 def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict[str, list[float]]) -> None:
     """Declare the likeliest places of one extreme, each with the steps of its refinement.
 
@@ -162,6 +169,7 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
              f"=IF(AND(INDEX([@points.p],MAX([row]-1,1))=[p],{TURNS if what in CURVES else CROSSES}),"
              "INDEX([@points.u],MAX([row]-1,1)),[high])",
              [top.low for top in tops]),
+        *([still(at, tops)] if what == "v" else []),
         calc("q", "piece row", "q", "", "=@first+[p]-1", [float(stack_row + top.piece - 1) for top in tops],
              format="0"),
         *(calc(NAMES.get(name, name), f"{name} of the piece", name, "", f"=INDEX(piece_{name},[q])", held[name])
