@@ -48,6 +48,8 @@ TOP = f"=ROUND(IF([k]=0,[{{f}}],IF([n]=[n-1],IF({ACROSS},{CHORD},{{rest}}),[{{f}
 """by the chord of the slope, a little beyond the values of both points; slopes below 1e-9 are none"""
 REST = f"IF({LEAVING},{LEFT},IF({ARRIVING},{COME},[{{f}}]))"
 """where the slope is none at an end already: by the parabola with its curvature there"""
+ROUNDED = 2.0
+"""what is rounded to nine digits after the point is compared with: the last of them may differ by one"""
 CROSSES = "ROUND([f0],9)*ROUND([f1],9)<0"
 TURNS = (
     f"OR({CROSSES},AND(ROUND([f0],9)=0,ROUND([e0],9)*ROUND([f1],9)<0),"
@@ -113,7 +115,7 @@ def points_table(sheet: Sheet, at: Spread, first: int, peak: float, stack: Piece
         calc("va", "v · a", "", "", "=[v]*[a]", rates.va),
         calc("g", "slope of v · a", "", "", "=[a]^2+[v]*[j]", rates.g, source="a² + v j"),
         *(calc(f"top_{f}", f"extreme of {f} here, by the chord", "", "",
-               estimate(f, g), at.estimates(f), source="or the value at the point")
+               estimate(f, g), at.estimates(f), scale=ROUNDED, source="or the value at the point")
           for f, g in COLUMNS.items()),
         calc("back", "the wrong way", "Δv", "", BACK, at.wrong_way(peak)),
     )  # fmt: skip
@@ -159,7 +161,7 @@ def top_table(sheet: Sheet, at: Spread, what: str, stack_row: int, entries: dict
         constant("rank", "rank", "", "", [top.rank for top in tops]),
         calc("near", "estimate", "", "",
              f"=IF([side]>0,LARGE([@points.top_{what}],[rank]),SMALL([@points.top_{what}],[rank]))",
-             [top.estimate for top in tops]),
+             [top.estimate for top in tops], scale=ROUNDED),
         calc("row", "row of its point", "", "",
              f"=MATCH([near],[@points.top_{what}],0)", [top.row for top in tops], format="0"),
         calc("p", "piece", "", "", "=INDEX([@points.p],[row])", [top.piece for top in tops], format="0"),

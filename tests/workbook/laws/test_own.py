@@ -59,8 +59,8 @@ def test_stages_of_no_duration_and_many_turns_agree(pieces):
 
 @pytest.mark.parametrize("beside", [1e-8, -1e-7, 1e-6, -1e-5])
 def test_a_velocity_that_is_largest_next_to_a_point_of_the_table_is_found_there(beside):
-    """Of 60 points a single piece has one every 1/59: v = ξ (ξ_v − ξ/2) has its top beside one of them."""
-    top = 30 / 59 + beside
+    """Of an odd number of points one is in the middle of a single piece."""
+    top = 0.5 + beside
     machine_ = machine(Near=[{"duration": 1.0, "c0": 4.0 * top, "c1": -4.0}])
     assert disagreeing(COMPOSER, machine_)[0] == []
     assert computed(COMPOSER, machine_)("OWN8_v_at") == pytest.approx(top, abs=1e-12)
