@@ -78,6 +78,12 @@ class Powering:
         ahead = one.going * one.speed**2 * one.piece.derivative(2, u)
         return np.asarray(one.bends.torques(ahead) * self.turns * self.way(u))
 
+    def over(self, middle: float, half: float) -> tuple[float, float]:
+        """Return the power (W) at both ends of a part, by the middle of that in the motion and half its width (rad)."""
+        u = middle - self.part.piece.begin
+        low, high = self.watts(np.array([u - half, u + half])).tolist()
+        return low, high
+
     def _power(self, u: float) -> float:
         """Return the power (W) at a place."""
         return float(self.watts(np.array([u]))[0])

@@ -10,13 +10,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from engine.laws.base import Array
 from engine.machine.bent import middle, turned
-from engine.machine.powering import Powering
 
 
 class Jump(NamedTuple):
@@ -27,12 +26,23 @@ class Jump(NamedTuple):
     common: float
 
 
+class Power(Protocol):
+    """The power of a drive over one stretch of its motion."""
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The power at begin and end: the limits from inside (W)."""
+
+    def over(self, middle: float, half: float) -> tuple[float, float]:
+        """Return the power (W) at both ends of a part, by the middle of that in the motion and half its width (rad)."""
+
+
 @dataclass(frozen=True)
 class Running:
     """The power of a drive over its stretches, where these are in its motion as it is told, and how late that is."""
 
-    powers: tuple[Powering, ...]
-    spans: tuple[tuple[float, float], ...]
+    powers: Sequence[Power]
+    spans: Sequence[tuple[float, float]]
     late: float
 
 
@@ -84,14 +94,25 @@ class Sharing:
         """Whether there is."""
         return self.spans[-1][1] >= self.turn - self.near
 
+    def at(self, one: Running, span: tuple[float, float]) -> tuple[int, float]:
+        """Return the stretch of a drive, from 0, that a line lies in, and where in the motion its middle is."""
+        place = turned(middle(span), -one.late, self.turn)
+        begins = [low for low, _ in one.spans]
+        return int(np.searchsorted(begins, place, side="right")) - 1, place
+
     def within(self, one: Running, span: tuple[float, float]) -> tuple[float, float]:
         """Return the power of a drive at begin and end of a line (W)."""
-        at, unit = turned(middle(span), -one.late, self.turn), 2.0 * math.pi / self.turn
-        begins = [low for low, _ in one.spans]
-        found = one.powers[int(np.searchsorted(begins, at, side="right")) - 1]
-        u, half = at * unit - found.part.piece.begin, 0.5 * (span[1] - span[0]) * unit
-        low, high = found.watts(np.array([u - half, u + half])).tolist()
-        return low, high
+        number, place = self.at(one, span)
+        unit = 2.0 * math.pi / self.turn
+        return one.powers[number].over(place * unit, 0.5 * (span[1] - span[0]) * unit)
+
+    def begins(self, one: Running) -> list[tuple[int, float]]:
+        """Return of each line the stretch of a drive, from 0, and where in the motion it begins (rad)."""
+        unit, found = 2.0 * math.pi / self.turn, []
+        for span in self.spans:
+            number, place = self.at(one, span)
+            found.append((number, (place - 0.5 * (span[1] - span[0])) * unit))
+        return found
 
     @cached_property
     def power(self) -> Array:

@@ -12,7 +12,9 @@ from workbook.book.rows import filled
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.turn import TURN
 from workbook.entries.units import KW, shown
-from workbook.machines.machine.bussed import Bus
+from workbook.machines.machine.bussed import Begin, Bus
+from workbook.machines.machine.linked import bussed as linked
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.powered import line
 from workbook.machines.machine.stretched import Stretched
 
@@ -29,14 +31,11 @@ def breaks_table(sheet: Sheet, bus: Bus) -> None:
     found = bus.jumps
     places, jumps, drawn = [], [], []
     for one in bus.drives:
-        i = one.driven.number
-        shares, last = f"[power.bus.{bus.row(one)}]", one.rows
-        for k in range(1, last + 1):
-            x, b, e, on, power = (f"[drive{i}_st.{name}.{k}]" for name in ("x", "b", "e", "on", "pwb"))
-            before = f"[drive{i}_st.pwe.{k - 1 or last}]"
-            places.append(f"={shares}*MAX(0,{x}-({e}-{b})/2)")
-            up = f"MAX(0,{power})-MAX(0,{before})"
-            down = f"MAX(0,0-{power})-MAX(0,0-{before})"
+        shares = f"[power.bus.{bus.row(one)}]"
+        for at, on, after, before in linked.begins(one) if isinstance(one, PlacedWork) else begins(one):
+            places.append(f"={shares}*MAX(0,{at})")
+            up = f"MAX(0,{after})-MAX(0,{before})"
+            down = f"MAX(0,0-{after})-MAX(0,0-{before})"
             jumps.append(f"={shares}*{on}*({up})/power_efficiency")
             drawn.append(f"=[alone]-{shares}*{on}*({down})*power_efficiency")
     size = len(found)
@@ -54,8 +53,19 @@ def breaks_table(sheet: Sheet, bus: Bus) -> None:
     )  # fmt: skip
 
 
+def begins(one: Stretched) -> list[Begin]:
+    """Return where each stretch of a drive begins on the master shaft, and the power on both sides of that."""
+    found, i = [], one.driven.number
+    for k in range(1, one.rows + 1):
+        x, b, e, on, power = (f"[drive{i}_st.{name}.{k}]" for name in ("x", "b", "e", "on", "pwb"))
+        found.append(Begin(f"{x}-({e}-{b})/2", on, power, f"[drive{i}_st.pwe.{k - 1 or one.rows}]"))
+    return found
+
+
 def power_at(bus: Bus, one: Stretched) -> str:
     """Return the formula of a drive's power at the begin of a row: of the stretch that holds behind it."""
+    if isinstance(one, PlacedWork):
+        return linked.power_at(bus, one)
     i = one.driven.number
     u = PLACE.replace("{x}", "@b@")
     text = f"{WITHIN.replace('{x}', '@b@')}*{one.velocity(u)}*{line(one, u)}"
@@ -94,6 +104,7 @@ def bus_table(sheet: Sheet, bus: Bus) -> None:
           for one, values in zip(bus.drives, bus.power, strict=True)),
         constant("k", "row", "", "", list(range(1, room + 1))),
         *([at] if over.timed else []),
+        *(column for one in bus.drives if isinstance(one, PlacedWork) for column in linked.places(bus, one)),
         calc("e", "up to", "", "°", f"=MIN(360,{grid},{beyond})", rowed([high for _, high in lines.spans]),
              scale=TURN, format="0.0##"),
         calc("on", "is no spare row", "", "",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from typing import NamedTuple
 
 from engine.laws.base import Array
 from engine.machine.sharing import Jump, Running, Sharing, room_for
@@ -11,7 +12,6 @@ from workbook.book.rows import filled
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.turn import TURN
 from workbook.machines.machine.chain import PowerEntry
-from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.stretched import Stretched
 
 FULL, MORE = 2, 12
@@ -19,47 +19,55 @@ FULL, MORE = 2, 12
 NONE = Jump(0.0, 0.0, 0.0)
 
 
+class Begin(NamedTuple):
+    """Formulas of where a stretch begins on the master shaft, whether it is one, and the power behind and before."""
+
+    at: str
+    on: str
+    after: str
+    before: str
+
+
 class Bus:
-    """Drives of constant ratios over one turn, those that run at the machine's rate together on a bus."""
+    """Drives over one turn, those that run at the machine's rate together on a bus."""
 
     def __init__(self, drives: Sequence[Stretched], entered: PowerEntry) -> None:
-        self.all_drives, self.entered = drives, entered
-        self.drives = [one for one in drives if not isinstance(one, PlacedWork)]
+        self.drives, self.entered = drives, entered
 
     @property
     def over(self) -> Abscissa:
         """What the cycle is shown over."""
-        return self.all_drives[0].one.machine.over
+        return self.drives[0].one.machine.over
 
     def shares(self, one: Stretched) -> bool:
         """Whether a drive is on the bus: one at a rate of its own has no place in the turn."""
-        return one in self.drives and one.driven.entered.rate is None
+        return one.driven.entered.rate is None
 
     def row(self, one: Stretched) -> int:
         """Return the row of a drive in the table of all drives, from 1."""
-        return self.all_drives.index(one) + 1
+        return self.drives.index(one) + 1
 
     @cached_property
     def running(self) -> list[Running]:
         """The drives that can be on it."""
-        return [Running(tuple(one.powers), tuple(one.spans), one.driven.axis.given.shift) for one in self.drives]
+        return [one.running for one in self.drives]
 
     @cached_property
     def lines(self) -> Sharing:
         """Their power, joined by straight lines."""
         each = zip(self.drives, self.running, strict=True)
         shared = tuple(running for one, running in each if self.shares(one))
-        return Sharing(shared, self.entered.efficiency, TURN, self.step, self.all_drives[0].near, self.room)
+        return Sharing(shared, self.entered.efficiency, TURN, self.step, self.drives[0].near, self.room)
 
     @property
     def step(self) -> float:
         """The step of the grid, in degrees of the master shaft."""
-        return self.all_drives[0].step
+        return self.drives[0].step
 
     @property
     def room(self) -> int:
         """Rows of the table."""
-        return room_for([one.rows for one in self.drives], TURN, self.step, FULL, MORE)
+        return room_for([one.jump_rows for one in self.drives], TURN, self.step, FULL, MORE)
 
     @property
     def jumps(self) -> list[Jump]:
@@ -67,7 +75,7 @@ class Bus:
         found: list[Jump] = []
         for one, running in zip(self.drives, self.running, strict=True):
             each = self.lines.jumps(running) if self.shares(one) else [NONE]
-            found += filled(each, one.rows, Jump(each[-1].at, 0.0, 0.0))
+            found += filled(each, one.jump_rows, Jump(each[-1].at, 0.0, 0.0))
         return found
 
     @property

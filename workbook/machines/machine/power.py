@@ -19,10 +19,7 @@ from workbook.machines.machine.stretched import Stretched
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 TOGETHER = "Drives use what others give back; what is left goes into one resistor."
-APART = (
-    "A drive at a rate of its own has no place in the {}, and one whose ratio changes, or with viscous friction, is not"
-    " summed: they are alone."
-)
+APART = "A drive at a rate of its own has no place in the {}: it is alone."
 ROOM = "more places where power may jump than this sheet has rows for; build it with larger sizes.motion_pieces"
 CHART_COLUMN = 10
 
@@ -48,20 +45,18 @@ def power_sheet(book: Book, given_power: PowerEntry, drives: Sequence[Stretched]
     )  # fmt: skip
     sheet.heading("Results: each drive alone")
     sheet.rows(*totals(together(each), given_power, floor))
-    if bus.drives:
-        sheet.heading("Results: on a common DC bus", TOGETHER)
-        sheet.note(APART.format(bus.over.period))
-        sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if bus.shares(work)], floor))
-        sheet.checks(check("power_room", "Power: rows for all places",
-                           "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=Said(f'"{ROOM}"', ROOM)))  # fmt: skip
-        sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)
+    sheet.heading("Results: on a common DC bus", TOGETHER)
+    sheet.note(APART.format(bus.over.period))
+    sheet.rows(*common(bus, [one for one, work in zip(each, drives, strict=True) if bus.shares(work)], floor))
+    sheet.checks(check("power_room", "Power: rows for all places",
+                       "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=Said(f'"{ROOM}"', ROOM)))  # fmt: skip
+    sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)
     sheet.row += 1
     drives_table(sheet, drives, each, bus, floor)
-    if bus.drives:
-        sheet.not_printed_below()
-        sheet.print_columns = 18
-        breaks_table(sheet, bus)
-        bus_table(sheet, bus)
+    sheet.not_printed_below()
+    sheet.print_columns = 18
+    breaks_table(sheet, bus)
+    bus_table(sheet, bus)
 
 
 def totals(whole: Means, entered: PowerEntry, floor: float) -> list[Quantity]:
@@ -117,10 +112,7 @@ def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means
     scale, peak = max(one.scales.work for one in driven), shown(max(one.most_power for one in drives), KW)
     energies, power = [one.demand.energy for one in driven], [one.demand.power for one in driven]
     most = [peaks(one.highest.value, one.lowest.value, bus.entered.efficiency) for one in power]
-    linked = [isinstance(one, PlacedWork) for one in drives]
-
-    def of(formula: str, other: str = "=0*[k]") -> list[str]:
-        return [other if links else formula.format(scope) for scope, links in zip(scopes, linked, strict=True)]
+    tables = ["sec" if isinstance(one, PlacedWork) else "st" for one in drives]
 
     sheet.table(
         "power", "Drives", len(drives),
@@ -141,9 +133,9 @@ def drives_table(sheet: Sheet, drives: Sequence[Stretched], each: Sequence[Means
                [shown(one.resistor, KW) for one in each], scale=floor),
         result("burnt", "peak", "", "kW", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
                [shown(one.resistor, KW) for one in most], scale=peak, source="exact"),
-        calc("bus", "on the common bus", "", "", of('=IF({0}own_rate="",1,0)'),
+        calc("bus", "on the common bus", "", "", [f'=IF({scope}own_rate="",1,0)' for scope in scopes],
              [int(bus.shares(one)) for one in drives], format="0", source="1: yes"),
-        calc("off", "its lines are off by at most", "", "kW", of("=[bus]*MAX([{0}st.off])"),
-             [0.0 if links else shown(bus.off(one), KW) for one, links in zip(drives, linked, strict=True)],
-             scale=shown(bus.size, KW)),
+        calc("off", "its lines are off by at most", "", "kW",
+             [f"=[bus]*MAX([{scope}{table}.off])" for scope, table in zip(scopes, tables, strict=True)],
+             [shown(bus.off(one), KW) for one in drives], scale=shown(bus.size, KW)),
     )  # fmt: skip

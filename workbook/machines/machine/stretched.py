@@ -16,6 +16,7 @@ from engine.laws.base import Array
 from engine.machine.bent import BentPart, going, middle, stretches, turned
 from engine.machine.pace import Pace
 from engine.machine.powering import Powering, flat_up_to
+from engine.machine.sharing import Running
 from engine.machine.stationary import PLACES, inside, turning
 from engine.machine.train import Window
 from engine.motion.handover import SEPTIC
@@ -228,6 +229,16 @@ class Stretched:
     def most_off(self) -> float:
         """The largest of these (W)."""
         return max(map(self.off, self.powers))
+
+    @property
+    def running(self) -> Running:
+        """Its power on a common DC bus."""
+        return Running(self.powers, self.spans, self.driven.axis.given.shift)
+
+    @property
+    def jump_rows(self) -> int:
+        """Rows of the table of where its power may jump."""
+        return self.rows
 
     def rowed(self, values: Array) -> list[float]:
         """Return values of the stretches, 0 in spare rows."""

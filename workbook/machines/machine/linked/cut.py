@@ -7,7 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from engine.laws.base import Array
 from engine.machine.brackets import SAME
+from engine.machine.interpolated import BEND
 from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, WEIGHTS, Worked, section
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
@@ -15,11 +17,14 @@ from workbook.entries.turn import TURN
 from workbook.machines.machine.breaks import ACTS
 from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.places import columns, stacked
-from workbook.machines.machine.linked.worked import FIGURES, PlacedWork, Turn
+from workbook.machines.machine.linked.turn import Turn
+from workbook.machines.machine.linked.worked import FIGURES, PlacedWork
 from workbook.motion.sampled import derivative
 
 LETTERS = ("F", "S", "T")
 """of the columns of force, torque behind the reducer, torque of the motor"""
+BENDS = ("ahead", "here", "after")
+"""columns of what three nodes are weighed by"""
 FIRST_RANGE = 2
 """row above which there is but one: no program looks up in a single cell alike"""
 
@@ -262,7 +267,14 @@ def rule_table(sheet: Sheet) -> None:
         constant("last", "of the last coefficient", "", "", LAST.tolist(), source="of Legendre's series"),
         constant("inter", "of the barycentric formula", "", "", INTERPOLATING.tolist()),
         constant("first", "which is the first", "", "", FIRST.tolist(), source="powers of 2"),
+        *(constant(name, f"of a bend, the node {words}", "", "", bend, source="twice a divided difference")
+          for name, words, bend in zip(BENDS, ("before", "itself", "behind"), inner(BEND), strict=True)),
     )  # fmt: skip
+
+
+def inner(weights: Array) -> list[list[float]]:
+    """Return columns of what the nodes between both ends are weighed by; 0 at these."""
+    return [[0.0, *one, 0.0] for one in weights.tolist()]
 
 
 def cuts_table(sheet: Sheet, view: PlacedWork) -> None:
@@ -292,6 +304,7 @@ def nodes_table(sheet: Sheet, view: PlacedWork) -> None:
         "@pl", "The drive at the nodes of each section", len(numbers),
         constant("sec", "section", "", "", numbers),
         constant("t", "place", "x", "", [x for _ in range(rows) for x in NODES.tolist()]),
+        constant("inter", "of the barycentric formula", "", "", [x for _ in range(rows) for x in INTERPOLATING.tolist()]),
         calc("st", "stretch", "", "", "=INDEX([@sec.st],[sec])", parents, format="0"),
         calc("u", "within piece", "u", "rad",
              "=INDEX([@sec.ub],[sec])+(1+[t])/2*(INDEX([@sec.ue],[sec])-INDEX([@sec.ub],[sec]))", places, scale=1.0),

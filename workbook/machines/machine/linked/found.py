@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
+from engine.machine.interpolated import ORDER
 from engine.machine.places import (
     BEYOND,
     FAR,
@@ -24,7 +25,9 @@ from engine.machine.places import (
     largest,
 )
 from workbook.book.declare import Quantity, Sheet, calc, constant
-from workbook.machines.machine.linked.cut import begins, bounds
+from workbook.book.rows import filled
+from workbook.entries.units import KW, shown
+from workbook.machines.machine.linked.cut import BENDS, begins, bounds
 from workbook.machines.machine.linked.worked import PlacedWork
 
 
@@ -148,6 +151,7 @@ def sections_table(sheet: Sheet, view: PlacedWork) -> None:
     half = "=[on]*([ue]-[ub])/2*SUMPRODUCT([@rule.w],"
     works = [f"{half}{t}*{w})*@i1/@omega" for t, w in zip(torque, turning, strict=True)]
     cubes = [f"{half}({s}^2)^1.5*({w}^2)^0.5)" for s, w in zip(behind, turning, strict=True)]
+    bends = [bend(n) for n in range(0, len(view.at_nodes("torque")), len(NODES))]
     lasts = [f"=[on]*ABS(SUMPRODUCT([@rule.last],{one}))" for one in torque]
 
     def of(name: str) -> list[float]:
@@ -166,8 +170,21 @@ def sections_table(sheet: Sheet, view: PlacedWork) -> None:
         calc("way", "∫|φ̇|", "", "", [f"{half}({one}^2)^0.5)" for one in turning], of("way"), scale=view.rate),
         calc("rest", "last coefficient of T", "", "Nm", lasts,
              of("rest"), scale=driven.sizes.torque),
+        calc("off", "straight lines are off by at most", "", "kW", bends, filled(shown(np.array(view.offs), KW), rows),
+             scale=shown(view.most_power, KW)),
         *(column for figure in FIGURES if view.varies or figure.column != RATIO for column in extremes(view, figure)),
     )  # fmt: skip
+
+
+def bend(before: int) -> str:
+    """Return the formula of by how much straight lines are off at most, of a section by how many nodes are before it."""
+    n = len(NODES)
+    each = "+".join(
+        f"[@rule.{name}.2]:[@rule.{name}.{n - 1}]*[@pl.P.{before + k}]:[@pl.P.{before + n - 3 + k}]"
+        for k, name in enumerate(BENDS, 1)
+    )
+    short = "MIN(1,RADIANS(bus_step)/([ue]-[ub]))"
+    return f"=[on]*@i1/1000/power_efficiency*SUMPRODUCT(({each})^{ORDER})^(1/{ORDER})*{short}^2/2"
 
 
 def sums_of(view: PlacedWork) -> Sums:

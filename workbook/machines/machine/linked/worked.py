@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
 from engine.laws.base import Array
 from engine.machine.bent import going, middle, stretches
 from engine.machine.brackets import Bracket
+from engine.machine.interpolated import Interpolated
 from engine.machine.places import (
     LONG,
     LOOKS,
@@ -29,10 +29,12 @@ from engine.machine.places import (
     suffices,
     sums,
 )
+from engine.machine.sharing import Running
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.linked.driven import PlacedDriven
+from workbook.machines.machine.linked.turn import Turn
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Stretched
 
@@ -42,32 +44,6 @@ RATES = {"w": "rate", "g": "first", "P": "power"}
 SPARE_TURNS = 8
 EACH = len(LOOKS)
 """places at which a stretch is looked at"""
-
-
-class Turn(NamedTuple):
-    """Where power turns round: the number of the figure, from 1, the row of places, and what was tried.
-
-    ``kink`` is the number, from 1, of an earlier turn between the same places: there the figure has a kink, and at a
-    place beside it the value ``at_kink``.
-    """
-
-    figure: int
-    row: int
-    stretch: int
-    kink: int
-    beside: float
-    at_kink: float
-    bracket: Bracket
-    first: Worked
-    at_first: float
-    place2: float
-    second: Worked
-    at_second: float
-    place3: float
-    third: Worked
-    at_third: float
-    place: float
-    angle: float
 
 
 class PlacedWork(Stretched):
@@ -275,6 +251,33 @@ class PlacedWork(Stretched):
         each = zip(self.placed, self.worked, self.sections, strict=False)
         found = [sums(held, worked, self.within(held, span)) for (held, _), worked, span in each]
         return filled(found, self.section_rows, Sums(0.0, 0.0, 0.0, 0.0, 0.0))
+
+    @cached_property
+    def interpolated(self) -> list[Interpolated]:
+        """The power of each section."""
+        each = zip(self.placed, self.worked, self.sections, strict=False)
+        return [Interpolated.of(held, worked, *(si(end, DEGREE) for end in span)) for (held, _), worked, span in each]
+
+    @property
+    def running(self) -> Running:
+        """Its power on a common DC bus."""
+        return Running(self.interpolated, self.sections, self.driven.axis.given.shift)
+
+    @property
+    def jump_rows(self) -> int:
+        """Rows of the table of where its power may jump."""
+        return self.section_rows
+
+    @property
+    def offs(self) -> list[float]:
+        """By how much straight lines between the places of the sheet Power are off at most in each section (W)."""
+        step, efficiency = si(self.step, DEGREE), self.one.machine.machine.power.efficiency
+        return [one.off(step, efficiency) for one in self.interpolated]
+
+    @cached_property
+    def most_off(self) -> float:
+        """The largest of these (W)."""
+        return max(self.offs)
 
     @cached_property
     def sampled(self) -> list[int]:
