@@ -1,20 +1,23 @@
 """Energy of a machine's drives: against the engine's sum over all drives' power, and by the hour."""
 
+import math
 import random
 
+import numpy as np
 import pytest
 
 from engine.machine.bus import Drivetrains
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
-from tests.workbook.machines.test_machine import TEMPLATE, axis, driven
+from tests.workbook.machines.test_machine import TEMPLATE, axis, described, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
+from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, MOTOR, ROCKER, linked
 from workbook.entries.units import KW
 from workbook.laws.library import laws
 from workbook.machines.machine import bussed
 from workbook.machines.machine.chain import PowerEntry
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.linked.driven import driven_of
 from workbook.machines.machine.view import Whole
 
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
@@ -32,7 +35,7 @@ def machine(axes=AXES, power=POWER):
 def together(made):
     """The drives of a machine at its rate, by the engine's search over their courses."""
     axes = Whole(made, laws(made.laws)).axes
-    courses = tuple(Driven(one, made.selection).demand.course for one in axes if one.given.rate is None)
+    courses = tuple(driven_of(one, made.selection).demand.course for one in axes if one.given.rate is None)
     return Drivetrains(courses, made.power.efficiency)
 
 
@@ -81,6 +84,99 @@ def test_random_drives_are_off_by_no_more_than_the_sheet_says(request, number):
     assert disagreeing(TEMPLATE, made)[0] == []
     by, at_most = off(computed(TEMPLATE, made), together(made).supply(True))
     assert by <= at_most * (1 + 1e-9)
+
+
+POINTS = [{"angle": 30.0 * k, "position": 13.0 * k + 0.2 * k * k} for k in range(6)]
+PLACED = {
+    "crank": linked(mechanism=CRANK | {"efficiency": 0.85}, **LOSSY),
+    "rocker": linked((20, 140, 25.0, "CIC"), (190, 330, -25.0, "MTP"), mechanism=ROCKER | {"efficiency": 0.8}, **LOSSY),
+    "table": linked(mechanism={"kind": "table", "efficiency": 0.9, "points": POINTS}, **LOSSY),
+    "viscous": driven(*RISE, load={"mass": 8.0, "viscous": 300.0}, reducer={"ratio": 3.0, "efficiency": 0.8}),
+}  # fmt: skip
+
+
+def mixed(*axes, **sizes):
+    """A machine of drives that are worked out place by place, and others."""
+    named = [one | {"name": f"A{k}"} for k, one in enumerate(axes, 1)]
+    return described(named, **{"phases": 2, "rotors": 2, "positions": 6} | sizes).model_copy(update={"power": POWER})
+
+
+@pytest.mark.parametrize("kind", PLACED)
+@pytest.mark.sample(2)
+def test_a_drive_that_is_worked_out_place_by_place_shares_the_bus(kind):
+    """In every cell as the engine, and by no more off the search over the courses than the sheet says."""
+    made = mixed(PLACED[kind], AXES[1])
+    assert disagreeing(TEMPLATE, made)[0] == []
+    value, found = computed(TEMPLATE, made), together(made)
+    assert value("power", "bus") == [1, 1]
+    common = found.supply(True)
+    by, at_most = off(value, common)
+    assert 1e-6 * common.mains_peak < by <= at_most < 0.1 * common.mains_peak
+    assert KW * value("bus_net_off") <= at_most
+    assert abs(KW * value("bus_alone") - found.supply(False).mains_peak) <= at_most
+    assert KW * value("power", "peak")[0] == pytest.approx(
+        Drivetrains(found.courses[:1], 0.9).supply(False).mains_peak, rel=1e-8
+    )
+
+
+def test_where_nothing_comes_back_the_bus_takes_the_energies_of_all_drives():
+    """Work of friction alone, on a crank and a screw without inertia: what the bus takes is the sum of both."""
+    bare = {"motor": MOTOR | {"inertia": 0.0}}
+    crank = linked(load={"mass": 0.0, "viscous": 400.0}, **bare)
+    screw = driven(*RISE, load={"mass": 0.0, "viscous": 900.0}, **bare)
+    made = mixed(crank, screw)
+    value, common = computed(TEMPLATE, made), together(made).supply(True)
+    energies = value("drive1_energy") + value("drive2_energy")
+    assert common.mains_mean == pytest.approx(energies / 0.9 / value("timing_cycle"), rel=1e-9)
+    assert KW * value("bus_mains") == pytest.approx(common.mains_mean, abs=KW * value("bus_off"))
+    assert KW * value("power_mains") == pytest.approx(common.mains_mean, rel=1e-9)
+    assert value("bus_resistor") == pytest.approx(0.0, abs=value("bus_off"))
+    assert value("drive1_returned") == pytest.approx(0.0, abs=1e-9 * energies)
+
+
+def kinetic(time, rates, inertia):
+    """Power (W) that changes a kinetic energy, by differences of it over time."""
+    return np.gradient(0.5 * inertia * rates**2, time)
+
+
+def test_the_bus_against_power_from_differentiated_positions():
+    """A crank's angle by the law of cosines and its kinetic energy, both differentiated; a screw's by its lead."""
+    crank = linked((20, 140, 60.0, "CIC"), (190, 330, -60.0, "CIC"), load={"mass": 12.0, "friction": 0.1})
+    screw = driven(*RISE, load={"mass": 8.0, "viscous": 300.0}, shift=77.0)
+    made = mixed(crank, screw)
+    value = computed(TEMPLATE, made)
+    one, other = Whole(made, laws(made.laws)).axes
+    time = np.linspace(0.0, value("timing_cycle"), 60001)
+    y, z = (axis.at(2 * math.pi * time / time[-1]).y for axis in (one, other))
+    inner = math.sqrt((0.2 - 0.05) ** 2 - 0.01**2) + 0.015
+    x, r, rod, e = inner + y, 0.05, 0.2, 0.01
+    angle = np.arctan2(e, x) + np.arccos((r**2 + x**2 + e**2 - rod**2) / (2 * r * np.hypot(x, e)))
+    turning, v, w = (np.gradient(place, time) for place in (angle, y, z))
+    weight = 12.0 * 9.81
+    first = kinetic(time, turning, MOTOR["inertia"]) + kinetic(time, v, 12.0) + 0.1 * weight * np.abs(v)
+    second_motor = screw["motor"]["inertia"] * (2 * math.pi / 0.01) ** 2
+    second = kinetic(time, w, 8.0 + second_motor) + 300.0 * w**2
+    drawn = sum(np.where(power > 0, power / 0.9, power * 0.9) for power in (first, second))
+    ups, downs = np.maximum(drawn, 0.0), np.maximum(-drawn, 0.0)
+    means = [float(np.trapezoid(part, time) / time[-1]) for part in (ups, downs)]
+    expected = ups.max(), means[0], downs.max(), means[1]
+    by, at_most = off(value, expected)
+    assert by <= at_most + 1e-5 * ups.max()
+    assert tuple(together(made).supply(True)) == pytest.approx(expected, rel=1e-5)
+
+
+@pytest.mark.parametrize("number", [*nights(60)])
+def test_random_placed_drives_are_off_by_no_more_than_the_sheet_says(number):
+    """Two that are worked out place by place and one that is not, in every cell as the engine."""
+    drawn = random.Random(seed(f"placed power {number}"))
+    kinds = drawn.sample(list(PLACED), 2)
+    made = drawn_machine(mixed(*(PLACED[kind] for kind in kinds), AXES[0]), drawn)
+    made = made.model_copy(update={"axes": [axis.model_copy(update={"rate": None}) for axis in made.axes]})
+    assert disagreeing(TEMPLATE, made)[0] == []
+    value, exact = computed(TEMPLATE, made), together(made).supply(True)
+    assert value("power_room") == "OK"
+    by, at_most = off(value, exact)
+    assert by <= at_most + 1e-9 * max(exact)
 
 
 def test_too_many_places_where_power_may_jump_fail(monkeypatch):

@@ -177,7 +177,7 @@ def sections_table(sheet: Sheet, view: PlacedWork) -> None:
 
 
 def bend(before: int) -> str:
-    """Return the formula of by how much straight lines are off at most, of a section by how many nodes are before it."""
+    """Return the formula of by how much straight lines are off at most, of the section behind so many nodes."""
     n = len(NODES)
     each = "+".join(
         f"[@rule.{name}.2]:[@rule.{name}.{n - 1}]*[@pl.P.{before + k}]:[@pl.P.{before + n - 3 + k}]"
