@@ -14,12 +14,11 @@ KILO = "drive{}_i1/1000"
 
 def begins(view: PlacedWork) -> list[Begin]:
     """Return where each section begins on the master shaft, and the power on both sides of that."""
-    i, n, rows = view.driven.number, len(NODES), view.section_rows
-    ends = [f"{KILO.format(i)}*[drive{i}_pl.P.{k}]" for k in range(n, rows * n + 1, n)]
-    found = []
-    for k, before in enumerate([ends[-1], *ends[:-1]], 1):
+    i, n = view.driven.number, len(NODES)
+    power = [f"{KILO.format(i)}*[drive{i}_pl.P.{k}]" for k, _ in enumerate(view.at_nodes("power"), 1)]
+    firsts, lasts, found = power[::n], power[n - 1 :: n], []
+    for k, (after, before) in enumerate(zip(firsts, [lasts[-1], *lasts[:-1]], strict=True), 1):
         at = f"([drive{i}_sec.b.{k}]+[axes.late.{i}])"
-        after = f"{KILO.format(i)}*[drive{i}_pl.P.{n * k - n + 1}]"
         found.append(Begin(f"{at}-360*INT(({at}+timing_eps)/360)", f"[drive{i}_sec.on.{k}]", after, before))
     return found
 
