@@ -45,6 +45,10 @@ class Running:
     spans: Sequence[tuple[float, float]]
     late: float
 
+    def stretch(self, at: float) -> int:
+        """Return the number of the stretch, from 0, in which a place of the motion lies."""
+        return int(np.searchsorted([low for low, _ in self.spans], at, side="right")) - 1
+
 
 @dataclass(frozen=True)
 class Sharing:
@@ -94,24 +98,21 @@ class Sharing:
         """Whether there is."""
         return self.spans[-1][1] >= self.turn - self.near
 
-    def at(self, one: Running, span: tuple[float, float]) -> tuple[int, float]:
-        """Return the stretch of a drive, from 0, that a line lies in, and where in the motion its middle is."""
-        place = turned(middle(span), -one.late, self.turn)
-        begins = [low for low, _ in one.spans]
-        return int(np.searchsorted(begins, place, side="right")) - 1, place
-
     def within(self, one: Running, span: tuple[float, float]) -> tuple[float, float]:
         """Return the power of a drive at begin and end of a line (W)."""
-        number, place = self.at(one, span)
-        unit = 2.0 * math.pi / self.turn
-        return one.powers[number].over(place * unit, 0.5 * (span[1] - span[0]) * unit)
+        at, unit = turned(middle(span), -one.late, self.turn), 2.0 * math.pi / self.turn
+        found = one.powers[one.stretch(at)]
+        return found.over(at * unit, 0.5 * (span[1] - span[0]) * unit)
 
     def begins(self, one: Running) -> list[tuple[int, float]]:
-        """Return of each line the stretch of a drive, from 0, and where in the motion it begins (rad)."""
-        unit, found = 2.0 * math.pi / self.turn, []
-        for span in self.spans:
-            number, place = self.at(one, span)
-            found.append((number, (place - 0.5 * (span[1] - span[0])) * unit))
+        """Return the stretch of a drive, from 0, in which each line begins, and where in its motion that is (rad).
+
+        The drive may be one that is not among these.
+        """
+        found, unit = [], 2.0 * math.pi / self.turn
+        for low, _ in self.spans:
+            at = turned(low + self.near, -one.late, self.turn)
+            found.append((one.stretch(at), (at - self.near) * unit))
         return found
 
     @cached_property
