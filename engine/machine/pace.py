@@ -9,7 +9,7 @@ sooner. :mod:`engine.machine.rate` comes to the same another way. SI units.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -257,15 +257,9 @@ class Pace:
         return self.highest * (1.0 - BELOW) / self.demand.course.time
 
     @property
-    def gaps(self) -> list[float]:
-        """By how much each trial's x differs from the last one's."""
-        return [0.0, *(after.x - before.x for before, after in pairwise(self.trials))]
-
-    @property
     def apart(self) -> list[int]:
-        """Whether it does enough to tell a bend."""
-        pairs = enumerate(pairwise(self.trials))
-        return [0, *(int(told(after.x, before.x, bool(n))) for n, (before, after) in pairs)]
+        """Whether each trial differs enough from the one before to tell a bend."""
+        return telling([one.x for one in self.trials])
 
     @property
     def last_step(self) -> float:
@@ -352,3 +346,8 @@ def further(
 def told(x: float, before: float, later: bool) -> bool:
     """Whether two trials, the ``later`` ones or the first beside the present rate, tell a parabola's bend."""
     return abs(x - before) > APART * x and (later or x < TRUSTED)
+
+
+def telling(xs: Sequence[float]) -> list[int]:
+    """Return whether each trial differs enough from the one before to tell a bend; the first is the present rate."""
+    return [0, *(int(told(after, before, bool(n))) for n, (before, after) in enumerate(pairwise(xs)))]

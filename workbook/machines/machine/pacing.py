@@ -7,6 +7,7 @@ At x the torque of a stretch is the same line over x y, so limits of speed and o
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 from engine.machine.pace import APART, FAR, LIMITS, PARTS, REACH, TRIALS, TRUSTED, Crossing, Trial, meets, reached
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
@@ -28,6 +29,10 @@ ABOUT = (
 NONE_BINDS = "none"
 LAST = TRIALS + 1
 """row of the last trial: the first is the present rate"""
+EXACT = "from the motion's pieces, to 1e-9 below where a limit binds"
+TOLD = f"IF(ABS([gap])>{APART:.0E}*[x],1,0)".replace("E-0", "E-")
+TELLS = ["=0", f"=IF([x]<{TRUSTED:.0f},{TOLD},0)", *(f"={TOLD}" for _ in range(2, LAST))]
+"""whether trials are far enough apart to tell a parabola's bend"""
 
 
 def pace_columns(view: Stretched) -> list[Quantity]:
@@ -165,30 +170,36 @@ def pace_tables(sheet: Sheet, view: Stretched) -> None:
     )  # fmt: skip
     bounds = ",".join(f"[@limiting.x.{n}]" for n in range(1, len(pace.bounds) + 1))
     xs, asked, behind_it = zip(*pace.trials, strict=True)
-    apart = f"IF(ABS([gap])>{APART:.0E}*[x],1,0)".replace("E-0", "E-")
     squares = ["=@rms^2", *(f"={total(f'@st.sq_{trial}')}/(2*PI())" for trial in range(1, LAST))]
     means = ["=@smean+0", *(f"=IF(@way>0,({total(f'@st.cu_{t}')}/@way)^(1/3),0)" for t in range(1, LAST))]
     sheet.table(
         "@pace", "Trials: the present rate, and where a limit seems to bind", LAST,
         constant("k", "trial", "", "", list(range(LAST))),
         calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1])"), list(xs), scale=1.0),
-        calc("gap", "step", "", "", first("=0", "=[x]-[x-1]"), pace.gaps, scale=max(xs)),
-        calc("apart", "tells the bend", "", "", ["=0", f"=IF([x]<{TRUSTED:.0f},{apart},0)", *later(f"={apart}")],
-             pace.apart, format="0"),
+        *steps(list(xs), TELLS, pace.apart),
         *searched("s", "mean square", "Nm²", squares, "@square0", "@motor_rated^2", asked, pace.sizes[0]),
         *searched("m", "mean torque", "Nm", means, "@mean0", "@reducer_mean", behind_it, pace.sizes[1]),
     )  # fmt: skip
-    limits_found(sheet, view)
+    limits_found(sheet, pace.each, ("=MIN([@st.xp])", "=MIN([@st.xg])"))
 
 
-def first(present: str, others: str) -> list[str]:
+def first(present: str, others: str, rows: int = LAST) -> list[str]:
     """Return a formula for the present rate and another for all trials."""
-    return [present, *(others for _ in range(1, LAST))]
+    return [present, *(others for _ in range(1, rows))]
 
 
-def later(formula: str) -> list[str]:
+def later(formula: str, rows: int = LAST) -> list[str]:
     """Return a formula for all trials but the first."""
-    return [formula for _ in range(2, LAST)]
+    return [formula for _ in range(2, rows)]
+
+
+def steps(xs: list[float], tells: list[str], apart: Sequence[int]) -> list[Quantity]:
+    """Return the columns of by how much x changes, and whether that is enough to tell a parabola's bend."""
+    gaps = [0.0, *(after - before for before, after in pairwise(xs))]
+    return [
+        calc("gap", "step", "", "", first("=0", "=[x]-[x-1]", len(xs)), gaps, scale=max(xs)),
+        calc("apart", "tells the bend", "", "", tells, apart, format="0"),
+    ]
 
 
 def searched(
@@ -196,6 +207,7 @@ def searched(
 ) -> list[Quantity]:  # fmt: skip
     """Return the columns of a quantity that is asked for at trials, and where it meets its limit."""
     d, t, c, b, w = (f"{name}{mark}" for name in "dtcbw")
+    rows = len(found)
     size = max(1e-9, *(abs(one.value) for one in found))
     rises = f"AND([x]>0,ABS([v{mark}]-{rest})>check_zero*ABS({rest}))"
     over = f"({limit}-{rest})"
@@ -213,8 +225,8 @@ def searched(
         calc(f"v{mark}", words, "F", unit, formulas, [one.value for one in found], scale=size),
         calc(d, "its rise from rest", "D", "", f"=IF({rises},([v{mark}]-{rest})/[x],0)",
              [one.rise for one in found], scale=rise, source="(F − F_0)/x"),
-        calc(t, "changes by", "", "", first("=0", f"=[{d}]-[{d}-1]"), [one.turn for one in found], scale=rise),
-        calc(c, "bend", "c", "", [f"={lone}", f"{turned}{lone}", *later(f"{turned}[{c}-1]")],
+        calc(t, "changes by", "", "", first("=0", f"=[{d}]-[{d}-1]", rows), [one.turn for one in found], scale=rise),
+        calc(c, "bend", "c", "", [f"={lone}", f"{turned}{lone}", *later(f"{turned}[{c}-1]", rows)],
              [one.bend for one in found], scale=rise),
         calc(b, "slope", "b", "", f"=[{d}]-[{c}]*[x]", [one.slope for one in found], scale=rise),
         calc(w, "of its root", "", "",
@@ -224,26 +236,24 @@ def searched(
     ]  # fmt: skip
 
 
-def limits_found(sheet: Sheet, view: Stretched) -> None:
-    """Declare up to which rate each limit is held."""
-    pace = view.pace
-    last = f"{LAST}]"
+def limits_found(sheet: Sheet, each: Sequence[float], peaks: tuple[str, str], last: int = LAST) -> None:
+    """Declare up to which x each limit is held; ``peaks`` are the formulas of those of motor and reducer."""
     formulas = [
         f"=IF(@speed>0,MIN({FARTHEST},(@motor_nmax/@speed)^2),{FARTHEST})",
         f"=IF(AND(@reducer_nmax>0,@speed>0),MIN({FARTHEST},(@reducer_nmax/@speed)^2),{FARTHEST})",
-        "=MIN([@st.xp])", "=MIN([@st.xg])", f"=[@pace.xs.{last}", f"=[@pace.xm.{last}",
+        *peaks, f"=[@pace.xs.{last}]", f"=[@pace.xm.{last}]",
     ]  # fmt: skip
     sheet.table(
         "@limiting", "Up to which rate each limit is held", len(LIMITS),
         constant("name", "limit", "", "", list(LIMITS), align="left"),
-        calc("x", "up to", "x", "", formulas, list(pace.each), scale=1.0,
+        calc("x", "up to", "x", "", formulas, list(each), scale=1.0,
              source="of RMS and mean torque exact where none binds before"),
     )  # fmt: skip
 
 
 def rate_of(view: Stretched) -> Highest:
     """Return the highest rate of a drive."""
-    return Highest(shown(view.pace.rate, PER_MINUTE), view.pace.limit or NONE_BINDS, view.driven.entered.rate)
+    return Highest(shown(view.paced.rate, PER_MINUTE), view.paced.limit or NONE_BINDS, view.driven.entered.rate)
 
 
 def mending(view: Stretched) -> Said:
@@ -252,18 +262,17 @@ def mending(view: Stretched) -> Said:
     return amount(f"MAX(0,@highest-{half!r})", max(0.0, rate - half), "; the drive holds all up to ", " cycles/min")
 
 
-def highest(view: Stretched) -> list[Quantity]:
-    """Return the results: the highest rate, and the limit that binds there."""
+def highest(view: Stretched, below: str = "check_zero", source: str = EXACT) -> list[Quantity]:
+    """Return the results: the highest rate, a share ``below`` where a limit binds, and the limit that binds there."""
     rate, limit, _ = rate_of(view)
     return [
         result("@highest", "Highest rate at which it holds all limits", "n_max", "cycles/min",
-               "=@rate*SQRT(MIN([@limiting.x]))*(1-check_zero)", rate,
-               source="from the motion's pieces, to 1e-9 below where a limit binds"),
+               f"=@rate*SQRT(MIN([@limiting.x]))*(1-{below})", rate, source=source),
         result("@binds", "the limit that binds there", "", "",
                f'=IF(MIN([@limiting.x])>={FARTHEST},"{NONE_BINDS}",'
                "INDEX([@limiting.name],MATCH(MIN([@limiting.x]),[@limiting.x],0)))", limit,
                align="right"),
         calc("@settled", "Last step of its search, of it", "", "",
-             "=IF(MIN([@limiting.x])>0,ABS(MIN([@limiting.x])/[@pace.x.last]-1),0)", view.pace.last_step, scale=1.0,
+             "=IF(MIN([@limiting.x])>0,ABS(MIN([@limiting.x])/[@pace.x.last]-1),0)", view.paced.last_step, scale=1.0,
              format='0E+00;-0E+00;"–"', source="the search has settled where it is below 1e-6"),
     ]  # fmt: skip

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property
 from itertools import chain, repeat
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -33,6 +33,22 @@ QUINTIC = 6
 """powers of a polynomial of the fifth degree"""
 FEW, FINE, COARSE = 4, 1.0, 2.0
 """the grid of the sheet Power: with so many drives at most it is fine, in degrees of the master shaft"""
+
+
+class Paced(Protocol):
+    """The highest rate of a drive (1/s), the limit that binds there, and by how much the last trial changed it."""
+
+    @property
+    def rate(self) -> float:
+        """The highest rate (1/s)."""
+
+    @property
+    def limit(self) -> str:
+        """The limit that binds there; nothing where none does."""
+
+    @property
+    def last_step(self) -> float:
+        """By how much the square of the rate changes with the last trial, as a share."""
 
 
 class Stretched:
@@ -165,6 +181,11 @@ class Stretched:
         motor, driven = self.driven.motor, self.driven
         limits = motor.rated_torque, motor.peak_torque, motor.max_speed, driven.reducer.limits
         return Pace(tuple(self.parts), driven.demand, *limits)
+
+    @property
+    def paced(self) -> Paced:
+        """Its highest rate."""
+        return self.pace
 
     @cached_property
     def powers(self) -> list[Powering]:

@@ -150,9 +150,7 @@ def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     }
     for k, one in enumerate(drives, 1):
         found |= {f"power.mains.{k}": partial(mains_of, one), f"power.resistor.{k}": partial(resistor_of, one)}
-    if all(one.tells_highest for one in drives):
-        found |= {"about_highest": partial(least_rate, drives), "about_binds": partial(binding, drives)}
-    return found
+    return found | {"about_highest": partial(least_rate, drives), "about_binds": partial(binding, drives)}
 
 
 def mains_of(one: Studied) -> Any:

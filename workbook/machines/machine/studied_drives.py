@@ -18,10 +18,10 @@ from workbook.entries.units import KW, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.linked.changing import over_motion
 from workbook.machines.machine.linked.driven import driven_of
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import rate_of
-from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -33,8 +33,6 @@ ONE = Column([None], np.zeros(1, dtype=np.intp))
 
 class Studied:
     """The drive of an axis with many motors and reducers, at many rates (cycles/min)."""
-
-    tells_highest = True
 
     def __init__(
         self, axis: MovingAxis, machine: AnyMachine, columns: Mapping[str, Column], rows: Callable[[], AxisRows]
@@ -181,7 +179,7 @@ class Studied:
     def highest_each(self) -> dict[tuple[int, int, int], Highest]:
         """The highest rate of each drive, and the limit that binds there."""
         rows = self.rows()
-        return {one: rate_of(Stretched(rows, drive)) for one, drive in self.drives.items()}
+        return {one: rate_of(over_motion(rows, drive)) for one, drive in self.drives.items()}
 
     @property
     def highest(self) -> Array:
@@ -229,9 +227,9 @@ class Studied:
             "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
             "i1": lambda: reducer("ratio"),
             "rate": lambda: self.rates.each,
+            "highest": lambda: self.highest,
+            "binds": lambda: self.binds,
         }
-        if self.tells_highest:
-            each |= {"highest": lambda: self.highest, "binds": lambda: self.binds}
         for figure in WEIGHED:
             each |= {
                 f"motor_{figure}": partial(motor, figure),
@@ -243,8 +241,6 @@ class Studied:
 
 class EachStudied(Studied):
     """The drive of a mechanism of a changing ratio, or with viscous friction: each design by itself."""
-
-    tells_highest = False
 
     @property
     def at_motor(self) -> Array:

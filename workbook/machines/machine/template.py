@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from engine.timing import turn_time
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
-from workbook.drive.in_short import NO_DRIVE, Highest, InShort, axes_in_short
+from workbook.drive.in_short import NO_DRIVE, InShort, axes_in_short
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.entries.units import PER_MINUTE, shown, si
@@ -20,8 +20,8 @@ from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.linked.changing import LinkedWork
-from workbook.machines.machine.linked.driven import LinkedDriven, PlacedDriven, driven_of
+from workbook.machines.machine.linked.changing import over_motion
+from workbook.machines.machine.linked.driven import driven_of
 from workbook.machines.machine.linked.sheet import placed_sheet
 from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
@@ -36,7 +36,6 @@ from workbook.machines.machine.timing import joined, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet
-from workbook.selection.entries import Products
 from workbook.template import Other, Template, finish
 
 
@@ -46,7 +45,7 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {one.axis.number: view_of(one, given.selection)
+    drives = {one.axis.number: over_motion(one, driven_of(one.axis, given.selection))
               for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
     sheet = summary_sheet(
         book,
@@ -87,14 +86,6 @@ def declare(given: AnyMachine) -> Book:
     return finish(book, "Machine", ("S1", "S3"))
 
 
-def view_of(one: AxisRows, products: Products) -> Stretched:
-    """Return the drive of an axis over its motion."""
-    driven = driven_of(one.axis, products)
-    if isinstance(driven, LinkedDriven):
-        return LinkedWork(one, driven)
-    return PlacedWork(one, driven) if isinstance(driven, PlacedDriven) else Stretched(one, driven)
-
-
 def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
     """Return what the first sheet tells of an axis, and of its drive if it has one."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
@@ -103,22 +94,13 @@ def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
         return found
     name, driven = axis.given.motor.name if axis.given.motor else "", view.driven
     return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=name,
-                          ratio=driven.reducer.ratio, highest=highest_of(view))  # fmt: skip
-
-
-def highest_of(view: Stretched) -> Highest | None:
-    """Return the highest rate of a drive; none of one that is worked out place by place: its sheet has none."""
-    return None if isinstance(view, PlacedWork) else rate_of(view)
+                          ratio=driven.reducer.ratio, highest=rate_of(view))  # fmt: skip
 
 
 def highest_rate(drives: Iterable[Stretched], axes: int, over: Abscissa) -> list[Quantity]:
-    """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds.
-
-    There are none where a drive tells none.
-    """
-    each = [(view.driven.axis.given.name, highest_of(view)) for view in drives]
-    found = [(name, rate) for name, rate in each if rate]
-    if not found or len(found) < len(each):
+    """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds."""
+    found = [(view.driven.axis.given.name, rate_of(view)) for view in drives]
+    if not found:
         return []
     axis, least = min(found, key=lambda one: one[1].rate)
     place = "MATCH(about_highest,[axes_short.highest],0)"

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from engine.mechanisms.linkage import near_end
-from workbook.machines.machine.linked.driven import LinkedDriven
+from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.linked.driven import LinkedDriven, PlacedDriven
 from workbook.machines.machine.linked.passes import Passes
 from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.stretched import Stretched
 
 
 class LinkedWork(PlacedWork):
@@ -39,3 +41,10 @@ class LinkedWork(PlacedWork):
     def further_in(self) -> float:
         """By how much a stretch's position counts as farther than it is: at the end of a table."""
         return -min(0.0, near_end(self.linked.linkage))
+
+
+def over_motion(one: AxisRows, driven: Driven) -> Stretched:
+    """Return a drive over its axis' motion, as its torque is worked out."""
+    if isinstance(driven, LinkedDriven):
+        return LinkedWork(one, driven)
+    return PlacedWork(one, driven) if isinstance(driven, PlacedDriven) else Stretched(one, driven)

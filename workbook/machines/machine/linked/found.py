@@ -143,8 +143,8 @@ def extremes(view: PlacedWork, figure: Figure) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def sections_table(sheet: Sheet, view: PlacedWork) -> None:
-    """Declare the sections, with their extremes and integrals."""
+def sections_table(sheet: Sheet, view: PlacedWork, *more: Quantity) -> None:
+    """Declare the sections, with their extremes and integrals, and more columns."""
     rows, driven = view.section_rows, view.driven
     square, work, cube, _ = driven.scales
     torque, behind, turning = (ranges(view, column) for column in ("T", "S", "w"))
@@ -173,6 +173,7 @@ def sections_table(sheet: Sheet, view: PlacedWork) -> None:
         calc("off", "straight lines are off by at most", "", "kW", bends, filled(shown(np.array(view.offs), KW), rows),
              scale=shown(view.most_power, KW)),
         *(column for figure in FIGURES if view.varies or figure.column != RATIO for column in extremes(view, figure)),
+        *more,
     )  # fmt: skip
 
 

@@ -16,10 +16,11 @@ from workbook.machines.machine import chosen, drive
 from workbook.machines.machine.breaks import breaks_table, turns_table, windows_check
 from workbook.machines.machine.chain import UNSIZED
 from workbook.machines.machine.cycle import CYCLES
-from workbook.machines.machine.linked import cut, found, kinds, reach
+from workbook.machines.machine.linked import cut, found, kinds, pacing, reach
 from workbook.machines.machine.linked.changing import LinkedWork
 from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.machines.machine.pacing import highest, mending
 from workbook.machines.machine.powered import power_peaks
 
 CHANGING = {"jtot": "=@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2"}
@@ -51,8 +52,11 @@ def placed_sheet(book: Book, view: PlacedWork) -> None:
     sheet = drive.begun(book, driven)
     with sheet.scoped(f"drive{i}_"):
         drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
-        drive.outcome(sheet, one, driven, RESULTS | (CHANGING if view.varies else {}), power_peaks(view, PEAKS))
-        sheet.checks(*drive.checks(driven), drive.laws_check(driven, one), *windows_check(view), *checks(view))
+        drive.outcome(sheet, one, driven, RESULTS | (CHANGING if view.varies else {}),
+                      [*power_peaks(view, PEAKS), *highest(view, pacing.BELOW, pacing.NEAR)])  # fmt: skip
+        sheet.checks(
+            *drive.checks(driven, mending(view)), drive.laws_check(driven, one), *windows_check(view), *checks(view)
+        )
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         if view.varies:
             sheet.chart(angles(one.machine.over), column=drive.CHART_COLUMN, row=28, width=8, height=18)
@@ -79,9 +83,10 @@ def placed_sheet(book: Book, view: PlacedWork) -> None:
         cut.turns_table(sheet, view)
         cut.rule_table(sheet)
         cut.cuts_table(sheet, view)
-        found.sections_table(sheet, view)
+        found.sections_table(sheet, view, *pacing.pace_columns(view))
         cut.nodes_table(sheet, view)
-        sheet.rows(*found.lost_rows(view))
+        sheet.rows(*found.lost_rows(view), *pacing.loss_rows(view.pacing))
+        pacing.pace_tables(sheet, view)
         limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), drive.BACKWARD)
         rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18

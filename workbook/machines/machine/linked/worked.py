@@ -11,6 +11,7 @@ from engine.laws.base import Array
 from engine.machine.bent import going, middle, stretches
 from engine.machine.brackets import Bracket
 from engine.machine.interpolated import Interpolated
+from engine.machine.place_pace import PlacePace, loads_of
 from engine.machine.places import (
     LONG,
     LOOKS,
@@ -36,7 +37,7 @@ from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.linked.driven import PlacedDriven
 from workbook.machines.machine.linked.turn import Turn
 from workbook.machines.machine.motion import AxisRows
-from workbook.machines.machine.stretched import Stretched
+from workbook.machines.machine.stretched import Paced, Stretched
 
 FIGURES = ("force", "behind", "torque")
 """what power changes its way with: at the load, in the reducer, in the motor"""
@@ -325,6 +326,23 @@ class PlacedWork(Stretched):
         worst = max(one.rest for one in self.sums)
         room = self.turned_round <= self.turn_rows and len(self.spans) <= self.rows
         return room and len(self.sections) <= self.section_rows and suffices(worst, self.at_nodes("torque"))
+
+    @cached_property
+    def pacing(self) -> PlacePace:
+        """What they ask for at other rates; spare rows repeat the last section, without a width."""
+        motor, driven, used = self.driven.motor, self.driven, len(self.sections)
+        widths = [end - begin for begin, end in (self.within(held, span) for held, span in self.placed)]
+        widths = [width if k < used else 0.0 for k, width in enumerate(widths)]
+        loads = loads_of(
+            [(held, width, at) for (held, _), width, at in zip(self.placed, widths, self.worked, strict=True)]
+        )
+        limits = motor.rated_torque, motor.peak_torque, motor.max_speed, driven.reducer.limits
+        return PlacePace(loads, self.helds[0], driven.demand, *limits)
+
+    @property
+    def paced(self) -> Paced:
+        """Its highest rate."""
+        return self.pacing
 
     def tops(self, figure: Callable[[Worked], Array], least: float) -> list[Top]:
         """Return the largest value of a figure of each section; ``least`` is next to nothing."""
