@@ -28,6 +28,7 @@ FINE = 2
 """how many of the last trials find peaks between nodes, too"""
 WITHIN = 1e-4
 """of the rate: how far below the one that is found all limits are held"""
+LEAST = 1e-9
 PARTS = 1e-9
 """of a section's largest value: values that differ by less are equal"""
 
@@ -35,7 +36,7 @@ PARTS = 1e-9
 class Loads(NamedTuple):
     """What acts at the nodes of sections, a row each, at the present rate.
 
-    Parts of the force at the load (N, or Nm) by mass and by viscous friction, φ', φ̇ and φ̈; what resists, direction and
+    Parts of the force at the load (N, or Nm) by mass and by viscous friction, φ', φ̇ and φ̈; what resists, direction,
     whether the motor acts, and the width of each section (rad).
     """
 
@@ -177,6 +178,18 @@ class PlacePace:
             ]
             tried.append((asked, tuple(trials)))
         return tried
+
+    @property
+    def sizes(self) -> list[float]:
+        """How large each figure over x grows over the trials: by it rises are measured."""
+        found = [(self.figures(asked), asked.x) for asked, _ in self.tried if asked.x > 0.0]
+        return [max(LEAST, *(figures[k] / x for figures, x in found)) for k in range(len(LONE))]
+
+    @property
+    def losses(self) -> list[tuple[float, float]]:
+        """Of each stage p = (1/η + η)/2 and q = (1/η − η)/2: a torque counts p + q times, one that brakes p − q."""
+        each = [stage.efficiency for stage in self.held.train.drive.mechanism.stages]
+        return [((1.0 / eta + eta) / 2.0, (1.0 / eta - eta) / 2.0) for eta in each]
 
     @property
     def apart(self) -> list[int]:

@@ -26,7 +26,7 @@ ABOUT = (
     "x is the square of a rate over the present one: at it inertia asks x times, viscous friction √x times as much as "
     "now. Each trial is where parabolas through the last ones meet a limit; the last two find peaks between nodes, too."
 )
-LOSSES = {"p": ("+", "mean"), "q": ("-", "half the difference")}
+LOSSES = {"p": ("+", "+", "mean"), "q": ("-", "−", "half the difference")}
 TELLS = ["=0", f"=IF([x]<{TRUSTED:.0f},{TOLD},0)", *("=0" if n == SWITCH else f"={TOLD}" for n in range(2, LAST))]
 HALF = "[on]*([ue]-[ub])/2*SUMPRODUCT([@rule.w],"
 MARKS = {"T": ("motor", "torque"), "S": ("geared", "torque behind the reducer")}
@@ -131,26 +131,24 @@ def peak(
 
 def loss_rows(pace: PlacePace) -> list[Quantity]:
     """Return the rows of how losses count: a stage multiplies F by p + q where it drives, by p − q where it brakes."""
-    stages = zip(("1", "2"), ("reducer", "mechanism"), pace.held.train.drive.mechanism.stages, strict=True)
+    stages = zip(("1", "2"), ("reducer", "mechanism"), pace.losses, strict=True)
     return [
-        calc(f"@{name}{k}", f"Losses of the {stage}, {words}", f"{name}_{k}", "",
-             f"=(1/@eta{k}{sign}@eta{k})/2", (1.0 / one.efficiency + side * one.efficiency) / 2.0,
-             source=f"(1/η_{k} {'−' if side < 0 else '+'} η_{k})/2")
-        for k, stage, one in stages
-        for (name, (sign, words)), side in zip(LOSSES.items(), (1.0, -1.0), strict=True)
+        calc(f"@{name}{k}", f"Losses of the {stage}, {words}", f"{name}_{k}", "", f"=(1/@eta{k}{sign}@eta{k})/2", value,
+             source=f"(1/η_{k} {told} η_{k})/2")
+        for k, stage, values in stages
+        for (name, (sign, told, words)), value in zip(LOSSES.items(), values, strict=True)
     ]  # fmt: skip
 
 
 def pace_tables(sheet: Sheet, view: PlacedWork) -> None:
     """Declare the trials, and the rate at which each limit binds."""
     pace, way = view.pacing, total("@sec.way")
-    rest, figures = pace.rest, [pace.figures(asked) for asked, _ in pace.tried]
-    xs = [asked.x for asked, _ in pace.tried]
+    rest, xs = pace.rest, [asked.x for asked, _ in pace.tried]
     bounds = ",".join(f"[@limiting.x.{n}]" for n in range(1, len(pace.bounds) + 1))
     sheet.heading("Workings: the highest rate", ABOUT)
     sheet.rows(
         calc("@square0", "Mean square of the torque at no rate", "", "Nm²", f"={total('@sec.sq_0')}/(2*PI())", rest[0],
-             scale=max(figures[0][0], 1e-9)),
+             scale=pace.sizes[0]),
         calc("@mean0", "Mean torque behind the reducer at no rate", "", "Nm", mean(way, 0), rest[1],
              scale=view.driven.sizes.behind),
         calc("@peak0", "Largest torque at no rate", "", "Nm", "=MAX([@sec.mT_0])", rest[2],
@@ -170,8 +168,7 @@ def pace_tables(sheet: Sheet, view: PlacedWork) -> None:
     )  # fmt: skip
     columns = []
     for k, one in enumerate(asked):
-        rises = max(1e-9, *(found[k] / x for found, x in zip(figures, xs, strict=True) if x > 0.0))
-        columns += searched(*one, [trials[k] for _, trials in pace.tried], rises)
+        columns += searched(*one, [trials[k] for _, trials in pace.tried], pace.sizes[k])
     sheet.table(
         "@pace", "Trials: the present rate, and where a limit seems to bind", LAST,
         calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1],[xp-1],[xg-1])", LAST), xs, scale=1.0),
