@@ -21,7 +21,7 @@ LAST = TRIALS + 1
 SWITCH = LAST - FINE
 """trials before the first whose peaks are looked for between nodes, too"""
 BELOW = f"{WITHIN:.0E}".replace("E-0", "E-")
-NEAR = "from the sections' nodes, to 1/10,000 below where a limit binds"
+NEAR = "from the sections' nodes, to 0.01 % below where a limit binds"
 ABOUT = (
     "x is the square of a rate over the present one: at it inertia asks x times, viscous friction √x times as much as "
     "now. Each trial is where parabolas through the last ones meet a limit; the last two find peaks between nodes, too."
