@@ -34,7 +34,7 @@ def between(one: Any, other: Any, share: float) -> Any:
 def told(drawn: Callable[[], list[dict[str, Any]]]) -> list[dict[str, Any]]:
     """Draw the pieces of an own law until its points, at their fewest, find its extremes.
 
-    A few of a thousand random laws have extremes that the cells miss and the engine does not (README, Limits).
+    A few of a thousand random laws have extremes that the cells miss and the engine does not (docs/limits.md).
     """
     while not all_found(pieces := drawn()):
         pass
