@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from engine.machine.brackets import Bracket
+from engine.machine.brackets import Bracket, Step
 from engine.machine.places import Worked
 
 
@@ -22,13 +22,14 @@ class Turn(NamedTuple):
     beside: float
     at_kink: float
     bracket: Bracket
+    rise: int
     first: Worked
     at_first: float
-    place2: float
+    step2: Step
     second: Worked
     at_second: float
-    place3: float
+    step3: Step
     third: Worked
     at_third: float
-    place: float
+    step4: Step
     angle: float

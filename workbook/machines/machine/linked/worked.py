@@ -9,7 +9,7 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.machine.bent import going, middle, stretches
-from engine.machine.brackets import Bracket
+from engine.machine.brackets import Bracket, Point
 from engine.machine.interpolated import Interpolated
 from engine.machine.place_pace import PlacePace, loads_of
 from engine.machine.places import (
@@ -206,17 +206,23 @@ class PlacedWork(Stretched):
         bracket, beside, at_kink = Bracket(low, high, at_low, at_high, self.lost(name)), 0.0, 0.0
         kink = next((n for n, one in enumerate(before, 1) if one.row == row), 0)
         if kink:
-            beside, at_kink = before[kink - 1].place3, float(getattr(before[kink - 1].third, name)[0])
+            beside, at_kink = before[kink - 1].step3.place, float(getattr(before[kink - 1].third, name)[0])
             bracket = bracket.beside(beside, at_kink)
-        first = held.at(np.array([bracket.first]))
-        place2 = bracket.second(at_first := float(getattr(first, name)[0]))
-        second = held.at(np.array([place2]))
-        place3 = bracket.chord(bracket.first, place2, at_first, at_second := float(getattr(second, name)[0]))
-        third = held.at(np.array([place3]))
-        place = bracket.chord(place2, place3, at_second, at_third := float(getattr(third, name)[0]))
-        angle = shown(held.piece.begin + place, DEGREE) if number else TURN
-        tried = bracket, first, at_first, place2, second, at_second, place3, third, at_third
-        return Turn(number, row, stretch + 1, kink, beside, at_kink, *tried, place, angle)
+        rise = bracket.rise if number else 0
+
+        def at(u: float) -> tuple[Worked, Point]:
+            found = held.at(np.array([u]))
+            return found, Point(u, float(getattr(found, name)[0]))
+
+        first, one = at(bracket.first)
+        step2 = bracket.step(bracket.begin, bracket.end, one, rise)
+        second, two = at(step2.place)
+        step3 = bracket.step(bracket.begin, one, two, rise)
+        third, three = at(step3.place)
+        step4 = bracket.step(one, two, three, rise)
+        angle = shown(held.piece.begin + step4.place, DEGREE) if number else TURN
+        tried = rise, first, one.value, step2, second, two.value, step3, third, three.value, step4
+        return Turn(number, row, stretch + 1, kink, beside, at_kink, bracket, *tried, angle)
 
     @cached_property
     def sections(self) -> list[tuple[float, float]]:
