@@ -9,7 +9,7 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.machine.bent import going, middle, stretches
-from engine.machine.brackets import Bracket, Point
+from engine.machine.brackets import Bracket
 from engine.machine.interpolated import Interpolated
 from engine.machine.place_pace import PlacePace, loads_of
 from engine.machine.places import (
@@ -35,7 +35,7 @@ from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.linked.driven import PlacedDriven
-from workbook.machines.machine.linked.turn import Turn
+from workbook.machines.machine.linked.turn import Turn, tried
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Paced, Stretched
 
@@ -206,23 +206,11 @@ class PlacedWork(Stretched):
         bracket, beside, at_kink = Bracket(low, high, at_low, at_high, self.lost(name)), 0.0, 0.0
         kink = next((n for n, one in enumerate(before, 1) if one.row == row), 0)
         if kink:
-            beside, at_kink = before[kink - 1].step3.place, float(getattr(before[kink - 1].third, name)[0])
+            beside, at_kink = before[kink - 1].tried.step3.place, float(getattr(before[kink - 1].tried.third, name)[0])
             bracket = bracket.beside(beside, at_kink)
-        rise = bracket.rise if number else 0
-
-        def at(u: float) -> tuple[Worked, Point]:
-            found = held.at(np.array([u]))
-            return found, Point(u, float(getattr(found, name)[0]))
-
-        first, one = at(bracket.first)
-        step2 = bracket.step(bracket.begin, bracket.end, one, rise)
-        second, two = at(step2.place)
-        step3 = bracket.step(bracket.begin, one, two, rise)
-        third, three = at(step3.place)
-        step4 = bracket.step(one, two, three, rise)
-        angle = shown(held.piece.begin + step4.place, DEGREE) if number else TURN
-        tried = rise, first, one.value, step2, second, two.value, step3, third, three.value, step4
-        return Turn(number, row, stretch + 1, kink, beside, at_kink, bracket, *tried, angle)
+        found = tried(held, name, bracket, bracket.rise if number else 0)
+        angle = shown(held.piece.begin + found.step4.place, DEGREE) if number else TURN
+        return Turn(number, row, stretch + 1, kink, beside, at_kink, bracket, found, angle)
 
     @cached_property
     def sections(self) -> list[tuple[float, float]]:
