@@ -9,6 +9,7 @@ import random
 
 import pytest
 
+from engine.machine.place_pace import WITHIN
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
@@ -17,6 +18,8 @@ from tests.workbook.machines.test_machine_linked import CRANK, ROCKER, TABLE, li
 from tests.workbook.machines.test_random_machines import SAME, G, valid, window
 
 KINDS = {"crank-slider": CRANK, "rocker": ROCKER, "table": TABLE}
+TIE = "about_binds"
+"""which of three equal drives binds hangs on rounding"""
 LENGTHS = ("crank", "rod", "position", "lever", "link", "offset")
 OTHER = {"inner": "outer", "outer": "inner", "ahead": "behind", "behind": "ahead", "forward": "backward",
          "backward": "forward"}  # fmt: skip
@@ -85,7 +88,7 @@ def examined(drawn, kind):
     data, axis = drawn_axis(drawn, kind, drawn.random() < 0.3)
     made = valid(data | {"axes": [axis, mirrored(axis), scaled(axis, drawn.uniform(0.3, 0.95))]})
     wrong, _ = disagreeing(TEMPLATE, made)
-    assert wrong == []
+    assert [one for one in wrong if not one.startswith(TIE)] == []
     value = computed(TEMPLATE, made)
     assert value("power_room") == "OK"
     peak = max(value("drive1_tmax"), -value("drive1_tmin"), 1e-9)
@@ -94,6 +97,8 @@ def examined(drawn, kind):
         size = powerful if name in ("pmax", "pmin", "power", "energy", "returned") else 0.0
         first, *others = (value(f"drive{k}_{name}") for k in (1, 2, 3))
         assert others == pytest.approx([first, first], rel=1e-8, abs=1e-9 * max(size, abs(first))), name
+    first, *others = (value(f"drive{k}_highest") for k in (1, 2, 3))
+    assert others == pytest.approx([first, first], rel=2.0 * WITHIN)
     ends = [(value(f"drive{k}_tmax"), value(f"drive{k}_tmin")) for k in (1, 2, 3)]
     assert (-ends[1][1], -ends[1][0]) == pytest.approx(ends[0], rel=1e-8, abs=1e-9 * peak)
     assert ends[2] == pytest.approx(ends[0], rel=1e-8, abs=1e-9 * peak)
@@ -102,7 +107,7 @@ def examined(drawn, kind):
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.sample(1)
 def test_mirrored_and_scaled_it_asks_the_same_of_its_motor(kind):
-    examined(random.Random(f"linked of the day {kind}"), kind)
+    examined(random.Random(f"drive of a changing ratio: {kind}"), kind)
 
 
 @pytest.mark.parametrize("number", nights(300))
