@@ -4,7 +4,8 @@ import openpyxl
 import pytest
 from openpyxl.utils import get_column_letter
 
-from workbook.build import build
+from workbook.book.limits import COLUMN
+from workbook.build import build, committed
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -27,3 +28,23 @@ def test_what_is_folded_is_workings_alone(name, tmp_path):
         assert (first.hidden, first.outlineLevel) == (True, 1)
         assert first.max >= max(max(block.columns.values()) for block in sheet.blocks)
         assert not pages[sheet.title].column_dimensions[get_column_letter(sheet.folded - 1)].hidden
+
+
+SAID = {"kind", COLUMN}
+"""what a phase is, and which entry is beyond its limits: to be read, not a step of the calculation"""
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in committed() if path.stem.startswith("machine")], ids=lambda path: path.stem
+)
+def test_no_step_of_the_calculation_is_printed_with_the_phases(path):
+    machine = read_machine(path)
+    sheet = next(s for s in TEMPLATES[machine.template].declare(machine).sheets if s.title == "Timing")
+    printed = [
+        (block.name, q.name) for block in sheet.blocks for q in block.quantities
+        if block.is_table and block.row <= sheet.print_rows and block.columns[q.name] <= sheet.print_columns
+        and q.role == "calculation" and q.name not in SAID
+    ]  # fmt: skip
+    assert printed == []
+    below = {q.role for block in sheet.blocks for q in block.quantities if block.row > sheet.print_rows}
+    assert below <= {"calculation", "constant"}

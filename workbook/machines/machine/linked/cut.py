@@ -63,7 +63,7 @@ def stretches_table(sheet: Sheet, view: PlacedWork) -> None:
     pieces = f"axis{i}_pieces"
     velocity = velocity_at(view, "(([ub]+[ue])/2)")
     back = f"MIN([dir]*{velocity_at(view, '[ub]')},[dir]*{velocity_at(view, '[ue]')})<0-check_zero*@vmax"
-    acts, angle = ACTS.format(x="[x]"), f"(([b]+[e])/2+[axes.late.{i}])"
+    acts, angle = ACTS.format(x="[x]"), f"(([b]+[e])/2+[axes_taken.late.{i}])"
     helds = view.helds
     sheet.table(
         "@st", "Stretches: one direction, one process force", rows,
