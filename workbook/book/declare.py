@@ -68,7 +68,9 @@ class Block:
     quiet: str = ""
     """of a table: the condition under which its results are errors, and are not shown"""
     lead: Block | None = None
-    """of a column beside a table: that, whose cells in the same row its formulas may name"""
+    """of columns beside a table: that, whose cells in the same row their formulas may name"""
+    workings: Block | None = None
+    """of a table: its workings to the right, whose cells in the same row its formulas may name"""
 
     @cached_property
     def columns(self) -> dict[str, int]:
@@ -78,7 +80,8 @@ class Block:
     @property
     def seen(self) -> dict[str, int]:
         """The sheet column of each quantity that a formula may name for its own row."""
-        return {**(self.lead.columns if self.lead else {}), **self.columns}
+        beside = (self.lead, self.workings)
+        return {**{name: column for block in beside if block for name, column in block.columns.items()}, **self.columns}
 
     @property
     def span(self) -> str:
@@ -311,7 +314,7 @@ class Sheet:
         self.row = block.row - (4 if explained else 3)
         self._heads(title, column, explained, quantities)
         self.row, own = after, self._own(quantities)
-        self._place(
+        block.workings = self._place(
             Block(in_scope(name, self.scope), self, block.row, column, own, block.size, title,
                   blank=block.blank, lead=block)
         )  # fmt: skip
