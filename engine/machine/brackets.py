@@ -2,10 +2,32 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
-SAME = 1e-4
-"""of what has no sign: how little two values may differ for a chord through them"""
+NONE = 1e-4
+"""of what has no sign: a value that is 0, from which no step is taken"""
+
+
+class Point(NamedTuple):
+    """A place, and the value of a figure there."""
+
+    u: float
+    value: float
+
+
+class Step(NamedTuple):
+    """From a place to where the parabola through three points is 0, one of them there.
+
+    With p and q from there to the others, that is value + (slope t + bend t²)/size: by p²(g_q − g) − q²(g_p − g),
+    q(g_p − g) − p(g_q − g) and p q (p − q). ``steep`` is what twice the value is divided by.
+    """
+
+    slope: float
+    bend: float
+    size: float
+    steep: float
+    place: float
 
 
 class Bracket(NamedTuple):
@@ -16,6 +38,21 @@ class Bracket(NamedTuple):
     at_low: float
     at_high: float
     lost: float
+
+    @property
+    def begin(self) -> Point:
+        """The lower place."""
+        return Point(self.low, self.at_low)
+
+    @property
+    def end(self) -> Point:
+        """The higher one."""
+        return Point(self.high, self.at_high)
+
+    @property
+    def rise(self) -> int:
+        """1 where the figure rises from place to place, or −1."""
+        return 1 if self.at_high >= self.at_low else -1
 
     def beside(self, u: float, value: float) -> Bracket:
         """Return the part of it, before or behind a place where the figure has a value, in which that changes sign."""
@@ -34,17 +71,18 @@ class Bracket(NamedTuple):
             return self.low
         return self.within(self.low - self.at_low * (self.high - self.low) / rise)
 
-    def second(self, at_first: float) -> float:
-        """Return where an inverse parabola through both ends and the first place is 0."""
-        a, b, c, x = self.at_low, self.at_high, at_first, self.first
-        if min(abs(c - a), abs(c - b)) <= self.lost:
-            return x
-        found = self.low * b * c / ((a - b) * (a - c)) + self.high * a * c / ((b - a) * (b - c))
-        return self.within(found + x * a * b / ((c - a) * (c - b)))
+    def step(self, one: Point, other: Point, last: Point, rise: int) -> Step:
+        """Return the step to where a parabola through three points is 0 and rises (1) or falls (−1); 0: no step.
 
-    def chord(self, one: float, other: float, at_one: float, at_other: float) -> float:
-        """Return where a straight line through two places is 0; the second where it is level."""
-        rise = at_other - at_one
-        if abs(rise) <= SAME * self.lost:
-            return other
-        return self.within(other - at_other * (other - one) / rise)
+        Source: D. E. Muller, A method for solving algebraic equations using an automatic computer, Math. Tables Other
+        Aids Comput. 10 (1956) 208–215.
+        """
+        p, q = one.u - last.u, other.u - last.u
+        a, b = one.value - last.value, other.value - last.value
+        slope, bend, size = p**2 * b - q**2 * a, q * a - p * b, p * q * (p - q)
+        root = math.sqrt(max(0.0, slope**2 - 4.0 * bend * last.value * size))
+        steep = rise * math.copysign(1.0, size) * slope + root if size else root
+        if steep <= 0.0 or abs(last.value) <= NONE * self.lost:
+            return Step(slope, bend, size, steep, last.u)
+        place = self.within(last.u - 2.0 * last.value * rise * abs(size) / steep)
+        return Step(slope, bend, size, steep, place)

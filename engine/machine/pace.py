@@ -30,7 +30,7 @@ FAR = 1e12
 """x beyond which is not looked: a million times the rate"""
 BELOW = 1e-9
 """of the rate: how far below it all limits are held"""
-APART = 1e-3
+APART = 1e-2
 """of x: trials nearer to each other tell nothing of a parabola's bend"""
 FLAT = 1e-9
 """of what is asked for at rest: what rises by no more does not rise, but for rounding"""

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.quantity import SAYS
 from workbook.book.rows import filled
+from workbook.book.sentence import Sentence
 
 ZERO = 1e-9
 FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
@@ -78,18 +79,18 @@ def counted(book: Book) -> list[int | None]:
 
 
 def mended(book: Book, most: int) -> dict[str, list[str | None]]:
-    """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.what``."""
+    """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.says``."""
     found = summary(book)
     told = [
-        (q.label, sheet.title, said)
+        (sheet.title, None if said is None else Sentence(f"{q.label}: {said}"))
         for (sheet, q), verdict, said in zip(book.checks, found.verdicts, found.sentences, strict=True)
         if verdict != "OK"
     ][:most]
-    rows = filled(told, most, ("", "", ""))
+    rows = filled(told, most, ("", ""))
     known = found.holding is not None
     columns = zip(*rows, strict=True)
     return {f"mend.{name}": list(column) if known else filled([], most, None)
-            for name, column in zip(("what", "where", "says"), columns, strict=True)}  # fmt: skip
+            for name, column in zip(("where", "says"), columns, strict=True)}  # fmt: skip
 
 
 def settled(book: Book) -> dict[str, list[Any]]:

@@ -68,7 +68,9 @@ class Block:
     quiet: str = ""
     """of a table: the condition under which its results are errors, and are not shown"""
     lead: Block | None = None
-    """of a column beside a table: that, whose cells in the same row its formulas may name"""
+    """of columns beside a table: that, whose cells in the same row their formulas may name"""
+    workings: Block | None = None
+    """of a table: its workings to the right, whose cells in the same row its formulas may name"""
 
     @cached_property
     def columns(self) -> dict[str, int]:
@@ -78,7 +80,8 @@ class Block:
     @property
     def seen(self) -> dict[str, int]:
         """The sheet column of each quantity that a formula may name for its own row."""
-        return {**(self.lead.columns if self.lead else {}), **self.columns}
+        beside = (self.lead, self.workings)
+        return {**{name: column for block in beside if block for name, column in block.columns.items()}, **self.columns}
 
     @property
     def span(self) -> str:
@@ -274,7 +277,9 @@ class Sheet:
         rows = self.book.limit(inputs[0].key.partition(".*")[0])
         filled = rows is not None and rows.required
         guard, column, verdict = of_rows(in_scope(name, self.scope), size, label, inputs, watched, rules, filled)
-        block = self._table(name, title, size, blank, *quantities, column)
+        runs = int(quantities[-1].align == "left")  # over the empty cells behind the table
+        last = len(quantities) - runs
+        block = self._table(name, title, size, blank, *quantities[:last], column, *quantities[last:])
         self.book.guards.append(guard)
         self.checks(verdict)
         self.row += 1
@@ -284,21 +289,35 @@ class Sheet:
         if size > LONG and not self.print_rows:
             above = self.section if self.row < self.section + 4 else self.row
             self.print_rows = above - 1 if self.blocks else self.row + LONG
-        self.texts.append(Text(self.row, FIRST, title, "subheading"))
         explained = any(q.source for q in quantities)
-        for i, q in enumerate(quantities):
-            unit = f"{q.symbol} [{q.unit}]" if q.unit else q.symbol
-            lines = [(q.label, "header"), (unit, "units")]
-            if explained:
-                lines.append((q.source, "equation"))
-            for k, (text, style) in enumerate(lines):
-                self.texts.append(Text(self.row + 1 + k, FIRST + i, text, style))
+        self._heads(title, FIRST, explained, quantities)
         top = self.row + (4 if explained else 3)
         name = in_scope(name, self.scope)
         unused = in_scope(blank, self.scope)
         block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
         self.row = top + size + 1
         return block
+
+    def _heads(self, title: str, first: int, explained: bool, quantities: Sequence[Quantity]) -> None:
+        """Write the title of a table and the heads of its columns."""
+        self.texts.append(Text(self.row, first, title, "subheading"))
+        for column, q in enumerate(quantities, first):
+            unit = f"{q.symbol} [{q.unit}]" if q.unit else q.symbol
+            lines = [(q.label, "header"), (unit, "units")]
+            if explained:
+                lines.append((q.source, "equation"))
+            self.texts += [Text(self.row + k, column, text, style) for k, (text, style) in enumerate(lines, 1)]
+
+    def workings(self, block: Block, name: str, title: str, column: int, *quantities: Quantity) -> None:
+        """Place a table in the rows of another, at a column to its right: what is worked out from each of its rows."""
+        explained, after = any(q.source for q in block.quantities), self.row
+        self.row = block.row - (4 if explained else 3)
+        self._heads(title, column, explained, quantities)
+        self.row, own = after, self._own(quantities)
+        block.workings = self._place(
+            Block(in_scope(name, self.scope), self, block.row, column, own, block.size, title,
+                  blank=block.blank, lead=block)
+        )  # fmt: skip
 
     def beside(self, block: Block, name: str, quantity: Quantity) -> None:
         """Place a table of one column beside a table without equations: where a size tells how many columns there are.

@@ -8,6 +8,8 @@ from workbook.book.quantity import Quantity
 
 LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))
 """below each size: four digits that count"""
+NOISE = 1e-12
+"""of any unit: a size below it is rounding"""
 
 
 def sample(q: Quantity) -> Any:
@@ -31,6 +33,8 @@ def number_format(q: Quantity, value: Any) -> str:
     if isinstance(value, int):
         return "0"
     size = abs(value)
-    if size and (size < 1e-3 or size >= 1e6):
+    if size < NOISE:
+        return LOOKS[0][1]
+    if size < 1e-3 or size >= 1e6:
         return "0.000E+00"
     return next((look for limit, look in LOOKS if size < limit), "0")

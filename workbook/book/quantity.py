@@ -18,6 +18,9 @@ FLOOR = 1e-3
 FLOORS = {"kg m²": 1e-9, "m²/rad⁴": 1e-6}
 """and of those of which it is not"""
 
+ROUNDED, MOST = 1e-9, 1e9
+"""of figures beside a limit: the share of it that rounding may add, and what none is above"""
+
 Role = Literal["input", "calculation", "result", "check", "constant", "sentence"]
 
 
@@ -50,6 +53,8 @@ class Quantity:
     """whether its texts take several lines, and their column need hold their words alone"""
     rule: str = ""
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
+    limit: float = 0.0
+    """of figures beside a limit: above it they are shown as beyond it; none by default"""
     says: str = ""
     """of a check: the formula of where it fails, and by how much"""
     said: str = ""

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import re
+from math import floor, isfinite, log10
 from typing import Any, NamedTuple
 
 DIGITS = 9
 """decimals that are shown of an entry, at most"""
-FINE = 3
-"""decimals that are shown of an amount"""
+FINE, LEAST, MOST = 4, 1, 6
+"""digits that are shown of an amount, and decimals at least and at most"""
+NOUGHT = 1e-9
+"""beside an amount, so that it has a size"""
 LARGEST = 1e9
 """of the entries that are shown"""
 BEYOND = "beyond 1E9"
 _FIGURE = re.compile(r"-?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?")
-_ROUNDED = 1.1e-3
-"""figures may be rounded to three decimals, each program in its way"""
+_ROUNDED = 1.1
+"""of the last decimal: each program rounds in its way"""
 
 
 class Sentence(str):
@@ -37,7 +40,7 @@ def number(text: str) -> float:
 
 def near(one: float, other: float) -> bool:
     """Whether two figures differ by no more than their rounding."""
-    return abs(one - other) <= _ROUNDED + 1e-9 * abs(one)
+    return abs(one - other) <= _ROUNDED * 10.0 ** -decimals(one) + 1e-9 * abs(one)
 
 
 def figure(value: float) -> str:
@@ -85,9 +88,14 @@ def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Sa
 
 def shown(cell: str) -> str:
     """Return the formula that rounds an amount for people."""
-    return f"ROUND({cell},{FINE})"
+    return f"ROUND({cell},MAX({LEAST},MIN({MOST},{FINE - 1}-INT(LOG10(ABS({cell})+{NOUGHT:.9f})))))"
 
 
 def rounded(value: float) -> str:
     """Return an amount as sentences show it."""
-    return f"{round(value, FINE) + 0.0:.15g}"
+    return f"{round(value, decimals(value)) + 0.0:.15g}"
+
+
+def decimals(value: float) -> int:
+    """Return how many decimals are shown of an amount: of a size of 1 to 10 three, so that four digits count."""
+    return max(LEAST, min(MOST, FINE - 1 - floor(log10(abs(value) + NOUGHT)))) if isfinite(value) else LEAST

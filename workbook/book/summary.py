@@ -65,7 +65,7 @@ def summary_sheet(book: Book, machine: Identified, purpose: str, key_results: li
     sheet = book.sheet(TITLE, purpose)
     sheet.one_page = True
     sheet.print_columns = COLUMNS
-    sheet.widths = {FIRST + 2: 18, FIRST + 3: 16}
+    sheet.widths = {FIRST: 36, FIRST + 2: 18, FIRST + 3: 16}
     sheet.heading("This machine")
     sheet.rows(
         given("book_title", "Machine", "", "", machine.title, "title", align="left"),
@@ -110,13 +110,13 @@ def to_mend(book: Book, sheet: Sheet) -> None:
     sheet.heading("To mend")
     sheet.rows(calc("mend_count", "Checks that fail", "", "", "=checks_all-checks_ok", failing(book), format="0",
                     source=f"the first {TO_MEND} of them; all stand on the sheet Checks"))  # fmt: skip
-    rows = mended(book, TO_MEND)
+    rows, where = mended(book, TO_MEND), of_failing("where")
     sheet.table(
         "mend", "The checks that fail", TO_MEND,
-        calc("what", "check", "", "", of_failing("what"), rows["mend.what"], align="left"),
+        calc("where", "sheet", "", "", f'=IF([k]>mend_count,"",{where})', rows["mend.where"], align="left"),
         constant("k", "number", "", "", list(range(1, TO_MEND + 1))),
-        calc("where", "sheet", "", "", of_failing("where"), rows["mend.where"], align="left"),
-        Quantity("says", "where, and by how much", "", "", "sentence", of_failing("says"), rows["mend.says"],
+        Quantity("says", "check: where, and by how much", "", "", "sentence",
+                 f'=IF([k]>mend_count,"",{of_failing("what")}&": "&{of_failing("says")})', rows["mend.says"],
                  align="left"),
         blank="[k]>mend_count",
     )  # fmt: skip
@@ -124,7 +124,7 @@ def to_mend(book: Book, sheet: Sheet) -> None:
 
 def of_failing(column: str) -> str:
     """Return the formula that looks up a column of the check that fails as the k-th."""
-    return f'=IF([k]>mend_count,"",INDEX([checks.{column}],MATCH([k],[checks.nth],0)))'
+    return f"INDEX([checks.{column}],MATCH([k],[checks.nth],0))"
 
 
 def contents(book: Book, sheet: Sheet) -> None:

@@ -9,6 +9,8 @@ from engine.drivetrain.motor import Reserve
 from workbook.book.declare import Quantity, Sheet, calc, result
 from workbook.entries.units import PERCENT, RPM, shown
 
+WHOLE = 100.0
+"""% of a limit"""
 NO_DRIVE, ENTERED, MACHINES = "–", "as entered", "machine's"
 NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
 
@@ -79,24 +81,24 @@ def drives(axes: Sequence[InShort]) -> list[Quantity]:
 
     def column(
         name: str, label: str, symbol: str, unit: str, formula: str, value: Callable[[InShort, Reserve], float | str],
-        look: str = "",
+        look: str = "", limit: float = 0.0,
     ) -> Quantity:  # fmt: skip
         texts = [f"={formula.format(a.scope)}" if a.reserve else f'="{NO_DRIVE}"' for a in axes]
         values = [value(a, a.reserve) if a.reserve else NO_DRIVE for a in axes]
-        return result(name, label, symbol, unit, texts, values, format=look, align="right")
+        return result(name, label, symbol, unit, texts, values, format=look, align="right", limit=limit)
 
     return [
         column("motor", "motor", "", "", NAMED, lambda axis, _: axis.motor or ENTERED),
         column("ratio", "ratio of the reducer", "i", "", "{0}i1", lambda axis, _: axis.ratio),
         column("peak", "peak torque", "T_max", "Nm", peak, lambda _, use: use.peak_torque.value),
         column("of_peak", "of the motor's peak", "", "%", f"100*{peak}/{{0}}motor_peak",
-               lambda _, use: shown(use.peak_torque.use, PERCENT), "0"),
+               lambda _, use: shown(use.peak_torque.use, PERCENT), "0", WHOLE),
         column("rms", "RMS torque", "T_rms", "Nm", "{0}rms", lambda _, use: use.rms_torque.value),
         column("of_rated", "of the motor's rated", "", "%", "100*{0}rms/{0}motor_rated",
-               lambda _, use: shown(use.rms_torque.use, PERCENT), "0"),
+               lambda _, use: shown(use.rms_torque.use, PERCENT), "0", WHOLE),
         column("speed", "speed", "n", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
         column("of_speed", "of the motor's largest", "", "%", "100*{0}speed/{0}motor_nmax",
-               lambda _, use: shown(use.speed.use, PERCENT), "0"),
+               lambda _, use: shown(use.speed.use, PERCENT), "0", WHOLE),
     ]  # fmt: skip
 
 

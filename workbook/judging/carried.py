@@ -11,6 +11,7 @@ from openpyxl.cell.cell import Cell
 from openpyxl.formatting.rule import Rule
 from openpyxl.worksheet.worksheet import Worksheet
 
+from workbook.book import quantity
 from workbook.book.declare import Book, Sheet
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
@@ -78,7 +79,7 @@ def on_sheet(match: Match, sheet: Worksheet) -> dict[str, list[str]]:
     known = Blanks(match, {sheet.title: own}).known
     rules = [
         str(area.sqref) for area in sheet.conditional_formatting
-        if any(id(rule) not in known and not of_checks(rule) for rule in area.rules)
+        if any(id(rule) not in known and not of_ours(rule) for rule in area.rules)
     ]  # fmt: skip
     return {"texts and numbers": kept, "notes": notes, "charts": charts, "conditional formats": rules}
 
@@ -88,9 +89,11 @@ def titles(match: Match, sheet: Sheet) -> set[str]:
     return {match.file.places[block.name].sheet for block in sheet.blocks if block.name in match.file.places}
 
 
-def of_checks(rule: Rule) -> bool:
-    """Whether a conditional format is one that colours OK or FAIL."""
-    return rule.type == "cellIs" and rule.operator == "equal" and rule.formula in (['"OK"'], ['"FAIL"'])
+def of_ours(rule: Rule) -> bool:
+    """Whether a conditional format is one that colours OK or FAIL, or figures beyond their limit."""
+    verdict = rule.operator == "equal" and rule.formula in (['"OK"'], ['"FAIL"'])
+    beyond = rule.operator == "between" and rule.formula[1:] == [f"{quantity.MOST:.0f}"]
+    return rule.type == "cellIs" and (verdict or beyond)
 
 
 def drawn_in(path: Path) -> dict[str, int]:

@@ -32,8 +32,8 @@ SINE, SECOND = ("P", "omega", "phi"), ("P2", "omega2", "phi2")
 POWERS = ("c0", "c1", "c2", "c3", "c4", "c5")
 ENTRIES = ("d", *POWERS, *SINE, *SECOND)
 """the columns of a table of pieces; those of a second sine are there in books with a law that needs them"""
-
-
+BEHIND = 20
+"""the column behind the charts of a law's sheet, where workings of its entries may stand"""
 REACHES = "ABS([@samples.s.last]-1)<check_zero"
 RESTS = f"AND({REACHES},ABS([@samples.v.last])<check_zero)"
 
@@ -241,9 +241,10 @@ class Page:
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """The entries that its table of pieces shows: duration, c0, c1, one sine, and others where a piece has them."""
-        always = ("d", "c0", "c1", *SINE)
-        return tuple(n for n in ENTRIES if n in always or any(getattr(row, n) != "=0" for row in self.pieces))
+        """The entries that its table of pieces shows: the duration, powers that a piece has, sines as a whole."""
+        had = {name for name in ENTRIES if any(getattr(row, name) != "=0" for row in self.pieces)} | {"d"}
+        whole = {name for sine in (SINE, SECOND) if had & set(sine) for name in sine}
+        return tuple(name for name in ENTRIES if name in had | whole)
 
     @property
     def second_sine(self) -> bool:

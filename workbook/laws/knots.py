@@ -11,6 +11,7 @@ from engine.laws.knots import EQUAL, Interval, Knots
 from engine.laws.spline import NARROWEST
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
+from workbook.laws.family import BEHIND
 
 ROOT, THIRD = "SQRT([w])", "SQRT(MAX(0,[w])/3)"
 SPEEDS = "={0}([v],[v1],IF([a]*[a1]<0,[v]+[a]^2*[d]/(2*([a]-[a1])),[v]))"
@@ -41,17 +42,17 @@ UNIT = 1.0  # rise and time: what rounding of accelerations is measured by
 def worked_out() -> dict[str, tuple[str, str]]:
     """Return the formula of each coefficient."""
     return {
-        "cv": ("=MAX(@v_most,0-MIN([@points.v_low]))", "at a point, or where a = 0"),
-        "ca_max": ("=MAX([@points.a])", "at a point: a is linear between two"),
-        "ca_min": ("=MIN([@points.a])", "at a point"),
-        "ca_rms": ("=SQRT(SUM([@points.square]))", "√∫a² of the intervals"),
+        "cv": ("=MAX(@v_most,0-MIN([@solved.v_low]))", "at a point, or where a = 0"),
+        "ca_max": ("=MAX([@solved.a])", "at a point: a is linear between two"),
+        "ca_min": ("=MIN([@solved.a])", "at a point"),
+        "ca_rms": ("=SQRT(SUM([@solved.square]))", "√∫a² of the intervals"),
         "cj": (
-            '=IF(MAX(ABS([@points.a.first]),ABS([@points.a.last]))>check_zero*MAX(@ca_max,0-@ca_min),"∞",'
-            "MAX(MAX([@points.j]),0-MIN([@points.j])))",
+            '=IF(MAX(ABS([@solved.a.first]),ABS([@solved.a.last]))>check_zero*MAX(@ca_max,0-@ca_min),"∞",'
+            "MAX(MAX([@solved.j]),0-MIN([@solved.j])))",
             "∞ where the acceleration jumps at an end",
         ),
-        "va_max": ("=MAX([@points.va_high])", "at a point, or where a² = W/3"),
-        "va_min": ("=MIN([@points.va_low])", "at a point, or where a² = W/3"),
+        "va_max": ("=MAX([@solved.va_high])", "at a point, or where a² = W/3"),
+        "va_min": ("=MIN([@solved.va_low])", "at a point, or where a² = W/3"),
     }
 
 
@@ -60,7 +61,7 @@ def solution(at: Knots) -> list[Quantity]:
     first, last = at.slopes
     free = at.law.natural
     count = "@used-1"
-    end = f"=INDEX([@points.m],{count})+INDEX([@points.d],{count})*(INDEX([@points.a],{count})+2*[@points.a.last])/6"
+    end = f"=INDEX([@solved.m],{count})+INDEX([@solved.d],{count})*(INDEX([@solved.a],{count})+2*[@solved.a.last])/6"
     natural = '=IF(AND(@{0}_slope="",OR(@natural="{1}",@natural="both")),1,0)'
     return [
         calc("@used", "Points", "", "", "=COUNT([@points.xi])", at.used, format="0"),
@@ -71,36 +72,37 @@ def solution(at: Knots) -> list[Quantity]:
         calc("@free1", "Its end is natural", "", "", natural.format("last", "end"), int(free[1]), format="0"),
         calc("@v_end", "Velocity at its end", "v(1)", "", end, at.law.end.v, source="m + d(a_k + 2a_{k+1})/6"),
         calc("@still", "A velocity below this is none", "", "", "=check_zero*@cv", at.still, format="0E+00"),
-        calc("@v_most", "Largest velocity", "", "", "=MAX([@points.v_high])", at.speeds[1]),
-        calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@points.fast])", at.peak),
+        calc("@v_most", "Largest velocity", "", "", "=MAX([@solved.v_high])", at.speeds[1]),
+        calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@solved.fast])", at.peak),
     ]  # fmt: skip
 
 
 def points_table(sheet: Sheet, at: Knots, entered: Sequence[Quantity]) -> None:
-    """Declare the table of points: what is entered, the solution, and what comes of each interval."""
-    sheet.table(
+    """Declare the table of points: what is entered; beside it the solution, and what comes of each interval."""
+    points = sheet.table(
         "@points", "Fill one row each, in order; from (0, 0) to (1, 1); leave spare rows empty", at.rows,
         constant("k", "point", "k", "", list(range(1, at.rows + 1))),
         *entered,
-        *elimination(at),
-        *intervals(at),
     )  # fmt: skip
+    sheet.workings(
+        points, "@solved", "Workings: the spline's moments, and its intervals", BEHIND, *elimination(at), *intervals(at)
+    )
 
 
 def elimination(at: Knots) -> list[Quantity]:
     """Return the columns of the tridiagonal system, of its forward elimination, and of its back substitution."""
-    following, last = "INDEX([@points.{0}],[k]+1)", "@used+1-[k]"
-    before = "IF([k]=1,{1},INDEX([@points.{0}],MAX([k]-1,1)))"
+    last = "@used+1-[k]"
+    before = "IF([k]=1,{1},INDEX([@solved.{0}],MAX([k]-1,1)))"
 
     def column(name: str, label: str, symbol: str, formula: str, source: str = "", scale: float = 0.0) -> Quantity:
         values = [getattr(row, name) for row in at.solved]
         return calc(name, label, symbol, "", formula, values, source=source, scale=scale)
 
     return [
-        column("d", "duration", "d", f"=IF([k]<@used,{following.format('xi')}-[xi],0)", "to the next point"),
+        column("d", "duration", "d", "=IF([k]<@used,INDEX([@points.xi],[k]+1)-[xi],0)", "to the next point"),
         calc("narrow", "not after the one before", "", "",
              "=IF(AND([k]<@used,[d]<@nearest),1,0)", filled([], at.rows, 0), format="0;;"),
-        column("m", "mean slope", "m", f"=IF([d]>0,({following.format('s')}-[s])/[d],@v1)", "Δs/d; behind it v(1)"),
+        column("m", "mean slope", "m", "=IF([d]>0,(INDEX([@points.s],[k]+1)-[s])/[d],@v1)", "Δs/d; behind it v(1)"),
         column("before", "duration before", "", f"={before.format('d', '0')}"),
         column("held", "has no equation", "", "=IF(OR([k]>@used,AND([k]=1,@free0=1),AND([k]=@used,@free1=1)),1,0)",
                "natural, or spare: a = 0"),
@@ -113,14 +115,14 @@ def elimination(at: Knots) -> list[Quantity]:
                "2(d_{k−1} + d_k), eliminated"),
         column("right", "right side left", "", "=[rhs]-[share]*IF([k]=1,0,[right-1])", "", UNIT),
         column("back", "a, from the last point", "",
-               (f"=IF([k]>@used,0,(INDEX([@points.right],{last})-INDEX([@points.high],{last})"
-                f"*IF([k]=1,0,[back-1]))/INDEX([@points.pivot],{last}))"), "back substitution", UNIT),
+               (f"=IF([k]>@used,0,(INDEX([@solved.right],{last})-INDEX([@solved.high],{last})"
+                f"*IF([k]=1,0,[back-1]))/INDEX([@solved.pivot],{last}))"), "back substitution", UNIT),
     ]  # fmt: skip
 
 
 def intervals(at: Knots) -> list[Quantity]:
     """Return the columns of the intervals: rates at both ends, and extremes."""
-    found, still, moment = at.intervals, at.still, "INDEX([@points.back],MAX(1,@used{0}-[k]))"
+    found, still, moment = at.intervals, at.still, "INDEX([@solved.back],MAX(1,@used{0}-[k]))"
     place = "INDEX([@points.s],MIN([k]{0},@used))"
 
     def column(

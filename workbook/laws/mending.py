@@ -27,7 +27,7 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
         result("@miss_s", "It misses its rise by", "s(1) − 1", "", "=[@samples.s.last]-1", off.s, format="0.0000####"),
         result("@miss_v", "and rest by", "v(1)", "", "=[@samples.v.last]", off.v, format="0.0000####"),
         result("@mends", "Do two factors mend it?", "", "",
-               WORTH, "yes" if found.mends else "no: it should speed up, then slow down", align="center"),
+               WORTH, "yes" if found.mends else "no: it should speed up, then slow down", align="left"),
         result("@up", "Factor of the pieces that gain velocity", "α", "", EITHER.format("@v_down"), up),
         result("@down", "Factor of those that lose it", "β", "", EITHER.format("(0-@v_up)"), down),
         calc("@least", "A velocity below this is none", "", "",

@@ -14,7 +14,7 @@ from workbook.entries.machine import Sizes
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
-from workbook.laws.family import COEFFICIENTS, Page, value_at
+from workbook.laws.family import BEHIND, COEFFICIENTS, Page, value_at
 from workbook.laws.library import NamedLaw
 
 POWERS = {"c0": "", "c1": " u", "c2": " u²", "c3": " u³", "c4": " u⁴", "c5": " u⁵"}
@@ -49,7 +49,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         sheet.checks(*page.verdicts(one, sizes))
         draw(sheet, one.called)
         sheet.row = max(sheet.row, 50)
-        sheet.print_columns = 19
+        sheet.print_columns = BEHIND - 1
         sheet.one_page = True
         sheet.heading("Table")
         samples(sheet, rise, entered.lift, sizes.law, stack)
@@ -59,7 +59,8 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
 def spelled(page: Page) -> str:
     """Return a(u) of the family's pieces."""
     powers = [f"{name}{power}" for name, power in POWERS.items() if name in page.columns]
-    return " + ".join([*powers, "P sin(ωu + φ)", *(["P₂ sin(ω₂u + φ₂)"] if page.second_sine else [])])
+    sines = {"P": "P sin(ωu + φ)", "P2": "P₂ sin(ω₂u + φ₂)"}
+    return " + ".join([*powers, *(words for name, words in sines.items() if name in page.columns)]) or "0"
 
 
 def entries(sheet: Sheet, one: NamedLaw) -> None:
@@ -165,4 +166,4 @@ def draw(sheet: Sheet, name: str) -> None:
             f"{name}: {words} {d}(ξ)", "ξ = t / t_a", d, (Series(d, "[@samples.xi]", f"[@samples.{d}]"),),
             f"Dimensionless {words} of the law {name} over the rise, from 0 to 1", (0, 1, 0.1),
         )  # fmt: skip
-        sheet.chart(chart, column=14, row=row, width=6, height=14)
+        sheet.chart(chart, column=BEHIND - 6, row=row, width=6, height=14)

@@ -65,13 +65,13 @@ BEND = "=2*INDEX(piece_c2,[q])+[u]*6*INDEX(piece_c3,[q])-INDEX(piece_P,[q])*INDE
 def spread_rows(at: Spread) -> list[Quantity]:
     """Return the rows that say how many points a piece has, and whether they are dense enough."""
     return [
-        calc("@used", "Pieces that last", "", "", "=MAX([@pieces.nth])", at.used, format="0"),
+        calc("@used", "Pieces that last", "", "", "=MAX([@worked.nth])", at.used, format="0"),
         calc("@each", "Points on each", "", "",
              "=MAX(2,INT(COUNT([@points.k])/@used))", at.each, format="0", source="both ends of a piece included"),
     ]  # fmt: skip
 
 
-DENSE = f"AND(@each*@used<=COUNT([@points.k]),@each>={LEAST},MAX([@pieces.turn])<={WIDEST}*(@each-1))"
+DENSE = f"AND(@each*@used<=COUNT([@points.k]),@each>={LEAST},MAX([@worked.turn])<={WIDEST}*(@each-1))"
 
 
 def extremes(at: Spread, peak: float) -> list[Quantity]:
@@ -104,10 +104,10 @@ def points_table(sheet: Sheet, at: Spread, first: int, peak: float, stack: Piece
         "@points", "Points on the pieces, the same number on each that lasts", at.points,
         constant("k", "point", "k", "", list(range(at.points))),
         calc("n", "of the pieces that last", "", "", "=MIN(@used,INT([k]/@each)+1)", at.place + 1, format="0"),
-        calc("p", "piece", "", "", "=MATCH([n],[@pieces.nth],0)", at.piece + 1, format="0"),
+        calc("p", "piece", "", "", "=MATCH([n],[@worked.nth],0)", at.piece + 1, format="0"),
         calc("u", "within piece", "u", "",
              "=INDEX([@pieces.d],[p])*MIN(1,([k]-([n]-1)*@each)/(@each-1))", at.u),
-        calc("xi", "abscissa", "ξ", "", "=INDEX([@pieces.xi],[p])+[u]", at.xi),
+        calc("xi", "abscissa", "ξ", "", "=INDEX([@worked.xi],[p])+[u]", at.xi),
         calc("q", "piece row", "q", "", "=@first+[p]-1", q, format="0", source="on the sheet Laws"),
         *stack.arguments(at.angles),
         *stack.columns(columns, "svaj"),

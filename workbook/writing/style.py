@@ -16,12 +16,14 @@ from openpyxl.styles.numbers import NumberFormat
 from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.declare import Block, Quantity
+from workbook.book.quantity import MOST, ROUNDED
 
 INK, GREY, RULE, GRID = "1F2937", "6B7280", "D1D5DB", "E5E7EB"
 ENTRY, FIGURE, DOTS = "FFF8E1", "0B57A4", "D9B65C"
 PAPER = "FFFFFF"
 NOTHING, NOTHING_ID = ";;;", 900  # a number format that shows nothing; its number is beyond those that programs give
-VERDICTS = (("OK", "166534", "DCFCE7"), ("FAIL", "991B1B", "FEE2E2"))
+BEYOND = "991B1B"
+VERDICTS = (("OK", "166534", "DCFCE7"), ("FAIL", BEYOND, "FEE2E2"))
 
 
 def font(size: float = 11, color: str = INK, **more: Any) -> Font:
@@ -139,6 +141,14 @@ def mark_checks(sheet: Worksheet, cells: str) -> None:
         look = DifferentialStyle(font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid"))
         rule = Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look)
         sheet.conditional_formatting.add(cells, rule)
+
+
+def mark_beyond(sheet: Worksheet, q: Quantity, cells: str) -> None:
+    """Let figures above their limit stand out; texts, which come after all numbers, do not."""
+    if q.limit:
+        ends = [f"{q.limit * (1 + ROUNDED):.12g}", f"{MOST:.0f}"]
+        look = DifferentialStyle(font=Font(color=BEYOND, bold=True))
+        sheet.conditional_formatting.add(cells, Rule(type="cellIs", operator="between", formula=ends, dxf=look))
 
 
 def hide_errors(sheet: Worksheet, block: Block) -> None:

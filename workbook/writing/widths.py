@@ -79,7 +79,7 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
     """Return the width of each column that has one of its own, in digits."""
     found: dict[int, float] = WIDTHS | sheet.widths
     taken = {(text.row, text.column) for text in sheet.texts if text.text}
-    taken |= {place for block in sheet.blocks for place in filled(block)}
+    taken |= {place for block in sheet.blocks for place in filled(block)} | set(covered(sheet))
     for block in sheet.blocks:
         for q, column in zip(block.quantities, block.columns.values(), strict=True):
             if q.role in ("sentence", "check"):
@@ -121,6 +121,12 @@ def filled(block: Block) -> Iterator[tuple[int, int]]:
         for row, value in zip(rows(block), values, strict=True):
             if q.formula is not None or value not in (None, ""):
                 yield row, column
+
+
+def covered(sheet: Sheet) -> Iterator[tuple[int, int]]:
+    """Yield the places of the cells under charts."""
+    for _, row, column, width, height in sheet.charts:
+        yield from ((r, c) for r in range(row, row + height) for c in range(column, column + width))
 
 
 def free(found: dict[int, float], taken: set[tuple[int, int]], row: int, column: int, step: int) -> float:

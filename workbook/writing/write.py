@@ -135,6 +135,7 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
     for q in block.quantities:
         if q.role == "check":
             style.mark_checks(page, block.reference(q.name).replace("$", ""))
+        style.mark_beyond(page, q, block.reference(q.name).replace("$", ""))
     style.blank_unused(page, block)
     style.hide_errors(page, block)
 

@@ -4,15 +4,19 @@ import itertools
 import subprocess
 from datetime import date
 
+import openpyxl
 import pytest
 
+from workbook.book.address import Address
 from workbook.book.summary import TO_MEND
 from workbook.build import inputs
+from workbook.judging.shown.conditional import Rules
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import checked, parsed, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import convert
+from workbook.writing.style import BEYOND
 
 PAGES = {"cutting-machine": 16, "machine": 29, "motion-composer": 13}
 """sheets of A4 at most"""
@@ -29,15 +33,15 @@ def described(name, change, **more):
 
 
 def mended(book):
-    """Return the rows that the first sheet has of checks that fail: what, on which sheet, and what these say."""
+    """Return the rows that the first sheet has of checks that fail: on which sheet, and what these say."""
     columns = [[c.expected for c in column] for column in book.blocks["mend"].by_column()]
-    return list(zip(columns[0], columns[2], columns[3], strict=True))
+    return list(zip(columns[0], columns[2], strict=True))
 
 
 def test_a_book_whose_checks_hold_has_nothing_to_mend():
     book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
     assert book.sheets[0].title == "Summary"
-    assert mended(book) == [("", "", "")] * TO_MEND
+    assert mended(book) == [("", "")] * TO_MEND
 
 
 @pytest.mark.parametrize("rate", [300.0, 1000.0])
@@ -45,13 +49,31 @@ def test_a_book_whose_checks_hold_has_nothing_to_mend():
 def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate, tmp_path, build_book):
     machine = described("machine", {"rate = 200.0": f"rate = {rate}"})
     book = TEMPLATES["machine"].declare(machine)
-    failing = [(q.label, sheet.title) for sheet, q in book.checks if q.value != "OK"]
+    failing = [(sheet.title, q.label) for sheet, q in book.checks if q.value != "OK"]
     rows = mended(book)
     assert failing
-    assert [row[:2] for row in rows] == (failing + [("", "")] * TO_MEND)[:TO_MEND]
-    assert all("too much" in says for what, _, says in rows if "within the motor's" in what)
+    assert [where for where, _ in rows] == ([where for where, _ in failing] + [""] * TO_MEND)[:TO_MEND]
+    assert all(says.startswith(f"{what}: ") for (_, says), (_, what) in zip(rows, failing, strict=False))
+    assert all("too much" in says for _, says in rows if "within the motor's" in says)
     result = verify(build_book(machine, tmp_path / "book.xlsx"))
     assert result.findings == []
+
+
+@pytest.mark.parametrize(("rate", "red"), [(100.0, False), (260.0, True)])
+def test_a_share_of_a_limit_is_red_above_all_of_it_and_a_dash_never(rate, red, tmp_path, build_book):
+    machine = described("machine", {"rate = 200.0": f"rate = {rate}"})
+    book, block = TEMPLATES["machine"].declare(machine), "axes_short"
+    path = build_book(machine, tmp_path / "book.xlsx")
+    rules = Rules(openpyxl.load_workbook(path)["Summary"], lambda at: None)
+    shares = [c for c in book.blocks[block].cells() if c.quantity.unit == "%"]
+    found = {c.expected: rules.on(Address("Summary", c.row, c.column), c.expected) for c in shares}
+    beyond = {value: [rule.dxf.font.color.rgb[-6:] for rule, _ in applied] for value, applied in found.items()}
+    assert len(shares) == 12
+    assert beyond["–"] == []
+    assert {value: colours == [BEYOND] for value, colours in beyond.items() if value != "–"} == {
+        value: value > 100 for value in beyond if value != "–"
+    }
+    assert any(colours for colours in beyond.values()) is red
 
 
 @pytest.mark.parametrize("told", [date(2026, 11, 21), "2026-11-21", "November"])

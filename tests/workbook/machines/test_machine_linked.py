@@ -10,6 +10,8 @@ from workbook.reading.descriptions import checked
 
 CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank": 50.0, "rod": 200.0, "offset": 10.0, "position": 15.0}
 ROCKER = {"kind": "rocker", "efficiency": 1.0, "lever": 90.0, "link": 240.0, "offset": 95.0, "angle": 80.0}
+POINTS = [{"angle": 30.0 * k, "position": 13.0 * k + 0.2 * k * k} for k in range(6)]
+TABLE = {"kind": "table", "efficiency": 1.0, "points": POINTS}
 RISE = ((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP"))
 MOTOR = {"inertia": 8e-4, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 4500.0}
 FIGURES = ("tmax", "tmin", "rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "jtot", "ok_peak")
@@ -48,12 +50,17 @@ def test_no_result_hangs_on_the_samples():
         assert few(f"drive1_{name}") == many(f"drive1_{name}"), name
 
 
-def test_over_a_cycle_the_motor_does_the_work_of_friction_and_process_force():
-    """∮ T dφ = μ m g · 2 h + F Δy: without other losses, whatever the crank does in between."""
+@pytest.mark.sample(2)
+@pytest.mark.parametrize(
+    ("mechanism", "lift"), [(CRANK, 60.0), (ROCKER, 25.0), (TABLE, 60.0)], ids=["crank", "rocker", "table"]
+)
+def test_over_a_cycle_the_motor_does_the_work_of_friction_and_process_force(mechanism, lift):
+    """∮ T dφ = μ m g · 2 h + F Δy: without other losses, whatever the mechanism does in between."""
     load = {"mass": 12.0, "friction": 0.1, "windows": [{"start": 10.0, "stop": 150.0, "force": 500.0}]}
-    value = computed(TEMPLATE, small(linked(load=load)))
-    net = value("drive1_energy") - value("drive1_returned")
-    assert net == pytest.approx(0.1 * 12.0 * 9.81 * 0.12 + 500.0 * 0.06, rel=1e-9)
+    phases = ((20, 140, lift, "CIC"), (190, 330, -lift, "MTP"))
+    value = computed(TEMPLATE, small(linked(*phases, mechanism=mechanism, load=load), positions=6))
+    net, way = value("drive1_energy") - value("drive1_returned"), lift / 1000
+    assert net == pytest.approx(0.1 * 12.0 * 9.81 * 2 * way + 500.0 * way, rel=1e-9)
 
 
 def test_speed_and_torque_against_differentiated_angles():

@@ -12,7 +12,7 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
-from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, MOTOR, ROCKER, linked
+from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, MOTOR, ROCKER, TABLE, linked
 from workbook.entries.units import KW
 from workbook.laws.library import laws
 from workbook.machines.machine import bussed
@@ -86,11 +86,10 @@ def test_random_drives_are_off_by_no_more_than_the_sheet_says(request, number):
     assert by <= at_most * (1 + 1e-9)
 
 
-POINTS = [{"angle": 30.0 * k, "position": 13.0 * k + 0.2 * k * k} for k in range(6)]
 PLACED = {
     "crank": linked(mechanism=CRANK | {"efficiency": 0.85}, **LOSSY),
     "rocker": linked((20, 140, 25.0, "CIC"), (190, 330, -25.0, "MTP"), mechanism=ROCKER | {"efficiency": 0.8}, **LOSSY),
-    "table": linked(mechanism={"kind": "table", "efficiency": 0.9, "points": POINTS}, **LOSSY),
+    "table": linked(mechanism=TABLE | {"efficiency": 0.9}, **LOSSY),
     "viscous": driven(*RISE, load={"mass": 8.0, "viscous": 300.0}, reducer={"ratio": 3.0, "efficiency": 0.8}),
 }  # fmt: skip
 

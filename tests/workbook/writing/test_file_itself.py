@@ -19,7 +19,7 @@ from engine.motion.turning import PARTS
 from tests.tiers import by_day
 from workbook.book.limits import COLUMN
 from workbook.book.quantity import SAYS
-from workbook.book.sentence import LARGEST
+from workbook.book.sentence import FINE, LARGEST, MOST, NOUGHT
 from workbook.build import build
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.templates import TEMPLATES
@@ -35,7 +35,7 @@ DRIVES = {"0.5", "10", "16", "25"} | BRACKETS  # and of a drive's stretches: der
 TURN = {"360"}  # degrees of a turn
 NOTHING = {repr(FLAT), repr(FLAT).upper()}  # of a size, of a slope, of a rate: below it there is none
 DENSE = {repr(WIDEST)}  # radians from a point to the next: with more, its extremes are not sure
-SHOWN = {f"{LARGEST:.0f}"}  # sentences show no entry beyond
+SHOWN = {f"{LARGEST:.0f}", f"{NOUGHT:.9f}", str(FINE - 1), str(MOST)}  # of sentences: of entries and amounts
 BETWEEN = pytest.param(FileFormat.OFFICE_2019, marks=pytest.mark.nightly)
 BUILD = """
 import sys

@@ -61,7 +61,7 @@ def test_no_label_is_cut(path):
 
 
 def shortened(book, wide):
-    """Yield the texts in cells of a book that do not fit into columns so wide, with what they lack, in pixels."""
+    """Yield the texts in cells that do not fit into columns so wide, or run under a chart, with what they lack."""
     for sheet in book.sheets:
         full = {(text.row, text.column) for text in sheet.texts if text.text}
         columns = [column for block in sheet.blocks for column in block.by_column()]
@@ -69,6 +69,8 @@ def shortened(book, wide):
             (c.row, c.column) for cells in columns for c in cells
             if c.quantity.formula is not None or c.content not in (None, "")
         }  # fmt: skip
+        for _, row, column, width, height in sheet.charts:
+            full |= {(r, c) for r in range(row, row + height - 1) for c in range(column, column + width)}
         texts = [c for cells in columns for c in cells if isinstance(c.expected, str)]
         for cell in texts:
             lacks = lacking(cell, wide[sheet.title], full) if cell.quantity.role != "sentence" else 0

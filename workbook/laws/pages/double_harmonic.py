@@ -26,7 +26,7 @@ PAGE = Page(
     variations=({"reversal": "start"}, {"reversal": "end"}),
     pieces=(
         PieceRow(
-            "two sines", "s = sin⁴(πξ/2), or 1 − cos⁴(πξ/2)", "=1",
+            "two sines", "sin⁴(πξ/2), or mirrored", "=1",
             P="=PI()^2/2", omega="=PI()", phi=f"={ENDS.format('PI()/2', '0-3*PI()/2')}",
             P2="=0-PI()^2/2", omega2="=2*PI()", phi2=f"={ENDS.format('PI()/2', '0-5*PI()/2')}",
         ),

@@ -22,7 +22,7 @@ from workbook.book.sentence import Said, amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
 from workbook.laws import sampling
-from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
+from workbook.laws.family import BEHIND, ENTRIES, LawSheet, Page, Stacked
 from workbook.laws.mending import missing
 from workbook.laws.tops import DENSE, LEAST_POINTS, extremes, points_table, spread_rows, top_table
 
@@ -161,6 +161,7 @@ class OwnPage(Page):
     def work(self, sheet: Sheet, one: Any, stack: sampling.Pieces, sizes: Any) -> None:
         """Declare what the coefficients are worked out from, and by how much the law misses."""
         at = spread_of(one.law, sizes.pieces, sizes.own_law)
+        sheet.heading("Workings")
         sheet.rows(
             calc("@first", "Row of its first piece on the sheet Laws", "", "",
                  "=MATCH(@no,piece_number,0)", float(stack.first[one.number]), format="0"),
@@ -186,7 +187,7 @@ class OwnPage(Page):
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the own law."""
         at, end, name = spread_of(one.law, sizes.pieces, sizes.own_law), one.law.end, one.called
-        turns = amount("MAX([@pieces.turn])", at.turn, "a sine turns by ", " rad over ")
+        turns = amount("MAX([@worked.turn])", at.turn, "a sine turns by ", " rad over ")
         points = amount("@each", at.each, "", " points of its piece")
         return [
             check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
@@ -235,9 +236,9 @@ PAGE = OwnPage(
         "cv": ("=MAX(@v_most,0-@v_least)", "largest of its extremes"),
         "ca_max": ("=@a_most", "largest acceleration"),
         "ca_min": ("=@a_least", "lowest acceleration"),
-        "ca_rms": ("=SQRT(SUM([@pieces.poly2])+SUM([@pieces.cross])+SUM([@pieces.sine2]))", "√∫a² of the pieces"),
+        "ca_rms": ("=SQRT(SUM([@worked.poly2])+SUM([@worked.cross])+SUM([@worked.sine2]))", "√∫a² of the pieces"),
         "cj": (
-            '=IF(MAX(MAX([@pieces.jump]),ABS([@pieces.reached.last]))>check_zero,"∞",MAX(@j_most,0-@j_least))',
+            '=IF(MAX(MAX([@worked.jump]),ABS([@worked.reached.last]))>check_zero,"∞",MAX(@j_most,0-@j_least))',
             "∞ where the acceleration jumps",
         ),
         "va_max": ("=@va_most", "largest v·a"),
@@ -262,7 +263,7 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
     pieces = filled(own.made, n, engine.Piece(0.0))
     at, square = ends(pieces), [squares(piece) for piece in pieces]
     counted = Spread(tuple(pieces), (), 0).counted
-    sheet.table(
+    entered = sheet.table(
         "@pieces", "Fill one row each, in order; the durations sum to 1; leave spare rows empty", n,
         constant("k", "piece", "k", "", list(range(1, n + 1))),
         entry("d", "duration", "d", "duration"),
@@ -273,6 +274,10 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         entry("P", "amplitude", "P", "amplitude"),
         entry("omega", "frequency", "ω", "omega"),
         entry("phi", "phase", "φ", "phase"),
+        rules=[TURNING, SLOW],
+    )  # fmt: skip
+    sheet.workings(
+        entered, "@worked", "Workings: the pieces", BEHIND,
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
         calc("nth", "of those that last", "", "", "=IF([d]>0,1,0)+IF([k]=1,0,[nth-1])", counted, format="0"),
         calc("turn", "angle of the sine", "ω d", "rad",
@@ -287,5 +292,4 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         calc("poly2", "∫ of polynomial²", "", "", POLYNOMIAL_SQUARED, [row.polynomial for row in square]),
         calc("cross", "∫ of 2 · polynomial · sine", "", "", CROSS, [row.cross for row in square]),
         calc("sine2", "∫ of sine²", "", "", SINE_SQUARED, [row.sine for row in square]),
-        rules=[TURNING, SLOW],
     )  # fmt: skip

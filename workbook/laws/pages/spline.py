@@ -104,13 +104,13 @@ class SplinePage(Page):
 
     def reached(self, end: str) -> str:
         """Return the formula of the lowest or the highest s: of its extremes."""
-        return {"MIN": "=MIN([@points.s_low])", "MAX": "=MAX([@points.s_high])"}[end]
+        return {"MIN": "=MIN([@solved.s_low])", "MAX": "=MAX([@solved.s_high])"}[end]
 
     def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack: an interval each, spare ones and all."""
         pieces = law.as_pieces()
         rows = range(1, sizes.points)
-        shown = {"d": "=[@points.d.{}]", "c0": "=[@points.a.{}]", "c1": "=[@points.j.{}]"}
+        shown = {"d": "=[@solved.d.{}]", "c0": "=[@solved.a.{}]", "c1": "=[@solved.j.{}]"}
         return [
             Stacked(
                 pieces[k - 1] if k <= len(pieces) else Piece(0.0, _after(law)),
@@ -144,6 +144,7 @@ class SplinePage(Page):
 
     def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
         """Declare what the table of points is worked out from."""
+        sheet.heading("Workings")
         sheet.rows(*solution(Knots(one.law, sizes.points)))
 
     def stepping(self, law: Law, sizes: Any) -> float:
@@ -152,7 +153,7 @@ class SplinePage(Page):
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the points."""
-        name, narrow = one.called, "MATCH(1,[@points.narrow],0)"
+        name, narrow = one.called, "MATCH(1,[@solved.narrow],0)"
         ends = ("[@points.xi.1]", "[@points.s.1]", "INDEX([@points.xi],@used)", "INDEX([@points.s],@used)")
         lead = "AND(" + ",".join(f"{cell}={value}" for cell, value in zip(ends, "0011", strict=True)) + ")"
         return [
@@ -160,7 +161,7 @@ class SplinePage(Page):
                   spelled(FEW, "@used")),
             check("@lead", f"{name}: the points lead from 0 to 1", lead, True, "", f"{one.key}:lead",
                   spelled(LEAD, *ends)),
-            check("@rise", f"{name}: the points follow each other", "SUM([@points.narrow])=0", True, "",
+            check("@rise", f"{name}: the points follow each other", "SUM([@solved.narrow])=0", True, "",
                   f"{one.key}:rise", spelled(RISE, f"({narrow}+1)", f"INDEX([@points.xi],{narrow}+1)",
                                             f"INDEX([@points.xi],{narrow})")),
             check("@ends", f"{name} ends at s = 1", "ABS([@samples.s.last]-1)<check_zero", True,
@@ -189,9 +190,9 @@ PAGE = SplinePage(
     pieces=(),
     coefficients=worked_out(),
     fastest="=@v_at",
-    lowest="=MIN([@points.v_low])",
-    start="=[@points.v.1]",
-    wrong="=MAX([@points.wrong])",
+    lowest="=MIN([@solved.v_low])",
+    start="=[@solved.v.1]",
+    wrong="=MAX([@solved.wrong])",
     way="=2",
     rests=False,
     single=False,

@@ -200,6 +200,7 @@ def workings(sheet: Sheet, machine: Sized) -> None:
     """Declare the load, and what the mechanism makes of it."""
     m, moved, method, sides = machine.mechanism, machine.load, machine.drive.method, machine.sides
     base = "m" if machine.kind.travels else "rad"
+    sheet.not_printed_below()
     sheet.heading("Workings: the load")
     sheet.rows(
         constant("@g", "Gravity", "g", "m/s²", GRAVITY, source="S4's torques were worked out with 9.8"),

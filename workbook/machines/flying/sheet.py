@@ -258,6 +258,7 @@ def workings(sheet: Sheet, machine: Flying) -> None:
     number, mm, turn = machine.number, shown(s.length, MM), 360.0
     lengths = (tool.design_length, tool.tool_length, tool.repositioning_length)
     pitch, sync, back = (shown(tool.angle(length), DEGREE) for length in lengths)
+    sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(
         calc("fly_v", "Line speed", "v_L", "m/s", "=fly_line/60", machine.line),

@@ -51,7 +51,7 @@ def declare(given: FlyingCutter) -> Book:
         "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give.",
         [
             result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),
-            result("about_n", "Highest speed of the shaft, either way", "n", "rpm",
+            result("about_n", "Greatest speed of the shaft", "n", "rpm",
                    "=fly_w_max*60/(2*PI())", fastest),
             result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²",
                    "=fly_dw", dw, scale=scale.angular_acceleration),

@@ -31,6 +31,7 @@ def comparison_sheet(book: Book, view: Compared) -> None:
     draw(sheet)
     sheet.heading("The laws, for unit rise and unit time", COSTS)
     costs(sheet, view)
+    sheet.not_printed_below()
     sheet.heading("Table of the curves")
     named(sheet, view)
     samples(sheet, view)
@@ -89,7 +90,7 @@ def summary(sheet: Sheet, view: Compared) -> None:
     """Declare the least of two costs, among the laws whose acceleration does not jump."""
     sheet.rows(
         *(result(f"least_{name}", f"Least {words}", "", "",
-                 f"=MIN([costs.{name}_of])", view.least(name), format="0.0000", source=source)
+                 f"=MIN([costs_worked.{name}_of])", view.least(name), format="0.0000", source=source)
           for name, words, source in (("loss", "copper loss", "C_a,rms² / 12"), ("va", "largest power", "max |v·a|"))),
     )  # fmt: skip
 
@@ -102,7 +103,7 @@ def costs(sheet: Sheet, view: Compared) -> None:
         values = [finite(getattr(each, name)) for each in found]
         return result(name, label, symbol, "", f"=INDEX(law_{name},[no])", values, format="0.0000", source=source)
 
-    sheet.table(
+    table = sheet.table(
         "costs", "Laws, in the order of the sheet Laws", len(laws),
         calc("law", "law", "", "", "=INDEX(law_code,[no])", [one.name for one in laws]),
         calc("family", "family", "", "",
@@ -123,6 +124,9 @@ def costs(sheet: Sheet, view: Compared) -> None:
                f"=CHOOSE([ends]+1,{SPELLED})", [WORDS[ends] for ends, _ in view.smooth], source="against rest"),
         result("within", "and between them", "", "",
                f"=CHOOSE([inside]+1,{SPELLED})", [WORDS[inside] for _, inside in view.smooth]),
+    )  # fmt: skip
+    sheet.workings(
+        table, "costs_worked", "Workings", RIGHT + RIGHT - LEFT + 1,
         constant("no", "number", "", "", [one.number for one in laws], format="0"),
         calc("ends", "order at its ends", "", "", ORDER.format(4), [ends for ends, _ in view.smooth], format="0",
              source="highest continuous derivative"),

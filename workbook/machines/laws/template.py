@@ -23,7 +23,7 @@ def declare(given: MotionLaws) -> Book:
         given,
         "Motion laws side by side: coefficients, curves over one another, and what each costs.",
         [
-            calc("about_laws", "Laws compared", "", "", "=COUNT([costs.no])", len(view.moving), format="0"),
+            calc("about_laws", "Laws compared", "", "", "=COUNT([costs_worked.no])", len(view.moving), format="0"),
             result("about_loss", "Least copper loss without a jump of acceleration", "", "", "=least_loss",
                    view.least("loss"), format="0.0000", source="C_a,rms² / 12"),
             result("about_va", "Least power without a jump of acceleration", "", "", "=least_va",

@@ -18,7 +18,7 @@ ABOUT = (
     "The turn is cut where a piece of either axis begins, and into {} parts: in each the gap has one lowest place at "
     "most. Where its slope turns from falling to rising, that place is narrowed by counting points."
 )
-LATE = "([{0}]-[axes.late.{1}])"
+LATE = "([{0}]-[axes_taken.late.{1}])"
 FINER = ("", "/100", "/10000")
 
 
@@ -113,7 +113,7 @@ def breaks(sheet: Sheet, one: Apart) -> None:
     for rows in one.rows:
         i = rows.axis.number
         for r in range(1, len(begins(rows)) + 1):
-            told = f"([axis{i}_pieces.begin.{r}]+[axes.late.{i}])"
+            told = f"([axis{i}_pieces.begin.{r}]+[axes_taken.late.{i}])"
             formulas.append(f"={told}-360*INT({told}/360)")
     formulas += [f"={at:.15g}+0" for at in (*GRID, TURN)]
     sheet.table(
@@ -127,13 +127,13 @@ def found(one: Apart, end: int) -> list[Quantity]:
     """Return which cycle and which piece of an axis each stretch has, and where it begins in it."""
     rows, mark = one.rows[end], ("1", "2")[end]
     i, told = rows.axis.number, one.told(end)
-    angle = f"([b]+[e])/2-[axes.late.{i}]"
+    angle = f"([b]+[e])/2-[axes_taken.late.{i}]"
     begin = f"INDEX([axis{i}_pieces.begin],[q{mark}])"
     return [
         calc(f"n{mark}", "cycles", "n", "", f"=INT(({angle})/360)", [one[0] for one in told], format="0"),
         calc(f"q{mark}", "piece", "q", "", f"=MATCH({angle}-360*[n{mark}],[axis{i}_pieces.begin],1)",
              [one[1] for one in told], format="0"),
-        calc(f"u{mark}", "from", "u", "rad", f"=RADIANS([b]-[axes.late.{i}]-360*[n{mark}]-{begin})",
+        calc(f"u{mark}", "from", "u", "rad", f"=RADIANS([b]-[axes_taken.late.{i}]-360*[n{mark}]-{begin})",
              [one[2] for one in told], scale=1.0),
     ]  # fmt: skip
 

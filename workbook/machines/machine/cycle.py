@@ -12,7 +12,7 @@ from workbook.motion.sampled import POSITION, derivative, finding
 
 TOLD = "MIN([theta],360-2*timing_eps)"
 """the end of the turn has the left limit"""
-CYCLES = "ROUND(({0}-[axes.late.{1}]-{2})/360,0)"
+CYCLES = "ROUND(({0}-[axes_taken.late.{1}]-{2})/360,0)"
 """how many cycles of its phases an axis has begun before"""
 LANE = "={1}+IF({3}>{2},timing_lane*({0}-{2})/({3}-{2}),0)"
 
@@ -93,7 +93,7 @@ def exportable(one: AxisRows) -> Exportable:
     axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
     over = one.machine.over
     units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
-    later = Later(f"[axes.late.{i}]", "timing_eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
+    later = Later(f"[axes_taken.late.{i}]", "timing_eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
     return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
                       (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
                       "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip
@@ -101,7 +101,7 @@ def exportable(one: AxisRows) -> Exportable:
 
 def found(one: AxisRows) -> list[Quantity]:
     """Return where the samples of an axis lie: at which angle of its phases, in which piece."""
-    axis, i, late = one.axis, one.axis.number, f"[axes.late.{one.axis.number}]"
+    axis, i, late = one.axis, one.axis.number, f"[axes_taken.late.{one.axis.number}]"
     told = axis.told(one.machine.samples)
     return [
         calc(f"p{i}", f"axis {i}: angle of its phases", "", "°",

@@ -100,7 +100,7 @@ def directed(view: Stretched) -> list[Quantity]:
     middle = view.velocity("(([ub]+[ue])/2)")
     back = f"MIN([dir]*{view.velocity('[ub]')},[dir]*{view.velocity('[ue]')})<0-check_zero*@vmax"
     acts, force = ACTS.format(x="[x]"), "N" if view.driven.travels else "Nm"
-    angle = f"(([b]+[e])/2+[axes.late.{i}])"
+    angle = f"(([b]+[e])/2+[axes_taken.late.{i}])"
     return [
         calc("ub", "from", "u", "rad", f"=RADIANS([b]-{begin})", of(lambda p: p.low), scale=1.0),
         calc("ue", "to", "u", "rad", f"=RADIANS([e]-{begin})", of(lambda p: p.high), scale=1.0),

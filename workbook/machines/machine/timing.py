@@ -25,7 +25,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         PASSING if any(one.ends is not None for one in axes) else 0
     )
     draw_diagram(sheet, machine, columns)
-    axes_table(sheet, machine)
+    axes_table(sheet, machine, columns)
     for one in axes:
         i = one.axis.number
         sheet.heading(f"Axis {i}")
@@ -36,6 +36,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         phases_table(sheet, one)
         axis_checks(sheet, one)
     draw_curves(sheet, machine, columns)
+    sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(
         calc("timing_eps", "Tolerance of an angle", "ε", "°",
@@ -78,8 +79,8 @@ def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
     return ", ".join(units)
 
 
-def axes_table(sheet: Sheet, machine: Whole) -> None:
-    """Declare the names of the axes, what each must do and what it comes to."""
+def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
+    """Declare the names of the axes, what each must do and what it comes to; shifts as taken behind so many columns."""
     axes, n, over = machine.axes, len(machine.axes), machine.over
 
     def each(formula: str) -> list[str]:
@@ -90,7 +91,7 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
 
     unit, size = joined(machine, si=False), max(shown(a.motion.size(0), a.unit) for a in axes)
     sheet.row += 1
-    sheet.table(
+    table = sheet.table(
         "axes", "Axes", n,
         given("group", "group", "", "", [a.given.group for a in axes], "axes.*.group"),
         constant("k", "number", "k", "", [a.number for a in axes]),
@@ -101,14 +102,17 @@ def axes_table(sheet: Sheet, machine: Whole) -> None:
               source="velocity, acceleration, jerk"),
         given("shift", "shift", "", over.unit, [a.typed.shift for a in axes], "axes.*.shift", format=over.format,
               source="later than its phases say"),
-        calc("travel", "travel a cycle", "Σh", unit,
+        result("travel", "travel a cycle", "Σh", unit,
              each("SUM([{0}.h])"), [shown(a.motion.lifts_sum, a.unit) for a in axes]),
-        calc("low", "lowest position", "", unit,
+        result("low", "lowest position", "", unit,
              each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes], scale=size),
-        calc("high", "highest position", "", unit,
+        result("high", "highest position", "", unit,
              each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes], scale=size),
         result("v", "greatest velocity", "ẏ", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
         result("a", "greatest acceleration", "ÿ", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
+    )  # fmt: skip
+    sheet.workings(
+        table, "axes_taken", "Workings", FIRST + columns + 1,
         calc("late", "shift, as taken", "", "°", f"={over.in_degrees('[shift]')}+0",
              [a.given.shift for a in axes], format="0.0##"),
     )  # fmt: skip

@@ -64,6 +64,7 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
     states = States(machine, pieces)
     outcome(sheet, machine, states)
     pictures(sheet, machine)
+    sheet.not_printed_below()
     sheet.heading("Workings")
     dimensions(sheet, machine)
     evaluated(sheet, machine, states, pieces)

@@ -54,6 +54,7 @@ def all_of_one(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
     tool.charts(sheet, station, SECOND)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     tool.tables(sheet, station)
+    sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(*workings(machine))
     tool.workings(sheet, station, pieces)
@@ -76,6 +77,7 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
     timing_diagrams(sheet, machine, RIGHT + 1)
     accelerations(sheet, machine, RIGHT + 1)
     sheet.row = max(sheet.row, BELOW_CHARTS)
+    sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(*workings(machine))
 

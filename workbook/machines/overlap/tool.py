@@ -50,6 +50,7 @@ def tool_sheet(book: Book, station: Station, pieces: Pieces) -> None:
     charts(sheet, station, 5)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     tables(sheet, station)
+    sheet.not_printed_below()
     sheet.heading("Workings")
     workings(sheet, station, pieces)
 

@@ -18,14 +18,14 @@ def begins(view: PlacedWork) -> list[Begin]:
     power = [f"{KILO.format(i)}*[drive{i}_pl.P.{k}]" for k, _ in enumerate(view.at_nodes("power"), 1)]
     firsts, lasts, found = power[::n], power[n - 1 :: n], []
     for k, (after, before) in enumerate(zip(firsts, [lasts[-1], *lasts[:-1]], strict=True), 1):
-        at = f"([drive{i}_sec.b.{k}]+[axes.late.{i}])"
+        at = f"([drive{i}_sec.b.{k}]+[axes_taken.late.{i}])"
         found.append(Begin(f"{at}-360*INT(({at}+timing_eps)/360)", f"[drive{i}_sec.on.{k}]", after, before))
     return found
 
 
 def places(bus: Bus, view: PlacedWork) -> list[Quantity]:
     """Return the columns of the section in which each line begins, and where in it."""
-    i, at = view.driven.number, f"([b]-[axes.late.{view.driven.number}])"
+    i, at = view.driven.number, f"([b]-[axes_taken.late.{view.driven.number}])"
     told = f"({at}-360*INT(({at}+timing_eps)/360))"
     numbers, found = [], []
     for number, place in bus.lines.begins(view.running):

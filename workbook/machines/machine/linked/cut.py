@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
-from engine.machine.brackets import SAME
+from engine.machine.brackets import NONE, Step
 from engine.machine.interpolated import BEND
 from engine.machine.places import FIRST, INTERPOLATING, LAST, LOOKS, NODES, WEIGHTS, Worked, section
 from workbook.book.declare import Quantity, Sheet, calc, constant
@@ -25,6 +25,8 @@ LETTERS = ("F", "S", "T")
 """of the columns of force, torque behind the reducer, torque of the motor"""
 BENDS = ("ahead", "here", "after")
 """columns of what three nodes are weighed by"""
+Point = tuple[str, str]
+"""columns of a place, and of a figure's value there"""
 FIRST_RANGE = 2
 """row above which there is but one: no program looks up in a single cell alike"""
 
@@ -61,7 +63,7 @@ def stretches_table(sheet: Sheet, view: PlacedWork) -> None:
     pieces = f"axis{i}_pieces"
     velocity = velocity_at(view, "(([ub]+[ue])/2)")
     back = f"MIN([dir]*{velocity_at(view, '[ub]')},[dir]*{velocity_at(view, '[ue]')})<0-check_zero*@vmax"
-    acts, angle = ACTS.format(x="[x]"), f"(([b]+[e])/2+[axes.late.{i}])"
+    acts, angle = ACTS.format(x="[x]"), f"(([b]+[e])/2+[axes_taken.late.{i}])"
     helds = view.helds
     sheet.table(
         "@st", "Stretches: one direction, one process force", rows,
@@ -197,6 +199,30 @@ def brackets(turns: list[Turn], size: float) -> list[Quantity]:
     ]  # fmt: skip
 
 
+def stepped(mark: str, one: Point, other: Point, last: Point, steps: list[Step], scale: float) -> list[Quantity]:
+    """Return the columns of the step from a place to where the parabola through three is 0: the columns of each."""
+    (p, a), (q, b) = ((f"([{u}]-[{last[0]}])", f"([{g}]-[{last[1]}])") for u, g in (one, other))
+    u, g = (f"[{name}]" for name in last)
+    slope, bend, size, steep = (f"[{name}{mark}]" for name in ("ms", "mb", "md", "mq"))
+    root = f"SQRT(MAX(0,{slope}^2-4*{bend}*{g}*{size}))"
+    step = f"{u}-2*{g}*[rise]*ABS({size})/{steep}"
+
+    def of(name: str) -> list[float]:
+        return [getattr(one, name) for one in steps]
+
+    return [
+        calc(f"ms{mark}", "slope of the parabola", "", "", f"={p}^2*{b}-{q}^2*{a}", of("slope"), scale=scale,
+             source="p²(g_q − g) − q²(g_p − g)"),
+        calc(f"mb{mark}", "bend", "", "", f"={q}*{a}-{p}*{b}", of("bend"), scale=scale,
+             source="q(g_p − g) − p(g_q − g)"),
+        calc(f"md{mark}", "over", "", "", f"={p}*{q}*({p}-{q})", of("size"), scale=1.0, source="p q (p − q)"),
+        calc(f"mq{mark}", "steepness at 0", "", "", f"=[rise]*SIGN({size})*{slope}+{root}", of("steep"), scale=scale),
+        calc(f"u{mark}", "turns at" if mark == "4" else f"place {mark}", "u", "rad",
+             f"=IF(OR({steep}<=0,ABS({g})<={NONE!r}*[lost]),{u},MAX([lo],MIN([hi],{step})))", of("place"), scale=1.0,
+             source="Muller's method"),
+    ]  # fmt: skip
+
+
 def turns_table(sheet: Sheet, view: PlacedWork) -> None:
     """Declare where power turns round: of the load, in the reducer, in the motor."""
     rows, turns = view.turn_rows, view.turns
@@ -211,22 +237,9 @@ def turns_table(sheet: Sheet, view: PlacedWork) -> None:
     def figured(mark: str) -> str:
         return of_figure(",".join(f"[{letter}{mark}]" for letter in LETTERS))
 
-    lost, one, other = of_figure("@lost_F,@lost_S,@lost_T"), figured("1"), figured("2")
-    line = "[lo]-[glo]*([hi]-[lo])/([ghi]-[glo])"
-    parabola = (
-        "[lo]*[at1]*[ghi]/(([glo]-[at1])*([glo]-[ghi]))+[hi]*[glo]*[at1]/(([ghi]-[glo])*([ghi]-[at1]))"
-        "+[u1]*[glo]*[ghi]/(([at1]-[glo])*([at1]-[ghi]))"
-    )
+    lost, line = of_figure("@lost_F,@lost_S,@lost_T"), "[lo]-[glo]*([hi]-[lo])/([ghi]-[glo])"
     helds = [view.helds[turn.stretch - 1] for turn in turns]
     size = max(view.sizes.values())
-
-    def within(formula: str) -> str:
-        return f"MAX([lo],MIN([hi],{formula}))"
-
-    def chord(a: int, b: int) -> str:
-        rise = f"([at{b}]-[at{a}])"
-        crossed = within(f"[u{b}]-[at{b}]*([u{b}]-[u{a}])/{rise}")
-        return f"=IF(ABS{rise}<={SAME!r}*[lost],[u{b}],{crossed})"
 
     def tried(mark: str, worked: list[Worked], places: list[float]) -> list[Quantity]:
         return columns(view, stacked(worked), helds, np.array(places), mark)
@@ -240,19 +253,19 @@ def turns_table(sheet: Sheet, view: PlacedWork) -> None:
         calc("st", "stretch", "", "", "=INDEX([@look.st],[row])", [turn.stretch for turn in turns], format="0"),
         calc("lost", "has no sign up to", "", "", f"={lost}", [turn.bracket.lost for turn in turns], scale=size),
         *brackets(turns, size),
-        calc("u1", "first place", "u", "rad", f"=IF(ABS([ghi]-[glo])<=[lost],[lo],{within(line)})",
+        calc("rise", "rises (1) or falls", "", "", "=IF([figure]=0,0,IF([ghi]>=[glo],1,0-1))",
+             [turn.tried.rise for turn in turns], format="0", source="0: no step"),
+        calc("u1", "first place", "u", "rad", f"=IF(ABS([ghi]-[glo])<=[lost],[lo],MAX([lo],MIN([hi],{line})))",
              [turn.bracket.first for turn in turns], scale=1.0, source="chord"),
-        *tried("1", [turn.first for turn in turns], [turn.bracket.first for turn in turns]),
-        calc("at1", "there", "", "", f"={one}", [turn.at_first for turn in turns], scale=size),
-        calc("u2", "second place", "u", "rad",
-             f"=IF(MIN(ABS([at1]-[glo]),ABS([at1]-[ghi]))<=[lost],[u1],{within(parabola)})",
-             [turn.place2 for turn in turns], scale=1.0, source="inverse parabola"),
-        *tried("2", [turn.second for turn in turns], [turn.place2 for turn in turns]),
-        calc("at2", "there", "", "", f"={other}", [turn.at_second for turn in turns], scale=size),
-        calc("u3", "third place", "u", "rad", chord(1, 2), [turn.place3 for turn in turns], scale=1.0, source="chord"),
-        *tried("3", [turn.third for turn in turns], [turn.place3 for turn in turns]),
-        calc("at3", "there", "", "", f"={figured('3')}", [turn.at_third for turn in turns], scale=size),
-        calc("u4", "turns at", "u", "rad", chord(2, 3), [turn.place for turn in turns], scale=1.0, source="chord"),
+        *tried("1", [turn.tried.first for turn in turns], [turn.bracket.first for turn in turns]),
+        calc("at1", "there", "", "", f"={figured('1')}", [turn.tried.at_first for turn in turns], scale=size),
+        *stepped("2", ("lo", "glo"), ("hi", "ghi"), ("u1", "at1"), [turn.tried.step2 for turn in turns], size),
+        *tried("2", [turn.tried.second for turn in turns], [turn.tried.step2.place for turn in turns]),
+        calc("at2", "there", "", "", f"={figured('2')}", [turn.tried.at_second for turn in turns], scale=size),
+        *stepped("3", ("lo", "glo"), ("u1", "at1"), ("u2", "at2"), [turn.tried.step3 for turn in turns], size),
+        *tried("3", [turn.tried.third for turn in turns], [turn.tried.step3.place for turn in turns]),
+        calc("at3", "there", "", "", f"={figured('3')}", [turn.tried.at_third for turn in turns], scale=size),
+        *stepped("4", ("u1", "at1"), ("u2", "at2"), ("u3", "at3"), [turn.tried.step4 for turn in turns], size),
         calc("at", "angle of its phases", "θ", "°", f"=IF([figure]=0,360,{begin}+DEGREES([u4]))",
              [turn.angle for turn in turns], scale=360.0, format="0.0##"),
     )  # fmt: skip

@@ -7,6 +7,7 @@ from engine.mechanisms.linkage import Linkage
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded
+from workbook.book.sentence import shown as rounding
 from workbook.entries.units import shown
 from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.changing import LinkedWork
@@ -56,7 +57,7 @@ def reach_check(view: LinkedWork) -> Quantity:
     by = outward(f"MAX(0,{at('under')},{at('over')})")
     says = (
         f'[axes.name.{i}]&" row "&{row}&" reaches "&ROUND({outward(place)},9)&" {unit}, "'
-        f'&ROUND({by},3)&" {unit} beyond the "&{end}'
+        f'&{rounding(by)}&" {unit} beyond the "&{end}'
     )
     return check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
                  kinds.of(driven).WITHIN, f":reach{i}", says)  # fmt: skip

@@ -35,7 +35,7 @@ from workbook.book.rows import filled
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.linked.driven import PlacedDriven
-from workbook.machines.machine.linked.turn import Turn
+from workbook.machines.machine.linked.turn import Turn, tried
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Paced, Stretched
 
@@ -206,17 +206,11 @@ class PlacedWork(Stretched):
         bracket, beside, at_kink = Bracket(low, high, at_low, at_high, self.lost(name)), 0.0, 0.0
         kink = next((n for n, one in enumerate(before, 1) if one.row == row), 0)
         if kink:
-            beside, at_kink = before[kink - 1].place3, float(getattr(before[kink - 1].third, name)[0])
+            beside, at_kink = before[kink - 1].tried.step3.place, float(getattr(before[kink - 1].tried.third, name)[0])
             bracket = bracket.beside(beside, at_kink)
-        first = held.at(np.array([bracket.first]))
-        place2 = bracket.second(at_first := float(getattr(first, name)[0]))
-        second = held.at(np.array([place2]))
-        place3 = bracket.chord(bracket.first, place2, at_first, at_second := float(getattr(second, name)[0]))
-        third = held.at(np.array([place3]))
-        place = bracket.chord(place2, place3, at_second, at_third := float(getattr(third, name)[0]))
-        angle = shown(held.piece.begin + place, DEGREE) if number else TURN
-        tried = bracket, first, at_first, place2, second, at_second, place3, third, at_third
-        return Turn(number, row, stretch + 1, kink, beside, at_kink, *tried, place, angle)
+        found = tried(held, name, bracket, bracket.rise if number else 0)
+        angle = shown(held.piece.begin + found.step4.place, DEGREE) if number else TURN
+        return Turn(number, row, stretch + 1, kink, beside, at_kink, bracket, found, angle)
 
     @cached_property
     def sections(self) -> list[tuple[float, float]]:
