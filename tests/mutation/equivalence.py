@@ -16,7 +16,7 @@ SKIPS_TEXT = ("MAX", "MIN", "SUM", "COUNT")
 """Functions to which a range may grow by cells without numbers."""
 
 ALWAYS_OK = re.compile(
-    r"(\w+_entries|OWN\d*_sum|axis\d_(forward|follows|fills|room)|\w+_(order|sum|lasts)|move_ok_pieces"
+    r"(\w+_entries|axis\d_(forward|follows|fills|room)|[A-Z]+\d*_(order|sum|lasts)|move_ok_pieces"
     r"|act_ok_(pieces|rises|shafts|temp|inertia|size)|fly_ok_(length|tools|load|range|pieces|angle|law)"
     r"|tool\d_ok_(angle|turn|entry|pieces)|overlap_ok_rises)(_says)?|entries|backwards|parted"
 )
