@@ -185,7 +185,7 @@ class Spread:
         return found
 
     def estimates(self, what: str) -> Array:
-        """Return at each point the value there, or that of the extreme just before it.
+        """Return at each point the value there, or that of the extreme just before it: beyond both points.
 
         The slope's zero is where its chord has it; where it is 0 at one end already, where the parabola with its
         curvature there has its other zero.
@@ -198,7 +198,9 @@ class Spread:
         leaving = value[before] + curve[before] * away**2 / 6.0
         arriving = value + curve * (width - away) ** 2 / 6.0
         found = np.where(none(slope[before]), leaving, np.where(none(slope), arriving, by_chord))
-        found += AHEAD * np.sign(np.where(none(slope[before]), curve[before], slope[before]))
+        side = np.sign(np.where(none(slope[before]), curve[before], slope[before]))
+        other = np.where(none(slope) & ~none(slope[before]), value[before], value)
+        found = other + side * (np.maximum(0.0, side * (found - other)) + AHEAD)
         return np.asarray(np.where(crosses, found, value).round(DIGITS))
 
     def tops(self, what: str) -> list[Top]:

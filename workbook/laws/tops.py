@@ -38,12 +38,19 @@ LEAST_POINTS = 60
 WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
 CURVES = {"s": "a", "v": "j", "a": "b"}
 """the column of points that is the curvature, where a slope that is 0 at an end hangs on it"""
+
+
+def beyond(estimated: str, other: str, side: str) -> str:
+    """Return the formula of an extreme that is estimated from one point, made to lie beyond the other one too."""
+    return f"{other}+SIGN({side})*(MAX(0,SIGN({side})*({estimated}-{other}))+2E-9)"
+
+
 ACROSS = "ROUND([{g}],9)*ROUND([{g}-1],9)<0"
-CHORD = "[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2+2E-9*SIGN([{g}-1])"
+CHORD = beyond("[{f}-1]+[{g}-1]^2/([{g}-1]-[{g}])*([u]-[u-1])/2", "[{f}]", "[{g}-1]")
 LEAVING = "AND(ROUND([{g}-1],9)=0,ROUND([{c}-1],9)*ROUND([{g}],9)<0)"
-LEFT = "[{f}-1]+[{c}-1]^3*([u]-[u-1])^4/([{c}-1]*([u]-[u-1])-[{g}])^2/6+2E-9*SIGN([{c}-1])"
+LEFT = beyond("[{f}-1]+[{c}-1]^3*([u]-[u-1])^4/([{c}-1]*([u]-[u-1])-[{g}])^2/6", "[{f}]", "[{c}-1]")
 ARRIVING = "AND(ROUND([{g}],9)=0,ROUND([{c}],9)*ROUND([{g}-1],9)>0)"
-COME = "[{f}]+[{c}]^3*([u]-[u-1])^4/([{c}]*([u]-[u-1])+[{g}-1])^2/6+2E-9*SIGN([{g}-1])"
+COME = beyond("[{f}]+[{c}]^3*([u]-[u-1])^4/([{c}]*([u]-[u-1])+[{g}-1])^2/6", "[{f}-1]", "[{g}-1]")
 TOP = f"=ROUND(IF([k]=0,[{{f}}],IF([n]=[n-1],IF({ACROSS},{CHORD},{{rest}}),[{{f}}])),9)"
 """by the chord of the slope, a little beyond the values of both points; slopes below 1e-9 are none"""
 REST = f"IF({LEAVING},{LEFT},IF({ARRIVING},{COME},[{{f}}]))"

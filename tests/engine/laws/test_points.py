@@ -8,7 +8,7 @@ import pytest
 from engine.laws import Piece, PieceLaw
 from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import MIXED, POLYNOMIAL_345
-from engine.laws.points import Spread, extreme
+from engine.laws.points import CHAINS, Spread, extreme
 from engine.laws.table import carried
 
 GAP = (Piece(0.0, (9.0, 0.0, 0.0, 0.0)), *POLYNOMIAL_345, Piece(0.0))
@@ -61,6 +61,20 @@ def test_the_refined_extremes_are_those_of_the_ladder(pieces):
     assert at.suffices
     known = k.cv, k.ca_max, k.ca_min, jerk, k.va_max, k.va_min, *reach_of(pieces, 0.0)
     assert found(at) == pytest.approx(known, rel=1e-11, abs=1e-12)
+
+
+@pytest.mark.parametrize("what", ["s", "v", "a", "j", "va"])
+def test_an_extreme_between_two_points_is_estimated_beyond_both(what):
+    """Else one just before a piece's end loses to the points at that end, which are no brackets."""
+    beyond = []
+    for seed in range(120):
+        at = spread(drawn(seed))
+        value, slope = (getattr(at.rates, name) for name in CHAINS[what][:2])
+        rows = np.flatnonzero(at.crosses(what))
+        side = np.where(np.abs(slope[rows - 1]) > 1e-9, np.sign(slope[rows - 1]), -np.sign(slope[rows]))
+        beyond += [*(side * (at.estimates(what)[rows] - np.maximum(side * value[rows - 1], side * value[rows]) * side))]
+    assert len(beyond) > 20
+    assert min(beyond) > 0.0
 
 
 def test_points_lie_on_the_pieces_that_last_at_equal_steps():
