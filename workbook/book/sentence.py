@@ -76,8 +76,20 @@ NOTHING = Said("", "")
 
 def amount(cell: str, value: float, before: str, after: str) -> Said:
     """Return a sentence on one amount, rounded for people."""
-    said = f"{before}{rounded(value)}{after}"
-    return Said("&".join(filter(None, [before and quoted(before), shown(cell), after and quoted(after)])), said)
+    return around(shown(cell), rounded(value), before, after)
+
+
+def bound(cell: str, value: float, before: str, after: str) -> Said:
+    """Return a sentence on an amount of at least 0 up to which something holds: rounded for people, and never up."""
+    places = decimals(value)
+    said = f"{round(max(0.0, value - 0.5 / 10.0**places), places):.15g}"
+    return around(f"ROUND(MAX(0,{cell}-0.5/10^{digits(cell)}),{digits(cell)})", said, before, after)
+
+
+def around(shows: str, shown: str, before: str, after: str) -> Said:
+    """Return a sentence of what a formula shows between words."""
+    texts = [before and quoted(before), shows, after and quoted(after)]
+    return Said("&".join(filter(None, texts)), f"{before}{shown}{after}")
 
 
 def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Said:
@@ -88,7 +100,12 @@ def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Sa
 
 def shown(cell: str) -> str:
     """Return the formula that rounds an amount for people."""
-    return f"ROUND({cell},MAX({LEAST},MIN({MOST},{FINE - 1}-INT(LOG10(ABS({cell})+{NOUGHT:.9f})))))"
+    return f"ROUND({cell},{digits(cell)})"
+
+
+def digits(cell: str) -> str:
+    """Return the formula of how many decimals are shown of an amount."""
+    return f"MAX({LEAST},MIN({MOST},{FINE - 1}-INT(LOG10(ABS({cell})+{NOUGHT:.9f}))))"
 
 
 def rounded(value: float) -> str:

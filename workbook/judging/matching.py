@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 from workbook.book.address import Address, Place, Strip
@@ -201,16 +201,25 @@ class Match:
         return {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
 
     def _header_above(self, name: str) -> int:
-        """Return how many rows above a block of the file its header stands: rows may lie between."""
-        block, place = self.declared.blocks[name], self.file.places[name]
-        line = [self._texts.get((block.sheet.title, block.row - 1, column)) for column in block.columns.values()]
-        any_text = 0
-        for up in range(1, min(MOST_BETWEEN, place.row)):
-            held = [self.file.value(place.cell(-up, j)) for j in range(place.columns)]
-            if any(text and text == other for text, other in zip(line, held, strict=True)):
-                return up
-            any_text = any_text or (up if any(isinstance(value, str) for value in held) else 0)
-        return any_text or 1
+        """Return how many rows above a block of the file its header stands: rows may lie between.
+
+        It is known by any of its lines of text; by none of them, where the next text stands above.
+        """
+        place, held = self.file.places[name], partial(self._line_held, self.file.places[name])
+        for line, texts in enumerate(self._heading(self.declared.blocks[name])):
+            for up in range(1, min(MOST_BETWEEN, place.row - line)):
+                if any(text and text == other for text, other in zip(texts, held(up + line), strict=True)):
+                    return up
+        return next((up for up in range(1, min(MOST_BETWEEN, place.row)) if any(map(is_text, held(up)))), 1)
+
+    def _heading(self, block: Block) -> list[list[str | None]]:
+        """Return the lines of a block's heading as declared, from the one just above it."""
+        columns = block.columns.values()
+        return [[self._texts.get((block.sheet.title, block.row - up, column)) for column in columns] for up in HEAD]
+
+    def _line_held(self, place: Place, up: int) -> list[Any]:
+        """Return what the file holds so many rows above a block."""
+        return [self.file.value(place.cell(-up, j)) for j in range(place.columns)]
 
     @cached_property
     def headless(self) -> set[str]:
@@ -221,16 +230,14 @@ class Match:
         place = self.file.places.get(block.name)
         if place is None:
             return False
-        above = [(block.sheet.title, block.row - up, column) for up in HEAD for column in block.columns.values()]
-        names = set(filter(None, map(self._texts.get, above)))
+        names = {text for line in self._heading(block) for text in line if text}
         held = {up: self._texts_held(place, up) for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))}
         headed = any(held.get(up) for up in HEAD) or any(names & texts for texts in held.values())
         return bool(names) and not headed
 
     def _texts_held(self, place: Place, up: int) -> set[str]:
         """Return the texts so many rows above a table of the file."""
-        values = (self.file.value(place.cell(-up, j)) for j in range(place.columns))
-        return {value for value in values if isinstance(value, str)}
+        return set(filter(is_text, self._line_held(place, up)))
 
     @cached_property
     def _texts(self) -> dict[tuple[str, int, int], str]:
@@ -250,6 +257,11 @@ class Match:
 
     def _held_area(self, name: str, sheet: str) -> Area:
         return resolve(name, self._held_names, set(self.file.workbook.sheetnames))
+
+
+def is_text(value: Any) -> bool:
+    """Whether a cell holds a text."""
+    return isinstance(value, str)
 
 
 def corners(area: Area) -> tuple[Address, Address]:

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from workbook.book.sentence import Sentence, rounded
+from workbook.book.sentence import Sentence, bound, rounded
 
 SHOWN = [(770.8484, "770.8"), (12.3456, "12.35"), (0.0012346, "0.001235"), (-0.70566, "-0.7057"), (25.0, "25"),
          (12345.67, "12345.7"), (1e-9, "0"), (-3e-12, "0"), (9.99996, "10"), (0.0, "0")]  # fmt: skip
@@ -22,3 +22,13 @@ def test_amounts_that_differ_by_more_than_the_last_digit_are_told_apart(value):
     said = Sentence(f"{rounded(value)} Nm too much")
     assert said.says(f"{rounded(value)} Nm too much".replace(".", ","))
     assert not said.says(f"{rounded(value + step)} Nm too much")
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(215.6571, "215.6"), (99.99, "99.98"), (3.1416, "3.141"), (0.0, "0"), (1e-10, "0"), (2e5, "2e5")],
+)
+def test_what_holds_up_to_an_amount_is_never_told_above_it(value, text):
+    told = float(bound("@highest", value, "", "").said)
+    assert told == pytest.approx(float(text), rel=2e-6)
+    assert told <= value

@@ -12,7 +12,7 @@ from itertools import pairwise
 from engine.machine.pace import APART, FAR, LIMITS, PARTS, REACH, TRIALS, TRUSTED, Crossing, Trial, meets, reached
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled, total
-from workbook.book.sentence import Said, amount
+from workbook.book.sentence import Said, bound
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_MINUTE, shown
 from workbook.machines.machine.stretched import Stretched
@@ -257,9 +257,8 @@ def rate_of(view: Stretched) -> Highest:
 
 
 def mending(view: Stretched) -> Said:
-    """Return what would mend a limit that is not held: the rate up to which all are, in thousandths and never above."""
-    rate, half = rate_of(view).rate, 5e-4
-    return amount(f"MAX(0,@highest-{half!r})", max(0.0, rate - half), "; the drive holds all up to ", " cycles/min")
+    """Return what would mend a limit that is not held: the rate up to which all are."""
+    return bound("@highest", rate_of(view).rate, "; the drive holds all up to ", " cycles/min")
 
 
 def highest(view: Stretched, below: str = "check_zero", source: str = EXACT) -> list[Quantity]:
