@@ -17,7 +17,7 @@ def test_what_is_folded_is_workings_alone(name, tmp_path):
     build(machine, tmp_path / "book.xlsx")
     pages = openpyxl.load_workbook(tmp_path / "book.xlsx")
     sheets = [sheet for sheet in declared.sheets if sheet.folded]
-    assert [sheet.title for sheet in sheets] == ["Timing"]
+    assert [sheet.title for sheet in sheets] == ["Timing", *(["Clearances"] if machine.clearances else [])]
     for sheet in sheets:
         folded = [(block.name, q.name, q.role) for block in sheet.blocks for q in block.quantities
                   if block.columns[q.name] >= sheet.folded]  # fmt: skip

@@ -20,6 +20,8 @@ ABOUT = (
 )
 LATE = "([{0}]-[axes_taken.late.{1}])"
 FINER = ("", "/100", "/10000")
+PRINTED = 12
+"""columns: what is entered, and the least gaps"""
 
 
 def clearances_sheet(book: Book, apart: list[Apart]) -> None:
@@ -38,7 +40,7 @@ def clearances_sheet(book: Book, apart: list[Apart]) -> None:
         sheet.heading(f"Workings: clearance {one.number}", ABOUT.format(NODES))
         breaks(sheet, one)
         stretches(sheet, one)
-    sheet.print_columns = 14
+    sheet.print_columns, sheet.folded = PRINTED, PRINTED + 1
 
 
 def table(sheet: Sheet, apart: list[Apart]) -> None:
@@ -59,7 +61,7 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
     over = apart[0].over
     high = "MAX(ABS([axes.low.{0}]),ABS([axes.high.{0}]))"
     size = f"ABS([offset])+ABS([factor1])*{high.format('{i}')}+ABS([factor2])*{high.format('{j}')}"
-    sheet.table(
+    entered = sheet.table(
         "clearances", "Clearances", len(apart),
         given("name", "clearance", "", "", [one.given.name for one in apart], "clearances.*.name"),
         constant("k", "number", "k", "", [one.number for one in apart]),
@@ -77,10 +79,15 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
         result("at", "at", over.symbol, over.unit,
                each(over.told("INDEX([clear{n}_st.place],MATCH(1,[clear{n}_st.near],0))")),
                [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
-        calc("size", "the gap grows to", "", "", each(size), [one.size for one in apart]),
-        calc("k1", "a unit of its motion", "", "", scale(0, "factor1"), [one.scales[0] for one in apart]),
-        calc("k2", "of the other's", "", "", scale(1, "factor2"), [one.scales[1] for one in apart]),
-        calc("steep", "its slope grows to", "", "",
+    )  # fmt: skip
+    sheet.workings(
+        entered, "gaps", "Workings", PRINTED + 2,
+        calc("size", "size of the gap, at most", "", "", each(size), [one.size for one in apart]),
+        calc("k1", "its own unit in 1 m or rad", "", "", scale(0, "factor1"), [one.scales[0] for one in apart],
+             source="times the first factor"),
+        calc("k2", "likewise of the other axis", "", "", scale(1, "factor2"), [one.scales[1] for one in apart],
+             source="times the second factor"),
+        calc("steep", "slope of the gap, at most", "", "",
              each("ABS([k1])*MAX([axis{i}.y1])+ABS([k2])*MAX([axis{j}.y1])"), [one.steep for one in apart]),
     )  # fmt: skip
     sheet.rows(*(calc(one.name, f"Clearance {one.number}", "", "", f"=[clearances.name.{one.number}]",
@@ -97,7 +104,7 @@ def kept(one: Apart) -> Quantity:
     said = (
         f"{one.given.name}: {rounded(one.gap.least)} {unit} at {rounded(one.over.shown(one.place))}{one.over.after}, "
     )
-    condition = f"{gap}>={least}-check_zero*[clearances.size.{n}]"
+    condition = f"{gap}>={least}-check_zero*[gaps.size.{n}]"
     return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", condition, one.kept,
                  says=Said(f'{says}&" {unit} too little"', f"{said}{short} {unit} too little"))  # fmt: skip
 
@@ -143,14 +150,14 @@ def stretches(sheet: Sheet, one: Apart) -> None:
     n, of = one.number, one.of
     first, second = (rows.axis.number for rows in one.rows)
     breaks_at = f"[clear{n}_breaks.at]"
-    same, lost = f"check_zero*[clearances.size.{n}]", f"check_zero*[clearances.steep.{n}]"
+    same, lost = f"check_zero*[gaps.size.{n}]", f"check_zero*[gaps.steep.{n}]"
     begin = ["=0*[k]", *("=IF([e-1]>=360-timing_eps,[b-1],[e-1])" for _ in range(1, one.room))]
 
     def both(order: int) -> Callable[[str], str]:
         def at(w: str) -> str:
             each = [derivative(rows.pieces, order, mark, f"([u{mark}]+{w})")
                     for rows, mark in zip(one.rows, "12", strict=True)]  # fmt: skip
-            return f"[clearances.k1.{n}]*({each[0]})+[clearances.k2.{n}]*({each[1]})"
+            return f"[gaps.k1.{n}]*({each[0]})+[gaps.k2.{n}]*({each[1]})"
 
         return at
 

@@ -271,7 +271,7 @@ def highest(view: Stretched, below: str = "check_zero", source: str = EXACT) -> 
                f'=IF(MIN([@limiting.x])>={FARTHEST},"{NONE_BINDS}",'
                "INDEX([@limiting.name],MATCH(MIN([@limiting.x]),[@limiting.x],0)))", limit,
                align="right"),
-        calc("@settled", "Last step of its search, of it", "", "",
+        calc("@settled", "Last step of the search for it, relative", "", "",
              "=IF(MIN([@limiting.x])>0,ABS(MIN([@limiting.x])/[@pace.x.last]-1),0)", view.paced.last_step, scale=1.0,
              format='0E+00;-0E+00;"–"', source="the search has settled where it is below 1e-6"),
     ]  # fmt: skip
