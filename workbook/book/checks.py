@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any, NamedTuple
 
@@ -59,9 +60,34 @@ def summary(book: Book) -> Summary:
     """Return what the checks say together: one that fails fails the book, one that is unfinished leaves it open."""
     said = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
     verdicts, sentences = [verdict for verdict, _ in said], [sentence for _, sentence in said]
-    unknown = None in verdicts
-    overall = "FAIL" if "FAIL" in verdicts else None if unknown else "OK"
-    return Summary(verdicts, sentences, None if unknown else verdicts.count("OK"), overall)
+    holding = None if None in verdicts else verdicts.count("OK")
+    return Summary(verdicts, sentences, holding, together(verdicts))
+
+
+def together(verdicts: Sequence[str | None]) -> str | None:
+    """Return what verdicts say together: one that fails fails all, one that is unfinished leaves them open."""
+    return "FAIL" if "FAIL" in verdicts else None if None in verdicts else "OK"
+
+
+def all_hold(places: Sequence[int]) -> str:
+    """Return the formula of whether no check at these places fails: as many fail up to each run's end as before it."""
+    ends = [f"[checks.nth.{k}]" for k in places if k + 1 not in places]
+    befores = [f"[checks.nth.{k - 1}]" for k in places if k > 1 and k - 1 not in places]
+    return f'=IF({"+".join(ends)}={"+".join(befores) or 0},"OK","FAIL")'
+
+
+def summed_up(book: Book, table: str, label: str, places: list[list[int]]) -> Quantity:
+    """Return the column ``verdict`` of a table: of each row what the checks at its places say together."""
+    book.summed[f"{table}.verdict"] = places
+    return Quantity("verdict", label, "", "", "check", [*map(all_hold, places)], of_some(book)[f"{table}.verdict"])
+
+
+def of_some(book: Book) -> dict[str, list[str | None]]:
+    """Return what stands in the columns that sum up some checks."""
+    verdicts = summary(book).verdicts
+    return {
+        column: [together([verdicts[k - 1] for k in places]) for places in rows] for column, rows in book.summed.items()
+    }
 
 
 def failing(book: Book) -> int | None:
@@ -101,6 +127,7 @@ def settled(book: Book) -> dict[str, list[Any]]:
         "checks.verdict": found.verdicts,
         "checks.says": found.sentences,
         "checks.nth": counted(book),
+        **of_some(book),
         "mend_count.mend_count": [failing(book)],
         **mended(book, book.blocks["mend"].size),
         "checks_ok.checks_ok": [found.holding],

@@ -368,6 +368,8 @@ class Book:
     limit: Callable[[str], Limit | None] = lambda key: None
     """the limits of the entry at a key of the description, if it has any"""
     guards: list[Guard] = field(default_factory=list)
+    summed: dict[str, list[list[int]]] = field(default_factory=dict)
+    """columns ``table.column`` that sum up some checks: of each row the places of these among all"""
     keyed: set[str] = field(default_factory=set)
     """columns ``table.column`` of keys 2 · number + share, of which a look-up reads those of its number alone"""
 

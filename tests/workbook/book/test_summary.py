@@ -126,3 +126,16 @@ def test_the_actuators_charts_stand_on_its_first_printed_page():
     ends = [(row, row + height) for _, row, _, _, height in sheet.charts]
     assert all(end < begin for (_, end), (begin, _) in itertools.pairwise(ends))
     assert max(end for _, end in ends) <= 56
+
+
+def test_an_axis_has_its_laws_and_the_verdict_of_its_own_checks():
+    """Of MC01 the drive is too weak, of MC03 a phase begins before the one above ends, MC02 and MC04 are as before."""
+    changes = {
+        "rate = 200.0": "rate = 210.0",
+        "start = 235.0": "start = 220.0",
+        'lift = -75.0, law = "CIC"': 'lift = -75.0, law = "mtp"',
+    }
+    judged = TEMPLATES["machine"].declare(described("machine", changes)).blocks["axes_judged"]
+    found = {q.name: q.value for q in judged.quantities}
+    assert found["verdict"] == ["FAIL", "OK", "FAIL", "OK"]
+    assert [law.upper() for law in found["law"]] == ["MTP", "MTP", "MTP", "SEVERAL"]

@@ -20,6 +20,7 @@ from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheet, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.judged import judge_axes
 from workbook.machines.machine.linked.changing import over_motion
 from workbook.machines.machine.linked.driven import driven_of
 from workbook.machines.machine.linked.sheet import placed_sheet
@@ -83,6 +84,7 @@ def declare(given: AnyMachine) -> Book:
     cycle_sheet(book, machine, rows)
     pieces_sheet(book, rows, bool(drives or apart))
     export_sheet(book, given, [exportable(one) for one in rows])
+    judge_axes(book, machine.axes)
     return finish(book, "Machine", ("S1", "S3"))
 
 
