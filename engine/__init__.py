@@ -3,13 +3,12 @@
 from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Sizing, Slide, Stage, reflected_inertia
 from engine.laws import CATALOGUE, Law, Piece, PieceLaw, law
 from engine.motion import Motion, Phase, motionlaw
-from engine.timing import Axis, Diagram, Movement, shaft_speed
+from engine.timing import Axis, Movement, shaft_speed
 
 __all__ = [
     "CATALOGUE",
     "KINDS",
     "Axis",
-    "Diagram",
     "Drive",
     "Law",
     "Load",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +12,6 @@ from engine.laws.base import Array
 from engine.motion import Motion, Phase
 
 FULL_TURN = 2.0 * math.pi  # rad
-FILL_TOLERANCE = 1e-9  # of the cycle
 
 
 def shaft_speed(rate: float) -> float:
@@ -138,42 +136,6 @@ class Movement:
     def a_rms(self) -> float:
         """Root of the mean of ÿ² over the movement."""
         return self.of.y2_rms * self.speed**2
-
-
-class Diagram:
-    """Axes over one cycle of the master shaft, 2π rad unless said otherwise.
-
-    Raises ValueError where two axes share a name, or the phases of one do not run from 0 to the cycle's end.
-    """
-
-    def __init__(self, axes: Sequence[Axis], cycle: float = FULL_TURN) -> None:
-        if not (math.isfinite(cycle) and cycle > 0.0):
-            raise ValueError(f"cycle is {cycle:g}; expected a finite number above 0")
-        self.axes = tuple(axes)
-        self.cycle = cycle
-        seen: set[str] = set()
-        for axis in self.axes:
-            if axis.name in seen:
-                raise ValueError(f"two axes are named {axis.name!r}; expected a name of its own for each")
-            seen.add(axis.name)
-            begin, end = float(axis.motion.edges[0]), float(axis.motion.edges[-1])
-            if max(abs(begin), abs(end - cycle)) > FILL_TOLERANCE * cycle:
-                raise ValueError(f"axis {axis.name!r} runs from {begin:.10g} to {end:.10g}; expected 0 to {cycle:.10g}")
-
-    def axis(self, name: str) -> Axis:
-        """Return the axis of this name. Raises ValueError, which lists the names there are."""
-        for axis in self.axes:
-            if axis.name == name:
-                return axis
-        raise ValueError(f"no axis is named {name!r}; expected one of {', '.join(a.name for a in self.axes)}")
-
-    def movements(self, rate: float) -> tuple[Movement, ...]:
-        """Return every phase that lifts, axis by axis, at ``rate`` cycles per second.
-
-        Raises ValueError unless the rate is finite and above 0.
-        """
-        speed = shaft_speed(rate) * (self.cycle / FULL_TURN)
-        return tuple(movement for axis in self.axes for movement in axis.movements(speed))
 
 
 @dataclass(frozen=True)

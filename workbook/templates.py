@@ -9,7 +9,6 @@ from workbook.template import Template
 
 MODULES = {
     "machine": "machine",
-    "cutting-machine": "cutting",
     "motion-composer": "composer",
     "indexing-overlap": "overlap",
     "flying-cutter": "flying",

@@ -39,11 +39,6 @@ class Stage:
         torque = np.asarray(behind, dtype=np.float64)
         return loss_factor(torque, direction, self.efficiency, method) * torque / self.ratio
 
-    @property
-    def transmission(self) -> float:
-        """τ, speed behind the stage over speed before it."""
-        return 1.0 / self.ratio
-
 
 @dataclass(frozen=True)
 class Part:

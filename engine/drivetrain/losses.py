@@ -25,11 +25,6 @@ def direction(speed: ArrayLike) -> Array:
     return np.where(np.abs(w) < STANDSTILL, 0.0, np.sign(w))
 
 
-def rounding_of(torque: ArrayLike) -> float:
-    """Return what counts as no torque beside the largest of these: of 1 Nm (N) and less, NEAR."""
-    return NEAR * max(1.0, float(np.abs(np.asarray(torque, dtype=np.float64)).max(initial=0.0)))
-
-
 def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> NDArray[np.bool_]:
     """Return whether what is behind a stage drives it: a torque (Nm, or N) against the direction of motion.
 

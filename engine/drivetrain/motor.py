@@ -87,26 +87,6 @@ class OperatingPoints:
         return float(np.abs(self.torque).max())
 
     @property
-    def highest_torque(self) -> float:
-        """Largest C_m, with its sign."""
-        return float(self.torque.max())
-
-    @property
-    def lowest_torque(self) -> float:
-        """Lowest C_m, with its sign."""
-        return float(self.torque.min())
-
-    @property
-    def highest_power(self) -> float:
-        """Largest power, driving."""
-        return float(self.power.max())
-
-    @property
-    def lowest_power(self) -> float:
-        """Lowest power, negative where the load drives the motor."""
-        return float(self.power.min())
-
-    @property
     def max_speed(self) -> float:
         """max |ω_m|"""
         return float(np.abs(self.speed).max())

@@ -81,7 +81,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     axis["parts"] = [
         {
             "name": f"part {i}", "count": float(drawn.randint(0, 5)), "inertia": drawn.uniform(0, 0.1),
-            "shaft": drawn.choice(("motor", "mechanism")),
+            "shaft": drawn.choice(("motor", "mechanism")), **teeth(drawn),
         }
         for i in range(drawn.randint(0, room))
     ]  # fmt: skip
@@ -91,6 +91,12 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
         "holding": drawn.choice(("motor", "brake")),
     }  # fmt: skip
+
+
+def teeth(drawn: random.Random) -> dict[str, float]:
+    """Return the teeth of a gear that drives a part, or none."""
+    made = {f"teeth_{side}": float(drawn.randint(12, 99)) for side in ("driver", "driven")}
+    return made if drawn.random() < 0.6 else {}
 
 
 def linked(axis: dict[str, Any], drawn: random.Random, kind: str, positions: int) -> None:

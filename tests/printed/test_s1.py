@@ -16,8 +16,11 @@ from engine.laws import (
     ModifiedTrapezoidal,
     TrapezoidalVelocity,
 )
+from engine.machine.course import Course
+from engine.machine.demand import Demand
+from engine.machine.train import Train
 from engine.motion import Motion, Phase
-from engine.timing import Axis, Diagram, shaft_speed
+from engine.timing import Axis, shaft_speed
 
 MTP = ModifiedTrapezoidal()
 RADIUS = 0.134  # m
@@ -29,14 +32,18 @@ def axis(name, degrees, lifts, law, feed=False):
 
 
 def machine(law=MTP):
-    """'Timing diagram for a cutting machine': MC01, MC02, MC03 in m over rad."""
-    return Diagram(
-        [
-            axis("MC01", (80, 360), (0.3, 0.0), law, feed=True),
-            axis("MC02", (90, 135, 305, 350, 360), (0.0, 0.02, 0.0, -0.02, 0.0), law),
-            axis("MC03", (145, 225, 235, 295, 360), (0.0, 0.08, 0.0, -0.08, 0.0), law),
-        ]
+    """'Timing diagram for a cutting machine': MC01, MC02, MC03 in m over rad, by name."""
+    axes = (
+        axis("MC01", (80, 360), (0.3, 0.0), law, feed=True),
+        axis("MC02", (90, 135, 305, 350, 360), (0.0, 0.02, 0.0, -0.02, 0.0), law),
+        axis("MC03", (145, 225, 235, 295, 360), (0.0, 0.08, 0.0, -0.08, 0.0), law),
     )
+    return {one.name: one for one in axes}
+
+
+def movements(law, rate):
+    """The movements of all axes at a rate in pieces a second."""
+    return [movement for one in machine(law).values() for movement in one.movements(shaft_speed(rate))]
 
 
 # --- Asymmetric trapezoidal speed profile ---------------------------------------------------------
@@ -74,7 +81,7 @@ def test_speed_of_the_master_shaft_at_200_pieces_a_minute():
 
 def test_mc01_with_constant_acceleration_as_printed():
     """Printed: y' = 0.43 m/rad, y'' = 0.61 m/rad², ẏ = 9 m/s, ÿ = 270 m/s²."""
-    rise = machine(ConstantAcceleration()).movements(200 / 60)[0]
+    rise = movements(ConstantAcceleration(), 200 / 60)[0]
     assert rise.y1_max == pytest.approx(0.43, abs=0.005)
     assert math.floor(rise.y2_max * 100) / 100 == 0.61  # 0.6155, cut off and not rounded
     assert (rise.v_max, rise.a_max) == pytest.approx((9.0, 270.0), rel=1e-13)
@@ -92,7 +99,7 @@ def test_mc01_with_constant_acceleration_as_printed():
     ids=lambda value: getattr(value, "code", None),
 )
 def test_mc01_rise_with_each_law(law, y1, y2, v, a):
-    rise = machine(law).movements(200 / 60)[0]
+    rise = movements(law, 200 / 60)[0]
     assert (rise.y1_max, rise.y2_max) == pytest.approx((y1, y2), abs=5e-6)
     assert (rise.v_max, rise.a_max) == pytest.approx((v, a), abs=5e-4)
 
@@ -108,7 +115,7 @@ def test_mc01_rise_with_each_law(law, y1, y2, v, a):
     ids=["MC02 rise", "MC02 return", "MC03 rise", "MC03 return"],
 )
 def test_movements_with_the_modified_trapezoidal_law(number, name, y1, y2, v, a):
-    movement = machine().movements(200 / 60)[number]
+    movement = movements(MTP, 200 / 60)[number]
     assert movement.axis == name
     assert (movement.y1_max, movement.y2_max) == pytest.approx((y1, y2), abs=5e-6)
     assert movement.v_max == pytest.approx(v, abs=5e-5)
@@ -116,13 +123,13 @@ def test_movements_with_the_modified_trapezoidal_law(number, name, y1, y2, v, a)
 
 
 def test_the_cycles_close_the_feed_in_velocity():
-    diagram = machine()
-    assert all(one.closes and one.motion.smooth() for one in diagram.axes)
-    assert diagram.axis("MC01").motion.junctions()[-1].jump_y == pytest.approx(0.3, rel=1e-15)
+    axes = machine()
+    assert all(one.closes and one.motion.smooth() for one in axes.values())
+    assert axes["MC01"].motion.junctions()[-1].jump_y == pytest.approx(0.3, rel=1e-15)
 
 
 def test_positions_over_the_cycle():
-    at = machine().axis("MC03").motion.at(np.deg2rad([0, 145, 185, 225, 230, 235, 265, 295, 360]))
+    at = machine()["MC03"].motion.at(np.deg2rad([0, 145, 185, 225, 230, 235, 265, 295, 360]))
     assert at.y == pytest.approx([0, 0, 0.04, 0.08, 0.08, 0.08, 0.04, 0, 0], abs=1e-16)
 
 
@@ -139,8 +146,14 @@ def operating_points(law, n=3600):
     """The feeding group over a cycle at 100 pieces a minute, 0.6 s."""
     omega = shaft_speed(100 / 60)
     x = np.arange(n + 1) * (2 * np.pi / n)
-    _, v, a = machine(law).axis("MC01").motion.at_speed(x, omega)
+    _, v, a = machine(law)["MC01"].motion.at_speed(x, omega)
     return feeding_group().operating_points(v, a, time=x / omega)
+
+
+def demand(law):
+    """The same over the pieces of the motion, without samples."""
+    train = Train(feeding_group())
+    return Demand(Course(train, machine(law)["MC01"].motion, shaft_speed(100 / 60)))
 
 
 def test_inertia_and_resisting_torque():
@@ -162,17 +175,18 @@ def test_inertia_and_resisting_torque():
 def test_torque_at_the_roller_shaft(law, acceleration, highest, lowest):
     """The torques were computed from the rounded accelerations: half a digit times 1.164 more room."""
     points = operating_points(law)
-    rise = machine(law).movements(100 / 60)[0]
+    rise = movements(law, 100 / 60)[0]
     assert rise.a_max / RADIUS == pytest.approx(acceleration, abs=5e-5)
-    assert points.highest_torque == pytest.approx(highest, abs=1.1e-4)
-    assert points.lowest_torque == pytest.approx(lowest, abs=1.1e-4)
+    exact = demand(law).torque
+    for found in ((points.torque.max(), points.torque.min()), (exact.highest.value, exact.lowest.value)):
+        assert found == pytest.approx((highest, lowest), abs=1.1e-4)
 
 
 def test_speed_of_the_rollers():
     """ω_r,max = 33.582 rad/s = 320.685 rpm."""
-    fastest = operating_points(MTP).max_speed
-    assert fastest == pytest.approx(33.582, abs=5e-4)
-    assert fastest * 60 / (2 * math.pi) == pytest.approx(320.685, abs=5e-4)
+    for fastest in (operating_points(MTP).max_speed, demand(MTP).speed.peak):
+        assert fastest == pytest.approx(33.582, abs=5e-4)
+        assert fastest * 60 / (2 * math.pi) == pytest.approx(320.685, abs=5e-4)
 
 
 def test_exact_rms_torque_over_the_cycle():
@@ -185,3 +199,4 @@ def test_exact_rms_torque_over_the_cycle():
     assert cycle.torque == pytest.approx(exact, rel=1e-15)  # there is no motor
     assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
     assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)
+    assert demand(MTP).rms_torque == pytest.approx(exact, rel=1e-12)

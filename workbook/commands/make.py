@@ -8,13 +8,13 @@ from workbook import build as making
 from workbook.exits import AGREES, DISAGREES
 from workbook.reading.descriptions import write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
-from workbook.templates import TEMPLATES
+from workbook.template import FOLDER
 from workbook.writing.place import refuse_existing, refuse_itself
 
 
 def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> None:
     """Build a workbook from a machine description."""
-    source = machine or TEMPLATES["cutting-machine"].description
+    source = machine or FOLDER / "cutting-machine.toml"
     target = output or Path(f"{source.stem}.xlsx")
     refuse_itself(target, source)
     with ERR.status(shown(f"Building {target} …")):

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Field
 
 from workbook.book.limits import RowRule
 from workbook.entries.texts import Text
-from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
+from workbook.entries.types import DesignError, Model, NotNegative, Positive
 
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 
@@ -20,14 +20,6 @@ class MotorLimits(Model):
     rated_torque: Positive  # Nm
     peak_torque: Positive  # Nm
     max_speed: Positive  # rpm
-
-
-class GearMotor(MotorLimits):
-    """A motor with its reducer."""
-
-    inertia: NotNegative  # kg m²
-    reduction: Positive  # ω_m/ω_r
-    efficiency: Annotated[float, Field(gt=0, le=1)] = 1.0
 
 
 class RotatingParts(Model):
@@ -98,15 +90,3 @@ ALONE = RowRule(
 )  # fmt: skip
 BORED = RowRule("bored", "OR([bore]+0=0,[bore]+0<[diameter]+0)", "bore", "bore, not less than the diameter")
 WHOLE = RowRule("whole", "[shaft]+0=INT([shaft]+0)", "shaft", "gears before it, no whole number")
-
-
-class RollerDrive(Model):
-    """The drive of one axis by rollers: load, rotating parts, motor."""
-
-    rate: Positive  # pieces/min
-    axis: Text
-    force: Number  # N
-    radius: Positive  # m
-    resists: Literal["always", "moving"] = "always"
-    rotors: Annotated[list[GearedParts], Field(min_length=1)]
-    motor: GearMotor

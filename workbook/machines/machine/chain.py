@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field, model_validator
 
-from workbook.drive.entries import Efficiency, RotatingParts
+from workbook.drive.entries import Efficiency, GearedParts
 from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, EmptyCell, Model, NotNegative, Number, Positive
 
@@ -193,10 +193,9 @@ class Reducer(Model):
     max_speed: Positive | None = None  # rpm, of the input
 
 
-class AxisPart(RotatingParts):
-    """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer."""
+class AxisPart(GearedParts):
+    """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer; or geared to it."""
 
-    inertia: NotNegative  # kg m²
     shaft: Literal["motor", "mechanism"]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from engine.machine.stationary import PLACES
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled, total
 from workbook.book.sentence import NOTHING, Said, exceeding
+from workbook.drive.entries import GEARED
 from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KW, RPM, shown
@@ -137,17 +139,26 @@ def tables(sheet: Sheet, view: Stretched) -> None:
 def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the rotating parts."""
     e, key = driven.entered.parts, f"axes.{driven.number - 1}.parts.*"
+    turned = driven.parts
+
+    def entered(name: str) -> list[Any]:
+        return filled([getattr(part, name) for part in e], rows, None)
+
     sheet.row += 1
     sheet.table(
-        "@parts", "Rotating parts: leave spare rows empty", rows,
-        given("name", "part", "", "", filled([p.name for p in e], rows, None), f"{key}.name"),
+        "@parts", "Rotating parts: leave spare rows empty, and the teeth of what turns with its shaft", rows,
+        given("name", "part", "", "", entered("name"), f"{key}.name"),
         constant("k", "number", "k", "", list(range(1, rows + 1))),
-        given("count", "count", "", "", filled([p.count for p in e], rows, None), f"{key}.count", format="0"),
-        given("inertia", "inertia of one", "J", "kg m²", filled([p.inertia for p in e], rows, None),
-              f"{key}.inertia", format="General"),
-        given("shaft", "on the shaft of", "", "", filled([p.shaft for p in e], rows, None), f"{key}.shaft",
-              source="motor, or mechanism"),
-        calc("all", "of all", "n J", "kg m²", "=[count]*[inertia]", filled([p.all for p in driven.parts], rows)),
+        given("count", "count", "", "", entered("count"), f"{key}.count", format="0"),
+        given("inertia", "inertia of one", "J", "kg m²", entered("inertia"), f"{key}.inertia", format="General"),
+        given("shaft", "on the shaft of", "", "", entered("shaft"), f"{key}.shaft", source="motor, or mechanism"),
+        given("driver", "teeth of the driver", "n1", "", entered("teeth_driver"), f"{key}.teeth_driver", format="0"),
+        given("driven", "teeth of the driven", "n2", "", entered("teeth_driven"), f"{key}.teeth_driven", format="0"),
+        calc("speed", "speed ratio", "ω_i/ω", "", "=IF(COUNT([driver],[driven])=2,[driver]/[driven],1)",
+             filled([part.speed_ratio for part in turned], rows, 1.0), source="n1/n2, over that shaft's"),
+        calc("all", "at that shaft", "J*", "kg m²", "=[count]*[inertia]*[speed]^2",
+             filled([part.reflected for part in turned], rows), source="n J (ω_i/ω)²"),
+        rules=[GEARED],
     )  # fmt: skip
 
 

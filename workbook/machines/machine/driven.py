@@ -11,6 +11,7 @@ import numpy as np
 
 from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage
 from engine.drivetrain.bends import Bends, Sizes, sizes_of
+from engine.drivetrain.chain import geared
 from engine.drivetrain.kinds import Kind
 from engine.drivetrain.motor import LimitCheck, Reserve, reserve
 from engine.laws.base import Array
@@ -76,7 +77,10 @@ class Driven:
     @cached_property
     def parts(self) -> list[Part]:
         """The rotating parts."""
-        return [Part(p.name, p.inertia, SHAFTS.index(p.shaft), p.count) for p in self.entered.parts]
+        return [
+            Part(p.name, p.inertia, SHAFTS.index(p.shaft), p.count, geared(p.teeth_driver, p.teeth_driven))
+            for p in self.entered.parts
+        ]
 
     @cached_property
     def mechanism(self) -> Mechanism:

@@ -182,6 +182,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
             "count": 1.0 + j,
             "inertia": 0.002 * (j + k),
             "shaft": ("motor", "mechanism")[(j + k) % 2],
+            **({"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}),
         }
         for j in range(sizes["rotors"] if k == 0 else k % 3)
     ]

@@ -1,1 +1,0 @@
-"""The cutting machine of S1."""
