@@ -8,15 +8,14 @@ from pathlib import Path
 import openpyxl
 import pytest
 
+from tests import cutting
 from workbook.build import build
 from workbook.cli import main
 from workbook.reading import files
 from workbook.reading.descriptions import read_machine, write_machine
-from workbook.templates import TEMPLATES
 
-TEMPLATE = TEMPLATES["cutting-machine"]
-TEXT = TEMPLATE.description.read_text(encoding="utf-8")
-MTP = "[laws.MTP]\ndurations = {}\n\n[drive]"
+TEXT = cutting.DESCRIPTION.read_text(encoding="utf-8")
+MTP = "[laws.MTP]\ndurations = {}\n\n[selection]"
 
 
 @pytest.fixture
@@ -47,14 +46,14 @@ def contents(folder):
 
 @pytest.fixture(scope="module")
 def layout():
-    machine = read_machine(TEMPLATE.description)
+    machine = cutting.described()
     sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})
     return machine.model_copy(update={"sizes": sizes})
 
 
 @pytest.fixture(scope="module")
 def declared(layout):
-    return TEMPLATE.declare(layout)
+    return cutting.TEMPLATE.declare(layout)
 
 
 @pytest.fixture(scope="module")
@@ -82,31 +81,31 @@ def small(layout, tmp_path):
 
 
 DESCRIPTIONS = {
-    "TOML syntax": ("rate = 200.0", "rate = = 200", ["not valid TOML", "line"]),
+    "TOML syntax": ("rate = 100.0", "rate = = 100", ["not valid TOML", "line"]),
     "unknown entry": (
-        "rate = 200.0",
-        "rate = 200.0\nspeed = 3",
-        ["timing.speed", "unknown", "expected one of rate, axes"],
+        "rate = 100.0",
+        "rate = 100.0\nspeed = 3",
+        ["master.speed", "unknown", "expected rate"],
     ),
-    "missing table": ("[drive.motor]", "[drive.engine]", ["drive.motor", "expected the entries rated_torque"]),
-    "unknown template": ('"cutting-machine"', '"saw"', ["template", "'saw'", "cutting-machine"]),
-    "no template": ('template = "cutting-machine"', "", ["template", "empty", "cutting-machine"]),
+    "missing table": ("[master]", "[shaft]", ["master", "expected the entries rate"]),
+    "unknown template": ('"machine"', '"saw"', ["template", "'saw'", "machine"]),
+    "no template": ('template = "machine"', "", ["template", "empty", "machine"]),
     "unknown law": ('law = "MTP" },', 'law = "MPT" },', ["axes[1].phases[1].law", "'MPT'", "expected MTP"]),
-    "text for a number": ("rate = 200.0", 'rate = "fast"', ["timing.rate", "'fast'", "expected a number"]),
-    "logical value for a number": ("rate = 200.0", "rate = true", ["timing.rate", "TRUE", "expected a number"]),
-    "date for a number": ("rate = 200.0", "rate = 2020-01-02", ["timing.rate", "2020-01-02", "expected a number"]),
-    "not a number": ("rate = 200.0", "rate = nan", ["timing.rate", "nan", "expected a number"]),
-    "infinite": ("rate = 200.0", "rate = inf", ["timing.rate", "inf", "expected a number"]),
+    "text for a number": ("rate = 100.0", 'rate = "fast"', ["master.rate", "'fast'", "expected a number"]),
+    "logical value for a number": ("rate = 100.0", "rate = true", ["master.rate", "TRUE", "expected a number"]),
+    "date for a number": ("rate = 100.0", "rate = 2020-01-02", ["master.rate", "2020-01-02", "expected a number"]),
+    "not a number": ("rate = 100.0", "rate = nan", ["master.rate", "nan", "expected a number"]),
+    "infinite": ("rate = 100.0", "rate = inf", ["master.rate", "inf", "expected a number"]),
     "two axes of one name": ('name = "MC02"', 'name = "MC01"', ["axes[2].name", "'MC01'", "a name of its own"]),
-    "drive of no axis": ('axis = "MC01"', 'axis = "MC09"', ["drive.axis", "'MC09'", "MC01, MC02, MC03"]),
+    "drive of no kind": ('kind = "feed rollers"', 'kind = "feed roller"', ["axes[1].mechanism.kind", "'feed roller'"]),
     "six durations": (
-        "[drive]",
+        "[selection]",
         MTP.format([0.2, 0.2, 0.2, 0.2, 0.1, 0.1]),
         ["laws.MTP.durations", "expected 7 entries"],
     ),
     "more phases than rows": (
-        "[drive]",
-        "[sizes]\nphases = 2\n\n[drive]",
+        "[selection]",
+        "[sizes]\nphases = 2\n\n[selection]",
         ["axes[2].phases", "5 rows", "raise sizes.phases"],
     ),
     "formula for a name": ('name = "MC02"', 'name = "=1+1"', ["axes[2].name", "'=1+1'", "does not begin with ="]),
@@ -125,15 +124,15 @@ def test_description_is_refused(old, new, parts, refused, tmp_path):
 
 def test_every_fault_has_its_line(refused, tmp_path):
     (tmp_path / "machine.toml").write_text(
-        TEXT.replace("= 200.0", '= "x"').replace("= 0.95", '= "7"'), encoding="utf-8"
+        TEXT.replace("= 100.0", '= "x"').replace("= 0.95", '= "7"'), encoding="utf-8"
     )
     assert len(refused("build", "machine.toml").splitlines()) == 2
 
 
 def test_whole_numbers_are_numbers(tmp_path):
     path = tmp_path / "machine.toml"
-    path.write_text("\ufeff" + TEXT.replace("200.0", "200"), encoding="utf-8")  # Windows' Notepad puts a mark first
-    assert read_machine(path) == read_machine(TEMPLATE.description)
+    path.write_text("\ufeff" + TEXT.replace("100.0", "100"), encoding="utf-8")  # Windows' Notepad puts a mark first
+    assert read_machine(path) == cutting.described()
 
 
 CELLS = {

@@ -67,7 +67,8 @@ def thin_out(data: dict[str, Any]) -> None:
     for axis in constant:
         for entry in ("mechanism", "load", "parts", "motor", "reducer") if axis["name"] != kept else ():
             del axis[entry]
-    data["sizes"] |= {"phases": 4, "pieces": 7, "motion_pieces": None}
+    phases = max(4, *(len(axis["phases"]) for axis in data["axes"]))
+    data["sizes"] |= {"phases": phases, "pieces": 7, "motion_pieces": None}
 
 
 def remembered(declare: Callable[[Machine], Book]) -> Callable[[Machine], Book]:

@@ -4,23 +4,23 @@ import sys
 
 import pytest
 
+from tests import cutting
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.build import build
 from workbook.cli import main
 from workbook.judging.one import digest
 from workbook.reading.descriptions import read_machine
-from workbook.templates import TEMPLATES
 
 
 @pytest.fixture(scope="session")
 def machine():
-    return read_machine(TEMPLATES["cutting-machine"].description)
+    return cutting.described()
 
 
 @pytest.fixture(scope="session")
 def axes(machine):
-    return TEMPLATES["cutting-machine"].axes(machine)
+    return cutting.TEMPLATE.axes(machine)
 
 
 @pytest.fixture(scope="session")

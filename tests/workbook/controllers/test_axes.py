@@ -6,8 +6,8 @@ import pytest
 from engine.cams.course import Course
 from workbook.entries.units import DEGREE, MM
 from workbook.laws.library import laws
-from workbook.machines.cutting.view import Cutting
 from workbook.machines.flying.view import Flying
+from workbook.machines.machine.view import Whole
 from workbook.machines.overlap.view import Overlapping
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
@@ -40,7 +40,7 @@ def test_the_cutting_machines_axes_are_its_motions() -> None:
     machine, axes = described("cutting-machine")
     assert [axis.name for axis in axes] == ["MC01", "MC02", "MC03"]
     x = np.linspace(0.5, 359.5, 77)
-    for axis, meant in zip(axes, Cutting(machine, laws(machine.laws)).axes, strict=True):
+    for axis, meant in zip(axes, Whole(machine, laws(machine.laws)).axes, strict=True):
         same(axis.course, x, meant.motion.at(x * DEGREE), DEGREE, MM)
 
 

@@ -34,7 +34,7 @@ EVERY_DAY = ("csv", "codesys", "siemens-segments", "rockwell", "br", "mitsubishi
 def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: str, of: int) -> None:
     """Codes and breaks are equal; from numbers of 32 bits, and whole ones, within what they leave."""
     one = target(name)
-    for axis, given in ((axes[of], machine.timing.axes[of]),):
+    for axis, given in ((axes[of], machine.axes[of]),):
         made = automatic(one, axis, dict(one.tolerance))
         table = reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
         found = described.phases_of(one, table).found

@@ -5,6 +5,7 @@ import tomllib
 import pytest
 
 from docs.description import PAGE
+from tests import cutting
 from tests.workbook.described.validate import wrong
 from workbook.build import committed
 from workbook.commands import describe
@@ -99,9 +100,9 @@ def test_one_schema_serves_all_templates():
 
 
 def test_the_schema_explains_units():
-    made = schema(TEMPLATES["cutting-machine"])
-    rate = made["$defs"]["Timing"]["properties"]["rate"]
-    assert rate["description"] == "Production rate [pieces/min]: a number greater than 0"
+    made = schema(TEMPLATES["machine"])
+    rate = made["$defs"]["Master"]["properties"]["rate"]
+    assert rate["description"] == "Production rate [cycles/min]: a number greater than 0"
     assert rate["examples"] == [200.0]
 
 
@@ -136,13 +137,13 @@ def test_schema_goes_to_the_terminal_or_a_file(tmp_path, capsys):
 
 
 def test_an_unknown_template_is_told_with_the_known_ones(tmp_path):
-    with pytest.raises(InputError, match=r"no template is named 'mill'; expected one of .*cutting-machine"):
+    with pytest.raises(InputError, match=r"no template is named 'mill'; expected one of .*motion-composer"):
         describe.new("mill", tmp_path / "x.toml", False)
 
 
 def test_errors_name_what_is_optional(tmp_path):
     path = tmp_path / "x.toml"
-    text = TEMPLATES["cutting-machine"].description.read_text(encoding="utf-8")
+    text = cutting.DESCRIPTION.read_text(encoding="utf-8")
     path.write_text(text.replace("lift = 300.0", 'lift = "much"') + "colour = 3\n", encoding="utf-8")
     with pytest.raises(InputError) as refused:
         read_machine(path)

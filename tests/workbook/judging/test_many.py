@@ -143,7 +143,7 @@ def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monk
 
     def verify(*_):
         os.utime(path, ns=(1, 1))
-        return Report(path, "cutting-machine")
+        return Report(path, "machine")
 
     monkeypatch.setattr(one, "verify", verify)
     outcome = verify_many([Target(path, named=True)])[0]

@@ -7,6 +7,7 @@ import sys
 import openpyxl
 import pytest
 
+from tests import cutting as cutting_machine
 from tests.mutation.bench import sized
 from tests.workbook.judging.hands import WORKBOOK, Known, repacked, spot, sub
 from workbook.build import build
@@ -32,7 +33,7 @@ def book(request, tmp_path_factory):
 @pytest.fixture(scope="module")
 def cutting(tmp_path_factory):
     path = tmp_path_factory.mktemp("cutting") / "book.xlsx"
-    build(sized(TEMPLATES["cutting-machine"]), path)
+    build(cutting_machine.small(), path)
     return Known(path)
 
 
@@ -215,9 +216,9 @@ def test_other_settings_are_no_finding(attribute, cutting, tmp_path):
 
 
 def test_the_rules_of_lotus_are_found(cutting, tmp_path):
-    change = {cutting.part("Drive"): sub(rb"<sheetPr>", b'<sheetPr transitionEvaluation="1">')}
+    change = {cutting.part("Drive MC01"): sub(rb"<sheetPr>", b'<sheetPr transitionEvaluation="1">')}
     report = verify(repacked(cutting.path, tmp_path / "b.xlsx", change))
-    assert [(f.sheet, f.kind) for f in report.findings] == [("Drive", "setting")]
+    assert [(f.sheet, f.kind) for f in report.findings] == [("Drive MC01", "setting")]
 
 
 # who is asked

@@ -9,12 +9,11 @@ from openpyxl.chart import ScatterChart
 from openpyxl.drawing.spreadsheet_drawing import AnchorMarker, TwoCellAnchor
 from openpyxl.formatting.rule import DataBarRule, IconSetRule
 
-from tests.mutation.bench import sized
+from tests import cutting
 from tests.workbook.judging.hands import WORKBOOK, Known, repacked
 from workbook.build import build
 from workbook.errors import ReadError
 from workbook.judging.verify import verify
-from workbook.templates import TEMPLATES
 
 DRAWING = "http://schemas.openxmlformats.org/drawingml/2006/spreadsheetDrawing"
 MAIN = "http://schemas.openxmlformats.org/drawingml/2006/main"
@@ -23,10 +22,8 @@ MAIN = "http://schemas.openxmlformats.org/drawingml/2006/main"
 @pytest.fixture(scope="module")
 def failing(tmp_path_factory):
     """A small book of the cutting machine with a motor too weak."""
-    data = sized(TEMPLATES["cutting-machine"], cycle=12, law=4, own_law=4).model_dump()
-    data["drive"]["motor"]["peak_torque"] = data["drive"]["motor"]["rated_torque"] = 0.01
     path = tmp_path_factory.mktemp("failing") / "book.xlsx"
-    build(TEMPLATES["cutting-machine"].model.model_validate(data), path)
+    build(cutting.too_weak(), path)
     return Known(path)
 
 

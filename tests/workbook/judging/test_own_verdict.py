@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 import openpyxl
 import pytest
 
+from tests import cutting
 from tests.mutation.bench import sized
 from workbook.build import build
 from workbook.judging.many import exit_code
@@ -21,10 +22,8 @@ from workbook.templates import TEMPLATES
 @pytest.fixture(scope="module")
 def failing(tmp_path_factory):
     """A sound workbook of a machine whose motor is too weak."""
-    data = sized(TEMPLATES["cutting-machine"], cycle=12, law=4, own_law=4).model_dump()
-    data["drive"]["motor"]["peak_torque"] = data["drive"]["motor"]["rated_torque"] = 0.01
     path = tmp_path_factory.mktemp("failing") / "failing.xlsx"
-    build(type(sized(TEMPLATES["cutting-machine"])).model_validate(data), path)
+    build(cutting.too_weak(), path)
     return path
 
 
@@ -75,7 +74,7 @@ def test_the_cells_say_where_they_fail(failing):
 
 def test_cells_that_disagree_are_graver_than_a_design_that_fails(failing, tmp_path):
     book = openpyxl.load_workbook(failing)
-    next(c for row in book["Drive"].iter_rows() for c in row if c.data_type == "f").value = 1
+    next(c for row in book["Drive MC01"].iter_rows() for c in row if c.data_type == "f").value = 1
     book.save(tmp_path / "b.xlsx")
     assert run(tmp_path / "b.xlsx").returncode == 1
     assert run(failing, tmp_path / "b.xlsx").returncode == 1

@@ -7,29 +7,27 @@ import pytest
 from openpyxl.cell.cell import MergedCell
 from openpyxl.styles import Font, PatternFill
 
+from tests import cutting
 from tests.workbook import office
 from tests.workbook.reading.fuzz import without_charts
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
-from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import convert, program
 
-TEMPLATE = TEMPLATES["cutting-machine"]
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 
 
 @pytest.fixture(scope="module")
 def layout():
-    machine = read_machine(TEMPLATE.description)
+    machine = cutting.described()
     sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 60})
     return machine.model_copy(update={"sizes": sizes})
 
 
 @pytest.fixture(scope="module")
 def declared(layout):
-    return TEMPLATE.declare(layout)
+    return cutting.TEMPLATE.declare(layout)
 
 
 @pytest.fixture(scope="module")
@@ -109,14 +107,17 @@ def test_untouched_book_agrees(hands, layout):
 def test_changed_inputs_are_followed(hands):
     hands.cell("timing_rate").value = 90
     hands.fill("axis1", 0, law="CIC", lift=-120.5)
-    hands.cell("drive_resists").value = "moving"
-    hands.cell("drive_axis").value = "MC03"
-    hands.cell("drive_eta").value = 1
+    hands.cell("drive1_holding").value = "brake"
+    hands.cell("drive1_own_rate").value = 75
+    hands.cell("drive1_eta2").value = 0.9
+    hands.fill("drive1_windows", 0, start=20, stop=90, force=300, resists="moving")
     assert hands.verify().findings == []
     entered = hands.entered()
-    assert entered.timing.rate == 90
-    assert (entered.timing.axes[0].phases[0].law, entered.timing.axes[0].phases[0].lift) == ("CIC", -120.5)
-    assert (entered.drive.resists, entered.drive.axis) == ("moving", "MC03")
+    assert entered.master.rate == 90
+    feed = entered.axes[0]
+    assert (feed.phases[0].law, feed.phases[0].lift) == ("CIC", -120.5)
+    assert (feed.motor.holding, feed.rate, feed.mechanism.efficiency) == ("brake", 75, 0.9)
+    assert [(one.force, one.resists) for one in feed.load.windows] == [(300, "moving")]
 
 
 def test_phase_table_filled_to_its_last_row(hands, declared):
@@ -126,7 +127,7 @@ def test_phase_table_filled_to_its_last_row(hands, declared):
     for row in range(rows):
         hands.fill("axis2", row, start=row * 45, stop=(row + 1) * 45, law=laws[row], lift=lifts[row])
     assert hands.verify().findings == []
-    assert len(hands.entered().timing.axes[1].phases) == rows == len(laws)
+    assert len(hands.entered().axes[1].phases) == rows == len(laws)
 
 
 def test_own_law_filled_to_its_last_row(hands, declared):
@@ -134,7 +135,7 @@ def test_own_law_filled_to_its_last_row(hands, declared):
     for row in range(rows):
         hands.fill("OWN_pieces", row, d=1 / rows, c0=row - 3.5, c1=0, c2=0, c3=0, P=2, omega=7, phi=0.3)
     hands.cell("OWN_name").value = "Eight pieces"
-    hands.fill("axis1", 0, law="OWN")
+    hands.fill("axis2", 1, law="OWN")
     assert hands.verify().findings == []
     assert len(hands.entered().laws["OWN"].pieces) == rows
 
@@ -150,13 +151,13 @@ def test_input_that_holds_a_formula_is_taken_and_told(hands):
     report = hands.verify()
     assert report.findings == []
     assert any(spot(hands.cell("timing_rate")) in note for note in report.notes)
-    assert hands.entered().timing.rate == pytest.approx(150, rel=1e-12)
+    assert hands.entered().master.rate == pytest.approx(150, rel=1e-12)
 
 
 def test_sheets_reordered_and_added(hands):
-    hands.workbook.move_sheet("Drive", -2)
+    hands.workbook.move_sheet("Drive MC01", -2)
     notes = hands.workbook.create_sheet("My notes", 0)
-    notes["A1"], notes["B1"] = "mean power", "=AVERAGE(Drive!F80:F90)"
+    notes["A1"], notes["B1"] = "mean power", "=AVERAGE('Drive MC01'!F80:F90)"
     report = hands.verify()
     assert report.findings == []
     assert report.own == ["'My notes'!B1"]
@@ -170,7 +171,7 @@ def test_looks_are_the_engineers_own(hands):
         sheet.sheet_view.zoomScale = 75
         sheet.data_validations.dataValidation = []
         sheet.freeze_panes = None
-    for block in ("timing_rate", "drive_tmax", "status1"):
+    for block in ("timing_rate", "drive1_tmax", "status1"):
         cell = hands.cell(block)
         cell.font, cell.fill, cell.number_format = Font(bold=True), PatternFill("solid", fgColor="FFFF00"), "0.0"
     hands.workbook["Checks"].sheet_state = "hidden"
@@ -217,7 +218,7 @@ def test_formula_deleted(hands):
     ("block", "row", "quantity", "old", "new"),
     [
         ("timing_omega", 0, None, "2*PI()", "3*PI()"),
-        ("drive", 7, "torque", "drive_tau", "drive_ratio"),
+        ("drive1_cycle", 7, "torque", "drive1_i1", "drive1_i2"),
         ("axis3", 1, "y1", "ABS(", "("),
         ("ACS_samples", 2, "s", "/6", "/5"),
         ("CIC_ya", 0, None, "CIC_t^2", "CIC_t"),
@@ -273,7 +274,7 @@ def test_rows_and_columns_inserted_and_sheets_renamed_in_libreoffice(book, layou
         'book.Sheets.getByName("Laws").Columns.insertByIndex(1, 1)',
         'book.Sheets.getByName("Timing").Name = "Ciclo della macchina"',
         'book.Sheets.getByName("Laws").Name = "Leggi d\'moto"',
-        'book.Sheets.moveByName("Drive", 0)',
+        'book.Sheets.moveByName("Drive MC01", 0)',
         'book.Sheets.insertNewByName("Notes", 2)',
         'book.Sheets.getByName("Notes").getCellByPosition(0, 0).Formula = "=1+1"',
     ])  # fmt: skip
@@ -303,7 +304,7 @@ def test_numbers_typed_with_a_decimal_comma(book, layout, declared, tmp_path):
     typed = f'book.Sheets.getByName("Timing").getCellByPosition({rate.column - 1}, {rate.row - 1}).FormulaLocal = "%s"'
     edited = office.edit(book, tmp_path / "edited.xlsx", [typed % "90,25"], locale="de-DE")
     assert verify(edited, ["pycel", "saved"]).findings == []
-    assert inputs(edited)[0].timing.rate == 90.25
+    assert inputs(edited)[0].master.rate == 90.25
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from openpyxl.styles.colors import Color
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
 
-from tests.mutation.bench import sized
+from tests import cutting
 from tests.workbook.judging.hands import Known, repacked, spot, sub
 from workbook.build import build
 from workbook.judging.matching import Match
@@ -18,25 +18,21 @@ from workbook.judging.report import Report
 from workbook.judging.shown.book import displayed
 from workbook.judging.verify import verify
 from workbook.reading.files import BookFile, find_places
-from workbook.templates import TEMPLATES
 
 
 @pytest.fixture(scope="module")
 def book(tmp_path_factory):
     """A small book of the cutting machine, all checks OK."""
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(sized(TEMPLATES["cutting-machine"], cycle=12, law=4, own_law=4), path)
+    build(cutting.small(cycle=12, law=4, own_law=4), path)
     return Known(path)
 
 
 @pytest.fixture(scope="module")
 def failing(tmp_path_factory):
     """The same with a motor too weak: checks of the drive FAIL."""
-    machine = sized(TEMPLATES["cutting-machine"], cycle=12, law=4, own_law=4)
-    data = machine.model_dump()
-    data["drive"]["motor"]["peak_torque"] = data["drive"]["motor"]["rated_torque"] = 0.01
     path = tmp_path_factory.mktemp("failing") / "book.xlsx"
-    build(type(machine).model_validate(data), path)
+    build(cutting.too_weak(), path)
     known = Known(path)
     assert any(q.value == "FAIL" for _, q in known.declared.checks)
     return known
@@ -211,10 +207,10 @@ def test_a_unit_that_is_gone_is_a_notice(edit):
 
 
 def test_the_unit_of_a_column_counts(edit):
-    head = edit.workbook["Drive"]
+    head = edit.workbook["Drive MC01"]
     cell = next(c for row in head.iter_rows() for c in row if isinstance(c.value, str) and c.value.endswith("[rpm]"))
     cell.value = cell.value.replace("[rpm]", "[rad/s]")
-    assert edit.found() == {("shown", f"Drive!{cell.coordinate}")}
+    assert edit.found() == {("shown", f"Drive MC01!{cell.coordinate}")}
 
 
 # labels, symbols, headings
@@ -233,10 +229,10 @@ def scalars(edit, sheet, role=None):
 @pytest.mark.parametrize("role", ["input", "calculation", "result"])
 @pytest.mark.parametrize("column", [-2, -1])
 def test_labels_and_symbols_that_changed_places_are_found(role, column, edit):
-    one, other = (edit.beside(block, column) for block in scalars(edit, "Drive", role)[:2])
+    one, other = (edit.beside(block, column) for block in scalars(edit, "Drive MC01", role)[:2])
     assert one.value != other.value
     swapped(one, other)
-    assert {("shown", f"Drive!{c.coordinate}") for c in (one, other)} <= edit.found()
+    assert {("shown", f"Drive MC01!{c.coordinate}") for c in (one, other)} <= edit.found()
 
 
 def test_heads_of_columns_that_changed_places_are_found(edit):
@@ -260,7 +256,7 @@ def test_headings_that_changed_places_are_found(edit):
 
 @pytest.mark.parametrize("column", [-2, -1])
 def test_words_of_another_language_are_notices(column, edit):
-    cell = edit.beside(scalars(edit, "Drive")[3], column)
+    cell = edit.beside(scalars(edit, "Drive MC01")[3], column)
     cell.value = "Drehmoment des Motors"
     report = edit.seen()
     assert report.findings == []
@@ -483,7 +479,7 @@ def shorter(chart):
 
 
 def other_sheet(chart):
-    chart.series[0].yVal.numRef.f = chart.series[0].yVal.numRef.f.replace("Cycle", "Drive")
+    chart.series[0].yVal.numRef.f = chart.series[0].yVal.numRef.f.replace("Cycle", "Drive MC01")
 
 
 def other_x(chart):
@@ -617,10 +613,10 @@ def test_a_gradient_behind_a_verdict_is_taste(edit_failing):
 
 
 def test_validations_removed_are_a_notice(edit):
-    edit.workbook["Drive"].data_validations.dataValidation = []
+    edit.workbook["Drive MC01"].data_validations.dataValidation = []
     report = edit.seen()
     assert report.findings == []
-    assert [(f.sheet, f.kind) for f in report.notices] == [("Drive", "notice")]
+    assert [(f.sheet, f.kind) for f in report.notices] == [("Drive MC01", "notice")]
 
 
 @pytest.mark.parametrize("attribute", [b'showZeros="1"', b'showFormulas="0"', b'zoomScale="70"'])

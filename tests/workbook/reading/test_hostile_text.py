@@ -6,15 +6,14 @@ import time
 
 import pytest
 
+from tests import cutting
 from workbook.cli import main
-from workbook.templates import TEMPLATES
 
-TEMPLATE = TEMPLATES["cutting-machine"]
-TEXT = TEMPLATE.description.read_text(encoding="utf-8")
-BEFORE = TEXT.split("[[timing.axes]]")[0]
+TEXT = cutting.DESCRIPTION.read_text(encoding="utf-8")
+BEFORE = TEXT.split("[master]")[0]
 SELECTION = "[selection]\n"
-RATE = "rate = 200.0"
-HEAD = 'template = "cutting-machine"\n'
+RATE = "rate = 100.0"
+HEAD = 'template = "machine"\n'
 MOTORS = "name,inertia_kgm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm\n"
 SECONDS = 20  # of one hostile file
 LONGEST_LINE = 1_000  # characters
@@ -55,31 +54,31 @@ def refused(said, *arguments):
 DESCRIPTIONS = {
     "arrays 100,000 deep": (HEAD + "title = " + "[" * 100_000 + "]" * 100_000, "deep"),
     "tables 100,000 deep": (HEAD + "title = " + "{a=" * 100_000 + "1" + "}" * 100_000, "deep"),
-    "arrays 400 deep": (TEXT.replace(RATE, "rate = " + "[" * 400 + "]" * 400), "timing.rate"),
+    "arrays 400 deep": (TEXT.replace(RATE, "rate = " + "[" * 400 + "]" * 400), "master.rate"),
     "50,000 dotted keys in one": (HEAD + "a." * 50_000 + "a = 1", "deep"),
     "a header of 50,000 dotted keys": (HEAD + "[" + "a." * 50_000 + "a]", "deep"),
     "50,000 quoted keys in one": (HEAD + '"a" . ' * 50_000 + "a = 1", "deep"),
-    "an integer of 5,000 digits": (TEXT.replace("200.0", "9" * 5_000), "digits"),
-    "an integer of 4,300 digits": (TEXT.replace("200.0", "9" * 4_300), "timing.rate"),
-    "an integer of 100,000 hexadecimal digits": (TEXT.replace("200.0", "0x" + "f" * 100_000), "timing.rate"),
+    "an integer of 5,000 digits": (TEXT.replace("100.0", "9" * 5_000), "digits"),
+    "an integer of 4,300 digits": (TEXT.replace("100.0", "9" * 4_300), "master.rate"),
+    "an integer of 100,000 hexadecimal digits": (TEXT.replace("100.0", "0x" + "f" * 100_000), "master.rate"),
     "an integer of 2,000 digits as a size": (TEXT + "\n[sizes]\ncycle = " + "9" * 2_000, "sizes.cycle"),
     "two million characters": (TEXT + "#" * 2_000_000, "2,00"),
-    "a list as the template": (TEXT.replace('"cutting-machine"', '["cutting-machine"]'), "template"),
-    "a table as the template": (TEXT.replace('template = "cutting-machine"', "template = {a = 1}"), "template"),
+    "a list as the template": (TEXT.replace('"machine"', '["machine"]'), "template"),
+    "a table as the template": (TEXT.replace('template = "machine"', "template = {a = 1}"), "template"),
     "a list as the title": (TEXT.replace('title = "Cutting machine"', 'title = ["Cutting machine"]'), "title"),
-    "a number for the axes": (BEFORE + "axes = 3\n[drive" + TEXT.split("[drive", 1)[1], "timing.axes"),
-    "a list as the motor": (TEXT.replace(SELECTION, SELECTION + 'motor = ["a"]\n'), "selection.motor"),
-    "a list as a motor's name": (TEXT.replace(SELECTION, SELECTION + 'motor = "A"\nmotors = [{name = ["a"], '
+    "a number for the axes": (BEFORE + "axes = 3\n[master]\nrate = 100.0\n", "axes"),
+    "a list as the motor": (TEXT.replace("[axes.motor]\n", '[axes.motor]\nname = ["a"]\n'), "axes[1].motor.name"),
+    "a list as a motor's name": (TEXT.replace(SELECTION, SELECTION + 'motors = [{name = ["a"], '
                                  "inertia = 1, rated_torque = 1, peak_torque = 1, max_speed = 1}]\n"),
                                  "selection.motors[1].name"),
     "a number as the motors": (TEXT.replace(SELECTION, SELECTION + "motors = 1\n"), "selection.motors"),
-    "a key with a dot": (TEXT.replace(RATE, 'rate = 200.0\n"rate.fast" = 1'), "unknown entry"),
-    "a key of digits": (TEXT.replace(RATE, 'rate = 200.0\n1 = 1'), "unknown entry"),
-    "a key of a star": (TEXT.replace(RATE, 'rate = 200.0\n"*" = 1'), "unknown entry"),
-    "an empty key": (TEXT.replace(RATE, 'rate = 200.0\n"" = 1'), "unknown entry"),
+    "a key with a dot": (TEXT.replace(RATE, 'rate = 100.0\n"rate.fast" = 1'), "unknown entry"),
+    "a key of digits": (TEXT.replace(RATE, 'rate = 100.0\n1 = 1'), "unknown entry"),
+    "a key of a star": (TEXT.replace(RATE, 'rate = 100.0\n"*" = 1'), "unknown entry"),
+    "an empty key": (TEXT.replace(RATE, 'rate = 100.0\n"" = 1'), "unknown entry"),
     "a key of 100,000 characters": (TEXT.replace(RATE, f'{RATE}\n{"k" * 100_000} = 1'), "unknown entry"),
-    "a key with an escape": (TEXT.replace(RATE, 'rate = 200.0\n"\\u001b[31m\\n" = 1'), "unknown entry"),
-    "a key with markup": (TEXT.replace(RATE, 'rate = 200.0\n"[/red]" = 1'), "unknown entry"),
+    "a key with an escape": (TEXT.replace(RATE, 'rate = 100.0\n"\\u001b[31m\\n" = 1'), "unknown entry"),
+    "a key with markup": (TEXT.replace(RATE, 'rate = 100.0\n"[/red]" = 1'), "unknown entry"),
     "an escape as a law": (TEXT.replace('law = "MTP"', 'law = "\\u001b[31m\\u009b"', 1), "law"),
     "a no-character in the title": (TEXT.replace('title = "Cutting', 'title = "Cut\\uFFFE'), "U+FFFE"),
     "a control character in the title": (TEXT.replace('title = "Cutting', 'title = "Cut\\u009b'), "U+009B"),

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests import cutting
 from workbook.build import build, inputs
 from workbook.entries.rules import field_at
 from workbook.entries.texts import looked_up, place_of, require_distinct
@@ -19,9 +20,9 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.model import PycelModel
 
 formualizer = pytest.importorskip("formualizer")
-CUTTING, OVERLAP = TEMPLATES["cutting-machine"], TEMPLATES["indexing-overlap"]
+CUTTING, OVERLAP = cutting.DESCRIPTION, TEMPLATES["indexing-overlap"].description
 TABLES = {
-    "axes": (CUTTING, lambda data: data["timing"]["axes"], "timing.axes[2].name"),
+    "axes": (CUTTING, lambda data: data["axes"], "axes[2].name"),
     "tools": (OVERLAP, lambda data: data["overlap"]["tools"], "overlap.tools[2].name"),
     "motors": (CUTTING, lambda data: data["selection"]["motors"], "selection.motors[2].name"),
     "reducers": (CUTTING, lambda data: data["selection"]["reducers"], "selection.reducers[2].name"),
@@ -39,18 +40,16 @@ ALIKE = [("MC01", "mc01"), ("I", "\u0131"), ("i", "\u0131"), ("i", "\u0130"), ("
 
 def renamed(table, *names):
     """Read a description whose table begins with these names."""
-    template, entries, _ = TABLES[table]
-    data = read_machine(template.description).model_dump()
+    description, entries, _ = TABLES[table]
+    data = read_machine(description).model_dump()
     rows = entries(data)
     if len(rows) < len(names):
         rows.append(rows[0] | {"name": "further"})
     if table == "axes":
-        data["drive"]["axis"] = names[0]
+        data["selection"]["axis"] = names[0]
     for row, name in zip(rows, names, strict=False):
         row["name"] = name
-    if table in ("motors", "reducers"):
-        data["selection"][table[:-1]] = names[0]
-    return checked(template, data, counted)
+    return checked(TEMPLATES[data["template"]], data, counted)
 
 
 @pytest.mark.parametrize("table", TABLES)
@@ -127,18 +126,18 @@ def test_case_is_passed_over(name):
 
 @pytest.fixture(scope="module")
 def small():
-    machine = read_machine(CUTTING.description)
+    machine = cutting.described()
     return machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})})
 
 
-def test_law_codes_and_the_driven_axis_are_found_without_regard_to_case(small, tmp_path):
+def test_law_codes_and_the_axis_of_selection_are_found_without_regard_to_case(small, tmp_path):
     data = small.model_dump()
-    data["drive"]["axis"] = "mc01"
-    laws = [phase for axis in data["timing"]["axes"] for phase in axis["phases"]]
+    data["selection"]["axis"] = "mc01"
+    laws = [phase for axis in data["axes"] for phase in axis["phases"]]
     for phase in laws:
         phase["law"] = phase["law"].lower()
-    machine = checked(CUTTING, data, counted)
-    assert machine.timing == small.timing
+    machine = checked(cutting.TEMPLATE, data, counted)
+    assert machine.axes == small.axes
     build(machine, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
 
@@ -147,8 +146,8 @@ def test_a_sheet_takes_a_law_and_an_axis_in_any_case(small, tmp_path):
     path = tmp_path / "book.xlsx"
     build(small, path)
     workbook = openpyxl.load_workbook(path)
-    cells = [cell for title in ("Timing", "Drive") for row in workbook[title].iter_rows() for cell in row]
-    typed = {"Timing": ("MTP", "DWL"), "Drive": ("MC01",)}
+    cells = [cell for title in ("Timing", "Selection") for row in workbook[title].iter_rows() for cell in row]
+    typed = {"Timing": ("MTP", "DWL"), "Selection": ("MC01",)}
     changed = [cell for cell in cells if cell.style == "Entry" and cell.value in typed[cell.parent.title]]
     assert len(changed) > 5
     for cell in changed:

@@ -6,6 +6,7 @@ import openpyxl
 import pytest
 from openpyxl.utils import get_column_letter
 
+from tests import cutting
 from workbook.errors import ReadError
 from workbook.reading import work
 from workbook.reading.contents import Contents
@@ -49,7 +50,7 @@ def test_more_work_than_any_book_is_refused_in_one_line(page, tmp_path):
 
 
 def test_books_are_far_from_the_limit():
-    for name in ("cutting-machine", "indexing-overlap"):  # those that read most
+    for name in ("machine", "indexing-overlap"):  # those that read most
         file = open_book(TEMPLATES[name].book)
         assert work.cells_read(file.contents.patterns) < work.MOST / 50
 
@@ -84,6 +85,6 @@ def test_each_evaluation_has_its_own_measure(page):
 
 
 def test_no_template_crosses_ranges():
-    model = PycelModel(open_book(TEMPLATES["cutting-machine"].book).contents)
+    model = PycelModel(open_book(cutting.BOOK).contents)
     model.evaluate()
     assert limits.Crossed.cells == 0

@@ -11,7 +11,7 @@ from workbook.reports.console import MOST, show_report
 def printed(findings: list[Finding], everything: bool = False) -> str:
     console = Console(width=200)
     with console.capture() as captured:
-        show_report(Report(Path("book.xlsx"), "cutting-machine", findings=findings), console, everything)
+        show_report(Report(Path("book.xlsx"), "machine", findings=findings), console, everything)
     return captured.get()
 
 

@@ -23,7 +23,7 @@ SAFE = "<script>alert('&\"')</script>\\x07\\ud800"
 
 def wrong():
     """A report with all that a report can hold, and texts that must be escaped."""
-    report = Report(Path("in/<b>&.xlsx"), "cutting-machine", compared=1234)
+    report = Report(Path("in/<b>&.xlsx"), "machine", compared=1234)
     report.cells = {"Drive": 1000, "Laws": 234}
     report.deviations = {"Drive": 0.25, "Laws": 3.1e-16}
     report.witnesses = [Ran("pycel", "1.0b30", 1234), Ran("libreoffice", None), Ran("saved", "values", why="has none")]
@@ -43,7 +43,7 @@ def wrong():
 
 
 def right():
-    report = Report(Path("fine.xlsx"), "cutting-machine", compared=10, cells={"Laws": 10}, deviations={"Laws": 0.0})
+    report = Report(Path("fine.xlsx"), "machine", compared=10, cells={"Laws": 10}, deviations={"Laws": 0.0})
     report.witnesses = [Ran("pycel", "1.0b30", 10)]
     return Outcome(report.path, "agrees", report, sha256="cd" * 32)
 
@@ -80,7 +80,7 @@ class Read(HTMLParser):
 def test_the_page_says_all_of_the_report():
     said = Read(page([wrong()], WHEN)).said
     for expected in (
-        "<b>&.xlsx", "ab" * 32, "2026-03-01 13:05:09 +0000", "cutting-machine",
+        "<b>&.xlsx", "ab" * 32, "2026-03-01 13:05:09 +0000", "machine",
         "pycel 1.0b30: 1,234 cells compared, 2 at fault",
         "declared|1,236", "1 of 2 FAIL", "Drive!D20|Peak torque", "Notices (1)", "Drive!B7|label of", "|Spitze|Peak|",
         "libreoffice: absent from this machine, not asked", "saved values: has none", "Drive|1,000|2.5e-01|2|",

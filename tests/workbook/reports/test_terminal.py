@@ -9,22 +9,21 @@ import tomllib
 import pytest
 from rich.console import Console
 
+from tests import cutting
 from workbook import cli
 from workbook.build import build
 from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
-from workbook.reading.descriptions import read_machine, write_machine
+from workbook.reading.descriptions import write_machine
 from workbook.reports import console, summary
 from workbook.reports.terminal import say, say_data, shown
-from workbook.templates import TEMPLATES
 from workbook.visible import visible
 
 NASTY = "a\x1b[31mb\x9bc\nd\r\u2028e\u202ef[/red]g[bold]h:warning:i\x85\x00"
 PLAIN = r"a\x1b[31mb\x9bc\nd\r\u2028e\u202ef[/red]g[bold]h:warning:i\x85\x00"
 NAMES = ["a\x1b[31mb", "a\x9bb", "a\nb", "[/red]", "[bold]x", "x:warning:", "a\u202eb", "[link=file:x]y"]
-TEMPLATE = TEMPLATES["cutting-machine"]
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such names")
 
 
@@ -74,11 +73,10 @@ def test_reports_are_not_obeyed(tmp_path, capsys):
 
 @pytest.fixture(scope="module")
 def book(tmp_path_factory):
-    machine = read_machine(TEMPLATE.description)
-    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
+    machine = cutting.small(cycle=4, law=4, own_law=4)
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(machine.model_copy(update={"sizes": sizes}), path)
-    path.with_suffix(".toml").write_text(write_machine(read_machine(TEMPLATE.description)), encoding="utf-8")
+    build(machine, path)
+    path.with_suffix(".toml").write_text(write_machine(machine), encoding="utf-8")
     return path
 
 

@@ -8,14 +8,13 @@ import openpyxl
 import pytest
 from openpyxl.worksheet.formula import ArrayFormula
 
+from tests import cutting
 from tests.workbook.reading.fuzz import pack, unpack, without_charts
 from workbook.book.address import Address
 from workbook.build import build
 from workbook.cli import main
 from workbook.errors import DisputedError, WitnessError
-from workbook.reading.descriptions import read_machine
 from workbook.reading.files import BookFile, open_book
-from workbook.templates import TEMPLATES
 from workbook.witnesses import agreed as module
 from workbook.witnesses.agreed import agreed, same
 from workbook.witnesses.spread import spreads
@@ -208,11 +207,8 @@ def test_only_rounding_is_passed_over():
 @pytest.fixture(scope="module")
 def slim(tmp_path_factory):
     """The bytes of a small book without charts."""
-    template = TEMPLATES["cutting-machine"]
-    machine = read_machine(template.description)
-    sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})
     path = tmp_path_factory.mktemp("slim") / "book.xlsx"
-    build(machine.model_copy(update={"sizes": sizes}), path)
+    build(cutting.small(cycle=12, law=4, own_law=4), path)
     return without_charts(path.read_bytes())
 
 

@@ -5,6 +5,7 @@ import zipfile
 
 import pytest
 
+from tests import cutting as cutting_machine
 from tests.mutation.bench import sized
 from tests.tiers import by_day
 from workbook.build import build
@@ -87,7 +88,7 @@ def test_a_corrupted_saved_value_misleads_no_witness_and_is_found_beside_each(bo
 def cutting(tmp_path_factory):
     """A small book of the cutting machine."""
     path = tmp_path_factory.mktemp("cutting") / "book.xlsx"
-    build(sized(TEMPLATES["cutting-machine"]), path)
+    build(cutting_machine.small(), path)
     return path
 
 

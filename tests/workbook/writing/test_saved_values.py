@@ -11,6 +11,7 @@ import numpy as np
 import openpyxl
 import pytest
 
+from tests import cutting
 from tests.mutation.bench import smaller
 from tests.tiers import by_day
 from workbook.build import build, committed
@@ -182,7 +183,7 @@ def test_a_text_is_shared_by_its_cells_and_keeps_its_blanks():
 
 
 def test_more_than_a_hundred_thousand_formulas(tmp_path):
-    machine = read_machine(TEMPLATES["cutting-machine"].description)
+    machine = cutting.described()
     sizes = machine.sizes.model_copy(update={"cycle": 2000})
     build(machine.model_copy(update={"sizes": sizes}), tmp_path / "book.xlsx")
     formulas = b"".join(parts(tmp_path / "book.xlsx", r"xl/worksheets/.*").values()).count(b"<f>")

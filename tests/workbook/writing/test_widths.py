@@ -103,9 +103,9 @@ def test_no_text_in_a_cell_is_cut(path):
 LONG = "Servomotor of a long name, with brake and encoder, no. {}"
 
 
-@pytest.mark.parametrize("template", ["machine", "cutting-machine"])
-def test_columns_grow_with_the_names_of_products(template):
-    machine = read_machine(FOLDER_OF_TEMPLATES / f"{template}.toml")
+@pytest.mark.parametrize("name", ["machine", "cutting-machine", "flying-cutter"])
+def test_columns_grow_with_the_names_of_products(name):
+    machine = read_machine(FOLDER_OF_TEMPLATES / f"{name}.toml")
     chosen = machine.selection
     named = {
         kind: [row.model_copy(update={"name": LONG.format(n)}) for n, row in enumerate(getattr(chosen, kind))]
@@ -113,7 +113,7 @@ def test_columns_grow_with_the_names_of_products(template):
     }
     single = {"motor": LONG.format(0), "reducer": LONG.format(0)} if hasattr(chosen, "motor") else {}
     machine = machine.model_copy(update={"selection": chosen.model_copy(update=named | single)})
-    book = TEMPLATES[template].declare(machine)
+    book = TEMPLATES[machine.template].declare(machine)
     assert list(shortened(book, widths_of(book))) == []
     usual = {sheet.title: WIDTHS | sheet.widths for sheet in book.sheets}
     assert len({found[1:3] for found in shortened(book, usual)}) > 3
