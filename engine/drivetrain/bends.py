@@ -6,6 +6,7 @@ B + A b; it bends twice, where the load begins to drive its stage and where the 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -79,8 +80,9 @@ class Bends:
 
     @property
     def level(self) -> float:
-        """B (Nm)."""
-        return self.torque(0.0)
+        """B (Nm), by the way of power whatever its size."""
+        lossy = math.prod(one.efficiency for one in self.drive.mechanism.stages) ** -self.sign
+        return self.resists * lossy / self.drive.mechanism.ratio
 
     @cached_property
     def slopes(self) -> tuple[float, float, float]:

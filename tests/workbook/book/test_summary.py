@@ -7,6 +7,7 @@ from datetime import date
 import openpyxl
 import pytest
 
+from tests import cutting
 from workbook.book.address import Address
 from workbook.book.summary import TO_MEND
 from workbook.build import inputs
@@ -88,7 +89,7 @@ def test_what_identifies_a_machine_goes_out_and_in(told, tmp_path, build_book):
 
 @pytest.mark.parametrize("name", PAGES)
 def test_a_book_prints_on_few_pages(name, tmp_path):
-    pdf = convert(TEMPLATES[name].book, "pdf", tmp_path)
+    pdf = convert(FOLDER / f"{name}.xlsx", "pdf", tmp_path)
     told = subprocess.run(["pdfinfo", pdf], capture_output=True, text=True, check=True).stdout
     pages = int(next(line.split()[1] for line in told.splitlines() if line.startswith("Pages:")))
     assert pages <= PAGES[name]
@@ -105,10 +106,13 @@ def test_every_check_is_printed(template):
 
 
 def test_the_first_page_tells_the_rate_that_the_drives_figures_hold_at():
-    """On the drive's sheet of the cutting machine it is one of its own."""
-    book = TEMPLATES["cutting-machine"].declare(read_machine(FOLDER / "cutting-machine.toml"))
-    rates = {b.name: b.quantities[0].value for b in book.sheets[0].blocks if b.quantities[0].unit == "pieces/min"}
-    assert rates == {"about_rate": 200.0, "about_drive": 100.0}
+    """A drive that is sized at a rate of its own is told so."""
+    data = cutting.small(cycle=12, law=4, own_law=4).model_dump()
+    data["axes"][0]["rate"] = 80.0
+    book = TEMPLATES["machine"].declare(TEMPLATES["machine"].model.model_validate(data))
+    assert book.blocks["about_rate"].quantities[0].value == 100.0
+    sized = next(q for q in book.blocks["axes_short"].quantities if q.name == "sized")
+    assert sized.value == [80.0, "–", "–"]
 
 
 @pytest.mark.parametrize("template", TEMPLATES)

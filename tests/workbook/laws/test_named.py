@@ -7,13 +7,14 @@ from pathlib import Path
 import openpyxl
 import pytest
 
+from tests import cutting
 from tests.workbook.cells import disagreeing, entered
 from workbook.errors import InputError
 from workbook.judging.report import Report
 from workbook.judging.verify import judge
 from workbook.laws.entries import LONGEST
 from workbook.laws.shelf import LawShelf
-from workbook.reading.descriptions import checked, counted, read_machine, write_machine
+from workbook.reading.descriptions import checked, counted, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import TEMPLATES
@@ -21,7 +22,7 @@ from workbook.witnesses.agreed import agreed
 from workbook.writing import archive
 from workbook.writing.write import parts
 
-CUTTING, COMPOSER = (TEMPLATES[name] for name in ("cutting-machine", "motion-composer"))
+MACHINE = TEMPLATES["machine"]
 SMALL = {"cycle": 12, "law": 4, "own_law": 8}
 SOFT = {"family": "MTP", "durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]}
 HARD = {"family": "MTP", "durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]}
@@ -29,17 +30,17 @@ HARD = {"family": "MTP", "durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]}
 
 def described(laws, *used):
     """The cutting machine with these laws besides the basic ones; those used move its axes in turn."""
-    data = read_machine(CUTTING.description).model_dump()
-    data["sizes"] |= SMALL
+    data = cutting.small(**SMALL).model_dump()
+    data["sizes"]["motion_pieces"] = None
     data["laws"] |= laws
-    moving = [phase for axis in data["timing"]["axes"] for phase in axis["phases"] if phase["law"] != "DWL"]
+    moving = [phase for axis in data["axes"] for phase in axis["phases"] if phase["law"] != "DWL"]
     for phase, law in zip(moving, used, strict=False):
         phase["law"] = law
     return data
 
 
 def machine(laws, *used):
-    return checked(CUTTING, described(laws, *used), counted)
+    return checked(MACHINE, described(laws, *used), counted)
 
 
 def refused(laws, *used):
@@ -50,24 +51,24 @@ def refused(laws, *used):
 
 def test_two_laws_of_one_family_move_two_axes_of_one_book():
     made = machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "hard")
-    assert [axis.phases[k].law for axis, k in zip(made.timing.axes, (0, 1), strict=False)] == ["MTP soft", "Hard"]
+    assert [axis.phases[k].law for axis, k in zip(made.axes, (0, 1), strict=False)] == ["MTP soft", "Hard"]
     laws = LawShelf(made.laws, made.sizes).laws
     assert laws["MTP soft"].durations == tuple(SOFT["durations"]) != laws["Hard"].durations
-    wrong, count = disagreeing(CUTTING, made)
+    wrong, count = disagreeing(MACHINE, made)
     assert wrong == []
     assert count > 3000
 
 
 @pytest.mark.parametrize("turn", [0, 3])
 def test_and_at_other_values(turn):
-    made = CUTTING.variants(machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "hard"))[turn]
-    wrong, _ = disagreeing(CUTTING, made)
+    made = MACHINE.variants(machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "hard"))[turn]
+    wrong, _ = disagreeing(MACHINE, made)
     assert wrong == []
 
 
 def test_the_laws_are_read_back_from_the_cells():
     given = machine({"Hard": HARD, "0.5 of [a]: x/y": SOFT | {"lift": 7.0}}, "0.5 OF [A]: X/Y")
-    back, lost = entered(CUTTING, given)
+    back, lost = entered(MACHINE, given)
     assert back == given
     assert lost == []
 
@@ -77,7 +78,7 @@ def test_a_description_says_the_same_after_it_was_written():
     text = write_machine(given)
     assert '[laws."0.5 of [a]: x/y"]\nfamily = "MTP"\n' in text
     assert "[laws.TVP]\nlift" in text
-    assert checked(CUTTING, tomllib.loads(text), counted) == given
+    assert checked(MACHINE, tomllib.loads(text), counted) == given
 
 
 # --- Names ------------------------------------------------------------------------------------------
@@ -114,13 +115,13 @@ def test_a_law_that_cannot_be_is_refused_in_one_line(what):
 
 def test_a_phase_with_an_unknown_law_is_told_what_there_is():
     said = refused({"MTP soft": SOFT}, "MTP sofd")
-    assert said.startswith("timing.axes[1].phases[1].law")
+    assert said.startswith("axes[1].phases[1].law")
     assert "no law is named 'MTP sofd'; expected MTP soft" in said
     assert "expected one of DWL, ACS, TVP, CIC, CUB, MTP, OWN, MTP soft" in refused({"MTP soft": SOFT}, "Zorro")
 
 
 def test_laws_whose_titles_would_be_the_same_have_two():
-    book = CUTTING.declare(machine({"a/b": SOFT, "a:b": HARD, "x" * 31 + "1": SOFT, "x" * 31 + "2": HARD}))
+    book = MACHINE.declare(machine({"a/b": SOFT, "a:b": HARD, "x" * 31 + "1": SOFT, "x" * 31 + "2": HARD}))
     titles = [sheet.title for sheet in book.sheets]
     assert len({title.casefold() for title in titles}) == len(titles)
     assert {"a-b", "a-b (2)", "x" * 31, "x" * 27 + " (2)"} <= set(titles)
@@ -130,7 +131,7 @@ def test_laws_whose_titles_would_be_the_same_have_two():
 
 
 def file_of(given, edit):
-    book = openpyxl.load_workbook(io.BytesIO(archive.zipped(parts(CUTTING.declare(given), CUTTING.model))))
+    book = openpyxl.load_workbook(io.BytesIO(archive.zipped(parts(MACHINE.declare(given), MACHINE.model))))
     edit({name: book[place.sheet].cell(place.row, place.column) for name, place in find_places(book).items()}, book)
     return BookFile(Path("book.xlsx"), book, find_places(book))
 
@@ -147,10 +148,10 @@ def test_a_law_that_was_renamed_in_the_book_is_found_by_its_new_name():
     file = file_of(given, renamed)
     back = Entries(file, agreed).machine()
     assert back.laws.names[7:] == ("Softer", "Hard")
-    assert back.timing.axes[0].phases[0].law == "Softer"
+    assert back.axes[0].phases[0].law == "Softer"
     assert back.laws["Hard"].durations[:3] == [0.1, 0.15, 0.0]
-    report = Report(file.path, CUTTING.name)
-    judge(file, CUTTING, back, report)
+    report = Report(file.path, MACHINE.name)
+    judge(file, MACHINE, back, report)
     assert [found for found in report.findings if found.kind != "saved"] == []
     assert report.compared == report.declared
 
@@ -177,7 +178,7 @@ def test_a_name_that_is_none_is_refused_at_its_cell(name, words):
 
 def test_a_name_with_an_apostrophe_stands_in_charts_as_excel_writes_it():
     made = machine({"O'Brien & <co>": SOFT})
-    written = parts(CUTTING.declare(made), CUTTING.model)
+    written = parts(MACHINE.declare(made), MACHINE.model)
     charts = b"".join(part for name, part in written.items() if name.startswith("xl/charts/chart"))
     assert b"'O''Brien &amp; &lt;co&gt;'!" in charts
     assert b"''''" not in charts

@@ -1,39 +1,54 @@
-"""The cutting machine's book: S1's figures in its cells, every formula cell with an engine value, both agree."""
+"""The cutting machine's book: S1's figures in its cells, every formula cell with an engine value, both agree.
+
+S1 prints the movements at 200 pieces a minute and the drive at 100: a machine has one rate, and each print is one here.
+"""
 
 import math
 
 import pytest
 
+from tests import cutting
+from tests.cutting import TEMPLATE
 from tests.laws import MOVING
-from tests.workbook.cells import computed, disagreeing
-from workbook.build import build, inputs
+from tests.mutation.draw_machine import SHAPED
+from tests.workbook.cells import computed, disagreeing, entered
+from workbook.build import build
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import read_machine
-from workbook.templates import TEMPLATES
 
-TEMPLATE = TEMPLATES["cutting-machine"]
 pytestmark = pytest.mark.quick
+MOVEMENTS, DRIVE = 200.0, 100.0
+"""pieces/min that S1 prints its movements at, and its drive"""
+BARE = {
+    "motor": {"inertia": 0.0, "rated_torque": 60.0, "peak_torque": 160.0, "max_speed": 3000.0},
+    "reducer": {"ratio": 1.0, "efficiency": 1.0},
+}
+"""S1's feeding group without motor and reducer: J_m = 0, τ = 1, η = 1"""
 
 
-def described(**sizes):
-    """The committed description, with smaller tables where speed matters more than resolution."""
-    machine = read_machine(TEMPLATE.description)
-    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update=sizes)})
+def described(rate=DRIVE, laws=("MTP", "MTP", "MTP"), selection=None, **feed):
+    """The machine in small tables at a rate, with a law for the movements of each axis, and other entries of its feed.
+
+    Without a sheet Selection, unless an axis is named for it.
+    """
+    data = cutting.small(cycle=12, law=4, own_law=4).model_dump()
+    data["master"]["rate"] = rate
+    data["selection"] = {name: data["selection"][name] for name in ("motors", "reducers")} | {"axis": selection}
+    data["axes"][0] |= feed
+    for axis, law in zip(data["axes"], laws, strict=True):
+        for phase in axis["phases"]:
+            phase["law"] = law if phase["lift"] else "DWL"
+    return TEMPLATE.model.model_validate(data)
 
 
-def with_law(machine, axis, law):
-    """The same machine with another law for the movements of one axis."""
-    data = machine.model_dump()
-    for phase in data["timing"]["axes"][axis]["phases"]:
-        if phase["law"] != "DWL":
-            phase["law"] = law
-    return type(machine).model_validate(data)
+def feeding(law):
+    """The same with a law for the feed alone."""
+    return law, "MTP", "MTP"
 
 
 def test_s1_constant_acceleration_shows_the_printed_figures():
     """S1: 0.43 m/rad, 0.61 m/rad², 9 m/s, 270 m/s² for MC01 with C_a = 4."""
-    value = computed(TEMPLATE, with_law(described(cycle=12, law=4, own_law=4), 0, "ACS"))
+    value = computed(TEMPLATE, described(MOVEMENTS, feeding("ACS")))
     assert round(value("axis1", "y1")[0], 2) == 0.43
     assert math.floor(value("axis1", "y2")[0] * 100) / 100 == 0.61  # S1 cuts 0.6155 off instead of rounding it
     assert value("axis1", "v")[0] == pytest.approx(9.0, rel=1e-12)
@@ -51,13 +66,13 @@ def test_s1_constant_acceleration_shows_the_printed_figures():
     ],
 )
 def test_s1_mc01_rise(law, y1, y2, v, a):
-    value = computed(TEMPLATE, with_law(described(cycle=12, law=4, own_law=4), 0, law))
+    value = computed(TEMPLATE, described(MOVEMENTS, feeding(law)))
     got = [value("axis1", name)[0] for name in ("y1", "y2", "v", "a")]
     assert got == [pytest.approx(x, abs=5e-6 if x < 1 else 5e-4) for x in (y1, y2, v, a)]
 
 
 def test_s1_movements_with_the_modified_trapezoidal_law():
-    value = computed(TEMPLATE, described(cycle=12, law=4, own_law=4))
+    value = computed(TEMPLATE, described(MOVEMENTS))
     v2, a2, v3, a3 = value("axis2", "v"), value("axis2", "a"), value("axis3", "v"), value("axis3", "a")
     assert (v2[1], a2[1], v2[3], a2[3]) == pytest.approx((1.0667, 69.520, 1.0667, 69.520), abs=5e-4)
     assert (v3[1], a3[1], v3[3], a3[3]) == pytest.approx((2.4000, 87.986, 3.2000, 156.420), abs=5e-4)
@@ -72,61 +87,85 @@ def test_s1_movements_with_the_modified_trapezoidal_law():
     ],
 )
 def test_s1_torque_at_the_roller_shaft(law, dw, highest, lowest):
-    """S1's feeding group without motor and reducer: J_m = 0, τ = 1, η = 1."""
-    data = with_law(described(law=4, own_law=4), 0, law).model_dump()
-    data["drive"]["motor"].update(inertia=0.0, reduction=1.0, efficiency=1.0, max_speed=3000.0)
-    value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
-    assert value("drive_jtot") == pytest.approx(1.164, abs=1e-12)
-    assert value("drive_cr") == pytest.approx(67, abs=1e-12)
-    assert max(value("drive", "dw")) == pytest.approx(dw, abs=5e-5)
-    assert (value("drive_tmax"), value("drive_tmin")) == pytest.approx((highest, lowest), abs=1e-4)
-    assert value("drive_speed") == pytest.approx(320.685, abs=5e-4)
+    value = computed(TEMPLATE, described(laws=feeding(law), **BARE))
+    assert value("drive1_jtot") == pytest.approx(1.164, abs=1e-12)
+    assert value("drive1_parts", "all")[:2] == pytest.approx([4 * 0.284, 4 * 0.007], rel=1e-12)
+    assert value("drive1_steady") / value("drive1_i2") == pytest.approx(67, abs=1e-12)
+    assert value("axis1", "a")[0] * value("drive1_i2") == pytest.approx(dw, abs=5e-5)
+    assert (value("drive1_tmax"), value("drive1_tmin")) == pytest.approx((highest, lowest), abs=1e-4)
+    assert value("drive1_speed") == pytest.approx(320.685, abs=5e-4)
+
+
+def test_s1_rms_torque_at_the_roller_shaft():
+    """C_m,rms² = (J_tot ω̇_rms)² · 80/360 + C_r², as the rise takes what it gives back; C_a,rms of S1's law 4.233239."""
+    value = computed(TEMPLATE, described(**BARE))
+    inertial = 1.164 * 4.233239 * 0.3 / 0.134 / (0.6 * 80 / 360) ** 2
+    assert value("drive1_rms") == pytest.approx(math.hypot(inertial * math.sqrt(80 / 360), 67.0), rel=2e-7)
+
+
+def test_s1_equation_of_the_motors_torque():
+    """C_m = (J_m/τ) ω̇_r + τ (C_r + J_tot ω̇_r), with our motor and reducer, whose efficiency counts while it drives."""
+    value = computed(TEMPLATE, described())
+    accelerated = value("axis1", "a")[0] / 0.134
+    assert value("drive1_tmax") == pytest.approx(
+        0.0065 * 8 * accelerated + (67.0 + 1.164 * accelerated) / 8 / 0.95, rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("law", MOVING)
 def test_pycel_agrees_with_the_engine_in_every_cell(law):
-    machine = described(cycle=72, law=20, own_law=20)
-    for axis in range(3):
-        machine = with_law(machine, axis, law)
-    wrong, count = disagreeing(TEMPLATE, machine)
+    """A law that its drive cannot integrate moves the axes without one."""
+    wrong, count = disagreeing(TEMPLATE, described(laws=(law if law in SHAPED else "MTP", law, law)))
     assert wrong == []
     assert count > 3000
 
 
 def test_a_book_that_was_built_is_verified_and_comes_back(tmp_path):
-    machine, path = described(cycle=24, law=8, own_law=60), tmp_path / "book.xlsx"
-    build(machine, path)
-    report = verify(path)
+    machine = described(selection="MC01")
+    build(machine, tmp_path / "book.xlsx")
+    report = verify(tmp_path / "book.xlsx")
     assert report.findings == []
     assert report.own == []
-    assert inputs(path) == (machine, [])
+    assert entered(TEMPLATE, machine) == (machine, [])
 
 
-def test_the_committed_template_verifies():
-    report = verify(TEMPLATE.book)
+def test_the_committed_book_verifies():
+    report = verify(cutting.BOOK)
     assert report.findings == []
 
 
-@pytest.mark.parametrize("radius", [1e-12, 1e-9, 1e-6])
+def test_it_finds_a_pair_of_its_catalogues():
+    value = computed(TEMPLATE, cutting.described())
+    assert value("sel_motor") == "HDT BH20G (2000 rpm)"
+    assert value("sel_reducer") == "Beckhoff AG2400 TP300 MF i=5"
+    assert value("sel_usable") == 1
+    assert value("overall") == "OK"
+
+
+@pytest.mark.parametrize("radius", [1e-9, 1e-6, 1e-3])  # mm
 @pytest.mark.parametrize("resists", ["always", "moving"])
 @pytest.mark.sample(2)
 def test_rollers_next_to_nothing_verify_clean(radius, resists, tmp_path):
-    data = described(cycle=90, law=4, own_law=4).model_dump()
-    data["drive"] |= {"radius": radius, "resists": resists}
-    build(TEMPLATE.model.model_validate(data), tmp_path / "book.xlsx")
+    rollers = {"kind": "feed rollers", "size": radius, "efficiency": 1.0}
+    force = {"windows": [{"start": 0.0, "stop": 360.0, "force": 500.0, "resists": resists}]}
+    build(described(mechanism=rollers, load=force), tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx", ["pycel", "formualizer"]).findings == []
 
 
-def test_samples_that_all_fall_on_rests_leave_nothing_to_choose_and_cells_and_engine_agree():
-    assert disagreeing(TEMPLATE, described(cycle=4, law=4, own_law=4))[0] == []
+def test_samples_that_all_fall_on_rests_change_no_result_and_cells_and_engine_agree():
+    machine = described()
+    few = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 4})})
+    assert disagreeing(TEMPLATE, few)[0] == []
+    assert computed(TEMPLATE, few)("drive1_rms") == computed(TEMPLATE, machine)("drive1_rms")
 
 
 BEFORE = 17_099
 """formula cells of Timing, without jerk, when every sample looked up phase and law (the committed book of da12479)"""
 
 
-def test_timing_has_a_fifth_fewer_formula_cells_than_before_motions_were_tables_of_pieces():
-    book = TEMPLATE.declare(read_machine(TEMPLATE.description))
-    cells = [cell for cell in book.cells() if cell.block.sheet.title == "Timing" and is_formula(cell.content)]
+def test_the_cycle_has_a_fifth_fewer_formula_cells_than_before_motions_were_tables_of_pieces():
+    book = TEMPLATE.declare(cutting.described())
+    sheets = ("Timing", "Cycle")
+    cells = [cell for cell in book.cells() if cell.block.sheet.title in sheets and is_formula(cell.content)]
     assert len(cells) <= 0.82 * BEFORE
     assert book.blocks["cycle"].columns.keys() >= {"ggg1", "ggg2", "ggg3"}  # with jerk

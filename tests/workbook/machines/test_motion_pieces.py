@@ -10,7 +10,7 @@ from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
-COMPOSER, CUTTING = TEMPLATES["motion-composer"], TEMPLATES["cutting-machine"]
+COMPOSER = TEMPLATES["motion-composer"]
 SMALL = {"cycle": 24, "law": 4, "own_law": 4}
 
 

@@ -14,14 +14,14 @@ from hypothesis import given, settings
 from hypothesis.strategies import integers
 
 from tests.laws import MOVING, PAGED, blended, told
+from tests.mutation.draw_machine import SHAPED, teeth
 from tests.workbook.cells import disagreeing, disagreeing_in
 from workbook.build import build, inputs
-from workbook.machines.cutting.entries import CuttingMachine
-from workbook.reading.descriptions import read_machine, write_machine
+from workbook.reading.descriptions import checked, read_machine, write_machine
 from workbook.templates import TEMPLATES
 
-TEMPLATE = TEMPLATES["cutting-machine"]
-SIZES = {"cycle": 24, "law": 8, "own_law": 8, "phases": 8, "rotors": 6, "pieces": 8}
+TEMPLATE = TEMPLATES["machine"]
+SIZES = {"cycle": 24, "law": 8, "own_law": 8, "phases": 8, "rotors": 6, "pieces": 8, "motors": 2, "reducers": 2}
 
 
 def shares(dice, count, zeros=0.0):
@@ -50,7 +50,7 @@ def piece(dice, duration):
     return made
 
 
-def phases(dice):
+def phases(dice, known):
     """From one phase to as many as the table has rows, over the whole turn; lifts of either sign."""
     count = dice.choice((1, 2, 3, 5, SIZES["phases"]))
     cuts = sorted(dice.sample(range(1, 36), count - 1)) if dice.random() < 0.5 else []
@@ -58,7 +58,7 @@ def phases(dice):
     edges = [0.0, *edges, 360.0]
     made = []
     for start, stop in itertools.pairwise(edges):
-        law = dice.choice((*MOVING, "DWL"))
+        law = dice.choice((*known, "DWL"))
         lift = 0.0 if law == "DWL" or dice.random() < 0.1 else dice.choice((-1, 1)) * dice.uniform(0.5, 500)
         made.append({"start": start, "stop": stop, "lift": lift, "law": law})
     if dice.random() < 0.5 and made[-1]["law"] != "DWL":
@@ -79,37 +79,46 @@ def machine(seed):
     pieces = shares(dice, dice.randint(1, SIZES["pieces"]), zeros=0.1)
     laws["OWN"] = {"name": f"Own law {seed}", "pieces": told(lambda: [piece(dice, d) for d in pieces])}
     names = ["MC01", "Träger ½", "Cutter's <2> & more"]
+    driven = seed % 3
     axes = [
-        {"name": name, "group": f"Group {i}", "closes": dice.choice(("position", "feed")), "phases": phases(dice)}
+        {"name": name, "group": f"Group {i}", "closes": dice.choice(("position", "feed")),
+         "unit": dice.choice(("mm", "°")), "shift": dice.choice((0.0, dice.uniform(-400, 400))),
+         "phases": phases(dice, [law for law in MOVING if i != driven or law in SHAPED])}
         for i, name in enumerate(names)
-    ]
-    rotors = [
-        {"name": f"Part {i}", "count": float(dice.randint(0, 6)), "inertia": dice.uniform(0, 0.5)}
-        | ({} if dice.random() < 0.5 else {"teeth_driver": float(dice.randint(9, 99)), "teeth_driven": 45.0})
-        for i in range(dice.randint(1, SIZES["rotors"]))
-    ]
-    motor = {
-        "inertia": dice.choice((0.0, dice.uniform(1e-4, 0.1))),
-        "rated_torque": dice.uniform(1, 500),
-        "peak_torque": dice.uniform(1, 1500),
-        "max_speed": dice.uniform(100, 6000),
-        "reduction": dice.uniform(0.2, 50),
-        "efficiency": dice.choice((1.0, dice.uniform(0.5, 1))),
-    }
-    drive = {
-        "rate": dice.uniform(5, 300),
-        "axis": names[seed % 3],
-        "force": dice.choice((0.0, dice.uniform(-900, 900))),
-        "radius": dice.uniform(0.02, 0.5),
-        "resists": ("always", "moving")[seed // 3 % 2],
-        "rotors": rotors,
-        "motor": motor,
-    }
+    ]  # fmt: skip
+    axes[driven] |= drive(dice, seed)
     data = {
-        "template": "cutting-machine", "title": f"Machine {seed}", "laws": laws, "sizes": SIZES,
-        "timing": {"rate": dice.uniform(5, 400), "axes": axes}, "drive": drive,
+        "template": "machine", "title": f"Machine {seed}", "laws": laws, "sizes": SIZES,
+        "master": {"rate": dice.uniform(5, 400)}, "axes": axes,
+        "selection": {"motors": [MOTOR], "reducers": [{"name": "R", "reduction": 5.0, "efficiency": 0.9}]},
     }  # fmt: skip
-    return CuttingMachine.model_validate(data)
+    made = checked(TEMPLATE, data, str)
+    assert made.design.replaced == {}
+    return made
+
+
+MOTOR = {"name": "M", "inertia": 0.01, "rated_torque": 10.0, "peak_torque": 30.0, "max_speed": 3000.0}
+
+
+def drive(dice, seed):
+    """Feed rollers with parts, some of them geared, a force always and one in the way of the motion."""
+    parts = [
+        {"name": f"Part {i}", "count": float(dice.randint(0, 6)), "inertia": dice.uniform(0, 0.5),
+         "shaft": dice.choice(("motor", "mechanism")), **teeth(dice)}
+        for i in range(dice.randint(1, SIZES["rotors"]))
+    ]  # fmt: skip
+    resists = ("always", "moving")[seed // 3 % 2]
+    window = {"start": 0.0, "stop": dice.choice((360.0, dice.uniform(10, 350))), "force": 300.0, "resists": resists}
+    return {
+        "unit": "mm", "rate": dice.choice((None, dice.uniform(5, 300))), "parts": parts,
+        "mechanism": {"kind": "feed rollers", "size": dice.uniform(20, 500), "efficiency": dice.uniform(0.5, 1)},
+        "load": {"force": dice.choice((0.0, dice.uniform(-900, 900))), "windows": [window]},
+        "motor": {
+            "inertia": dice.choice((0.0, dice.uniform(1e-4, 0.1))), "rated_torque": dice.uniform(1, 500),
+            "peak_torque": dice.uniform(1, 1500), "max_speed": dice.uniform(100, 6000),
+        },
+        "reducer": {"ratio": dice.uniform(0.2, 50), "efficiency": dice.choice((1.0, dice.uniform(0.5, 1)))},
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize("seed", range(60))

@@ -13,7 +13,7 @@ from workbook.build import build, inputs
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES
 
-CUTTING, COMPOSER = TEMPLATES["cutting-machine"], TEMPLATES["motion-composer"]
+MACHINE, COMPOSER = TEMPLATES["machine"], TEMPLATES["motion-composer"]
 IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))
 SMALL = {"cycle": 36, "law": 4, "own_law": 4}
 FAMILIES = ("LIN", "MSN", "MTS", "SCC", "SCV", "SHM", "SRT", "SGS", "HAC", "PO5", "PO7", "DHM")
@@ -61,11 +61,11 @@ def test_random_phases_come_to_what_the_engine_says(seed):
 
 
 def test_rise_to_line_speed_run_in_step_and_return_is_three_phases(tmp_path):
-    machine, path = CUTTING.model.model_validate(IN_STEP | {"sizes": SMALL}), tmp_path / "book.xlsx"
+    machine, path = MACHINE.model.model_validate(IN_STEP | {"sizes": SMALL}), tmp_path / "book.xlsx"
     build(machine, path)
     assert verify(path, ["pycel", "formualizer"]).findings == []
     assert inputs(path) == (machine, [])
-    value = computed(CUTTING, machine)
+    value = computed(MACHINE, machine)
     assert value("overall") == "OK"
     kinds = list(zip(value("axis1", "begins"), value("axis1", "ends"), strict=True))
     assert kinds[:4] == [("R", "G"), ("G", "G"), ("G", "R"), ("R", "R")]
