@@ -54,6 +54,7 @@ def smaller(machine: Machine, **sizes: int) -> Machine:
         data["sizes"] |= {name: len(chosen[name]) + 1 for name in ("motors", "reducers")}
     if machine.template == "machine":
         thin_out(data)
+        data["sizes"] |= sizes
     return type(machine).model_validate(data)
 
 

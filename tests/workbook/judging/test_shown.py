@@ -583,7 +583,7 @@ def test_charts_that_are_gone_and_charts_of_ones_own(edit):
     sheet._charts.append(extra)
     report = edit.seen()
     assert report.findings == []
-    assert [f.expected for f in report.notices] == ["Geometric velocity"]
+    assert [f.expected for f in report.notices] == ["Velocity"]
 
 
 # taste, and what is gone
