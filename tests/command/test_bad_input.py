@@ -85,7 +85,7 @@ DESCRIPTIONS = {
     "unknown entry": (
         "rate = 100.0",
         "rate = 100.0\nspeed = 3",
-        ["master.speed", "unknown", "expected rate"],
+        ["master.speed", "unknown", "expected one of rate"],
     ),
     "missing table": ("[master]", "[shaft]", ["master", "expected the entries rate"]),
     "unknown template": ('"machine"', '"saw"', ["template", "'saw'", "machine"]),

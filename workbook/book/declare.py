@@ -169,6 +169,8 @@ class Sheet:
     print_rows: int = 0
     folded: int = 0
     """the column from which on there are workings alone: an outline of them is folded"""
+    unprinted: bool = False
+    """whether it is for the screen alone: its print area is an empty cell"""
     one_page: bool = False
     portrait: bool = False
     widths: dict[int, float] = field(default_factory=dict)

@@ -25,8 +25,8 @@ def finite(value: float) -> float | str:
     return value if math.isfinite(value) else "∞"
 
 
-def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> None:
-    """Declare the sheet of one law."""
+def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> Sheet:
+    """Declare the sheet of one law, and return it."""
     page, law, entered = one.page, one.law, one.entered
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
     sheet.called = one.called
@@ -54,6 +54,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         sheet.heading("Table")
         samples(sheet, rise, entered.lift, sizes.law, stack)
         page.detail(sheet, one, stack, sizes)
+    return sheet
 
 
 def spelled(page: Page) -> str:

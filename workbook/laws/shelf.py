@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 from workbook.book.declare import Book
 from workbook.entries.machine import Sizes
 from workbook.laws.entries import Laws
@@ -28,9 +30,10 @@ class LawShelf:
         self.rows = stacked(self.named, sizes)
         self.stack = locator(self.named, self.rows)
 
-    def sheets(self, book: Book) -> None:
-        """Declare a page for each law, and the Laws sheet."""
+    def sheets(self, book: Book, printed: Container[str] | None = None) -> None:
+        """Declare a page for each law, and the Laws sheet; of the pages print all, or those of some laws."""
         for one in self.named:
             if one.page.has_sheet:
-                law_sheet(book, one, self.sizes, self.stack)
+                sheet = law_sheet(book, one, self.sizes, self.stack)
+                sheet.unprinted = printed is not None and one.name.casefold() not in printed
         laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)

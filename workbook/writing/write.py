@@ -32,6 +32,7 @@ LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 12}, {"header": 2, "equation":
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
 ROW_HEIGHT = 15
 """of a line in a cell that wraps"""
+MARGIN = "A1:A1"  # empty on each sheet: programs print no page of it
 AS_TYPED = "@"
 """the format of a cell that keeps 4711, or 3-4, as a text"""
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
@@ -181,12 +182,15 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
     page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(whole)
     page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
     page.page_margins = PageMargins(**pages.MARGINS)
+    left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
+    page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
+    if sheet.unprinted:
+        page.print_area = MARGIN
+        return
     page.print_title_rows = f"1:{sheet.head}"
     page.print_area = f"A1:{get_column_letter(columns)}{last}"
     for row in [] if whole else pages.breaks(sheet, last, columns, wide, high):
         page.row_breaks.append(Break(id=row))
-    left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
-    page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
 
 
 def pack(parts: dict[str, bytes], path: Path, overwrite: bool = False) -> None:

@@ -97,14 +97,14 @@ def test_s1_torque_at_the_roller_shaft(law, dw, highest, lowest):
 
 
 def test_s1_rms_torque_at_the_roller_shaft():
-    """C_m,rms² = (J_tot ω̇_rms)² · 80/360 + C_r², as the rise takes what it gives back; C_a,rms of S1's law 4.233239."""
+    """C_m,rms² = (J_tot ω̇_rms)² · 80/360 + C_r²: the rise takes what it gives back; C_a,rms of S1's law 4.233239."""
     value = computed(TEMPLATE, described(**BARE))
     inertial = 1.164 * 4.233239 * 0.3 / 0.134 / (0.6 * 80 / 360) ** 2
     assert value("drive1_rms") == pytest.approx(math.hypot(inertial * math.sqrt(80 / 360), 67.0), rel=2e-7)
 
 
 def test_s1_equation_of_the_motors_torque():
-    """C_m = (J_m/τ) ω̇_r + τ (C_r + J_tot ω̇_r), with our motor and reducer, whose efficiency counts while it drives."""
+    """C_m = (J_m/τ) ω̇_r + τ (C_r + J_tot ω̇_r), with our motor and reducer; its efficiency counts while it drives."""
     value = computed(TEMPLATE, described())
     accelerated = value("axis1", "a")[0] / 0.134
     assert value("drive1_tmax") == pytest.approx(

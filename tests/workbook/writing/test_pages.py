@@ -25,7 +25,7 @@ def opened(path):
 def printed(path):
     """Yield each sheet of a book with its page in the file, its last printed row, and where its pages begin and end."""
     machine = read_machine(path)
-    for sheet in TEMPLATES[machine.template].declare(machine).sheets:
+    for sheet in (one for one in TEMPLATES[machine.template].declare(machine).sheets if not one.unprinted):
         page = opened(path)[sheet.title]
         last = int(page.print_area.rpartition("$")[2])
         ends = [one.id for one in page.row_breaks.brk]

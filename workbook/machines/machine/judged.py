@@ -10,15 +10,19 @@ from workbook.drive.in_short import NO_DRIVE
 from workbook.entries.turn import TurnPhase
 from workbook.machines.machine.view import MovingAxis
 
-SEVERAL = "several"
-OTHERS = 'SUMPRODUCT(([axis{0}.law]<>"")*([axis{0}.law]<>[axis{0}.law.1]))>0'
-LAW = f'=IF({OTHERS},"{SEVERAL}",IF([axis{{0}}.law.1]="","{NO_DRIVE}",[axis{{0}}.law.1]))'
+SEVERAL, DWELL = "several", 1
+"""what stands for laws that differ, and the number of the dwell, which spare rows have too"""
+OTHERS = f"SUMPRODUCT(([axis{{0}}.no]<>{DWELL})*([axis{{0}}.no]<>MAX([axis{{0}}.no])))>0"
+LAW = f'=IF({OTHERS},"{SEVERAL}",IF(MAX([axis{{0}}.no])={DWELL},"{NO_DRIVE}",INDEX(law_code,MAX([axis{{0}}.no]))))'
 
 
-def judge_axes(book: Book, axes: Sequence[MovingAxis]) -> None:
-    """Declare two more columns of the table: the law of all phases of an axis, and whether all its checks hold."""
+def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
+    """Declare two more columns of the table: the law of all movements of an axis, and whether all its checks hold.
+
+    ``names`` are those of the book's laws.
+    """
     block = book.blocks["axes_short"]
-    laws = [law_of(axis.given.phases) for axis in axes]
+    laws = [law_of(axis.given.phases, names) for axis in axes]
     block.sheet.workings(
         block, "axes_judged", "", max(block.columns.values()) + 1,
         result("law", "law", "", "", [LAW.format(axis.number) for axis in axes], laws, align="right"),
@@ -32,7 +36,7 @@ def of_axis(book: Book, number: int) -> list[int]:
     return [k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)]
 
 
-def law_of(phases: Sequence[TurnPhase]) -> str:
-    """Return the law of all phases, as the first one has it."""
-    first = phases[0].law
-    return first if all(phase.law.casefold() == first.casefold() for phase in phases) else SEVERAL
+def law_of(phases: Sequence[TurnPhase], names: Sequence[str]) -> str:
+    """Return the law of all movements, as the sheet Laws has it."""
+    moving = {names.index(phase.law) for phase in phases} - {DWELL - 1}
+    return SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE

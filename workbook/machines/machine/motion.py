@@ -66,6 +66,7 @@ class AxisRows:
 def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
     """Declare the sheet of the motions as pieces."""
     sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
+    sheet.unprinted = True
     for one in axes:
         sheet.heading(f"Axis {one.axis.number}", ABOUT)
         sheet.rows(pieces_in_all(one.pieces), one.joints.order())

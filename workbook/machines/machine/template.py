@@ -80,11 +80,11 @@ def declare(given: AnyMachine) -> Book:
     power_sheet(book, given.power, list(drives.values()))
     selection_sheet(book, given.selection, given.sizes, list(drives.values()))
     catalogue_sheet(book, given)
-    shelf.sheets(book)
+    shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     cycle_sheet(book, machine, rows)
     pieces_sheet(book, rows, bool(drives or apart))
     export_sheet(book, given, [exportable(one) for one in rows])
-    judge_axes(book, machine.axes)
+    judge_axes(book, machine.axes, given.laws.names)
     return finish(book, "Machine", ("S1", "S3"))
 
 

@@ -24,10 +24,10 @@ NOTE = (
 def grids(sheet: Sheet, view: Choosing) -> None:
     """Declare what pairs fail or not, their RMS torques and their peak torques."""
     g = view.grid
+    sheet.not_printed_below()
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
     torque = max(float(g.peak.max()), 1e-3)
     grid(sheet, view, "word", "Which pairs can do it", verdict, view.spread(g.verdicts, "–"), align="center")
-    sheet.not_printed_below()
     grid(sheet, view, "rms", "RMS torque of the motor [Nm]", lambda c: if_on(c, rms_of(*pair(c))),
          view.spread(g.rms, 0.0), format=DASH, scale=torque)  # fmt: skip
     grid(sheet, view, "peak", "Peak torque of the motor [Nm]", lambda c: if_on(c, peak_of(*pair(c))),
