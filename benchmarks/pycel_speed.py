@@ -42,7 +42,7 @@ class Wrapper(ExcelOpxWrapperNoData):
 
 
 def book(cycle: int, law: int) -> Workbook:
-    template = TEMPLATES["cutting-machine"]
+    template = TEMPLATES["machine"]
     machine = read_machine(template.description)
     sizes = machine.sizes.model_copy(update={"cycle": cycle, "law": law, "own_law": law})
     declared = template.declare(machine.model_copy(update={"sizes": sizes}))

@@ -118,7 +118,7 @@ def main() -> None:
             table.add_row(*against_libreoffice(f"{count} axes with drives", of_axes(count), Path(folder)))
         console.print(table)
     with tempfile.TemporaryDirectory() as folder:
-        cells, times = growth(TEMPLATES["cutting-machine"], Path(folder))
+        cells, times = growth(TEMPLATES["flying-cutter"], Path(folder))
         table = Table(
             *("Workbooks", *(f"{n} job{'s' * (n > 1)}, s" for n in JOBS), "Speed-up", "s a workbook"),
             title=f"Copies of a workbook of {cells:,} formula cells",
