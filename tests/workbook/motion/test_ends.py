@@ -16,7 +16,6 @@ from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES
 
-MACHINE = TEMPLATES["machine"]
 IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))
 SMALL = {"cycle": 36, "law": 4, "own_law": 4}
 FAMILIES = ("LIN", "MSN", "MTS", "SCC", "SCV", "SHM", "SRT", "SGS", "HAC", "PO5", "PO7", "DHM")
