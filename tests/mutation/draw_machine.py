@@ -9,7 +9,9 @@ from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
 from workbook.machines.machine.chain import LINKED
+from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.switching import TIMES
+from workbook.machines.machine.timed import in_units_of
 from workbook.machines.machine.variations import constant_drives
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
@@ -21,7 +23,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     """Return a description with every entry drawn anew."""
     sizes = data["sizes"]
     vary_laws(data["laws"], drawn, sizes["pieces"])
-    data["master"]["rate"] = drawn.uniform(5, 600)
+    pace = next(iter(data["master"]))
+    data["master"][pace] = drawn.uniform(5, 600) if pace == "rate" else 10 ** drawn.uniform(-2, 4)
     for axis in data["axes"]:
         laws = MOVING if axis["motor"] is None else [name for name in MOVING if name in SHAPED]
         made = phases(drawn, sizes["phases"], laws)
@@ -29,8 +32,11 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
             closes=drawn.choice(("feed", "position")), smoothness=drawn.choice(get_args(Smoothness)),
             shift=drawn.choice((0.0, float(drawn.randint(-720, 720)), drawn.uniform(-400, 400))),
             phases=within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1),
+            position=drawn.choice((0.0, drawn.uniform(-300, 300))),
         )  # fmt: skip
-        if axis["motor"] is not None:
+        if axis["motor"] is None:
+            axis["closes"] = drawn.choice(get_args(Closes))
+        else:
             drive(axis, drawn, sizes["rotors"], sizes["positions"])
     if any(axis["motor"] is not None for axis in data["axes"]):
         data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
@@ -46,6 +52,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         one |= {name: drawn.uniform(-200, 200) for name in ("offset", "least")}
     for switch in data["switches"]:
         switch["on"] = times(drawn)
+    if pace == "cycle":
+        in_units_of(data, data["master"]["unit"], data["master"][pace])
     return data
 
 
@@ -70,6 +78,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     sized = travels and kind not in LINKED
     axis["mechanism"] |= {"size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1)}
     if kind in LINKED:
+        axis["position"] = 0.0
         linked(axis, drawn, kind, positions)
     axis["load"] = {
         "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),

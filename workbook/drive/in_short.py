@@ -44,9 +44,10 @@ class InShort(NamedTuple):
     highest: Highest | None = None
 
 
-def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: str) -> None:
+def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: Sequence[tuple[str, str]]) -> None:
     """Declare a row for each axis of the table ``axes``, its travel and rates in these units; drives where there are.
 
+    ``rates`` are symbols and units of velocity and acceleration.
     A drive's cells are those of :mod:`workbook.drive.motor`, in its scope.
     """
     driven = drives(axes) if any(axis.reserve for axis in axes) else []
@@ -56,18 +57,13 @@ def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: str
         calc("axis", "axis", "", "", each(axes, "=[axes.name.{0}]"), [axis.name for axis in axes], align="left"),
         result("travel", "travel", "h", travel, each(axes, "=[axes.high.{0}]-[axes.low.{0}]"),
                [axis.travel for axis in axes], source="highest less lowest position"),
-        result("v", "greatest velocity", "ẏ", unit(rates, "/s"), each(axes, "=[axes.v.{0}]"),
+        result("v", "greatest velocity", *rates[0], each(axes, "=[axes.v.{0}]"),
                [axis.fastest for axis in axes]),
-        result("a", "greatest acceleration", "ÿ", unit(rates, "/s²"), each(axes, "=[axes.a.{0}]"),
+        result("a", "greatest acceleration", *rates[1], each(axes, "=[axes.a.{0}]"),
                [axis.hardest for axis in axes]),
         *driven,
         *(highest_rates(axes) if any(axis.highest for axis in axes) else []),
     )  # fmt: skip
-
-
-def unit(bases: str, ending: str) -> str:
-    """Return the units of rates, of ``m, rad`` both."""
-    return ", ".join(f"{base}{ending}" for base in bases.split(", "))
 
 
 def each(axes: Sequence[InShort], formula: str) -> list[str]:

@@ -1,21 +1,41 @@
 """What the cycle of a machine is entered and shown over: degrees of its master shaft, or seconds where it has none.
 
+Or an abscissa that does not tell how time passes: degrees or radians of a shaft whose speed nobody says, the travel of
+a product. Rates are then by that: y' and y'' in place of velocity and acceleration.
+
 Within, every machine counts its cycle as one turn: what is entered in s becomes degrees once, at the edge, in cells and
-for the engine. All that differs is here: units, words, and how places go from the one to the other.
+for the engine. All that differs is here: units, words, and how places and rates go from the one to the other.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from math import tau
+from typing import Literal, NamedTuple, get_args
 
 from workbook.book.sentence import figure
 from workbook.entries.turn import TURN
-from workbook.entries.units import Real
+from workbook.entries.units import DEGREE, MM, Real
 
 Range = tuple[float, float | None, float | None]
 TAKEN = "timing_taken"
-"""the cell of the cycle by which times become degrees: by it a file tells that they are entered in s"""
+"""the cell of the cycle by which places become degrees: by it a file tells that they are not entered in them"""
+Unit = Literal["s", "°", "rad", "mm"]
+UNITS: tuple[Unit, ...] = get_args(Unit)
+"""what a cycle can be entered in that has a length"""
+
+
+class Lift(NamedTuple):
+    """How rates show a lift: its unit, what one m or rad is in SI of it, and the end of a formula that makes it one."""
+
+    unit: str
+    size: float = 1.0
+    shown: str = ""
+    taken: str = ""
+
+
+METRES, RADIANS = Lift("m"), Lift("rad")
+ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*180/PI()", "/180*PI()")}
 
 
 @dataclass(frozen=True)
@@ -29,6 +49,8 @@ class Abscissa:
     name: str = "master angle"
     cycle: str = "one turn of the master shaft"
     period: str = "turn"
+    lasting: str = "t"
+    """the symbol of how long something lasts"""
     angle: str = "master angle"
     """what workings in degrees are over"""
     speed: str = "Master shaft"
@@ -40,9 +62,28 @@ class Abscissa:
     length: float = TURN
 
     @property
-    def timed(self) -> bool:
-        """Whether it is time."""
+    def measured(self) -> bool:
+        """Whether an entry says how long its cycle is, in its unit: places and figures are told by that."""
         return False
+
+    @property
+    def paced(self) -> bool:
+        """Whether it tells how time passes."""
+        return True
+
+    @property
+    def symbols(self) -> tuple[str, str, str, str]:
+        """Symbols of a position and its rates."""
+        return "y", "ẏ", "ÿ", "j"
+
+    def lift(self, unit: str) -> Lift:
+        """Return how its rates show a lift that is entered in a unit."""
+        return METRES if unit == "mm" else RADIANS
+
+    def rates(self, unit: str) -> tuple[str, str, str]:
+        """Return the units of velocity, acceleration and jerk of an axis whose lifts are in a unit."""
+        lift, per = self.lift(unit).unit, self.unit if self.measured else "s"
+        return f"{lift}/{per}", f"{lift}/{per}²", f"{lift}/{per}³"
 
     @property
     def title(self) -> str:
@@ -73,6 +114,10 @@ class Abscissa:
         """Return by rad what is entered of the n-th derivative of a motion."""
         return rate
 
+    def by_unit(self, rate: float, order: int) -> float:
+        """Return by its unit a derivative of a motion by rad."""
+        return rate
+
     def in_degrees(self, cell: str) -> str:
         """Return the formula, without its =, of a place in degrees, from the cell in which it is entered."""
         return cell
@@ -91,13 +136,9 @@ class Abscissa:
 
 
 @dataclass(frozen=True)
-class Seconds(Abscissa):
-    """Seconds of a cycle of a ``length``."""
+class Measured(Abscissa):
+    """An abscissa whose cycle has a ``length`` that is entered, in its unit."""
 
-    unit: str = "s"
-    after: str = " s"
-    symbol: str = "t"
-    name: str = "time"
     cycle: str = "one cycle"
     period: str = "cycle"
     angle: str = "angle of a turn a cycle"
@@ -107,8 +148,8 @@ class Seconds(Abscissa):
     format: str = "0.0####"
 
     @property
-    def timed(self) -> bool:
-        """Whether it is time."""
+    def measured(self) -> bool:
+        """Whether an entry says how long its cycle is."""
         return True
 
     def axis(self, step: float) -> Range:
@@ -124,15 +165,15 @@ class Seconds(Abscissa):
         return x / self.length * TURN
 
     def shown(self, x: Real) -> Real:
-        """Return in s what is in degrees."""
+        """Return in its unit what is in degrees."""
         return x / TURN * self.length
 
     def per_rad(self, rate: float, order: int) -> float:
-        """Return by rad what is entered by s."""
+        """Return by rad what is entered by its unit."""
         return rate / float((tau / self.length) ** order)
 
-    def by_s(self, rate: float, order: int) -> float:
-        """Return by s a derivative of a motion by rad."""
+    def by_unit(self, rate: float, order: int) -> float:
+        """Return by its unit a derivative of a motion by rad."""
         return rate * float((tau / self.length) ** order)
 
     def in_degrees(self, cell: str) -> str:
@@ -140,7 +181,7 @@ class Seconds(Abscissa):
         return f"{cell}/{TAKEN}*360"
 
     def told(self, cell: str) -> str:
-        """Return the formula of a place in s."""
+        """Return the formula of a place in its unit."""
         return f"({cell})/360*{TAKEN}"
 
     def rate(self, cell: str, order: int) -> str:
@@ -148,8 +189,61 @@ class Seconds(Abscissa):
         return f"{cell}/timing_omega^{order}"
 
     def from_rad(self, order: int) -> str:
-        """Return the end of a formula that turns a derivative by rad into one by s."""
+        """Return the end of a formula that turns a derivative by rad into one by its unit."""
         return f"*timing_omega^{order}" if order else ""
 
 
+@dataclass(frozen=True)
+class Seconds(Measured):
+    """Seconds of a cycle."""
+
+    unit: str = "s"
+    after: str = " s"
+    symbol: str = "t"
+    name: str = "time"
+
+
+@dataclass(frozen=True)
+class Way(Measured):
+    """An abscissa that does not tell how time passes: an angle, or the travel of a product."""
+
+    symbol: str = "x"
+    name: str = "abscissa"
+    lasting: str = "δ"
+
+    @property
+    def paced(self) -> bool:
+        """Whether it tells how time passes."""
+        return False
+
+    @property
+    def symbols(self) -> tuple[str, str, str, str]:
+        """Symbols of a position and its rates."""
+        return "y", "y'", "y''", "y'''"
+
+    def lift(self, unit: str) -> Lift:
+        """Return how its rates show a lift: as it is entered."""
+        return ENTERED[unit]
+
+
 ANGLE = Abscissa()
+WAYS: dict[Unit, tuple[str, str, str]] = {
+    "°": ("°", "θ", "angle"), "rad": (" rad", "θ", "angle"), "mm": (" mm", "x", "travel"),
+}  # fmt: skip
+"""how each is written behind a figure, its symbol and name"""
+
+
+def measured(unit: Unit, length: float) -> Abscissa:
+    """Return the abscissa of a cycle of a length in a unit."""
+    if unit == "s":
+        return Seconds(length=length)
+    after, symbol, name = WAYS[unit]
+    return Way(unit=unit, after=after, symbol=symbol, name=name, length=length)
+
+
+def in_unit(unit: str) -> str:
+    """Return the name of the cell that says what a cycle is over: by it a file tells that."""
+    return f"timing_in_{MARKS[unit]}"
+
+
+MARKS: dict[str, str] = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}

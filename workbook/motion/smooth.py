@@ -32,7 +32,8 @@ class Asked:
     the condition under which the motion repeats, which it does if it is ``periodic``. Where its phases do not stand in
     the rows in which they are entered, sentences give no ``rows``; where they have ``names``, in the column ``what``
     of their table, these stand in place of numbers. Of a motion in degrees that is told over time, ``speed`` is the
-    name of the cell that says how fast it goes, and that in rad/s.
+    name of the cell that says how fast it goes, and that in rad/s; ``lift`` the end of a formula that shows a lift in
+    another unit than the motion's, and what that is in it.
     """
 
     smooth: Smoothness
@@ -47,18 +48,19 @@ class Asked:
     rows: bool = True
     names: tuple[str, ...] = ()
     speed: tuple[str, float] | None = None
+    lift: tuple[str, float] = ("", 1.0)
 
 
 def in_time(asked: Asked, degrees: str, size: str, order: str) -> tuple[str, str]:
     """Return the formulas of a place and of a jump as sentences tell them."""
     if asked.speed is None:
         return degrees, size
-    return f"RADIANS({degrees})/{asked.speed[0]}", f"{size}*{asked.speed[0]}^{order}"
+    return f"RADIANS({degrees})/{asked.speed[0]}", f"{size}*{asked.speed[0]}^{order}{asked.lift[0]}"
 
 
 def timed(asked: Asked, x: float, size: float, order: int) -> tuple[float, float]:
     """Return them by the engine: x is in rad where they are told over time."""
-    return (x, size) if asked.speed is None else (x / asked.speed[1], size * asked.speed[1] ** order)
+    return (x, size) if asked.speed is None else (x / asked.speed[1], size * asked.speed[1] ** order / asked.lift[1])
 
 
 def ended(n: int, joint: Joint) -> float:

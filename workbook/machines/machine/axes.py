@@ -20,7 +20,8 @@ def axes(machine: AnyMachine) -> list[CamAxis]:
 def cam(one: MovingAxis, over: Abscissa) -> CamAxis:
     """Return an axis as a controller can be given it."""
     told = course_of_motion(one.motion, over.shown(shown(1.0, DEGREE)), shown(1.0, one.unit))
-    return CamAxis(one.given.name, turned(told, one.typed.shift), over.unit, one.given.unit, one.axis.closes)
+    repeats = one.given.repeats and one.axis.closes
+    return CamAxis(one.given.name, turned(told, one.typed.shift), over.unit, one.given.unit, repeats)
 
 
 def switches(machine: AnyMachine) -> list[CamSwitch]:

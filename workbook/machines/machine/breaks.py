@@ -22,7 +22,7 @@ def windows_table(sheet: Sheet, key: str, view: Stretched) -> None:
     entered, unit = view.driven.axis.typed.load.windows, "N" if view.driven.travels else "Nm"
     found, over = view.driven.windows, view.one.machine.over
     turned = view.driven.entered.load.windows
-    until = f"MIN(360,{over.in_degrees('[stop]')})" if over.timed else "[stop]"
+    until = f"MIN(360,{over.in_degrees('[stop]')})" if over.measured else "[stop]"
 
     def entry(name: str) -> list[Any]:
         return filled([getattr(w, name) for w in entered], WINDOWS, None)
@@ -47,14 +47,14 @@ def windows_table(sheet: Sheet, key: str, view: Stretched) -> None:
              filled([w.load.torque for w in found], WINDOWS)),
         calc("moving", "against motion", "", unit, '=IF([resists]="moving",[force]+0,0)',
              filled([w.load.friction for w in found], WINDOWS)),
-        *([beyond('[stop]=""', over)] if over.timed else []),
+        *([beyond('[stop]=""', over)] if over.measured else []),
     )  # fmt: skip
 
 
 def windows_check(view: Stretched) -> list[Quantity]:
     """Return the check that process forces end with the cycle, where an entry says how long that is."""
     over, i = view.one.machine.over, view.driven.number
-    if not over.timed:
+    if not over.measured:
         return []
     row = "MATCH(1,[@windows.beyond],0)"
     last = f"MAX(INDEX([@windows.start],{row}),INDEX([@windows.stop],{row}))"

@@ -93,7 +93,7 @@ def bus_table(sheet: Sheet, bus: Bus) -> None:
                 scale=over.length, format=over.format)  # fmt: skip
     sheet.table(
         "bus", f"Power of the drives over the {over.period}: joined by straight lines", room,
-        time if over.timed else at,
+        time if over.measured else at,
         calc("sum", "from the bus", "P", "kW",
              f"=[alone]-SUMPRODUCT(({drives}<0)*(0-{drives}))*power_efficiency", bus.ends(shown(lines.common, KW), 0),
              scale=shown(bus.size, KW), source="of all drives together"),
@@ -103,7 +103,7 @@ def bus_table(sheet: Sheet, bus: Bus) -> None:
                shown(np.asarray(values), KW), scale=shown(one.most_power, KW))
           for one, values in zip(bus.drives, bus.power, strict=True)),
         constant("k", "row", "", "", list(range(1, room + 1))),
-        *([at] if over.timed else []),
+        *([at] if over.measured else []),
         *(column for one in bus.drives if isinstance(one, PlacedWork) for column in linked.places(bus, one)),
         calc("e", "up to", "", "°", f"=MIN(360,{grid},{beyond})", rowed([high for _, high in lines.spans]),
              scale=TURN, format="0.0##"),
@@ -126,7 +126,7 @@ def same(at_breaks: str) -> str:
 
 def lines_chart(over: Abscissa) -> Chart:
     """Return the chart of the power over the cycle."""
-    x = "[bus.time]" if over.timed else "[bus.b]"
+    x = "[bus.time]" if over.measured else "[bus.b]"
     lines = (Series("on a common bus", x, "[bus.sum]"),
              Series("each drive alone, from the mains", x, "[bus.alone]", dashed=True))  # fmt: skip
     return Chart(f"Power over the {over.period}", over.title, "P [kW]", lines,

@@ -22,20 +22,20 @@ def cycle_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     over = machine.over
     sheet = book.sheet("Cycle", f"Every axis over {over.cycle}, sample by sample; what charts show.")
     samples = len(machine.angles)
-    columns = [column for one in axes for column in results(one, machine.over.timed)]
+    columns = [column for one in axes for column in results(one)]
     lanes = [in_lane(one, len(axes) + len(machine.lanes)) for one in axes]
     workings = [column for one in axes for column in found(one)]
     theta = calc("theta", over.angle, "θ", "°", "=[k]*360/[cycle.k.last]",
                  machine.angles, format="0.0##")  # fmt: skip
     time = calc("time", over.name, over.symbol, over.unit, "=[k]*timing_cycle/[cycle.k.last]", machine.times,
                 format=over.format)  # fmt: skip
-    inner = [column for one in axes for column in geometric(one)] if over.timed else []
+    inner = [column for one in axes for column in geometric(one)] if over.measured else []
     sheet.table(
         "cycle", f"The axes over the {over.name}", samples,
-        time if over.timed else theta,
+        time if over.measured else theta,
         *columns, *lanes,
         constant("k", "sample", "k", "", list(range(samples))),
-        *([theta] if over.timed else []), *inner,
+        *([theta] if over.measured else []), *inner,
         *workings,
     )  # fmt: skip
     sheet.print_columns, sheet.widths = 19, {FIRST: 14}
@@ -45,7 +45,7 @@ def geometric(one: AxisRows) -> list[Quantity]:
     """Return the derivatives of an axis by the master angle."""
     axis, i, base = one.axis, one.axis.number, one.axis.base
     _, y1, y2, y3 = axis.at(one.machine.samples)
-    label, shown_as = f"axis {i}:", calc if one.machine.over.timed else result
+    label, shown_as = f"axis {i}:", calc if one.machine.over.measured else result
 
     def of(order: int) -> str:
         return derivative(one.pieces, order, str(i))
@@ -59,9 +59,10 @@ def geometric(one: AxisRows) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def results(one: AxisRows, in_time: bool) -> list[Quantity]:
-    """Return the motion of an axis, geometric and in time, or in time alone."""
-    axis, i, base, unit = one.axis, one.axis.number, one.axis.base, one.axis.given.unit
+def results(one: AxisRows) -> list[Quantity]:
+    """Return the motion of an axis, geometric and in time, or by the abscissa whose length is entered alone."""
+    axis, i, unit, over = one.axis, one.axis.number, one.axis.given.unit, one.machine.over
+    lift, (_, first, second, _), (velocity, acceleration, _) = over.lift(unit), over.symbols, over.rates(unit)
     y = axis.at(one.machine.samples).y
     timed = axis.motion.at_speed(axis.told(one.machine.samples).x, axis.speed)
     label = f"axis {i}:"
@@ -72,10 +73,11 @@ def results(one: AxisRows, in_time: bool) -> list[Quantity]:
         result(f"y{i}", f"{label} position", "y", unit,
                f"{shown_y}+{CYCLES.format('[theta]', i, f'[p{i}]')}*[axes.travel.{i}]", shown(y, axis.unit),
                source=POSITION),
-        *([] if in_time else geometric(one)),
-        result(f"t{i}", f"{label} velocity", "ẏ", f"{base}/s", f"=[g{i}]*timing_omega", timed.v, source="y' ω"),
-        result(f"tt{i}", f"{label} acceleration", "ÿ", f"{base}/s²", f"=[gg{i}]*timing_omega^2", timed.a,
-               source="y'' ω²"),
+        *([] if over.measured else geometric(one)),
+        result(f"t{i}", f"{label} velocity", first, velocity, f"=[g{i}]*timing_omega{lift.shown}",
+               axis.rate(timed.v), source="y' ω" if over.paced else "dy/dx"),
+        result(f"tt{i}", f"{label} acceleration", second, acceleration, f"=[gg{i}]*timing_omega^2{lift.shown}",
+               axis.rate(timed.a), source="y'' ω²" if over.paced else "d²y/dx²"),
     ]  # fmt: skip
 
 

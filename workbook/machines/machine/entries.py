@@ -45,11 +45,16 @@ from workbook.selection.entries import SelectionSizes, require_room
 
 MOST_AXES = 24
 Unit = Literal["mm", "°"]
+Closes = Literal["position", "feed", "open"]
+OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
 
 class Master(Model):
-    """The master shaft: one cycle a turn. A machine without one has cycle = 0.3 (s) instead, and all places in s."""
+    """The master shaft: one cycle a turn. A machine without one has cycle = 0.3 (s) instead, and all places in s.
+
+    Or cycle = 100.0 and unit = "mm" (or "°", "rad"): over an abscissa that does not tell how time passes.
+    """
 
     rate: Positive  # cycles/min
 
@@ -64,9 +69,10 @@ class Axis(Model):
     name: Name
     group: Text
     unit: Unit = "mm"
-    closes: Literal["position", "feed"] = "position"
+    closes: Closes = "position"
     smoothness: Smoothness = "acceleration"
     shift: Number = 0.0  # degrees by which it is later than its phases say
+    position: Number = 0.0  # where it begins, in its unit
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
     rate: Positive | None = Field(
         default=None, description="Rate that its drive is sized at, in cycles/min, if not the machine's"
@@ -112,8 +118,19 @@ class Axis(Model):
             if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
                 raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
 
+    @property
+    def repeats(self) -> bool:
+        """Whether its cycle follows upon itself: it comes back, or feeds on."""
+        return self.closes != "open"
+
+    def repeating(self) -> Iterator[DesignError]:
+        """Yield the open cycle of an axis with a drive."""
+        if self.motor is not None and not self.repeats:
+            yield DesignError("closes", f"{self.name} {OPEN_DRIVE}", "repeats", "position")
+
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield phases that run backwards, or that begin before the one above ends."""
+        """Yield phases that run backwards, or that begin before the one above ends, and an open cycle with a drive."""
+        yield from self.repeating()
         yield from forward(self.name, self.phases)
         yield from following(self.name, self.phases)
 
@@ -139,7 +156,7 @@ class MachineSizes(SelectionSizes):
 
 
 class AnyMachine(Exporting):
-    """Axes over one master shaft, or without one over a cycle in s."""
+    """Axes over one master shaft, or without one over a cycle in s or over any abscissa."""
 
     AXES_AT = ("axes",)
     template: Literal["machine"] = "machine"

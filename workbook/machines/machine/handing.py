@@ -38,10 +38,11 @@ def doubled(formula: str) -> str:
 class StepEnds(Ends):
     """The same for a table in which phases stand in the second, fourth, sixth row, and rests between them."""
 
-    def __init__(self, rows: PieceRows, axis: MovingAxis, used: str, over: Abscissa) -> None:
+    def __init__(self, rows: PieceRows, axis: MovingAxis, used: str, over: Abscissa, wraps: str) -> None:
         self.axis, self.over = axis, over
         name = f"[axes.name.{axis.number}]", axis.given.name
-        super().__init__(rows, axis.joined, axis.given.phases, used, name, entered=axis.passed)
+        periodic = axis.given.repeats
+        super().__init__(rows, axis.joined, axis.given.phases, used, name, wraps, periodic, axis.passed)
 
     def more(self) -> list[Quantity]:
         """Return, of an axis with a drive, where polynomials turn round, and where those of degree 7 have extremes."""
@@ -172,7 +173,7 @@ class StepEnds(Ends):
 
     def by_rad(self, cell: str, order: int) -> str:
         """Return the formula of what is entered of a derivative, by rad."""
-        return self.over.rate(cell, order)
+        return self.over.rate(f"{cell}{self.over.lift(self.axis.given.unit).taken}", order)
 
     @property
     def axis_room(self) -> int:
@@ -184,8 +185,8 @@ class StepEnds(Ends):
         phases, last = self.rows.at.phases, f"2*{self.used}"
         lasts = f"INDEX([{phases}.span],{{0}})>0"
         before, after = zip(*(self._next_to(row) for row in range(self.room)), strict=True)
-        wrapped = f"IF({lasts.format(f'{last}+1')},{last}+1,{last})"
-        again = f"IF({lasts.format('1')},1,2)"
+        wrapped = f"IF({self.wraps},IF({lasts.format(f'{last}+1')},{last}+1,{last}),0)"
+        again = f"IF({self.wraps},IF({lasts.format('1')},1,2),0)"
         return [
             calc("before", "row before", "", "",
                  f"=IF([k]=1,{wrapped},IF({lasts.format('[k]-1')},[k]-1,IF([k]=2,{wrapped},[k]-2)))", list(before),
@@ -199,8 +200,8 @@ class StepEnds(Ends):
         """Return the rows, from 1, before and behind a row, from 0, as the cells count them."""
         used, phases = set(self.places), max(self.numbered)[0]
         last, k = phases + phases, row + 1
-        wrapped = last + 1 if last in used else last
-        again = 1 if 0 in used else 2
+        wrapped = (last + 1 if last in used else last) if self.periodic else 0
+        again = (1 if 0 in used else 2) if self.periodic else 0
         before = wrapped if k == 1 else k - 1 if k - 2 in used else wrapped if k == 2 else k - 2
         after = again if k > last else k + 1 if k in used else again if k == last else min(k + 2, last)
         return before, after

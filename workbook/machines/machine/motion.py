@@ -16,7 +16,7 @@ from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.ends import ends_tables
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
-from workbook.motion.smooth import Asked, Joints
+from workbook.motion.smooth import RATES, Asked, Joints
 from workbook.motion.turns import WORDS, grids
 
 Figure = Callable[[int, Phase], Any]
@@ -32,7 +32,9 @@ class AxisRows:
         self.pieces: PieceRows = rows_of(self.at, axis.motion, stack, self.steps, axis.places)
         self.joints = Joints.of(self.pieces, axis.motion, self.asked)
         self.ends = (
-            StepEnds(self.pieces, axis, f"COUNT([{self.name}.stop])", machine.over) if machine.hands_over else None
+            StepEnds(self.pieces, axis, f"COUNT([{self.name}.stop])", machine.over, self.wraps)
+            if machine.hands_over
+            else None
         )
 
     @property
@@ -50,16 +52,23 @@ class AxisRows:
         )  # fmt: skip
 
     @property
+    def wraps(self) -> str:
+        """The condition under which its cycle follows upon itself."""
+        return f'[axes.closes.{self.axis.number}]<>"open"'
+
+    @property
     def asked(self) -> Asked:
         """How smooth the axis must be."""
-        t, i, base, over = self.name, self.axis.number, self.axis.base, self.machine.over
-        by = "s" if over.timed else "rad"
-        units = tuple((f'"{unit}"', unit) for unit in (f"{base}/{by}", f"{base}/{by}²", f"{base}/{by}³"))
+        t, i, over = self.name, self.axis.number, self.machine.over
+        lift = over.lift(self.axis.given.unit)
+        by_rad = tuple(self.at.unit(order) for order in range(1, len(RATES) + 1))
+        units = over.rates(self.axis.given.unit) if over.measured else by_rad
         return Asked(
             self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
-            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), (f'"{over.after}"', over.after), units,
-            (f"[axes.name.{i}]", self.axis.given.name), rows=False,
-            speed=("timing_omega", self.axis.speed) if over.timed else None,
+            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), (f'"{over.after}"', over.after),
+            tuple((f'"{unit}"', unit) for unit in units), (f"[axes.name.{i}]", self.axis.given.name),
+            wraps=self.wraps, periodic=self.axis.given.repeats, rows=False,
+            speed=("timing_omega", self.axis.speed) if over.measured else None, lift=(lift.shown, lift.size),
         )  # fmt: skip
 
 
@@ -108,7 +117,7 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
     begin = [text.replace(f"[{t}.end.0]", "0") for text in each(f"=[{t}.end.{{before}}]", f"=[{t}.begin.{{}}]")]
     rest = f"=IF([{t}.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}.begin.{{behind}}]-[begin]),0)"
     span = [text.replace(f"[{t}.begin.{n + 1}]", "360") for text in each(rest, f"=[{t}.span.{{}}]")]
-    ends, handed = motion.ends, one.ends
+    ends, handed, start = motion.ends, one.ends, f"[axes_taken.y0.{axis.number}]"
 
     def own(column: str, formula: str) -> str:
         return handed.own(column, formula) if handed else formula
@@ -122,12 +131,15 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
         calc("no", "law number", "", "", each("=1", f"=[{t}.no.{{}}]"), list(one.pieces.numbers), format="0"),
         calc("h", "lift", "h", base, each("=0", f"=[{t}.h.{{}}]"), of(lambda _, p: p.lift, 0.0)),
         calc("y0", "start position", "y_0", base,
-             "=IF([k]=1,0,[y0-1]+[h-1])", carried(of(lambda k, _: ends[k].begin.y, None), motion.lifts_sum),
+             f"=IF([k]=1,{start},[y0-1]+[h-1])",
+             carried(of(lambda k, _: ends[k].begin.y, None), motion.position + motion.lifts_sum),
              source="lifts before", scale=motion.size(0)),
         calc("low", "lowest position", "", base,
-             own("low", LOW.format(0)), of(lambda k, _: motion.reaches[k][0], 0.0), scale=motion.size(0)),
+             own("low", LOW.format(start)), of(lambda k, _: motion.reaches[k][0], motion.position),
+             scale=motion.size(0)),
         calc("high", "highest position", "", base,
-             own("high", HIGH.format(0)), of(lambda k, _: motion.reaches[k][1], 0.0), scale=motion.size(0)),
+             own("high", HIGH.format(start)), of(lambda k, _: motion.reaches[k][1], motion.position),
+             scale=motion.size(0)),
         *phase_columns(one.pieces),
         *more,
     )  # fmt: skip

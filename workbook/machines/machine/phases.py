@@ -14,6 +14,7 @@ from workbook.entries.phase import AT_REST
 from workbook.entries.units import shown
 from workbook.laws import phases as joined
 from workbook.laws.phases import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY, jerks
+from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.handing import doubled
 from workbook.machines.machine.motion import AxisRows
 from workbook.motion.pieces import room_check
@@ -22,12 +23,12 @@ from workbook.motion.through import entries
 
 def phases_table(sheet: Sheet, one: AxisRows) -> None:
     """Declare the phases of an axis."""
-    timed, geometric = one.machine.over.timed, geometric_extremes(one)
+    measured, geometric = one.machine.over.measured, geometric_extremes(one)
     sheet.table(
         one.name, f"Phases of axis {one.axis.number}: fill one row each, in order; between them it rests; "
         "leave spare rows empty", one.machine.machine.sizes.phases,
-        *entered(one), *passing(one), *([] if timed else geometric), *extremes(one),
-        *used(one), *(geometric if timed else []), *faults(one),
+        *entered(one), *passing(one), reached(one), *([] if measured else geometric), *extremes(one),
+        *used(one), *(geometric if measured else []), *faults(one),
         rules=[AT_REST],
     )  # fmt: skip
 
@@ -79,9 +80,19 @@ def passing(one: AxisRows) -> list[Quantity]:
     ]  # fmt: skip
 
 
+def reached(one: AxisRows) -> Quantity:
+    """Return the position at the end of each phase; of spare rows nothing."""
+    axis, n, lacks = one.axis, one.machine.machine.sizes.phases, f"[{one.name}_steps.h]"
+    ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
+    y = f"INDEX([{one.name}_steps.y0],2*[k])+INDEX({lacks},2*[k])-[lack]"
+    formula = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
+    return result("y", "position at its end", "y", axis.given.unit, f'=IF([kind]="spare",0,{formula})',
+                  filled(ends, n), scale=shown(axis.motion.size(0), axis.unit), source="lifts up to it")  # fmt: skip
+
+
 def geometric_extremes(one: AxisRows) -> list[Quantity]:
-    """Return the largest y', y'' and y''' of each phase: workings only of a machine that is told in seconds."""
-    base, shown_as = one.axis.base, calc if one.machine.over.timed else result
+    """Return the largest y', y'' and y''' of each phase: workings only of a machine without a rate."""
+    base, shown_as = one.axis.base, calc if one.machine.over.measured else result
     return [
         shown_as("y1", "geometric velocity", "y'", f"{base}/rad",
                  own(one, "vmax", VELOCITY), moving(one, lambda m: m.y1_max), source="C_v h/δ"),
@@ -94,29 +105,34 @@ def geometric_extremes(one: AxisRows) -> list[Quantity]:
 
 def extremes(one: AxisRows) -> list[Quantity]:
     """Return what each movement comes to."""
-    base, timed = one.axis.base, one.machine.over.timed
+    axis, over = one.axis, one.machine.over
+    (_, y1, y2, y3), units, lift = over.symbols, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
+    source = ("C_v h/t", "C_a h/t²", "C_j h/t³", "C_a,rms h/t²")
+    if not over.measured:
+        source = ("y' ω", "y'' ω²", "y''' ω³", "C_a,rms h/δ² ω²")
+    elif not over.paced:
+        source = ("C_v h/δ", "C_a h/δ²", "C_j h/δ³", "C_a,rms h/δ²")
     mean = doubled(one.ends.own("rms", f"={RMS}")) if one.ends else f"={RMS}"
     return [
-        result("v", "velocity", "ẏmax", f"{base}/s", "=[y1]*timing_omega", moving(one, lambda m: m.v_max),
-               source="C_v h/t" if timed else "y' ω"),
-        result("a", "acceleration", "ÿmax", f"{base}/s²", "=[y2]*timing_omega^2", moving(one, lambda m: m.a_max),
-               source="C_a h/t²" if timed else "y'' ω²"),
-        result("j", "jerk", "j_max", f"{base}/s³",
-               '=IF(ISNUMBER([y3]),[y3]*timing_omega^3,"∞")', jerks(moving(one, lambda m: m.j_max)),
-               source="C_j h/t³" if timed else "y''' ω³"),
-        result("rms", "RMS acceleration", "ÿrms", f"{base}/s²",
-               f"{mean}*timing_omega^2", moving(one, lambda m: m.a_rms),
-               source="C_a,rms h/t²" if timed else "C_a,rms h/δ² ω²"),
-        *(times(one) if timed else []),
+        result("v", "velocity", f"{y1}max", units[0], f"=[y1]*timing_omega{lift}",
+               moving(one, lambda m: axis.rate(m.v_max)), source=source[0]),
+        result("a", "acceleration", f"{y2}max", units[1], f"=[y2]*timing_omega^2{lift}",
+               moving(one, lambda m: axis.rate(m.a_max)), source=source[1]),
+        result("j", "jerk", f"{y3}_max" if over.paced else f"{y3}max", units[2],
+               f'=IF(ISNUMBER([y3]),[y3]*timing_omega^3{lift},"∞")', jerks(moving(one, lambda m: axis.rate(m.j_max))),
+               source=source[2]),
+        result("rms", "RMS acceleration", f"{y2}rms", units[1], f"{mean}*timing_omega^2{lift}",
+               moving(one, lambda m: axis.rate(m.a_rms)), source=source[3]),
+        *(lengths(one) if over.measured else []),
     ]  # fmt: skip
 
 
-def times(one: AxisRows) -> list[Quantity]:
-    """Return how long each phase lasts, and how long the axis rests before it (s)."""
+def lengths(one: AxisRows) -> list[Quantity]:
+    """Return how long each phase lasts, and how long the axis rests before it, in the unit of the cycle."""
     over, turned = one.machine.over, one.axis.given.phases
     lasting = [over.shown(p.stop - p.start) for p in turned]
     return [
-        result("lasts", "duration", "t", over.unit, '=IF([stop]="",0,[stop]-[start])',
+        result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
                filled(lasting, one.machine.machine.sizes.phases), scale=over.length),
         result("rests", "rest before", "", over.unit, f"={over.told('[gap]')}",
                [over.shown(gap) for gap in gaps(one)], scale=over.length),
@@ -153,7 +169,7 @@ def faults(one: AxisRows) -> list[Quantity]:
              '=IF([stop]="",0,IF([stop]>[start],0,1))', 0, format="0;;", source="1 where it does"),
         calc("early", "begins too early", "", "",
              '=IF([stop]="",0,IF([gap]<0-check_zero,1,0))', 0, format="0;;", source="1 where it does"),
-        *([beyond('[stop]=""', over)] if over.timed else []),
+        *([beyond('[stop]=""', over)] if over.measured else []),
         calc("lack", "jump of y", "Δy", one.axis.base, lacking,
              filled([p.lack for p in one.axis.phases], one.machine.machine.sizes.phases),
              source="at its end: the law's lack"),
@@ -162,9 +178,12 @@ def faults(one: AxisRows) -> list[Quantity]:
 
 def rates_of(one: AxisRows) -> tuple[tuple[str, str], tuple[str, str]]:
     """Return the units, and the symbols, of what is entered for the place where two phases meet."""
-    base, at = one.axis.base, one.at
-    timed = (f"{base}/s", f"{base}/s²"), ("ẏ", "ÿ")
-    return timed if one.machine.over.timed else ((at.unit(1), at.unit(2)), ("y'", "y''"))
+    at, over = one.at, one.machine.over
+    if not over.measured:
+        return (at.unit(1), at.unit(2)), ("y'", "y''")
+    _, y1, y2, _ = over.symbols
+    velocity, acceleration, _ = over.rates(one.axis.given.unit)
+    return (velocity, acceleration), (y1, y2)
 
 
 def beyond(empty: str, over: Abscissa, ends: tuple[str, str] = ("[start]", "[stop]"), name: str = "beyond") -> Quantity:
@@ -203,13 +222,23 @@ def in_row(one: AxisRows, column: str, says: str) -> str:
 def within_check(one: AxisRows) -> list[Quantity]:
     """Return the check that phases end with the cycle, where an entry says how long that is."""
     over, t, i = one.machine.over, one.name, one.axis.number
-    if not over.timed:
+    if not over.measured:
         return []
     row = f"MATCH(1,[{t}.beyond],0)"
     last = f"MAX(INDEX([{t}.start],{row}),INDEX([{t}.stop],{row}))"
     return [check(f"{t}_within", f"Axis {i}: no phase goes on beyond the cycle", f"SUM([{t}.beyond])=0", True,
                   rule=over.rule("axes", i, "within"),
                   says=goes_beyond(f'[axes.name.{i}]&" row "', row, last, over))]  # fmt: skip
+
+
+def repeats(one: AxisRows) -> list[Quantity]:
+    """Return, of an axis with a drive, the check that its cycle follows upon itself."""
+    i = one.axis.number
+    if one.axis.given.motor is None:
+        return []
+    return [check(f"{one.name}_repeats", f"Axis {i}: its cycle repeats, as its drive needs",
+                  f'[axes.closes.{i}]<>"open"', True, rule=f"axes.{i - 1}:repeats",
+                  says=f'[axes.name.{i}]&" {OPEN_DRIVE}"')]  # fmt: skip
 
 
 def axis_checks(sheet: Sheet, one: AxisRows) -> None:
@@ -237,7 +266,8 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
         *(one.ends.checks(t, f"{label}: ") if one.ends else []),
         one.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         check(f"{t}_closes", f"{label}: the cycle closes",
-              f'OR([axes.closes.{i}]="feed",ABS({gap})<=check_zero*{greatest})', axis.axis.closes,
-              "in position, or, as a feed, in velocity",
+              f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{greatest})', axis.axis.closes,
+              "in position, or, as a feed, in velocity, or is open",
               says=amount(outward(gap), shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")),
+        *repeats(one),
     )  # fmt: skip

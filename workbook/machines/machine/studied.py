@@ -111,7 +111,7 @@ def of_axis(axis: MovingAxis, faster: Any) -> Worked:
     }
     return phases | each | {
         f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit),
-        f"axis{i}_smooth": lambda: told(not shortfalls(axis.motion, given.smoothness)),
+        f"axis{i}_smooth": lambda: told(not shortfalls(axis.motion, given.smoothness, given.repeats)),
         f"axis{i}_closes": lambda: told(axis.axis.closes),
     }  # fmt: skip
 

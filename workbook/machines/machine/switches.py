@@ -33,7 +33,7 @@ def switches_sheet(book: Book, machine: Whole) -> None:
     sheet.note(f"Of a time that runs past the end of the {period}, to is less than from.")
     entries(sheet, machine)
     sheet.checks(*(apart(lane.number, machine.over) for lane in machine.lanes))
-    if machine.over.timed:
+    if machine.over.measured:
         sheet.checks(*(within(lane.number, machine.over) for lane in machine.lanes))
     sheet.not_printed_below()
     corners(sheet, machine)
@@ -52,10 +52,11 @@ def entries(sheet: Sheet, machine: Whole) -> None:
         for label, name in ((f"on from ({t})", "start"), (f"to ({t})", "stop")):
             times.append(given(f"{name}{t}", label, "", over.unit, entry(t - 1, name), f"switches.*.on.{t - 1}.{name}",
                                format=over.format))  # fmt: skip
-    shown_as, source = (calc, "in all") if over.timed else (result, "at the production rate")
+    shown_as, source = (calc, "in all") if over.measured else (result, "at the production rate")
+    per = over.unit if over.measured else "s"
     lasting = [
         shown_as("on", "on in all", "", "°", f"={summed('span')}", [shown(one.switch.total, DEGREE) for one in lanes]),
-        result("time", "on for", "t", "s", "=RADIANS([on])/timing_omega",
+        result("time", "on for", over.lasting, per, "=RADIANS([on])/timing_omega",
                [one.switch.seconds(machine.speed) for one in lanes], source=source),
     ]  # fmt: skip
     sheet.table(
@@ -63,7 +64,7 @@ def entries(sheet: Sheet, machine: Whole) -> None:
         given("name", "switch", "", "", [lane.given.name for lane in lanes], "switches.*.name"),
         constant("k", "number", "k", "", [lane.number for lane in lanes]),
         *times,
-        *(reversed(lasting) if over.timed else lasting),
+        *(reversed(lasting) if over.measured else lasting),
         *(calc(f"span{t}", f"time {t} lasts", "", "°", span(t, over), [one.spans[t - 1] for one in lanes],
                scale=TURN, format="0.0##") for t in NUMBERS),
         *(calc(f"over{t}", f"time {t} beyond another", "", "°", beyond_another(t, over), 0.0, scale=TURN,
@@ -71,7 +72,7 @@ def entries(sheet: Sheet, machine: Whole) -> None:
         calc("still", "does not last", "", "", f"={first(STILL)}", 0, format="0;;", source="number of the time"),
         calc("late", "goes on too long", "", "", f"={first(LATE)}", 0, format="0;;", source="number of the time"),
         *([calc("after", "goes beyond the cycle", "", "", f"={after(over)}", 0, format="0;;",
-                source="number of the time")] if over.timed else []),
+                source="number of the time")] if over.measured else []),
         rules=[HALF],
     )  # fmt: skip
     sheet.rows(*(calc(named(one.number), f"Switch {one.number}", "", "", f"=[switches.name.{one.number}]",
@@ -146,7 +147,7 @@ def corners(sheet: Sheet, machine: Whole) -> None:
         columns += [
             calc(
                 f"x{i}",
-                f"switch {i}: {'time' if over.timed else 'angle'}",
+                f"switch {i}: {'time' if over.measured else 'angle'}",
                 "",
                 over.unit,
                 angles(i, over),

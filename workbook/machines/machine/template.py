@@ -1,4 +1,4 @@
-"""Any machine: laws, and the timing diagram of 1 to 24 axes at one rate."""
+"""Any machine: laws, and the timing diagram of 1 to 24 axes at one rate, or over any abscissa."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timed import TimedMachine, told_in_seconds
-from workbook.machines.machine.timing import joined, timing_sheet
+from workbook.machines.machine.timing import positions, rates, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet
@@ -51,20 +51,16 @@ def declare(given: AnyMachine) -> Book:
     sheet = summary_sheet(
         book,
         given,
-        "A machine: the motions of its axes over a cycle in s."
-        if machine.over.timed
+        f"A machine: the motions of its axes over a cycle in {machine.over.unit}."
+        if machine.over.measured
         else "A machine: the motions of its axes over one master shaft, at one rate.",
-        [
-            result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", given.per_minute),
-            result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
-            *highest_rate(drives.values(), len(rows), machine.over),
-        ],
+        [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over)],
     )  # fmt: skip
     axes_in_short(
         sheet,
         [in_short(axis, drives.get(axis.number)) for axis in machine.axes],
-        joined(machine, si=False),
-        joined(machine),
+        positions(machine),
+        [(symbol, rates(machine, order)) for order, symbol in enumerate(machine.over.symbols[1:3], 1)],
     )
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
@@ -86,6 +82,17 @@ def declare(given: AnyMachine) -> Book:
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, "Machine", ("S1", "S3"))
+
+
+def pace(machine: Whole) -> list[Quantity]:
+    """Return the results of how fast the machine goes; where nothing tells that, of how long its cycle is."""
+    over = machine.over
+    if not over.paced:
+        return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
+    return [
+        result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", machine.machine.per_minute),
+        result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
+    ]
 
 
 def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
@@ -111,7 +118,7 @@ def highest_rate(drives: Iterable[Stretched], axes: int, over: Abscissa) -> list
     return [
         result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least.rate,
                source="of all drives"),
-        *([shortest(least.rate)] if over.timed else []),
+        *([shortest(least.rate)] if over.measured else []),
         result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
                f"{axis}: {least.limit}", align="right"),
     ]  # fmt: skip

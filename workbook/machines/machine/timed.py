@@ -1,17 +1,20 @@
-"""A machine without a master shaft: its cycle in s, and all places over it; what an engineer enters."""
+"""A machine without a master shaft: its cycle in s, and all places over it; what an engineer enters.
+
+Or over another abscissa, that does not tell how time passes: an angle, the travel of a product.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Annotated, Any, Protocol, TypeVar
+from typing import Annotated, Any, Protocol, Self, TypeVar
 
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.abscissa import Abscissa, Seconds
+from workbook.entries.abscissa import Abscissa, Unit, measured
 from workbook.entries.turn import TURN, filling, forward
 from workbook.entries.types import ANGLE_TOLERANCE, CountsAs, DesignError, EntryError, Model, NotNegative, Positive
-from workbook.entries.units import PER_MINUTE, shown
+from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.machines.machine.chain import WINDOWS, AxisLoad, ForceWindow
 from workbook.machines.machine.entries import MOST_AXES, AnyMachine, Axis, AxisPhase, following
 from workbook.machines.machine.switching import KEYS, MOST_SWITCHES, TIMES, UNUSED, SwitchEntry, TimeOn, meeting
@@ -35,9 +38,13 @@ Lasting = TypeVar("Lasting", bound=Model)
 
 
 class Cycle(Model):
-    """Without a master shaft: the time of a cycle; phases, shifts, switches and process forces are in s too."""
+    """Without a master shaft: the length of a cycle; phases, shifts, switches and process forces are in its unit too.
 
-    cycle: Annotated[Positive, CountsAs(TURN)] = Field(description="Time of a cycle, in s")
+    Over °, rad or mm nothing tells how time passes: rates are geometric, in lift by abscissa, and there are no drives.
+    """
+
+    cycle: Annotated[Positive, CountsAs(TURN)] = Field(description="Length of a cycle: its time in s, or in the unit")
+    unit: Unit = Field("s", description="What the cycle is over: time, an angle, the travel of a product")
 
     @model_validator(mode="before")
     @classmethod
@@ -48,7 +55,10 @@ class Cycle(Model):
 
 
 class TimedPhase(AxisPhase):
-    """A phase in s of the cycle, and what it passes its begin with in m/s or rad/s."""
+    """A phase in s of the cycle, and what it passes its begin with in m/s or rad/s.
+
+    Over another abscissa both are in its unit, and what it passes in lift by abscissa, such as mm/°.
+    """
 
     start: NotNegative
     stop: NotNegative
@@ -74,12 +84,12 @@ class TimedAxis(Axis):
     load: TimedLoad = TimedLoad()
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield nothing: where phases lie, the machine says, which knows how long the cycle is."""
-        yield from ()
+        """Yield an open cycle with a drive: where phases lie, the machine says, which knows how long the cycle is."""
+        yield from self.repeating()
 
 
 class TimedOn(TimeOn):
-    """One time of being on, in s of the cycle; one that ends before it begins runs across the end."""
+    """One time of being on, in s or the unit of the cycle; one that ends before it begins runs across the end."""
 
     start: NotNegative | None = Field(default=None, description="From when it is on")
     stop: NotNegative | None = Field(default=None, description="To when it is on")
@@ -98,7 +108,7 @@ class TimedSwitch(SwitchEntry):
 
 
 class TimedMachine(AnyMachine):
-    """Axes over the seconds of a cycle, without a master shaft."""
+    """Axes over the seconds of a cycle, or another abscissa, without a master shaft."""
 
     master: Cycle  # type: ignore[assignment]
     axes: Annotated[list[TimedAxis], Field(min_length=1, max_length=MOST_AXES)]  # type: ignore[assignment]
@@ -106,14 +116,24 @@ class TimedMachine(AnyMachine):
         default=[]
     )
 
+    @model_validator(mode="after")
+    def _in_time(self) -> Self:
+        for i, axis in enumerate(self.axes if not self.over.paced else ()):
+            if axis.motor is not None:
+                said = (
+                    f"a cycle in {self.master.unit} does not tell how time passes, which a drive needs; expected none"
+                )
+                raise EntryError(f"axes.{i}.motor", f"{said}, or a cycle in s")
+        return self
+
     @property
     def over(self) -> Abscissa:
-        """Seconds."""
-        return Seconds(length=self.master.cycle)
+        """Seconds, or another abscissa."""
+        return measured(self.master.unit, self.master.cycle)
 
     @property
     def per_minute(self) -> float:
-        """Cycles a minute."""
+        """Cycles a minute; over an abscissa that tells no time, in 60 of its units."""
         return shown(shown(1.0, self.master.cycle), PER_MINUTE)
 
     @property
@@ -150,10 +170,11 @@ def numbered(table: str, i: int, found: Iterable[DesignError]) -> Iterator[Desig
 
 
 def axis_turned(axis: Axis, over: Abscissa) -> Axis:
-    """Return an axis with all its places in degrees of one turn, and what its phases pass by rad."""
+    """Return an axis with all its places in degrees of one turn, and what its phases pass in SI by rad."""
+    size = over.lift(axis.unit).size
     phases = [
         turned(phase, over).model_copy(
-            update={name: None if (rate := getattr(phase, name)) is None else over.per_rad(rate, order)
+            update={name: None if (rate := getattr(phase, name)) is None else over.per_rad(si(rate, size), order)
                     for order, name in enumerate(RATES, 1)}
         )
         for phase in axis.phases
@@ -186,17 +207,21 @@ def told_in_seconds(machine: AnyMachine) -> TimedMachine:
     data = machine.model_dump()
     cycle = shown(shown(1.0, machine.per_minute), PER_MINUTE)
     data["master"] = {"cycle": cycle}
-    in_seconds(data, cycle)
+    in_units_of(data, "s", cycle)
     return TimedMachine.model_validate(data)
 
 
-def in_seconds(data: dict[str, Any], cycle: float) -> None:
-    """Tell all places of a description, which are in degrees, in s of its cycle; what phases pass, by s."""
-    over = Seconds(length=cycle)
+def in_units_of(data: dict[str, Any], unit: Unit, cycle: float) -> None:
+    """Tell all places of a description, which are in degrees, in s or another unit of its cycle; what phases pass too.
+
+    That is in SI by rad.
+    """
+    over = measured(unit, cycle)
     for axis in data["axes"]:
+        size = over.lift(axis["unit"]).size
         axis["shift"] = over.shown(axis["shift"])
         for phase in axis["phases"]:
-            phase |= {name: None if (rate := phase.get(name)) is None else over.by_s(rate, order)
+            phase |= {name: None if (rate := phase.get(name)) is None else shown(over.by_unit(rate, order), size)
                       for order, name in enumerate(RATES, 1)}  # fmt: skip
     lasting = [one for axis in data["axes"] for one in (*axis["phases"], *axis["load"]["windows"])]
     for one in (*lasting, *(time for switch in data["switches"] for time in switch["on"])):

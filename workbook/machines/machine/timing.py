@@ -1,10 +1,10 @@
-"""The Timing sheet: the axes over one turn of the master shaft or a cycle in s, their phases, movements and diagram."""
+"""The Timing sheet: the axes over one turn of the master shaft or a cycle, their phases, movements and diagram."""
 
 from __future__ import annotations
 
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
-from workbook.entries.abscissa import TAKEN
+from workbook.entries.abscissa import TAKEN, in_unit
 from workbook.entries.units import shown
 from workbook.machines.machine.lanes import named
 from workbook.machines.machine.motion import AxisRows
@@ -12,16 +12,16 @@ from workbook.machines.machine.phases import axis_checks, phases_table
 from workbook.machines.machine.view import MovingAxis, Whole, unit_name
 
 LANE_SHARE = 0.8
-PHASE, PHASE_IN_TIME, PASSING = 12, 11, 4
-"""columns of what is entered of a phase and comes out of it, in time alone, and where movements hand over at speed"""
+PHASE, PHASE_MEASURED, PASSING = 13, 12, 4
+"""columns of what is entered of a phase and comes out of it, over a length, and where movements hand over at speed"""
 
 
 def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
     sheet = book.sheet("Timing", f"The axes over {machine.over.cycle}: phases, movements, timing diagram.")
     sheet.heading("Enter")
-    sheet.rows(*(in_seconds(machine) if machine.over.timed else at_rate(machine)))
-    columns = (PHASE_IN_TIME if machine.over.timed else PHASE) + (
+    sheet.rows(*(of_length(machine) if machine.over.measured else at_rate(machine)))
+    columns = (PHASE_MEASURED if machine.over.measured else PHASE) + (
         PASSING if any(one.ends is not None for one in axes) else 0
     )
     draw_diagram(sheet, machine, columns)
@@ -59,24 +59,32 @@ def at_rate(machine: Whole) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def in_seconds(machine: Whole) -> list[Quantity]:
+def of_length(machine: Whole) -> list[Quantity]:
     """Return the rows of a machine without one."""
+    over, forces = machine.over, " and process forces" if machine.over.paced else ""
+    what, symbol = ("Time", "t_c") if over.paced else ("Length", f"{over.symbol}_c")
     return [
-        given("timing_cycle", "Time of a cycle", "t_c", "s", machine.over.length, "master.cycle",
-              format=machine.over.format, source="phases, shifts, switches and process forces are in s of it"),
-        calc("timing_rate", "Production rate", "n", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
-             source="60 / t_c"),
-        calc("timing_omega", "Speed of a turn a cycle", "ω", "rad/s", "=2*PI()*timing_rate/60", machine.speed,
-             source="2π n / 60; workings count a cycle as one turn, of 360°"),
-        calc(TAKEN, "Time of a cycle, as taken", "", "s", "=IF(timing_cycle>0,timing_cycle,360)", machine.over.length,
-             format=machine.over.format, source="by it times become degrees of that turn"),
+        given("timing_cycle", f"{what} of a cycle", symbol, over.unit, over.length, "master.cycle",
+              format=over.format, source=f"phases, shifts, switches{forces} are in {over.unit} of it"),
+        constant(in_unit(over.unit), "Over", "", "", over.unit, align="left", source=over.name),
+        *([calc("timing_rate", "Production rate", "n", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
+                source="60 / t_c")] if over.paced else []),
+        calc("timing_omega", "Speed of a turn a cycle" if over.paced else f"A turn a cycle, per {over.unit}", "ω",
+             f"rad/{over.unit}", "=2*PI()/timing_cycle", machine.speed,
+             source=f"2π / {symbol}; workings count a cycle as one turn, of 360°"),
+        calc(TAKEN, f"{what} of a cycle, as taken", "", over.unit, "=IF(timing_cycle>0,timing_cycle,360)", over.length,
+             format=over.format, source="by it places become degrees of that turn"),
     ]  # fmt: skip
 
 
-def joined(machine: Whole, ending: str = "", si: bool = True) -> str:
-    """Return the units of all axes, of positions or, with an ending, of their rates."""
-    units = dict.fromkeys((axis.base if si else axis.given.unit) + ending for axis in machine.axes)
-    return ", ".join(units)
+def positions(machine: Whole) -> str:
+    """Return the units of the positions of all axes."""
+    return ", ".join(dict.fromkeys(axis.given.unit for axis in machine.axes))
+
+
+def rates(machine: Whole, order: int) -> str:
+    """Return the units of a derivative of all axes, as it is shown."""
+    return ", ".join(dict.fromkeys(machine.over.rates(axis.given.unit)[order - 1] for axis in machine.axes))
 
 
 def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
@@ -86,10 +94,12 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
     def each(formula: str) -> list[str]:
         return [f"={outward(axis, formula.format(f'axis{axis.number}'))}" for axis in axes]
 
+    _, y1, y2, _ = over.symbols
+
     def of(column: str) -> list[str]:
         return [f"=MAX([axis{axis.number}.{column}])" for axis in axes]
 
-    unit, size = joined(machine, si=False), max(shown(a.motion.size(0), a.unit) for a in axes)
+    unit, size = positions(machine), max(shown(a.motion.size(0), a.unit) for a in axes)
     sheet.row += 1
     table = sheet.table(
         "axes", "Axes", n,
@@ -97,30 +107,39 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
         constant("k", "number", "k", "", [a.number for a in axes]),
         given("name", "axis", "", "", [a.given.name for a in axes], "axes.*.name"),
         given("closes", "over a cycle", "", "", [a.given.closes for a in axes], "axes.*.closes",
-              source="returns to its position, or feeds on"),
+              source="returns to its position, feeds on, or open"),
         given("smooth", "must be continuous", "", "", [a.given.smoothness for a in axes], "axes.*.smoothness",
               source="velocity, acceleration, jerk"),
         given("shift", "shift", "", over.unit, [a.typed.shift for a in axes], "axes.*.shift", format=over.format,
               source="later than its phases say"),
+        given("position", "begins at", "y_0", unit, [a.given.position for a in axes], "axes.*.position",
+              format="0.0##"),
         result("travel", "travel a cycle", "Σh", unit,
              each("SUM([{0}.h])"), [shown(a.motion.lifts_sum, a.unit) for a in axes]),
         result("low", "lowest position", "", unit,
              each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes], scale=size),
         result("high", "highest position", "", unit,
              each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes], scale=size),
-        result("v", "greatest velocity", "ẏ", joined(machine, "/s"), of("v"), [a.fastest for a in axes]),
-        result("a", "greatest acceleration", "ÿ", joined(machine, "/s²"), of("a"), [a.hardest for a in axes]),
+        result("v", "greatest velocity", y1, rates(machine, 1), of("v"), [a.fastest for a in axes]),
+        result("a", "greatest acceleration", y2, rates(machine, 2), of("a"), [a.hardest for a in axes]),
     )  # fmt: skip
     sheet.workings(
         table, "axes_taken", "Workings", FIRST + columns + 1,
         calc("late", "shift, as taken", "", "°", f"={over.in_degrees('[shift]')}+0",
              [a.given.shift for a in axes], format="0.0##"),
+        calc("y0", "begin, as taken", "y_0", ", ".join(dict.fromkeys(a.base for a in axes)),
+             [f"={inward(a, '[position]')}" for a in axes], [a.begin for a in axes], source="conversion"),
     )  # fmt: skip
 
 
 def outward(axis: MovingAxis, formula: str) -> str:
     """Return the formula that shows in the unit of an axis' entries what is in m or rad."""
     return f"{formula}*1000" if axis.given.unit == "mm" else f"DEGREES({formula})"
+
+
+def inward(axis: MovingAxis, formula: str) -> str:
+    """Return the formula in m or rad of what is in the unit of an axis' entries."""
+    return f"{formula}/1000" if axis.given.unit == "mm" else f"RADIANS({formula})"
 
 
 def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
@@ -148,10 +167,11 @@ def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the charts of position, velocity and acceleration of all axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
     over = machine.over
+    _, y1, y2, _ = over.symbols
     kinds = (
-        ("y", f"y [{joined(machine, si=False)}]", "Position"),
-        ("t", f"ẏ [{joined(machine, '/s')}]", "Velocity"),
-        ("tt", f"ÿ [{joined(machine, '/s²')}]", "Acceleration"),
+        ("y", f"y [{positions(machine)}]", "Position"),
+        ("t", f"{y1} [{rates(machine, 1)}]", "Velocity"),
+        ("tt", f"{y2} [{rates(machine, 2)}]", "Acceleration"),
     )
     sheet.chart_row(
         *(Chart(title, over.title, label,

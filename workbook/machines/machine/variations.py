@@ -11,7 +11,7 @@ from workbook.laws.variations import SIX, factors, law_for, page_of, passing, va
 from workbook.machines.machine.chain import LINKED, WINDOWS, bends
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
-from workbook.machines.machine.timed import in_seconds
+from workbook.machines.machine.timed import in_units_of
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
@@ -60,6 +60,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         }
         driven = axis["motor"] is not None
         constant = driven and axis["mechanism"]["kind"] not in LINKED
+        axis["position"] = 0.0 if driven and not constant else (k - 2) * (7.5 + i)
         suited = handing(data["laws"]) if constant else shaped(data["laws"]) if driven else data["laws"]
         made = phases(i, turn, sizes["phases"], suited)
         axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
@@ -67,6 +68,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])
         else:
+            axis["closes"] = ("feed", "open", "position", "open", "feed", "position")[(i + k) % SIX]
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, data["laws"], 0.01)
     if any(axis["motor"] is not None for axis in data["axes"]):
@@ -78,7 +80,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
-        in_seconds(data, master[pace])
+        in_units_of(data, master["unit"], master[pace])
     return data
 
 

@@ -15,9 +15,10 @@ from engine.motion import Motion, MotionValues, Phase
 from engine.motion.joining import Joined, Rates, joined
 from engine.motion.shifted import Shifted, Told
 from engine.timing import Axis, Movement, lane, shaft_speed, turn_time
-from workbook.entries.abscissa import TAKEN
+from workbook.entries.abscissa import ANGLE, Abscissa, in_unit
+from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.turn import TURN
-from workbook.entries.units import DEGREE, MM, PER_MINUTE, shown, si
+from workbook.entries.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.clearance import ENDS, MOST_CLEARANCES, ClearanceEntry
@@ -35,14 +36,15 @@ BASES = {"mm": "m", "°": "rad"}
 class MovingAxis:
     """One axis: its motion with the rests between its phases, and where each of both stands in tables of steps.
 
-    ``given`` has its places in degrees of one turn, ``typed`` as they are entered.
+    ``given`` has its places in degrees of one turn, ``typed`` as they are entered, ``over`` what.
     """
 
     def __init__(
-        self, given: entered.Axis, number: int, library: dict[str, Law], speed: float, typed: entered.Axis | None = None
+        self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
+        typed: entered.Axis | None = None, over: Abscissa = ANGLE,
     ) -> None:  # fmt: skip
         self.given, self.number, self.speed = given, number, speed
-        self.typed = typed or given
+        self.typed, self.over = typed or given, over
         self.unit, self.base = UNITS[given.unit], BASES[given.unit]
         self.library = library
 
@@ -52,7 +54,7 @@ class MovingAxis:
         if self.given.rate is None:
             return self
         speed = shaft_speed(si(self.given.rate, PER_MINUTE))
-        return MovingAxis(self.given, self.number, self.library, speed, self.typed)
+        return MovingAxis(self.given, self.number, self.library, speed, self.typed, self.over)
 
     @cached_property
     def rests(self) -> list[int]:
@@ -79,7 +81,12 @@ class MovingAxis:
     def joined(self) -> Joined:
         """The motion, with what its phases take from their neighbours: rests are among these."""
         told = self._told()
-        return joined(told.phases, self.passed, start=float(told.edges[0]), shares=False)
+        return joined(told.phases, self.passed, self.given.repeats, float(told.edges[0]), self.begin, shares=False)
+
+    @property
+    def begin(self) -> float:
+        """Where it begins (m, or rad)."""
+        return si(self.given.position, self.unit)
 
     def _told(self) -> Motion:
         """The phases and the rests between them, each between rests."""
@@ -100,7 +107,7 @@ class MovingAxis:
     @cached_property
     def axis(self) -> Axis:
         """The axis of the timing diagram."""
-        return Axis(self.given.name, self.motion, feed=self.given.closes == "feed")
+        return Axis(self.given.name, self.motion, feed=self.given.closes != "position")
 
     @cached_property
     def entered(self) -> list[int]:
@@ -135,15 +142,19 @@ class MovingAxis:
         """Return the axis as the timing diagram shows it: from where a cycle of its motion begins."""
         return lane(self.motion.at(self.told(x).x).y, self.motion.reach, floor, share)
 
+    def rate(self, size: Real) -> Real:
+        """Return as it is shown a rate that is in SI of the lift."""
+        return shown(size, self.over.lift(self.given.unit).size)
+
     @property
     def fastest(self) -> float:
-        """The greatest velocity (m/s, or rad/s)."""
-        return max((m.v_max for m in self.moves.values()), default=0.0)
+        """The greatest velocity as it is shown: in m/s, or rad/s, or in lift by abscissa."""
+        return self.rate(max((m.v_max for m in self.moves.values()), default=0.0))
 
     @property
     def hardest(self) -> float:
-        """The greatest acceleration (m/s², or rad/s²)."""
-        return max((m.a_max for m in self.moves.values()), default=0.0)
+        """The greatest acceleration as it is shown: in m/s², or rad/s², or in lift by abscissa²."""
+        return self.rate(max((m.a_max for m in self.moves.values()), default=0.0))
 
     @property
     def lack(self) -> float:
@@ -157,7 +168,7 @@ class Whole:
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
         self.machine, self.over = machine, machine.over
         both = zip(machine.axes_turned, machine.axes, strict=True)
-        self.axes = [MovingAxis(a, i, library, self.speed, typed) for i, (a, typed) in enumerate(both, 1)]
+        self.axes = [MovingAxis(a, i, library, self.speed, typed, self.over) for i, (a, typed) in enumerate(both, 1)]
         each = zip(machine.switches_turned, machine.switches, strict=True)
         self.lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(each, 1)]
 
@@ -168,7 +179,7 @@ class Whole:
 
     @property
     def speed(self) -> float:
-        """Speed of the master shaft (rad/s)."""
+        """Speed of the master shaft (rad/s); over an abscissa that tells no time, turn of the cycle by its unit."""
         return shaft_speed(si(self.machine.per_minute, PER_MINUTE))
 
     @property
@@ -223,9 +234,10 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     found: dict[str, Any] = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
     chosen = machine.axes[0].name if CHOSEN in names else None
     found["selection"] = machine.selection.model_copy(update={"axis": chosen})
-    if TAKEN in names:
+    told_in = [unit for unit in MEASURES if in_unit(unit) in names]
+    if told_in:
         known = {name: getattr(machine, name) for name in type(machine).model_fields}
-        return TimedMachine.model_construct(**known | found | {"master": Cycle(cycle=TURN)})
+        return TimedMachine.model_construct(**known | found | {"master": Cycle(cycle=TURN, unit=told_in[0])})
     return machine.model_copy(update=found)
 
 
@@ -277,7 +289,7 @@ def viscous_name(number: int) -> str:
 
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
-    master = {"cycle": None} if machine.over.timed else {}
+    master = {"cycle": None, "unit": machine.over.unit} if machine.over.measured else {}
     found: dict[str, Any] = {"master": master} | {f"axes.{i}.unit": axis.unit for i, axis in enumerate(machine.axes)}
     found |= {f"switches.{i}.on": [] for i in range(len(machine.switches))}
     for i, one in enumerate(machine.clearances):

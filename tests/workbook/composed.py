@@ -1,0 +1,36 @@
+"""A small book: a machine of one axis, whose phases are told by law, lift and duration, over any abscissa."""
+
+from workbook.reading.descriptions import checked, counted
+from workbook.templates import TEMPLATES
+
+MACHINE = TEMPLATES["machine"]
+SMALL = {"cycle": 12, "law": 4, "own_law": 12}
+EXERCISE = (("DWL", 0.0, 60.0), ("CIC", 20.0, 60.0), ("DWL", 0.0, 60.0), ("MTP", -20.0, 60.0), ("DWL", 0.0, 120.0))
+"""S3's: dwell, cycloidal rise to 20°, dwell, modified trapezoidal return, dwell"""
+RATES = ("velocity", "acceleration")
+
+
+def placed(phases):
+    """Phases that begin where the one before ends, and where the last one does: what they pass their begin with last"""
+    made, reached = [], 0.0
+    for law, lift, duration, *rates in phases:
+        stop = reached + duration
+        passed = {name: rate for name, rate in zip(RATES, rates, strict=False) if rate is not None}
+        made.append({"start": reached, "stop": stop, "lift": lift, "law": law} | passed)
+        reached = stop
+    return made, reached
+
+
+def description(phases=EXERCISE, laws=None, sizes=None, over="°", unit="°", name="Axis", **axis):
+    """The description of a machine of one axis, whose cycle is as long as its phases."""
+    made, length = placed(phases)
+    return {
+        "template": "machine", "title": "Composed", "master": {"cycle": length, "unit": over},
+        "sizes": SMALL | {"phases": max(2, len(made))} | (sizes or {}), "laws": laws or {},
+        "axes": [{"name": name, "group": "Composed", "unit": unit, "phases": made} | axis],
+    }  # fmt: skip
+
+
+def composed(phases=EXERCISE, laws=None, sizes=None, **axis):
+    """The machine that is so described."""
+    return checked(MACHINE, description(phases, laws, sizes, **axis), counted)
