@@ -24,6 +24,7 @@ from workbook.studies.folder import Parts
 from workbook.studies.model import Study
 from workbook.studies.plan import Plan, planned
 from workbook.studies.run import run
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
 MACHINE = TEMPLATES["machine"].description  # its first axis is S1's feeding group
@@ -88,7 +89,7 @@ def books(count: int, jobs: int, book: Path, folder: Path) -> float:
 
 def small(folder: Path) -> Path:
     """Build a book of about a thousand formula cells."""
-    machine = read_machine(TEMPLATES["motion-composer"].description)
+    machine = read_machine(FOLDER / "motion-composer.toml")
     sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     build(machine.model_copy(update={"sizes": sizes}), folder / "book.xlsx")
     return folder / "book.xlsx"

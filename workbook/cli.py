@@ -95,7 +95,7 @@ Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at
 
 @app.command()
 def new(
-    template: Annotated[str, typer.Argument(metavar="TEMPLATE", help="The kind of machine, such as motion-composer.")],
+    template: Annotated[str, typer.Argument(metavar="TEMPLATE", help="The kind of machine, such as machine.")],
     output: Annotated[Path | None, to("FILE.toml", "Where to write; else here, named like the template.")] = None,
     force: Force = False,
 ) -> None:

@@ -9,7 +9,6 @@ from workbook.template import Template
 
 MODULES = {
     "machine": "machine",
-    "motion-composer": "composer",
     "indexing-overlap": "overlap",
     "flying-cutter": "flying",
     "actuator-sizing": "actuator",

@@ -32,11 +32,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
             closes=drawn.choice(("feed", "position")), smoothness=drawn.choice(get_args(Smoothness)),
             shift=drawn.choice((0.0, float(drawn.randint(-720, 720)), drawn.uniform(-400, 400))),
             phases=within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1),
-            position=drawn.choice((0.0, drawn.uniform(-300, 300))),
         )  # fmt: skip
-        if axis["motor"] is None:
-            axis["closes"] = drawn.choice(get_args(Closes))
-        else:
+        if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"], sizes["positions"])
     if any(axis["motor"] is not None for axis in data["axes"]):
         data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
@@ -52,9 +49,19 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         one |= {name: drawn.uniform(-200, 200) for name in ("offset", "least")}
     for switch in data["switches"]:
         switch["on"] = times(drawn)
+    for axis in data["axes"]:
+        place(axis, drawn)
     if pace == "cycle":
         in_units_of(data, data["master"]["unit"], data["master"][pace])
     return data
+
+
+def place(axis: dict[str, Any], drawn: random.Random) -> None:
+    """Draw where an axis begins, but of what only reaches so far, and whether one without a drive is open."""
+    begin = drawn.choice((0.0, drawn.uniform(-300, 300)))
+    axis["position"] = 0.0 if axis["motor"] and axis["mechanism"]["kind"] in LINKED else begin
+    if axis["motor"] is None:
+        axis["closes"] = drawn.choice(get_args(Closes))
 
 
 def times(drawn: random.Random) -> list[dict[str, Any]]:
@@ -78,7 +85,6 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     sized = travels and kind not in LINKED
     axis["mechanism"] |= {"size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1)}
     if kind in LINKED:
-        axis["position"] = 0.0
         linked(axis, drawn, kind, positions)
     axis["load"] = {
         "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),

@@ -12,7 +12,8 @@ import formulon
 import openpyxl
 from openpyxl import Workbook
 
-from tests.mutation.bench import sized
+from tests.mutation.bench import smaller
+from tests.workbook.composed import committed_as
 from workbook.book.address import Address
 from workbook.build import build
 from workbook.errors import ReadError
@@ -21,7 +22,6 @@ from workbook.judging.report import Report
 from workbook.judging.shown.book import displayed
 from workbook.judging.verify import verify
 from workbook.reading.files import BookFile, find_places, open_book
-from workbook.templates import Template
 from workbook.writing.archive import unzipped, zipped
 
 TASTE = (
@@ -42,8 +42,9 @@ WORDS = frozenset({"", "ca.", "+", ")", "(", "+("})
 class Looks:
     """A small book as built, whose looks are changed in a copy."""
 
-    def __init__(self, template: Template, folder: Path) -> None:
-        machine = sized(template, cycle=12, law=4, own_law=4)
+    def __init__(self, name: str, folder: Path) -> None:
+        template, machine = committed_as(name)
+        machine = smaller(machine, cycle=12, law=4, own_law=4)
         self.template, self.path = template, folder / f"{template.name}.xlsx"
         build(machine, self.path)
         self.declared = template.declare(machine)
@@ -193,9 +194,9 @@ def packages(looks: Looks) -> Iterator[tuple[str, bytes]]:
         yield what, zipped(parts | {sheet: re.sub(pattern, new, parts[sheet], count=1, flags=re.DOTALL)})
 
 
-def outcomes(template: Template, folder: Path, count: int, seed: int | str) -> Iterator[tuple[str, bool]]:
+def outcomes(name: str, folder: Path, count: int, seed: int | str) -> Iterator[tuple[str, bool]]:
     """Yield faults of every class in words, each with whether ``verify`` finds and names it, and nothing of taste."""
-    looks = Looks(template, folder)
+    looks = Looks(name, folder)
     changed = looks.opened()
     faults = formatted(looks, changed, count, seed)
     said, built, oracle = looks.said(changed), Oracle(looks.opened()), Oracle(changed)

@@ -4,13 +4,13 @@ from functools import cache
 
 import pytest
 
-from tests.mutation.bench import Bench, sized
+from tests.mutation.bench import Bench, smaller
 from tests.mutation.equivalence import Equivalence
 from tests.mutation.examine import Tally, examined, names_it_first
 from tests.mutation.machines import machines
 from tests.mutation.mutants import KINDS, Mutant
 from tests.tiers import by_day, seed
-from workbook.templates import TEMPLATES
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 
 SEED, PARTS = 7, 3
 SAMPLE = 1080  # mutants of a template, or one of each quantity where it has more
@@ -18,12 +18,13 @@ MANY, RUNS = 6000, 10  # mutants of a template in a night, and the tests among w
 WHOLE = 2  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 
-every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "machine", "motion-composer"))
+every_template = pytest.mark.parametrize("name", by_day(DESCRIBED, "machine", COMPOSED))
 
 
 @cache
 def bench(name: str) -> Bench:
-    return Bench(TEMPLATES[name], sized(TEMPLATES[name]))
+    template, machine = committed_as(name)
+    return Bench(template, smaller(machine))
 
 
 @cache

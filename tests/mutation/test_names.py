@@ -5,20 +5,20 @@ from itertools import chain, islice
 
 import pytest
 
-from tests.mutation.bench import Bench, sized
+from tests.mutation.bench import Bench, smaller
 from tests.mutation.names import blocks, columns, outcome, shifted, swapped
 from tests.tiers import by_day, seed
-from workbook.templates import TEMPLATES
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 
 COUNT, SEED = 4, 3
 
-every_template = pytest.mark.parametrize("name", by_day(TEMPLATES, "motion-composer"))
+every_template = pytest.mark.parametrize("name", by_day(DESCRIBED, COMPOSED))
 
 
 @cache
 def bench(name: str) -> Bench:
-    template = TEMPLATES[name]
-    return Bench(template, sized(template, cycle=12, law=4, own_law=4))
+    template, machine = committed_as(name)
+    return Bench(template, smaller(machine, cycle=12, law=4, own_law=4))
 
 
 @every_template

@@ -1,13 +1,31 @@
 """A small book: a machine of one axis, whose phases are told by law, lift and duration, over any abscissa."""
 
-from workbook.reading.descriptions import checked, counted
+from workbook.reading.descriptions import checked, counted, read_machine
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
 MACHINE = TEMPLATES["machine"]
+COMPOSED = "motion-composer"
+"""the committed description of one axis: the book that is soonest verified"""
+DESCRIBED = (*TEMPLATES, COMPOSED)
+"""committed descriptions: that of each template, and the small one"""
 SMALL = {"cycle": 12, "law": 4, "own_law": 12}
 EXERCISE = (("DWL", 0.0, 60.0), ("CIC", 20.0, 60.0), ("DWL", 0.0, 60.0), ("MTP", -20.0, 60.0), ("DWL", 0.0, 120.0))
 """S3's: dwell, cycloidal rise to 20°, dwell, modified trapezoidal return, dwell"""
 RATES = ("velocity", "acceleration")
+
+
+def committed_as(name):
+    """A committed description, and the template that it is of."""
+    machine = read_machine(FOLDER / f"{name}.toml")
+    return TEMPLATES[machine.template], machine
+
+
+def small(**sizes):
+    """The small committed machine, with tables as small as they may be."""
+    _, machine = committed_as(COMPOSED)
+    least = {"cycle": 4, "law": 4, "own_law": 4} | sizes
+    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update=least)})
 
 
 def placed(phases):

@@ -5,6 +5,7 @@ import re
 import openpyxl
 import pytest
 
+from tests.workbook.composed import DESCRIBED, committed_as
 from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
 from workbook.build import build, inputs
@@ -17,24 +18,26 @@ from workbook.templates import TEMPLATES
 
 
 def machine_of(name):
-    template = TEMPLATES[name]
-    return designed(template.model, template.check, small(name), lambda: None)
+    data = small(name)
+    template = TEMPLATES[data["template"]]
+    return designed(template.model_for(data), template.check, data, lambda: None)
 
 
 def defaulted(name):
     """An input of each kind that a description may lack, and that is filled in the book: block, column and row."""
-    template, found = TEMPLATES[name], {}
-    for block in template.declare(machine_of(name)).blocks.values():
+    machine, found = machine_of(name), {}
+    model = type(machine)
+    for block in TEMPLATES[machine.template].declare(machine).blocks.values():
         for q in block.quantities:
             key = re.sub(r"\.\d+(?=\.|$)", ".*", q.key)
-            optional = q.role == "input" and not rules.is_required(template.model, key)
+            optional = q.role == "input" and not rules.is_required(model, key)
             held = as_rows(q.value, block.size, q.name)[0]
-            if optional and held is not None and rules.must_be_there(template.model, key):
+            if optional and held is not None and rules.must_be_there(model, key):
                 found.setdefault(key, (block.name, q.name))
     return found
 
 
-CASES = [(name, *place) for name in TEMPLATES for key, place in defaulted(name).items()
+CASES = [(name, *place) for name in DESCRIBED for key, place in defaulted(name).items()
          if name == "motion-composer" or not key.startswith("laws.")]  # fmt: skip
 
 
@@ -43,7 +46,7 @@ CASES = [(name, *place) for name in TEMPLATES for key, place in defaulted(name).
 def test_an_emptied_entry_is_missing_and_not_its_default(name, block, column, tmp_path):
     machine = machine_of(name)
     build(machine, tmp_path / "book.xlsx")
-    place = TEMPLATES[name].declare(machine).blocks[block]
+    place = TEMPLATES[machine.template].declare(machine).blocks[block]
     book = openpyxl.load_workbook(tmp_path / "book.xlsx")
     cell = book[place.sheet.title].cell(place.row, place.columns[column])
     assert cell.value is not None
@@ -69,7 +72,7 @@ def test_a_coefficient_without_a_duration_makes_no_rise_of_two(tmp_path):
     """The duration that is missing counts as 0, as in its cell: the others still sum to 1."""
     machine = machine_of("motion-composer")
     build(machine, tmp_path / "book.xlsx")
-    place = TEMPLATES["motion-composer"].declare(machine).blocks["OWN_pieces"]
+    place = TEMPLATES[machine.template].declare(machine).blocks["OWN_pieces"]
     book = openpyxl.load_workbook(tmp_path / "book.xlsx")
     book[place.sheet.title].cell(place.row + 1, place.columns["c3"]).value = 2.5
     book.save(tmp_path / "edited.xlsx")
@@ -78,7 +81,7 @@ def test_a_coefficient_without_a_duration_makes_no_rise_of_two(tmp_path):
     assert any("duration, row 2: empty" in c.says for c in report.failing)
 
 
-BETWEEN = [("motion-composer", "phases"), ("motion-composer", "OWN_pieces"), ("actuator-sizing", "phases"),
+BETWEEN = [("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("actuator-sizing", "phases"),
            ("actuator-sizing", "reducers"), ("machine", "axis2"),
            ("machine", "drive1_parts"), ("machine", "drive1_windows"), ("machine", "motors")]  # fmt: skip
 
@@ -86,11 +89,11 @@ BETWEEN = [("motion-composer", "phases"), ("motion-composer", "OWN_pieces"), ("a
 @pytest.mark.parametrize(("name", "table"), BETWEEN)
 @pytest.mark.sample(2)
 def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_path):
-    machine = read_machine(TEMPLATES[name].description)
+    template, machine = committed_as(name)
     short = {"cycle": 12, "law": 10, "own_law": 20}
     roomy = machine.model_copy(update={"sizes": machine.sizes.model_copy(update=short)})
     build(roomy, tmp_path / "book.xlsx")
-    place = TEMPLATES[name].declare(roomy).blocks[table]
+    place = template.declare(roomy).blocks[table]
     entered = [q for q in place.quantities if q.role == "input"]
     used = [i for i in range(place.size) if any(q.value[i] is not None for q in entered)]
     free = used[-1] + 1 if used else 0

@@ -12,45 +12,46 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.build import build, described, inputs
 from workbook.reading.descriptions import read_machine, write_machine
+from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 
-TEMPLATE = TEMPLATES["motion-composer"]
+DESCRIPTION = FOLDER / "motion-composer.toml"
 
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(read_machine(TEMPLATE.description), path)
+    build(read_machine(DESCRIPTION), path)
     return path
 
 
 def own_text(book):
-    book["Motion"]["T5"] = "ask Anna about this"
+    book["Timing"]["T5"] = "ask Anna about this"
 
 
 def own_number(book):
-    book["Motion"]["T6"] = 42
+    book["Timing"]["T6"] = 42
 
 
 def note(book):
-    book["Motion"]["D9"].comment = Comment("checked on 3 May", "Anna")
+    book["Timing"]["D9"].comment = Comment("checked on 3 May", "Anna")
 
 
 def chart(book):
-    drawn, sheet = ScatterChart(), book["Motion"]
-    drawn.series.append(Series(Reference(sheet, range_string="Motion!$C$80:$C$90"), title="mine"))
+    drawn, sheet = ScatterChart(), book["Timing"]
+    drawn.series.append(Series(Reference(sheet, range_string="Timing!$C$80:$C$90"), title="mine"))
     drawn.title = "mine"
     sheet.add_chart(drawn, "Z99")
 
 
 def name(book):
-    book.defined_names["my_own"] = DefinedName("my_own", attr_text="Motion!$A$1")
+    book.defined_names["my_own"] = DefinedName("my_own", attr_text="Timing!$A$1")
 
 
 def rule(book):
     fill = PatternFill(bgColor="FFFF00", fill_type="solid")
-    book["Motion"].conditional_formatting.add("D9:D12", CellIsRule(operator="greaterThan", formula=["5"], fill=fill))
+    book["Timing"].conditional_formatting.add("D9:D12", CellIsRule(operator="greaterThan", formula=["5"], fill=fill))
 
 
 def sheet(book):
@@ -58,12 +59,12 @@ def sheet(book):
 
 
 OWN = {
-    "a text": (own_text, "texts and numbers on the sheet 'Motion' are not carried over: T5"),
-    "a number": (own_number, "texts and numbers on the sheet 'Motion' are not carried over: T6"),
-    "a note": (note, "notes on the sheet 'Motion' are not carried over: D9"),
-    "a chart": (chart, "charts on the sheet 'Motion' are not carried over: Z99"),
+    "a text": (own_text, "texts and numbers on the sheet 'Timing' are not carried over: T5"),
+    "a number": (own_number, "texts and numbers on the sheet 'Timing' are not carried over: T6"),
+    "a note": (note, "notes on the sheet 'Timing' are not carried over: D9"),
+    "a chart": (chart, "charts on the sheet 'Timing' are not carried over: Z99"),
     "a name": (name, "names of your own are not carried over: my_own"),
-    "a rule": (rule, "conditional formats on the sheet 'Motion' are not carried over: D9:D12"),
+    "a rule": (rule, "conditional formats on the sheet 'Timing' are not carried over: D9:D12"),
     "a sheet": (sheet, "the sheet 'Mine' is not carried over: it is none of the generated ones"),
 }
 
@@ -77,7 +78,7 @@ def test_what_is_left_behind_is_named(what, built, tmp_path):
     book.save(tmp_path / "edited.xlsx")
     machine, notes = inputs(tmp_path / "edited.xlsx")
     assert notes == [line]
-    assert machine == read_machine(TEMPLATE.description)
+    assert machine == read_machine(DESCRIPTION)
 
 
 def test_pictures_and_text_boxes_are_counted(built, tmp_path):

@@ -10,6 +10,7 @@ from functools import cache
 
 import pytest
 
+from tests.workbook.composed import EXERCISE, composed
 from workbook.book.address import Address
 from workbook.book.formula import Area, read, reference
 from workbook.build import build, committed
@@ -173,12 +174,9 @@ def test_arguments_of_a_call_are_told_apart():
 
 
 def scaled(duration):
-    """The committed composed motion, in so much of its abscissa."""
-    data = read_machine(TEMPLATES["motion-composer"].description).model_dump()
-    whole = sum(phase["duration"] for phase in data["motion"]["phases"])
-    for phase in data["motion"]["phases"]:
-        phase["duration"] *= duration / whole
-    return TEMPLATES["motion-composer"].model.model_validate(data)
+    """S3's exercise, in so much of its abscissa."""
+    phases = [(law, lift, share * duration / 360.0) for law, lift, share in EXERCISE]
+    return composed(phases, sizes={"cycle": 360, "law": 100, "own_law": 120})
 
 
 @pytest.mark.parametrize("total", [1.0, 0.25, 1e-3, 1e-6])

@@ -21,10 +21,11 @@ from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 
 MOVED, FEED = ("axes", 1, "phases"), ("axes", 0)
+ONLY = ("axes", 0, "phases")
 TOOL = ("overlap", "tools", 0)
 PARTS = "Drive MC01, Rotating parts: entries within limits"
 PHASES = "Timing, Phases of axis 2: entries within limits"
-MOTION = "Motion, Fill one row each, in order: entries within limits"
+MOTION = "Timing, Phases of axis 1: entries within limits"
 UNEQUAL = [0.1, 0.2, 0.1, 0.2, 0.1, 0.2, 0.2]
 
 CASES = {
@@ -71,11 +72,13 @@ CASES = {
                     "MC02 row 2 begins at 60°, 30° before row 1 ends"),
     },
     "motion-composer": {
-        "a negative duration": ([("motion", "phases", 0, "duration", -3.0)], MOTION,
-                                "duration, row 1: -3; expected a number greater than 0"),
-        "a missing number": ([("motion", "phases", 2, "duration", None)], MOTION,
-                             "duration, row 3: empty; expected a number greater than 0"),
-        "a number beyond all": ([("motion", "phases", 0, "lift", 1e300)], MOTION,
+        "a cycle that lasts nothing": ([("master", "cycle", 0.0)], "Timing: entries within limits",
+                                       "Length of a cycle: 0; expected a number greater than 0"),
+        "a phase that runs backwards": ([(*ONLY, 0, "stop", 57.0)], "Axis 1: every phase runs forward",
+                                        "α row 1 ends at 57°, 3° before it begins"),
+        "a missing number": ([(*ONLY, 1, "stop", None)], MOTION,
+                             "to, row 2: empty; expected a number of at least 0"),
+        "a number beyond all": ([(*ONLY, 0, "lift", 1e300)], MOTION,
                                 "lift, row 1: beyond 1E9; expected a number"),
         "break points in disorder": ([("laws", "TVP", {"rise_end": 0.8, "fall_start": 0.2})],
                                      "TVP: the break points follow each other", "brakes from 0.2, before 0.8"),
@@ -88,7 +91,7 @@ CASES = {
         "a sine without frequency": ([("laws", "OWN", {"pieces": [{"duration": 1.0, "amplitude": 2.0}]})], None,
                                      "ω of a sine, expected more than 0, row 1: 0"),
         "a named law": ([("laws", "Soft 1.5", {"family": "MTP", "durations": UNEQUAL}),
-                         ("motion", "phases", 0, "law", "Soft 1.5")],
+                         (*ONLY, 0, "law", "Soft 1.5")],
                         "Soft 1.5: the seven durations sum to 1", "they sum to 1.1; expected 1"),
     },
     "flying-cutter": {
@@ -217,7 +220,7 @@ def test_out_in_and_through(name, case, tmp_path):
 EDITED = {
     "machine": [("axis2", "start", 1, 95.0), ("timing_rate", None, 0, -200.0)],
     "cutting-machine": [("axis2", "start", 1, 60.0), ("drive1_parts", "driven", 1, None)],
-    "motion-composer": [("phases", "duration", 1, None), ("TVP_av", None, 0, 1.5)],
+    "motion-composer": [("axis1", "stop", 1, None), ("TVP_av", None, 0, 1.5)],
     "flying-cutter": [("fly_length", None, 0, 1.0), ("fly_inertia", None, 0, -1.0)],
     "indexing-overlap": [("tool1_dwell", None, 0, 300.0), ("overlap_rate", None, 0, None)],
     "actuator-sizing": [("act_eta_out", None, 0, 1.3), ("phases", "duration", 0, 0.0)],

@@ -46,9 +46,8 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
     for line in described.lines(found, units):
         say(ERR, line)
-    if data["template"] == "machine":
-        said = f"It begins on the way: written as a machine's axis, {found.late:.9g} {units[0]} later"
-        say(ERR, f"{said}; its rate of {described.RATE:g} is ours, enter the machine's")
+    if found.late:
+        say(ERR, f"It begins on the way: written as an axis that is {found.late:.9g} {units[0]} later")
     if lacks_end(table, units):
         said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
         say(ERR, f"{said}; if it is a turn, add its end", "yellow")

@@ -1,4 +1,4 @@
-"""A controller's table as the description of a composed motion: dwells, laws, and laws of its own for the rest."""
+"""A controller's table as the description of a machine of one axis: rests, laws, and laws of its own for the rest."""
 
 from __future__ import annotations
 
@@ -16,14 +16,17 @@ from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table
 from workbook.controllers.target import Target
+from workbook.entries.abscissa import ENTERED, measured
+from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.machine import Sizes
+from workbook.entries.units import shown, si
 from workbook.errors import TargetError
 
 UNITS = re.compile(r"x in (\S{1,12}), y in (\S{1,12});")
 BASIC = ("ACS", "TVP", "CIC", "CUB", "MTP")
 TURN = 360.0
-RATE = 60.0  # cycles/min
 AXIS = "Read"
+RATES = ("velocity", "acceleration")
 AS_FAST = 1e-3  # of the peak: so far what a cycle ends with may be from what it begins with
 BETWEEN = 8  # places of a polynomial
 NEXT = 1e-9  # of the cycle: phases so near to each other meet
@@ -90,10 +93,11 @@ def lines(read: Read, units: tuple[str, str]) -> list[str]:
 
 
 def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
-    """Return the description of a composed motion, or of a machine whose axis is that much later.
+    """Return the description of a machine of one axis over the table's abscissa, of which it tells no rate.
 
-    Raises TargetError for movements that none can have.
+    Raises TargetError for movements and units that none can have.
     """
+    require_units(units)
     found = read.found
     for one in found:
         if not one.fits:
@@ -114,17 +118,27 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
         reached = one.end
     if table.x[-1] - reached > near:
         phases.append({"law": "DWL", "lift": 0.0, "start": reached, "stop": float(table.x[-1])})
+    moving = [phase for phase in phases if phase["law"] != "DWL"] or phases
     travel = sum(one.lift for one in found)
     closes = abs(travel) <= NEXT * max((abs(one.lift) for one in found), default=1.0)
     if found and table.x[-1] - found[-1].end <= near:
         require_end(found, closes, near + float(table.x[0]))
-    told = {"title": title, "laws": laws} | room(found)
-    if read.late:
-        return told | turning(read.late, phases, units[1], closes, smoothness(found))
-    motion = {"abscissa_unit": units[0], "lift_unit": units[1], "position": float(found[0].y if found else table.y[0]),
-              "cycle": "closes" if closes else "open", "smoothness": smoothness(found),
-              "phases": [*map(lasting, phases)]}  # fmt: skip
-    return told | {"template": "motion-composer", "motion": motion}
+    begin, end = float(table.x[0]), float(table.x[-1])
+    axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": smoothness(found),
+            "closes": "position" if closes else "feed" if read.late else "open", "shift": rounded(read.late),
+            "position": float(found[0].y if found else table.y[0]),
+            "phases": [in_units(tidy(phase, begin), units) for phase in moving]}  # fmt: skip
+    master = {"cycle": rounded(end - begin), "unit": units[0]}
+    told = {"template": "machine", "title": title, "laws": laws, "sizes": room(found, len(moving))}
+    return told | {"master": master, "axes": [axis]}
+
+
+def require_units(units: tuple[str, str]) -> None:
+    """Raise TargetError for units that no axis of a machine has."""
+    x, y = units
+    if x not in MEASURES or y not in ENTERED:
+        expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
+        raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
 
 
 def smoothness(found: Sequence[Found]) -> str:
@@ -132,10 +146,11 @@ def smoothness(found: Sequence[Found]) -> str:
     return "velocity" if any(one.law.code == Spline.code for one in found) else "acceleration"
 
 
-def room(found: Sequence[Found]) -> dict[str, Any]:
-    """Return the size of the tables of points, where these are more than there is room for."""
+def room(found: Sequence[Found], phases: int) -> dict[str, Any]:
+    """Return the sizes of the tables of points and phases, where these are more than there is room for."""
     most = max((len(one.law.points) for one in found if isinstance(one.law, Spline)), default=0)
-    return {"sizes": {"points": most}} if most > Sizes().points else {}
+    needed = {"points": most, "phases": phases}
+    return {name: count for name, count in needed.items() if count > getattr(Sizes(), name)}
 
 
 def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
@@ -150,7 +165,7 @@ def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
     off = [abs(a - b) * span**k / most for k, (a, b, most) in enumerate(zip(one.leaves, taken, near, strict=True), 1)]
     if not closes or other.begin > begin or max(off) > 1.0:
         raise TargetError(f"it ends on the way at {one.end:.9g}, and its begin does not take that over: "
-                          "a composed motion ends at rest, or as it begins")  # fmt: skip
+                          "an axis ends at rest, or as it begins")  # fmt: skip
 
 
 def passing(found: Sequence[Found], k: int, near: float) -> dict[str, float]:
@@ -159,30 +174,26 @@ def passing(found: Sequence[Found], k: int, near: float) -> dict[str, float]:
     meets = k == 0 or found[k].begin - before.end <= near
     if not meets or {"LIN", Spline.code} & {found[k].law.code, before.law.code if k else ""}:
         return {}
-    rates = dict(zip(("velocity", "acceleration"), found[k].rates, strict=True))
+    rates = dict(zip(RATES, found[k].rates, strict=True))
     return {name: value for name, value in rates.items() if value}
 
 
-def turning(
-    late: float, phases: Sequence[dict[str, Any]], unit: str, closes: bool, smooth: str
-) -> dict[str, Any]:  # fmt: skip
-    """Return a machine of one axis, shifted by what it begins later; its rate is ours."""
-    moving = [tidy(phase) for phase in phases if phase["law"] != "DWL"]
-    axis = {"name": AXIS, "group": "Read", "unit": unit, "closes": "position" if closes else "feed",
-            "shift": float(f"{late:.12g}"), "smoothness": smooth, "phases": moving}  # fmt: skip
-    return {"template": "machine", "master": {"rate": RATE}, "axes": [axis]}
+def rounded(x: float) -> float:
+    """Return a place as it was meant, without what rounding leaves behind the twelfth digit."""
+    return float(f"{x:.12g}")
 
 
-def lasting(phase: dict[str, Any]) -> dict[str, Any]:
-    """Return a phase as one with a duration."""
-    start, stop = phase["start"], phase["stop"]
-    rest = {name: value for name, value in phase.items() if name not in ("start", "stop")}
-    return rest | {"duration": float(f"{stop - start:.12g}")}
+def tidy(phase: dict[str, Any], begin: float) -> dict[str, Any]:
+    """Return a phase with places as they were meant, from the begin of the cycle."""
+    return phase | {name: rounded(phase[name] - begin) for name in ("start", "stop")}
 
 
-def tidy(phase: dict[str, Any]) -> dict[str, Any]:
-    """Return a phase with places as they were meant, without what rounding leaves behind the twelfth digit."""
-    return phase | {name: float(f"{phase[name]:.12g}") for name in ("start", "stop")}
+def in_units(phase: dict[str, Any], units: tuple[str, str]) -> dict[str, Any]:
+    """Return a phase, what it passes its begin with as a machine over that abscissa is told it: over s in m or rad."""
+    x, y = units
+    size = measured(x, 1.0).lift(y).size
+    rates = {name: shown(si(phase[name], ENTERED[y].size), size) for name in RATES if name in phase}
+    return phase | rates
 
 
 def named(one: Found, k: int) -> tuple[str, dict[str, Any]]:

@@ -227,13 +227,13 @@ class Way(Measured):
 
 
 ANGLE = Abscissa()
-WAYS: dict[Unit, tuple[str, str, str]] = {
+WAYS: dict[str, tuple[str, str, str]] = {
     "°": ("°", "θ", "angle"), "rad": (" rad", "θ", "angle"), "mm": (" mm", "x", "travel"),
 }  # fmt: skip
 """how each is written behind a figure, its symbol and name"""
 
 
-def measured(unit: Unit, length: float) -> Abscissa:
+def measured(unit: str, length: float) -> Abscissa:
     """Return the abscissa of a cycle of a length in a unit."""
     if unit == "s":
         return Seconds(length=length)

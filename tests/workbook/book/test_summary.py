@@ -30,7 +30,7 @@ def described(name, change, **more):
         assert old in text
         text = text.replace(old, new)
     data = parsed(text, FOLDER / f"{name}.toml") | more
-    return checked(TEMPLATES[name], data, lambda key: key)
+    return checked(TEMPLATES[data["template"]], data, lambda key: key)
 
 
 def mended(book):

@@ -100,20 +100,21 @@ def test_a_file_becomes_a_description_that_is_built_and_exported_and_the_same(ru
     code, _, err = run("read", "cam.st", "--from", "codesys", "-o", "back.toml")
     assert code == 0
     assert "90–135 °: Modified trapezoidal, lift 20 mm, residual" in err
-    motion = read_machine(tmp_path / "back.toml").motion
-    assert [(p.law, p.lift, p.duration) for p in motion.phases] == [
-        ("DWL", 0.0, 90.0), ("MTP", 20.0, 45.0), ("DWL", 0.0, 170.0), ("MTP", -20.0, 45.0), ("DWL", 0.0, 10.0)
+    back = read_machine(tmp_path / "back.toml")
+    assert [(p.law, p.lift, p.start, p.stop) for p in back.axes[0].phases] == [
+        ("MTP", 20.0, 90.0, 135.0), ("MTP", -20.0, 305.0, 350.0)
     ]  # fmt: skip
+    assert (back.over.unit, back.over.length) == ("°", 360.0)
     assert run("build", "back.toml")[0] == 0
-    code, out, _ = run("compare", "back.xlsx", "cam.st", "--axis", "motion", "--from", "codesys")
+    code, out, _ = run("compare", "back.xlsx", "cam.st", "--axis", "Read", "--from", "codesys")
     assert code == 0
     assert "acceleration" in out
-    asked = ("--axis", "motion", "--from", "codesys", "--tolerance", "a=0.1%", "--unverified")
+    asked = ("--axis", "Read", "--from", "codesys", "--tolerance", "a=0.1%", "--unverified")
     code, _, err = run("compare", "back.xlsx", "cam.st", *asked)
     assert code == 1
     assert "acceleration is off by 0.219 %" in err
     assert run("export", "back.xlsx", "--all", "--to", "codesys", "--unverified")[0] == 0
-    again = one.read((tmp_path / "back-motion.st").read_text("utf-8"))
+    again = one.read((tmp_path / "back-Read.st").read_text("utf-8"))
     assert again.y == pytest.approx(made.table.y, abs=1e-9)
     assert np.array_equal(again.x, made.table.x)
 
@@ -130,8 +131,9 @@ def test_a_law_that_needs_an_entry_gets_one(run, tmp_path) -> None:
     code, out, _ = run("read", "a.txt", "--from", "lenze")
     assert code == 0
     (tmp_path / "a.toml").write_text(out, "utf-8")
-    assert [phase.law for phase in read_machine(tmp_path / "a.toml").motion.phases] == [
-        "Modified sine", "DWL", "Modified sine"
+    phases = read_machine(tmp_path / "a.toml").axes[0].phases
+    assert [(phase.law, phase.start, phase.stop) for phase in phases] == [
+        ("Modified sine", 0.0, 180.0), ("Modified sine", 210.0, 360.0)
     ]  # fmt: skip
 
 
@@ -160,20 +162,23 @@ def test_compare_refuses_another_cycle_and_no_file(run, book, tmp_path) -> None:
 
 
 LINE = """\
-template = "motion-composer"
+template = "machine"
 title = "To line speed and back"
 [laws.LIN]
 family = "LIN"
 [laws."Polynomial 3-4-5"]
 family = "PO5"
-[motion]
-lift_unit = "mm"
+[master]
+cycle = 360.0
+unit = "°"
+[[axes]]
+name = "Line"
+group = "Line"
 phases = [
-  { law = "Polynomial 3-4-5", lift = 30.0, duration = 90.0 },
-  { law = "LIN", lift = 20.0, duration = 40.0 },
-  { law = "Polynomial 3-4-5", lift = -20.0, duration = 100.0 },
-  { law = "Polynomial 3-4-5", lift = -30.0, duration = 70.0, velocity = -0.3, acceleration = 0.001 },
-  { law = "DWL", duration = 60.0 },
+  { law = "Polynomial 3-4-5", lift = 30.0, start = 0.0, stop = 90.0 },
+  { law = "LIN", lift = 20.0, start = 90.0, stop = 130.0 },
+  { law = "Polynomial 3-4-5", lift = -20.0, start = 130.0, stop = 230.0 },
+  { law = "Polynomial 3-4-5", lift = -30.0, start = 230.0, stop = 300.0, velocity = -0.3, acceleration = 0.001 },
 ]
 """
 
@@ -182,16 +187,16 @@ phases = [
 def test_a_motion_that_hands_over_at_speed_comes_back_as_it_was(run, tmp_path, name: str) -> None:
     (tmp_path / "line.toml").write_text(LINE, "utf-8")
     meant = read_machine(tmp_path / "line.toml")
-    (axis,) = TEMPLATES["motion-composer"].axes(meant)
+    (axis,) = TEMPLATES["machine"].axes(meant)
     one = target(name)
     made = automatic(one, axis, {"a": 1e-6})
     (tmp_path / "cam").write_text(one.write(Handed(made.table, "line", ("x in °, y in mm;",), ("°", "mm"))), "utf-8")
     assert run("read", "cam", "--from", name, "-o", "back.toml")[0] == 0
-    back = read_machine(tmp_path / "back.toml").motion
-    found = [(p.law, p.lift, p.duration, p.velocity or 0.0, p.acceleration or 0.0) for p in back.phases]
-    for phase, given in zip(found, meant.motion.phases, strict=True):
+    back = read_machine(tmp_path / "back.toml").axes[0]
+    found = [(p.law, p.lift, p.start, p.stop, p.velocity or 0.0, p.acceleration or 0.0) for p in back.phases]
+    for phase, given in zip(found, meant.axes[0].phases, strict=True):
         assert phase[0] == given.law
-        expected = (given.lift, given.duration, given.velocity or 0.0, given.acceleration or 0.0)
+        expected = (given.lift, given.start, given.stop, given.velocity or 0.0, given.acceleration or 0.0)
         assert phase[1:] == pytest.approx(expected, abs=1e-6)
 
 
@@ -201,11 +206,35 @@ def test_a_cycle_that_begins_on_the_way_is_a_machine_with_a_shift(run, axes, tmp
     (tmp_path / "late.csv").write_text(text, "utf-8")
     code, _, err = run("read", "late.csv", "--from", "csv", "-o", "late.toml")
     assert code == 0
-    assert "its rate of 60 is ours" in " ".join(err.split())
+    assert "written as an axis that is 240 ° later" in " ".join(err.split())
     machine = read_machine(tmp_path / "late.toml")
     (axis,) = TEMPLATES["machine"].axes(machine)
     x = np.linspace(0.25, 359.75, 97)
     assert axis.course.at(x).y == pytest.approx(later.at(x).y, abs=1e-9)
+
+
+@pytest.mark.parametrize(("units", "closes"), [("x in s, y in mm;", "open"), ("x in mm, y in °;", "open")])
+def test_a_table_over_any_abscissa_is_an_axis_over_it(run, tmp_path, units: str, closes: str) -> None:
+    """From 2 to 12 of its units, and it does not come back: the cycle begins at 0, the position is the table's."""
+    x = np.linspace(2.0, 12.0, 401)
+    xi = np.clip((x - 4.0) / 5.0, 0.0, 1.0)
+    y = 7.0 + 30.0 * (xi - np.sin(2 * np.pi * xi) / (2 * np.pi))
+    rows = "".join(f"{a:.12g};{b:.15g}\n" for a, b in zip(x, y, strict=True))
+    (tmp_path / "any.csv").write_text(f"# {units}\n{rows}", "utf-8")
+    code, _, err = run("read", "any.csv", "--from", "csv", "-o", "any.toml")
+    assert code == 0, err
+    machine = read_machine(tmp_path / "any.toml")
+    (given,), (axis,) = machine.axes, TEMPLATES["machine"].axes(machine)
+    assert (machine.over.unit, machine.over.length, given.closes) == (axis.x_unit, 10.0, closes)
+    assert [(p.law, p.start, p.stop, p.lift) for p in given.phases] == [("CIC", 2.0, 7.0, pytest.approx(30.0))]
+    assert axis.course.at(x[:-1] - 2.0).y == pytest.approx(y[:-1], abs=1e-9)
+
+
+def test_units_that_no_axis_has_are_refused_in_a_line(run, tmp_path) -> None:
+    (tmp_path / "odd.csv").write_text("# x in rev, y in m;\n0;0\n0.5;1\n1;0\n", "utf-8")
+    code, _, err = run("read", "odd.csv", "--from", "csv")
+    assert code == 2
+    assert "it is in m over rev; expected an axis in mm or ° over s, °, rad, mm" in " ".join(err.split())
 
 
 def test_a_motion_that_ends_on_the_way_is_told_and_not_described(run, tmp_path) -> None:

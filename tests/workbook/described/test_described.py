@@ -113,19 +113,19 @@ def test_the_page_is_up_to_date():
 
 def test_new_writes_a_description_and_its_schema_and_overwrites_nothing(tmp_path, capsys):
     target = tmp_path / "mine.toml"
-    describe.new("motion-composer", target, False)
+    describe.new("indexing-overlap", target, False)
     first = target.read_text(encoding="utf-8")
-    assert first.startswith("#:schema ./motion-composer.schema.json\n")
-    beside = tmp_path / "motion-composer.schema.json"
+    assert first.startswith("#:schema ./indexing-overlap.schema.json\n")
+    beside = tmp_path / "indexing-overlap.schema.json"
     assert beside.exists()
-    describe.new("motion-composer", tmp_path / "other.toml", False)  # the schema is there already, and the same
+    describe.new("indexing-overlap", tmp_path / "other.toml", False)  # the schema is there already, and the same
     with pytest.raises(WriteError, match="exists"):
-        describe.new("motion-composer", target, False)
+        describe.new("indexing-overlap", target, False)
     beside.write_text("{}", encoding="utf-8")
     with pytest.raises(WriteError, match="exists"):
-        describe.new("motion-composer", tmp_path / "third.toml", False)
+        describe.new("indexing-overlap", tmp_path / "third.toml", False)
     assert not (tmp_path / "third.toml").exists()
-    describe.new("motion-composer", target, True)
+    describe.new("indexing-overlap", target, True)
     assert beside.read_text(encoding="utf-8") != "{}"
 
 

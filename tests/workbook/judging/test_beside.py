@@ -10,25 +10,20 @@ import time
 import openpyxl
 import pytest
 
+from tests.workbook.composed import small
 from workbook.build import build
 from workbook.errors import MotionbookError
 from workbook.judging.right import Variation
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import read_machine
-from workbook.templates import TEMPLATES
 from workbook.witnesses import beside
 from workbook.witnesses.beside import EVALUATED, Asked, Beside, Shared, wanted
-
-TEMPLATE = TEMPLATES["motion-composer"]
 
 
 @pytest.fixture(scope="module")
 def good(tmp_path_factory):
     """A small workbook as built."""
-    machine = read_machine(TEMPLATE.description)
-    small = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     path = tmp_path_factory.mktemp("good") / "good.xlsx"
-    build(machine.model_copy(update={"sizes": small}), path)
+    build(small(), path)
     return path
 
 
@@ -36,7 +31,7 @@ def good(tmp_path_factory):
 def wrong(good, tmp_path_factory):
     """The same book with a typed number, a formula that reads another cell, one that no program has, and own cells."""
     book = openpyxl.load_workbook(good)
-    page = book["Motion"]
+    page = book["Timing"]
     cells = [c for row in page.iter_rows() for c in row if c.data_type == "f"]
     cells[0].value = 123.5
     cells[20].value = f"{cells[20].value}+0.001"
@@ -50,7 +45,7 @@ def wrong(good, tmp_path_factory):
 def own(good, tmp_path_factory):
     """The same book with an engineer's own formula beside a table."""
     book = openpyxl.load_workbook(good)
-    book["Motion"]["ZZ9"] = "=1+1"
+    book["Timing"]["ZZ9"] = "=1+1"
     path = tmp_path_factory.mktemp("own") / "own.xlsx"
     book.save(path)
     return path

@@ -7,22 +7,21 @@ from openpyxl.formatting.rule import Rule
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
 
-from tests.mutation.bench import sized
+from tests.workbook.composed import small
 from tests.workbook.judging.hands import Known
 from workbook.build import build, inputs
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.shown.book import displayed
 from workbook.reading.files import BookFile, find_places
-from workbook.templates import TEMPLATES
 
-TABLE = "phases"
+TABLE = "axis1"
 
 
 @pytest.fixture(scope="module")
 def book(tmp_path_factory):
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(sized(TEMPLATES["motion-composer"], cycle=12, law=4, own_law=4), path)
+    build(small(cycle=12), path)
     return Known(path)
 
 
@@ -58,7 +57,7 @@ def without(sheet, row):
 def changed(book, opened, formula):
     """Give the phases a rule of another formula, by the declared one; return the sheet and its first row."""
     row = book.declared.blocks[TABLE].row
-    sheet = opened["Motion"]
+    sheet = opened["Timing"]
     (cells, old), = without(sheet, row)  # fmt: skip
     sheet.conditional_formatting.add(cells, hiding(formula(old, row)))
     return said(book, opened)
@@ -71,7 +70,7 @@ def test_the_declared_rule_is_known(book, opened):
 
 
 def test_a_rule_that_is_gone_is_a_notice(book, opened):
-    without(opened["Motion"], book.declared.blocks[TABLE].row)
+    without(opened["Timing"], book.declared.blocks[TABLE].row)
     report = said(book, opened)
     assert report.findings == []
     assert [n.expected for n in report.notices] == ["a rule that leaves unused rows blank"]
@@ -96,7 +95,7 @@ def test_a_changed_rule_is_found_with_the_cells_that_it_may_hide(formula, book, 
 
 
 def test_the_declared_condition_hides_no_input_and_no_other_table(book, opened):
-    row, sheet = book.declared.blocks[TABLE].row, opened["Motion"]
+    row, sheet = book.declared.blocks[TABLE].row, opened["Timing"]
     (cells, old), = without(sheet, row)  # fmt: skip
     sheet.conditional_formatting.add(f"{cells} C{row}:C{row + 3}", hiding(old))
     found = said(book, opened).findings

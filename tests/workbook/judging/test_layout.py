@@ -26,7 +26,7 @@ from workbook.witnesses.libreoffice import program
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 NIGHT = pytest.mark.nightly
 TABLES = [
-    ("motion-composer", "phases"),
+    ("motion-composer", "axis1"),
     *(pytest.param(*case, marks=NIGHT) for case in (
         ("cutting-machine", "OWN_pieces"), ("cutting-machine", "axis2"),
         ("cutting-machine", "axis1"), ("cutting-machine", "axis3"), ("cutting-machine", "drive1_parts"),
@@ -36,7 +36,7 @@ TABLES = [
         ("flying-cutter-saw", "OWN_pieces"), ("actuator-sizing", "phases"), ("actuator-sizing", "act_parts"),
         ("actuator-sizing", "motors"), ("actuator-sizing-conveyor", "phases"),
         *(("machine", table) for table in ("axes", "axis1", "switches", "drive1_parts", "drive1_windows")),
-        ("motion-composer-example-1", "phases"), ("motion-composer-example-2", "phases"),
+        ("motion-composer-example-1", "axis1"), ("motion-composer-example-2", "axis1"),
     )),
 ]  # fmt: skip
 

@@ -14,6 +14,7 @@ import openpyxl
 import pytest
 from openpyxl import Workbook
 
+from tests.workbook.composed import small
 from workbook.build import build
 from workbook.cluster import pool
 from workbook.judging import many, one
@@ -22,27 +23,21 @@ from workbook.judging.one import Outcome, Target
 from workbook.judging.sent import unseen
 from workbook.judging.verify import Report
 from workbook.pool import Died
-from workbook.reading.descriptions import read_machine
-from workbook.templates import TEMPLATES
-
-TEMPLATE = TEMPLATES["motion-composer"]  # the one that is soonest verified
 
 
 @pytest.fixture(scope="module")
 def good(tmp_path_factory):
     """A small workbook as built."""
-    machine = read_machine(TEMPLATE.description)
-    small = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     path = tmp_path_factory.mktemp("good") / "good.xlsx"
-    build(machine.model_copy(update={"sizes": small}), path)
+    build(small(), path)
     return path
 
 
 @pytest.fixture(scope="module")
 def wrong(good, tmp_path_factory):
-    """The same workbook with a number in place of the first formula of the sheet Motion; beside it, that cell."""
+    """The same workbook with a number in place of the first formula of the sheet Timing; beside it, that cell."""
     book = openpyxl.load_workbook(good)
-    cell = next(c for row in book["Motion"].iter_rows() for c in row if c.data_type == "f")
+    cell = next(c for row in book["Timing"].iter_rows() for c in row if c.data_type == "f")
     cell.value = 123.5
     path = tmp_path_factory.mktemp("wrong") / "wrong.xlsx"
     book.save(path)

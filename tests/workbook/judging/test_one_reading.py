@@ -4,13 +4,12 @@ import re
 
 import pytest
 
-from tests.mutation.bench import sized
+from tests.workbook.composed import small
 from tests.workbook.judging.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, Known, repacked, sub
 from workbook.build import build
 from workbook.errors import ReadError
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
-from workbook.templates import TEMPLATES
 
 SPACE = b"http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 KIND = "application/vnd.openxmlformats-officedocument.spreadsheetml."
@@ -20,7 +19,7 @@ LINK = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/"
 @pytest.fixture(scope="module")
 def book(tmp_path_factory):
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(sized(TEMPLATES["motion-composer"]), path)
+    build(small(cycle=24, law=8, own_law=8), path)
     return Known(path)
 
 

@@ -3,9 +3,8 @@
 import pytest
 
 from tests.workbook.cells import computed, disagreeing
-from tests.workbook.laws.test_families import COMPOSER
+from tests.workbook.composed import MACHINE, composed
 from workbook.laws.brief import LEAST_STAGE
-from workbook.reading.descriptions import checked, counted, read_machine
 
 SAID = "a stage lasts less than 0.0001 of the rise; expected that, or none"
 
@@ -26,18 +25,14 @@ def entries(least):
 
 
 def described(laws):
-    data = read_machine(COMPOSER.description).model_dump()
-    data["sizes"] |= {"cycle": 12, "law": 10, "motion_pieces": 90}
-    data["laws"] |= laws
-    data["motion"]["cycle"] = "open"
-    data["motion"]["phases"] = [{"law": name, "lift": 10.0, "duration": 20.0} for name in laws]
-    return checked(COMPOSER, data, counted)
+    phases = [(name, 10.0, 20.0) for name in laws]
+    return composed(phases, laws, {"law": 10, "motion_pieces": 90}, closes="open")
 
 
 def test_cells_and_engine_agree_down_to_the_least_stage():
     machine = described(entries(1.01 * LEAST_STAGE))
     assert machine.design.faults == ()
-    wrong, _ = disagreeing(COMPOSER, machine)
+    wrong, _ = disagreeing(MACHINE, machine)
     assert wrong == []
 
 
@@ -52,6 +47,6 @@ def test_none_is_no_brief_stage():
 def test_what_lasts_less_is_told_by_law(least):
     machine = described(entries(least))
     assert [fault.said for fault in machine.design.faults] == [SAID] * len(entries(least))
-    value = computed(COMPOSER, machine)
+    value = computed(MACHINE, machine)
     said = [text for text in value("checks", "says") if text]
     assert len([text for text in said if SAID in text]) == len(entries(least))

@@ -3,36 +3,29 @@
 import pytest
 
 from tests.workbook.cells import disagreeing
+from tests.workbook.composed import MACHINE, composed
 from workbook.laws.registry import FAMILIES, FAMILY
-from workbook.reading.descriptions import checked, counted, read_machine
-from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 
-COMPOSER = TEMPLATES["motion-composer"]
 NAMED = tuple(family.code for family in FAMILIES if family.page.entries)
 TURNS = max(len(FAMILY[code].page.variations) for code in NAMED)
 
 
 def one_of_each(turn, **sizes):
-    """A composed motion, with a law of each family in its phases too."""
-    data = read_machine(COMPOSER.description).model_dump()
-    data["sizes"] |= {"cycle": 48, "law": 10, "motion_pieces": 90} | sizes
+    """A machine of one axis, with a law of each family in its phases too."""
+    laws = {}
     for code in NAMED:
         found = FAMILY[code].page.variations
-        data["laws"][f"One {code}"] = {"family": code} | (found[turn % len(found)] if found else {})
-    data["motion"]["cycle"] = "open"
-    data["motion"]["phases"] = [
-        {"law": f"one {code}", "lift": 10.0 + k, "duration": 20.0 + k}
-        for k, code in enumerate(NAMED)
-        if code != "DHM"  # two sines
-    ]
-    return checked(COMPOSER, data, counted)
+        laws[f"One {code}"] = {"family": code} | (found[turn % len(found)] if found else {})
+    phases = [(f"one {code}", 10.0 + k, 20.0 + k) for k, code in enumerate(NAMED) if code != "DHM"]  # two sines
+    room = {"cycle": 48, "law": 10, "own_law": 120, "motion_pieces": 90} | sizes
+    return composed(phases, laws, room, closes="open")
 
 
 @pytest.mark.parametrize("turn", range(TURNS))
 @pytest.mark.sample(2)
 def test_every_cell_of_every_family_computes_what_the_engine_has(turn):
-    wrong, count = disagreeing(COMPOSER, one_of_each(turn))
+    wrong, count = disagreeing(MACHINE, one_of_each(turn))
     assert wrong == []
     assert count > 300 * len(NAMED)
 

@@ -11,6 +11,7 @@ from engine.laws.entry import IncompleteError
 from engine.laws.registry import MODULES
 from tests.laws import MOVING
 from tests.workbook.cells import disagreeing
+from tests.workbook.composed import MACHINE, composed
 from workbook.entries.types import Model
 from workbook.laws import registry
 from workbook.laws.entries import ENTRIES, Laws
@@ -24,7 +25,7 @@ from workbook.templates import TEMPLATES
 
 ROOT = Path(__file__).parents[3]
 SMALL = {"cycle": 12, "law": 4, "own_law": 8, "phases": 8}
-COMPOSER, ACTUATOR, FLYING = (TEMPLATES[name] for name in ("motion-composer", "actuator-sizing", "flying-cutter"))
+ACTUATOR, FLYING = (TEMPLATES[name] for name in ("actuator-sizing", "flying-cutter"))
 
 
 def small(template, **sizes):
@@ -127,7 +128,7 @@ def test_shapes_that_the_engine_does_not_state_are_named():
 @pytest.fixture(scope="module", params=range(SIX))
 def varied(request):
     """The cells that disagree in a book with every law's page, at other parameters of each law."""
-    return disagreeing(COMPOSER, COMPOSER.variants(small(COMPOSER))[request.param])
+    return disagreeing(MACHINE, MACHINE.variants(composed(sizes=SMALL))[request.param])
 
 
 @pytest.mark.parametrize("code", MOVING)
@@ -153,8 +154,8 @@ def test_shapes_and_the_place_of_the_peak_in_cells_are_those_of_the_engine(asked
 
 
 WRONG = {
-    "pieces": ("CIC", COMPOSER, "CIC_pieces.P[0]"),
-    "coefficients": ("CUB", COMPOSER, "CUB_cv.CUB_cv[0]"),
+    "pieces": ("CIC", MACHINE, "CIC_pieces.P[0]"),
+    "coefficients": ("CUB", MACHINE, "CUB_cv.CUB_cv[0]"),
     "shapes": ("MTP", ACTUATOR, f"shapes.sine_up[{CODES.index('MTP')}]"),
     "fastest": ("TVP", FLYING, f"fastest.at[{CODES.index('TVP')}]"),
 }
@@ -171,7 +172,7 @@ def test_a_page_with_a_wrong_formula_is_found_by_the_cell(what, monkeypatch):
     code, template, cell = WRONG[what]
     page = FAMILY[code].page
     monkeypatch.setitem(vars(page), what, CHANGED[what](page))
-    wrong, _ = disagreeing(template, small(template))
+    wrong, _ = disagreeing(template, composed() if template is MACHINE else small(template))
     assert [found for found in wrong if found.startswith(cell)]
 
 
@@ -201,19 +202,19 @@ def named(entries):
 
 @pytest.mark.parametrize("count", range(0, 30, 3))
 def test_a_template_with_one_law_at_a_time_gives_each_its_turn_however_many_there_are(count):
-    machine = with_laws(small(COMPOSER), {f"CUB{8 + i}": "CUB" for i in range(count)})
+    machine = with_laws(composed(), {f"CUB{8 + i}": "CUB" for i in range(count)})
     names = machine.laws.names[1:]
-    made = variations(machine, lambda data, turn: {"motion": {"phases": [{"law": law_for(turn + 4, data["laws"])}]}})
+    made = variations(machine, lambda data, turn: {"axes": [{"phases": [{"law": law_for(turn + 4, data["laws"])}]}]})
     assert len(made) == max(SIX, len(names))
     assert set().union(*(laws_in(one, names) for one in made)) == set(names)
 
 
 def test_a_law_that_a_template_never_takes_is_named():
     def without_cubic(data, turn):
-        return {"motion": {"law": law_for(turn, [name for name in data["laws"] if name != "CUB"])}}
+        return {"axes": {"law": law_for(turn, [name for name in data["laws"] if name != "CUB"])}}
 
-    with pytest.raises(LookupError, match=r"motion-composer ever has the law CUB$"):
-        variations(small(COMPOSER), without_cubic)
+    with pytest.raises(LookupError, match=r"machine ever has the law CUB$"):
+        variations(composed(), without_cubic)
 
 
 def test_coefficients_of_every_page_are_those_of_the_summary():

@@ -4,24 +4,20 @@ import pytest
 
 from engine.laws.mended import mended, misses
 from tests.workbook.cells import computed, disagreeing
-from workbook.reading.descriptions import checked, counted, read_machine
-from workbook.templates import TEMPLATES
+from tests.workbook.composed import MACHINE, composed
 
-COMPOSER = TEMPLATES["motion-composer"]
 OFF = [{"duration": 0.3, "c0": 4.0}, {"duration": 0.3}, {"duration": 0.4, "c0": -3.5}]
 UP = [{"duration": 1.0, "c0": 4.0}]
 
 
 def machine(**laws):
-    data = read_machine(COMPOSER.description).model_dump()
-    data["sizes"] |= {"cycle": 12, "law": 10}
-    data["laws"] |= {name: {"family": "OWN", "pieces": pieces} for name, pieces in laws.items()}
-    return checked(COMPOSER, data, counted)
+    own = {name: {"family": "OWN", "pieces": pieces} for name, pieces in laws.items()}
+    return composed(laws=own, sizes={"law": 10, "own_law": 120})
 
 
 @pytest.fixture(scope="module")
 def cells():
-    return computed(COMPOSER, machine(Off=OFF, Up=UP))
+    return computed(MACHINE, machine(Off=OFF, Up=UP))
 
 
 def test_the_polynomial_345_has_its_exact_extremes_on_its_page(cells):
@@ -45,7 +41,7 @@ def test_each_own_law_tells_by_how_much_it_misses_and_what_mends_it(cells):
 
 def test_a_law_with_the_scaled_entries_passes_its_checks():
     pieces = [{"duration": p.duration, "c0": p.c[0]} for p in mended(machine(Off=OFF).laws["Off"].made)]
-    value = computed(COMPOSER, machine(Right=pieces))
+    value = computed(MACHINE, machine(Right=pieces))
     assert [value(f"OWN8_{name}") for name in ("sum", "reaches", "rests", "dense")] == ["OK"] * 4
 
 
@@ -54,7 +50,7 @@ def test_a_law_with_the_scaled_entries_passes_its_checks():
     [{"duration": 1.0, "amplitude": 4.0, "omega": 22.0, "c0": -1.0}],
 ])  # fmt: skip
 def test_stages_of_no_duration_and_many_turns_agree(pieces):
-    assert disagreeing(COMPOSER, machine(Odd=pieces))[0] == []
+    assert disagreeing(MACHINE, machine(Odd=pieces))[0] == []
 
 
 @pytest.mark.parametrize("beside", [1e-8, -1e-7, 1e-6, -1e-5])
@@ -62,10 +58,10 @@ def test_a_velocity_that_is_largest_next_to_a_point_of_the_table_is_found_there(
     """Of an odd number of points one is in the middle of a single piece."""
     top = 0.5 + beside
     machine_ = machine(Near=[{"duration": 1.0, "c0": 4.0 * top, "c1": -4.0}])
-    assert disagreeing(COMPOSER, machine_)[0] == []
-    assert computed(COMPOSER, machine_)("OWN8_v_at") == pytest.approx(top, abs=1e-12)
+    assert disagreeing(MACHINE, machine_)[0] == []
+    assert computed(MACHINE, machine_)("OWN8_v_at") == pytest.approx(top, abs=1e-12)
 
 
 def test_a_sine_with_too_many_turns_for_the_points_is_told():
-    value = computed(COMPOSER, machine(Fast=[{"duration": 1.0, "amplitude": 4.0, "omega": 90.0}]))
+    value = computed(MACHINE, machine(Fast=[{"duration": 1.0, "amplitude": 4.0, "omega": 90.0}]))
     assert value("OWN8_dense") == "FAIL"

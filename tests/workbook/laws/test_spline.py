@@ -7,33 +7,26 @@ import pytest
 
 from engine.laws.spline import Spline
 from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.composed import MACHINE, composed
 from workbook.errors import InputError
 from workbook.laws.pages.spline import VARIATIONS
-from workbook.reading.descriptions import checked, counted, read_machine
-from workbook.templates import TEMPLATES
 
-COMPOSER = TEMPLATES["motion-composer"]
-REST = {"law": "DWL", "lift": 0.0, "duration": 5.0}
+REST = ("DWL", 0.0, 5.0)
 
 
 def points(*pairs):
     return [{"at": at, "s": s} for at, s in pairs]
 
 
-def machine(laws, phases=None, **sizes):
-    data = read_machine(COMPOSER.description).model_dump()
-    data["sizes"] |= {"cycle": 12, "law": 6, "motion_pieces": 120} | sizes
-    for name, entry in laws.items():
-        data["laws"][name] = {"family": "SPL"} | entry
-    data["motion"]["phases"] = phases or [
-        *({"law": name, "lift": (-1) ** k * 10.0, "duration": 20.0 + k} for k, name in enumerate(laws)),
-        REST,
-    ]
-    return checked(COMPOSER, data, counted)
+def machine(laws, phases=None, more=None, axis=None, **sizes):
+    known = {name: {"family": "SPL"} | entry for name, entry in laws.items()} | (more or {})
+    moving = ((name, (-1) ** k * 10.0, 20.0 + k) for k, name in enumerate(laws))
+    room = {"law": 6, "own_law": 120, "motion_pieces": 120} | sizes
+    return composed(phases or [*moving, REST], known, room, **(axis or {}))
 
 
 def test_every_cell_computes_what_the_engine_has():
-    wrong, count = disagreeing(COMPOSER, machine({f"Points {k}": one for k, one in enumerate(({}, *VARIATIONS))}))
+    wrong, count = disagreeing(MACHINE, machine({f"Points {k}": one for k, one in enumerate(({}, *VARIATIONS))}))
     assert wrong == []
     assert count > 2000
 
@@ -60,7 +53,7 @@ def drawn(dice, n):
 def test_so_it_is_for_points_at_random(seed):
     dice = random.Random(seed)
     laws = {f"Points {k}": drawn(dice, n) for k, n in enumerate((2, 3, 5, dice.randint(6, 12), 12))}
-    assert disagreeing(COMPOSER, machine(laws))[0] == []
+    assert disagreeing(MACHINE, machine(laws))[0] == []
 
 
 @pytest.mark.nightly
@@ -68,7 +61,7 @@ def test_so_it_is_for_a_hundred_points():
     dice, last = random.Random(3), 99
     way = [(k / last, k / last + dice.uniform(-0.02, 0.02)) for k in range(1, last)]
     laws = {"Points": {"points": points((0, 0), *way, (1, 1)), "first_slope": 0.5}, "Few": {}}
-    assert disagreeing(COMPOSER, machine(laws, points=100, motion_pieces=240))[0] == []
+    assert disagreeing(MACHINE, machine(laws, points=100, motion_pieces=240))[0] == []
 
 
 SYMMETRIC = {"points": points((0, 0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1, 1))}
@@ -86,11 +79,11 @@ AT_THE_EDGE = {
 
 
 def test_so_it_is_at_the_edge():
-    assert disagreeing(COMPOSER, machine(AT_THE_EDGE))[0] == []
+    assert disagreeing(MACHINE, machine(AT_THE_EDGE))[0] == []
 
 
 def test_two_points_are_the_cubic():
-    value = computed(COMPOSER, machine(AT_THE_EDGE))
+    value = computed(MACHINE, machine(AT_THE_EDGE))
     assert [value(f"SPL8_{name}") for name in ("cv", "ca_max", "ca_min")] == pytest.approx([1.5, 6.0, -6.0], rel=1e-12)
     assert value("SPL8_ca_rms") == pytest.approx(12**0.5, rel=1e-12)
     assert value("SPL8_va_max") == pytest.approx(12**0.5, rel=1e-12)
@@ -98,7 +91,7 @@ def test_two_points_are_the_cubic():
 
 def test_what_is_entered_comes_back():
     given = machine({"Points": VARIATIONS[1], "Others": VARIATIONS[0]})
-    back, lost = entered(COMPOSER, given)
+    back, lost = entered(MACHINE, given)
     assert back == given
     assert not lost
 
@@ -115,7 +108,7 @@ BAD = {
 def test_points_that_make_no_law_fail_by_row_and_are_built():
     one = machine({what: {"points": given} for what, (given, _, _) in BAD.items()})
     assert len(one.design.faults) == len(BAD)
-    value = computed(COMPOSER, one)
+    value = computed(MACHINE, one)
     for number, (_, rule, says) in enumerate(BAD.values(), 8):
         assert value(f"SPL{number}_{rule}") == "FAIL"
         assert value(f"SPL{number}_{rule}_says").startswith(says)
@@ -127,38 +120,35 @@ def test_more_points_than_room_are_refused():
         machine({"My points": {"points": many}})
 
 
-def beside_a_line(slope):
+def beside_a_line(slope, *between):
     laws = {"Points": {"points": points((0, 0), (0.4, 0.2), (1, 1)), "last_slope": slope}}
-    data = machine(laws).model_dump()
-    data["laws"]["LIN"] = {"family": "LIN"}
-    data["motion"] |= {"cycle": "open"}
-    data["motion"]["phases"] = [
-        {"law": "Points", "lift": 30.0, "duration": 60.0},
-        {"law": "LIN", "lift": 20.0, "duration": 40.0},
-    ]
-    return checked(COMPOSER, data, counted)
+    lines = {code: {"family": code} for code in ("LIN", "PO5")}
+    return machine(
+        laws,
+        (("Points", 30.0, 60.0), *between, ("LIN", 20.0, 40.0)),
+        lines,
+        {"closes": "open", "smoothness": "velocity"},
+    )
 
 
 @pytest.mark.parametrize(("slope", "verdict"), [(1.0, "OK"), (0.9, "FAIL"), (None, "FAIL")])
 def test_beside_a_straight_line_the_slope_that_is_entered_meets_it_or_the_joint_is_told(slope, verdict):
     """0.5 mm/° of the line are the slope 0.5 · 60/30 = 1 of the spline."""
     one = beside_a_line(slope)
-    value = computed(COMPOSER, one)
-    assert value("move_ok_velocity") == verdict
-    assert value("move_ok_meets") == "OK"
+    value = computed(MACHINE, one)
+    assert value("axis1_smooth") == verdict
+    assert value("axis1_meets") == "OK"
     if verdict == "FAIL":
-        assert value("move_ok_smooth_says").startswith("row 1 to 2 at 60 °: velocity jumps by")
-    assert disagreeing(COMPOSER, one)[0] == []
+        assert value("axis1_smooth_says").startswith("Axis at 60°: velocity jumps by")
+    assert disagreeing(MACHINE, one)[0] == []
 
 
 def test_an_acceleration_that_is_entered_beside_points_is_told():
-    data = beside_a_line(1.0).model_dump()
-    data["motion"]["phases"].insert(1, {"law": "PO5", "lift": 5.0, "duration": 10.0, "acceleration": 0.01})
-    data["laws"]["PO5"] = {"family": "PO5"}
-    value = computed(COMPOSER, one := checked(COMPOSER, data, counted))
-    assert value("move_ok_meets") == "FAIL"
-    assert "row 1: Points cannot end with an acceleration: what it has there" in value("move_ok_meets_says")
-    assert disagreeing(COMPOSER, one)[0] == []
+    one = beside_a_line(1.0, ("PO5", 5.0, 10.0, None, 0.01))
+    value = computed(MACHINE, one)
+    assert value("axis1_meets") == "FAIL"
+    assert "row 1: Points cannot end with an acceleration: what it has there" in value("axis1_meets_says")
+    assert disagreeing(MACHINE, one)[0] == []
 
 
 def test_the_engines_spline_is_that_of_the_description():

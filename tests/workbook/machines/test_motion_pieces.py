@@ -4,21 +4,17 @@ import openpyxl
 import pytest
 
 from tests.workbook.cells import computed, disagreeing
+from tests.workbook.composed import MACHINE
+from tests.workbook.composed import composed as one_axis
 from workbook.book.quantity import SAYS
 from workbook.build import build, committed
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
-COMPOSER = TEMPLATES["motion-composer"]
-SMALL = {"cycle": 24, "law": 4, "own_law": 4}
 
-
-def composed(phases, **entries):
-    data = read_machine(COMPOSER.description).model_dump()
-    data["sizes"] |= SMALL | {"motion_pieces": entries.pop("room", None)}
-    data["motion"] |= entries | {"phases": [{"law": w, "lift": h, "duration": d} for w, h, d in phases]}
-    return COMPOSER.model.model_validate(data)
+def composed(phases, **axis):
+    return one_axis(phases, sizes={"cycle": 24}, **axis)
 
 
 def verdicts(path):
@@ -39,32 +35,32 @@ def test_every_committed_book_is_as_smooth_as_its_description_asks():
     ("smoothness", "said"),
     [
         ("velocity", None),
-        ("acceleration", "row 1 to 2 at 60 °: acceleration jumps by 0.022222222 °/°²"),
-        ("jerk", "row 3 to 1 at 0 °: jerk jumps by 0.0000571156 °/°³"),
+        ("acceleration", "Axis at 60°: acceleration jumps by 0.022222222 °/°²"),
+        ("jerk", "Axis at 0°: jerk jumps by 0.0000571156 °/°³"),
     ],
 )
 def test_a_joint_that_is_less_smooth_than_asked_is_named(smoothness, said):
     machine = composed([("DWL", 0.0, 60.0), ("ACS", 20.0, 60.0), ("CIC", -20.0, 240.0)], smoothness=smoothness)
-    value = computed(COMPOSER, machine)
-    assert value("move_ok_smooth") == ("FAIL" if said else "OK")
+    value = computed(MACHINE, machine)
+    assert value("axis1_smooth") == ("FAIL" if said else "OK")
     if said:
-        assert value(f"move_ok_smooth{SAYS}").startswith(said.partition(" by ")[0])
-    assert disagreeing(COMPOSER, machine)[0] == []
+        assert value(f"axis1_smooth{SAYS}").startswith(said.partition(" by ")[0])
+    assert disagreeing(MACHINE, machine)[0] == []
 
 
-def test_a_law_that_jumps_within_itself_is_named_by_its_one_row():
-    machine = composed([("TVP", 20.0, 60.0), ("DWL", 0.0, 300.0)], cycle="open")
-    said = computed(COMPOSER, machine)(f"move_ok_smooth{SAYS}")
-    assert said.startswith("row 1 at 20 °: acceleration jumps by ")
+def test_a_law_that_jumps_within_itself_is_named_by_the_place():
+    machine = composed([("TVP", 20.0, 60.0), ("DWL", 0.0, 300.0)], closes="open")
+    said = computed(MACHINE, machine)(f"axis1_smooth{SAYS}")
+    assert said.startswith("Axis at 20°: acceleration jumps by ")
 
 
 def test_across_the_end_of_the_cycle_too_unless_it_is_open():
     phases = [("CUB", 20.0, 180.0), ("CUB", -20.0, 180.0)]
-    again, once = (computed(COMPOSER, composed(phases, cycle=cycle)) for cycle in ("closes", "open"))
-    assert (again("move_ok_smooth"), once("move_ok_smooth")) == ("OK", "OK")
-    jerk = [computed(COMPOSER, composed(phases, cycle=cycle, smoothness="jerk")) for cycle in ("closes", "open")]
-    assert jerk[0](f"move_ok_smooth{SAYS}").startswith("row 2 to 1 at 0 °: jerk jumps by ")
-    assert jerk[1](f"move_ok_smooth{SAYS}").startswith("row 1 to 2 at 180 °: jerk jumps by ")
+    again, once = (computed(MACHINE, composed(phases, closes=cycle)) for cycle in ("position", "open"))
+    assert (again("axis1_smooth"), once("axis1_smooth")) == ("OK", "OK")
+    jerk = [computed(MACHINE, composed(phases, closes=cycle, smoothness="jerk")) for cycle in ("position", "open")]
+    assert jerk[0](f"axis1_smooth{SAYS}").startswith("Axis at 0°: jerk jumps by ")
+    assert jerk[1](f"axis1_smooth{SAYS}").startswith("Axis at 180°: jerk jumps by ")
 
 
 def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
@@ -72,7 +68,7 @@ def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
     path = tmp_path / "book.xlsx"
     build(composed([("CUB", 5.0, 15.0) for _ in range(24)]), path)
     workbook = openpyxl.load_workbook(path)
-    sheet, (area,) = workbook["Motion"], workbook.defined_names["phases"].destinations
+    sheet, (area,) = workbook["Timing"], workbook.defined_names["axis1"].destinations
     top = sheet[area[1].replace("$", "")][0]
     law = next(cell.column for cell in sheet[top[0].row - 3] if cell.value == "law")
     for row in range(top[0].row, top[0].row + 24):
@@ -81,8 +77,8 @@ def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
     report = verify(path, ["pycel"])
     assert report.findings == []
     (failing,) = [check for check in report.checks if check.found == "FAIL"]
-    assert failing.what == "The table of pieces has room for all"
-    assert failing.says.startswith("168 pieces do not fit into 56 rows")
+    assert failing.what == "Axis 1: the table of pieces has room for all"
+    assert failing.says.startswith("168 pieces do not fit into 65 rows")
 
 
 def test_the_room_is_a_few_rows_more_than_are_used():

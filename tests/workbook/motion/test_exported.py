@@ -75,7 +75,7 @@ def test_an_axis_is_told_by_its_name_or_its_number():
         ("machine", "MC09", "no axis is named 'MC09'; expected one of MC01, MC02, MC03, MC04"),
         ("machine", 5, "axis 5; expected 1 to 4, one of MC01"),
         ("machine", 0, "expected a whole number of at least 1"),
-        ("motion-composer", "press", "no axis is named 'press'; expected one of motion"),
+        ("motion-composer", "press", "no axis is named 'press'; expected one of α"),
         ("motion-laws", "MTP", "unknown entry"),
         ("indexing-overlap", "tool", "no axis is named 'tool'; expected one of transfer, Die"),
     ],

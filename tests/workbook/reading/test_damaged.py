@@ -7,12 +7,11 @@ from pathlib import Path
 import pytest
 
 from tests.tiers import seed
+from tests.workbook.composed import small
 from tests.workbook.reading.forks import GIB, KIB, SECONDS, Server, run
 from tests.workbook.reading.fuzz import damaged, without_charts
 from workbook.build import build
-from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
-from workbook.templates import TEMPLATES
 
 DAY, NIGHT = 2, 2000
 SOUND = 1.0  # seconds of the sound book on a quiet machine, where SECONDS hold
@@ -22,10 +21,8 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="the memory of a chil
 @pytest.fixture(scope="module")
 def sound(tmp_path_factory):
     """The smallest book there is, and the same without charts."""
-    machine = read_machine(TEMPLATES["motion-composer"].description)
-    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     path = tmp_path_factory.mktemp("sound") / "book.xlsx"
-    build(machine.model_copy(update={"sizes": sizes}), path)
+    build(small(), path)
     return path.read_bytes(), without_charts(path.read_bytes())
 
 
@@ -100,7 +97,7 @@ RATED = (FOLDER / "cutting-machine.toml").read_text(encoding="utf-8")
 TEXTS = {
     "deep arrays": "a = " + "[" * 100_000 + "]" * 100_000,
     "deep tables": "a = " + "{b=" * 50_000 + "1" + "}" * 50_000,
-    "a long integer": f'template = "motion-composer"\ntitle = {"9" * 4301}',
+    "a long integer": f'template = "machine"\ntitle = {"9" * 4301}',
     "a list for a text": DESCRIPTION.replace("title = ", "title = [[1]]\n#", 1),
     "dotted keys": "\n".join(f"a{i}.b.c = {i}" for i in range(50_000)),
     "one deep dotted key": ".".join("a" * 50_000) + " = 1",

@@ -11,15 +11,14 @@ from functools import partial
 import pytest
 
 from tests.tiers import nights, seed
+from tests.workbook.composed import small
 from tests.workbook.reading.fuzz import damaged, pack, unpack, without_charts
 from workbook.build import build
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.judging.verify import verify
 from workbook.reading import guard
-from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
-from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
 
 FILES, CHUNKS = 400, 4  # by day; a night has as many runs of a chunk as it has NIGHTS
@@ -33,11 +32,8 @@ SECONDS = 600  # of one hostile file, on a busy machine; what this finds is a ha
 @pytest.fixture(scope="module")
 def sound(tmp_path_factory):
     """The bytes of the smallest book there is."""
-    template = TEMPLATES["motion-composer"]
-    machine = read_machine(template.description)
-    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     path = tmp_path_factory.mktemp("sound") / "book.xlsx"
-    build(machine.model_copy(update={"sizes": sizes}), path)
+    build(small(), path)
     return path.read_bytes()
 
 

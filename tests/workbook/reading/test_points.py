@@ -6,9 +6,9 @@ import pytest
 
 from workbook.reading.files import open_book
 from workbook.reading.points import without_points
-from workbook.templates import TEMPLATES
+from workbook.template import FOLDER
 
-BOOK = TEMPLATES["motion-composer"].book
+BOOK = FOLDER / "motion-composer.xlsx"
 
 
 @pytest.mark.parametrize("prefix", ["", "c:"])

@@ -373,8 +373,8 @@ def test_large_catalogues_get_larger_tables(tmp_path):
 
 
 def test_a_template_without_a_choice_of_motor_says_so():
-    with pytest.raises(InputError, match="motion-composer chooses no motor; --motors cannot be used"):
-        described(TEMPLATES["motion-composer"].description, motors=MOTORS)
+    with pytest.raises(InputError, match="indexing-overlap chooses no motor; --motors cannot be used"):
+        described(TEMPLATES["indexing-overlap"].description, motors=MOTORS)
 
 
 def test_figure_11_has_a_logarithmic_axis_and_a_line_for_each_product(tmp_path, build_book):

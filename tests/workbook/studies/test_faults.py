@@ -12,15 +12,14 @@ from pathlib import Path
 
 import pytest
 
+from tests.workbook.composed import small
 from tests.workbook.studies.studied import laws, planned, stops, written
 from workbook.build import build
 from workbook.cluster import ClusterError, pool
 from workbook.errors import WriteError
 from workbook.pool import HERE
-from workbook.reading.descriptions import read_machine
 from workbook.studies.folder import Parts
 from workbook.studies.run import run
-from workbook.templates import TEMPLATES
 
 GOALS = {"minimise": ["drive1_rms"]}
 VARIED = (laws("MTP", "CUB", "CIC"), stops(80, 120, 60))
@@ -307,11 +306,9 @@ sent.sizes, sent.verify_one = lambda places: [-1 for _ in places], blind
 
 @POSIX
 def test_workers_that_do_not_see_the_books_are_sent_them(tmp_path):
-    machine = read_machine(TEMPLATES["motion-composer"].description)
-    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
     books = tmp_path / "books"
     books.mkdir()
-    build(machine.model_copy(update={"sizes": sizes}), books / "a.xlsx")
+    build(small(), books / "a.xlsx")
     for name in ("b", "c"):
         (books / f"{name}.xlsx").write_bytes((books / "a.xlsx").read_bytes())
     with cluster(tmp_path, BLIND.format(folder=str(books))) as (address, _):

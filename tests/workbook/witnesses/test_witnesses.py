@@ -6,8 +6,9 @@ import zipfile
 import pytest
 
 from tests import cutting as cutting_machine
-from tests.mutation.bench import sized
+from tests.mutation.bench import sized, smaller
 from tests.tiers import by_day
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build
 from workbook.build import inputs as read_inputs
 from workbook.errors import MotionbookError
@@ -18,11 +19,12 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 
 
-@pytest.fixture(scope="module", params=by_day(TEMPLATES, "motion-composer"))
+@pytest.fixture(scope="module", params=by_day(DESCRIBED, COMPOSED))
 def book(request, tmp_path_factory):
     """A small book of each template."""
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(sized(TEMPLATES[request.param]), path)
+    _, machine = committed_as(request.param)
+    build(smaller(machine), path)
     return path
 
 

@@ -17,12 +17,12 @@ from spreadsheet_auditor.audit import main as audit
 from engine.laws.points import AHEAD, FLAT, WIDEST
 from engine.motion.turning import PARTS
 from tests.tiers import by_day
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.book.limits import COLUMN
 from workbook.book.quantity import SAYS
 from workbook.book.sentence import FINE, LARGEST, MOST, NOUGHT
 from workbook.build import build
-from workbook.reading.descriptions import read_machine, write_machine
-from workbook.templates import TEMPLATES
+from workbook.reading.descriptions import write_machine
 
 FACTORS = {"3", "5", "6", "7", "8", "12", "20", "42"}  # of a polynomial's integrals, and of closed forms: no inputs
 CLOSED = {
@@ -47,23 +47,24 @@ build(read_machine(Path(sys.argv[1])), Path(sys.argv[2]))
 """
 
 
-@pytest.fixture(scope="module", params=by_day(TEMPLATES, "motion-composer"))
+@pytest.fixture(scope="module", params=by_day(DESCRIBED, COMPOSED))
 def template(request):
-    return TEMPLATES[request.param]
+    """The template of a committed description, and that with fewer rows."""
+    return shortened(request.param)
 
 
 @pytest.fixture(scope="module")
 def book(template, tmp_path_factory):
     """The formulas of the committed books in fewer rows: what is judged are patterns, and that takes its time."""
-    path = tmp_path_factory.mktemp("short") / template.book.name
-    build(shortened(template), path)
+    path = tmp_path_factory.mktemp("short") / "book.xlsx"
+    build(template[1], path)
     return path
 
 
-def shortened(template):
-    machine = read_machine(template.description)
+def shortened(name):
+    template, machine = committed_as(name)
     sizes = machine.sizes.model_copy(update=dict.fromkeys(("law", "own_law", "cycle"), 12))
-    return machine.model_copy(update={"sizes": sizes})
+    return template, machine.model_copy(update={"sizes": sizes})
 
 
 @pytest.mark.parametrize("office", [FileFormat.OFFICE_2010, FileFormat.MICROSOFT_365, BETWEEN])
@@ -114,7 +115,7 @@ def audited(book, folder):
 
 def test_auditor_finds_nothing_above_low(book, template, tmp_path):
     answer = audited(book, tmp_path)
-    numbers, own = designed(template.declare(shortened(template)))
+    numbers, own = designed(template[0].declare(template[1]))
     above = [f for f in answer["findings"] if f["severity"] not in ("Low", "Info")]
     faults = [f for f in above if f["rule_id"] != "FORMULA_DRIFT" or f["location"] not in own]
     known = {place: FACTORS | TURN | NOTHING | DENSE | BESIDE | some for place, some in numbers.items()}
@@ -125,7 +126,7 @@ def test_auditor_finds_nothing_above_low(book, template, tmp_path):
 
 def test_auditor_is_awake(tmp_path):
     """A number typed over a formula in the middle of a column is found; so silence means something."""
-    build(shortened(TEMPLATES["motion-composer"]), tmp_path / "book.xlsx")
+    build(shortened(COMPOSED)[1], tmp_path / "book.xlsx")
     spoiled = openpyxl.load_workbook(tmp_path / "book.xlsx")
     sheet = spoiled["ACS"]
     row = next(c.row for c in sheet["D"] if isinstance(c.value, str) and "piece_s0" in c.value) + 3
@@ -137,7 +138,7 @@ def test_auditor_is_awake(tmp_path):
 
 def test_bytes_are_the_same_each_time(book, template, tmp_path):
     again = tmp_path / "again.xlsx"
-    build(shortened(template), again)
+    build(template[1], again)
     assert cmp(again, book, shallow=False)  # no diff of a million bytes
 
 
@@ -145,7 +146,7 @@ def test_bytes_do_not_hang_on_lxml(book, template, tmp_path):
     """openpyxl writes through lxml where it is installed, and then other bytes, unless it is told not to."""
     pytest.importorskip("lxml")
     described, again = tmp_path / "short.toml", tmp_path / "again.xlsx"
-    described.write_text(write_machine(shortened(template)), encoding="utf-8")
+    described.write_text(write_machine(template[1]), encoding="utf-8")
     environment = {name: value for name, value in os.environ.items() if name != "OPENPYXL_LXML"}
     command = [sys.executable, "-c", BUILD, str(described), str(again)]
     subprocess.run(command, check=True, env=environment)

@@ -14,6 +14,7 @@ import pytest
 from tests import cutting
 from tests.mutation.bench import smaller
 from tests.tiers import by_day
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build, committed
 from workbook.functions import publish
 from workbook.functions.page import declare
@@ -77,11 +78,11 @@ def differing(path, book, witness):
 
 
 @pytest.mark.parametrize("witness", OTHERS)
-@pytest.mark.parametrize("name", by_day(TEMPLATES, "motion-composer"))
+@pytest.mark.parametrize("name", by_day(DESCRIBED, COMPOSED))
 @pytest.mark.sample(3)
 def test_other_programs_compute_what_is_saved(name, witness, tmp_path):
-    template = TEMPLATES[name]
-    machine = smaller(read_machine(template.description))
+    template, machine = committed_as(name)
+    machine = smaller(machine)
     build(machine, tmp_path / "book.xlsx")
     assert differing(tmp_path / "book.xlsx", template.declare(machine), witness) == []
 
@@ -96,8 +97,8 @@ def test_other_programs_compute_what_is_saved_in_each_committed_book(description
 
 
 def test_a_value_that_is_not_computed_is_noticed(tmp_path):
-    template = TEMPLATES["motion-composer"]
-    machine, path = smaller(read_machine(template.description)), tmp_path / "book.xlsx"
+    template, machine = committed_as(COMPOSED)
+    machine, path = smaller(machine), tmp_path / "book.xlsx"
     build(machine, path)
     parts = archive.unzipped(path.read_bytes())
     name = "xl/worksheets/sheet2.xml"

@@ -45,17 +45,18 @@ def geometric(one: AxisRows) -> list[Quantity]:
     """Return the derivatives of an axis by the master angle."""
     axis, i, base = one.axis, one.axis.number, one.axis.base
     _, y1, y2, y3 = axis.at(one.machine.samples)
-    label, shown_as = f"axis {i}:", calc if one.machine.over.measured else result
+    label, shown_as, size = f"axis {i}:", calc if one.machine.over.measured else result, axis.motion.size
 
     def of(order: int) -> str:
         return derivative(one.pieces, order, str(i))
 
     return [
-        shown_as(f"g{i}", f"{label} geometric velocity", "y'", f"{base}/rad", f"={of(1)}", y1, source="dy/du"),
+        shown_as(f"g{i}", f"{label} geometric velocity", "y'", f"{base}/rad", f"={of(1)}", y1, scale=size(1),
+                 source="dy/du"),
         shown_as(f"gg{i}", f"{label} geometric acceleration", "y''", f"{base}/rad²", f"={of(2)}", y2,
-                 source="d²y/du²"),
+                 scale=size(2), source="d²y/du²"),
         shown_as(f"ggg{i}", f"{label} geometric jerk", "y'''", f"{base}/rad³",
-                 f"={of(3)}", y3, source="d³y/du³, between jumps"),
+                 f"={of(3)}", y3, scale=size(3), source="d³y/du³, between jumps"),
     ]  # fmt: skip
 
 
@@ -75,9 +76,9 @@ def results(one: AxisRows) -> list[Quantity]:
                source=POSITION),
         *([] if over.measured else geometric(one)),
         result(f"t{i}", f"{label} velocity", first, velocity, f"=[g{i}]*timing_omega{lift.shown}",
-               axis.rate(timed.v), source="y' ω" if over.paced else "dy/dx"),
+               axis.rate(timed.v), scale=axis.size(1), source="y' ω" if over.paced else "dy/dx"),
         result(f"tt{i}", f"{label} acceleration", second, acceleration, f"=[gg{i}]*timing_omega^2{lift.shown}",
-               axis.rate(timed.a), source="y'' ω²" if over.paced else "d²y/dx²"),
+               axis.rate(timed.a), scale=axis.size(2), source="y'' ω²" if over.paced else "d²y/dx²"),
     ]  # fmt: skip
 
 

@@ -211,7 +211,7 @@ def told_in_seconds(machine: AnyMachine) -> TimedMachine:
     return TimedMachine.model_validate(data)
 
 
-def in_units_of(data: dict[str, Any], unit: Unit, cycle: float) -> None:
+def in_units_of(data: dict[str, Any], unit: str, cycle: float) -> None:
     """Tell all places of a description, which are in degrees, in s or another unit of its cycle; what phases pass too.
 
     That is in SI by rad.

@@ -14,7 +14,7 @@ from engine.laws.base import Array
 from engine.motion import Motion, MotionValues, Phase
 from engine.motion.joining import Joined, Rates, joined
 from engine.motion.shifted import Shifted, Told
-from engine.timing import Axis, Movement, lane, shaft_speed, turn_time
+from engine.timing import Axis, Movement, at_rate, lane, shaft_speed, turn_time
 from workbook.entries.abscissa import ANGLE, Abscissa, in_unit
 from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.turn import TURN
@@ -80,16 +80,19 @@ class MovingAxis:
     @cached_property
     def joined(self) -> Joined:
         """The motion, with what its phases take from their neighbours: rests are among these."""
-        told = self._told()
-        return joined(told.phases, self.passed, self.given.repeats, float(told.edges[0]), self.begin, shares=False)
+        start, phases = self._told()
+        return joined(phases, self.passed, self.given.repeats, start, self.begin, shares=False)
 
     @property
     def begin(self) -> float:
         """Where it begins (m, or rad)."""
         return si(self.given.position, self.unit)
 
-    def _told(self) -> Motion:
-        """The phases and the rests between them, each between rests."""
+    def _told(self) -> tuple[float, list[Phase]]:
+        """Where the motion begins (rad), and its phases and the rests between them, each between rests.
+
+        A phase lasts what its end is later than its begin as both are entered: of places in rad that would lose digits.
+        """
         phases = self.given.phases
         ends = [0.0, *(p.stop for p in phases)]
         edges: list[float] = []
@@ -102,7 +105,8 @@ class MovingAxis:
                 edges, lifts = [*edges, phases[i].start], [*lifts, si(phases[i].lift, self.unit)]
                 laws = [*laws, self.library[phases[i].law]]
         last = TURN if len(phases) in self.rests else ends[-1]
-        return Motion.from_edges(si(np.array([*edges, last]), DEGREE), lifts, laws)
+        spans = si(np.diff([*edges, last]), DEGREE).tolist()
+        return si(edges[0], DEGREE), [Phase(*one) for one in zip(laws, lifts, spans, strict=True)]
 
     @cached_property
     def axis(self) -> Axis:
@@ -145,6 +149,10 @@ class MovingAxis:
     def rate(self, size: Real) -> Real:
         """Return as it is shown a rate that is in SI of the lift."""
         return shown(size, self.over.lift(self.given.unit).size)
+
+    def size(self, order: int) -> float:
+        """Return how large a derivative grows, as it is shown."""
+        return self.rate(float(at_rate(self.motion.size(order), np.array(self.speed), order)))
 
     @property
     def fastest(self) -> float:

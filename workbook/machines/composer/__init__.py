@@ -1,1 +1,0 @@
-"""Composed motion (S3)."""
