@@ -287,7 +287,7 @@ def read(
     switches: Annotated[bool, typer.Option("--switches", help="Tell a file's switches as entries.")] = False,
     force: Force = False,
 ) -> None:
-    """Read a controller's cam table as the description of a composed motion.
+    """Read a controller's cam table as the description of a machine of one axis.
 
     Dwells and turns part it; each movement is the first law of the registry that keeps to its points within their
     precision, also where phases meet at speed, else a cubic spline through as few of them as keep to the tolerance
