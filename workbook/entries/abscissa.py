@@ -35,7 +35,7 @@ class Lift(NamedTuple):
 
 
 METRES, RADIANS = Lift("m"), Lift("rad")
-ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*180/PI()", "/180*PI()")}
+ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*DEGREES(1)", "*RADIANS(1)")}
 
 
 @dataclass(frozen=True)
