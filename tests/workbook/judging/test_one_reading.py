@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from tests.workbook.composed import small
+from tests.workbook.composed import EXERCISE, composed
 from tests.workbook.judging.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, Known, repacked, sub
 from workbook.build import build
 from workbook.errors import ReadError
@@ -19,7 +19,7 @@ LINK = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/"
 @pytest.fixture(scope="module")
 def book(tmp_path_factory):
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(small(cycle=24, law=8, own_law=8), path)
+    build(composed((*EXERCISE, ("DWL", 0.0, 0.5))), path)  # so that no first number is whole
     return Known(path)
 
 
