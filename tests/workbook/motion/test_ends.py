@@ -14,7 +14,6 @@ from tests.workbook.composed import composed as one_axis
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.templates import TEMPLATES
 
 IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))
 SMALL = {"cycle": 36, "law": 4, "own_law": 4}

@@ -6,7 +6,7 @@ import zipfile
 import pytest
 
 from tests import cutting as cutting_machine
-from tests.mutation.bench import sized, smaller
+from tests.mutation.bench import smaller
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build
