@@ -291,8 +291,8 @@ def read(
 
     Dwells and turns part it; each movement is the first law of the registry that keeps to its points within their
     precision, also where phases meet at speed, else a cubic spline through as few of them as keep to the tolerance
-    (0.01 % of the reach unless told otherwise). A turn of a shaft that begins on the way is written as a machine's
-    axis with a shift. Build, verify and export what is written: the way back is closed.
+    (0.01 % of the reach unless told otherwise). A turn of a shaft that begins on the way is written as an axis
+    with a shift. Build, verify and export what is written: the way back is closed.
     """
     from workbook.commands import cams
 

@@ -93,7 +93,7 @@ class Bench:
     def __init__(self, template: Template, machine: Machine) -> None:
         self.template, self.machine = replace(template, finished=remembered(template.finished)), machine
         self.declared = self.template.declare(machine)
-        self.workbook = opened(self.declared, template.model)
+        self.workbook = opened(self.declared, type(machine))
         self.file = BookFile(Path(f"{template.name}.xlsx"), self.workbook, find_places(self.workbook))
         self.match = Match(self.file, self.declared)
         self.pairs = {pair.address: pair for pair in self.match.pairs}

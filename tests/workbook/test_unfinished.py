@@ -20,7 +20,8 @@ from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 
-MOVED, FEED, ONLY = ("axes", 1, "phases"), ("axes", 0), ("axes", 0, "phases")
+MOVED, FEED = ("axes", 1, "phases"), ("axes", 0)
+ONLY = ("axes", 0, "phases")
 TOOL = ("overlap", "tools", 0)
 PARTS = "Drive MC01, Rotating parts: entries within limits"
 PHASES = "Timing, Phases of axis 2: entries within limits"

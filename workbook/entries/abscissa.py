@@ -35,7 +35,7 @@ class Lift(NamedTuple):
 
 
 METRES, RADIANS = Lift("m"), Lift("rad")
-ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*180/PI()", "/180*PI()")}
+ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*DEGREES(1)", "*RADIANS(1)")}
 
 
 @dataclass(frozen=True)
@@ -75,6 +75,11 @@ class Abscissa:
     def symbols(self) -> tuple[str, str, str, str]:
         """Symbols of a position and its rates."""
         return "y", "ẏ", "ÿ", "j"
+
+    @property
+    def extremes(self) -> tuple[str, str, str, str]:
+        """Symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration."""
+        return "ẏmax", "ÿmax", "j_max", "ÿrms"
 
     def lift(self, unit: str) -> Lift:
         """Return how its rates show a lift that is entered in a unit."""
@@ -220,6 +225,12 @@ class Way(Measured):
     def symbols(self) -> tuple[str, str, str, str]:
         """Symbols of a position and its rates."""
         return "y", "y'", "y''", "y'''"
+
+    @property
+    def extremes(self) -> tuple[str, str, str, str]:
+        """Symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration."""
+        _, first, second, third = self.symbols
+        return first, second, third, second
 
     def lift(self, unit: str) -> Lift:
         """Return how its rates show a lift: as it is entered."""

@@ -17,7 +17,6 @@ JERK = '=IF(ABS([h])*[span]>0,IF(ISNUMBER(INDEX(law_cj,[no])),INDEX(law_cj,[no])
 LOW = "=IF([span]>0,[y0]+MIN([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
 HIGH = "=IF([span]>0,[y0]+MAX([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
 RMS = "IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)"
-AT_END = "=IF([span]>0,INDEX(law_{0},[no])*[h]/[span]{1},0)"
 
 
 def kind(given: str, ends: str = "") -> str:

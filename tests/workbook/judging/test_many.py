@@ -234,7 +234,7 @@ def test_the_command_sums_a_folder_up_and_names_the_worst_cell(folder, wrong):
     assert done.returncode == 1
     assert done.stderr == ""  # no bar where no terminal is
     assert "3 agree, 1 disagree, 1 skipped (no machine)." in done.stdout
-    assert f"{folder / 'wrong.xlsx'}: Motion!{wrong[1]}" in done.stdout
+    assert f"{folder / 'wrong.xlsx'}: Timing!{wrong[1]}" in done.stdout
 
 
 def test_the_json_of_many_files_has_each_of_them(folder, wrong):

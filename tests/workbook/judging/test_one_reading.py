@@ -148,7 +148,7 @@ def test_a_name_twice_is_refused_and_one_of_a_sheet_of_its_own_is_not(book, tmp_
     local = {WORKBOOK: sub(rb"(?=</definedNames>)", name % b' localSheetId="1"')}
     path = repacked(book.path, tmp_path / "b.xlsx", local)
     assert open_book(path).places["book_template"].sheet == "Summary"
-    assert [(f.kind, f.sheet, f.cell) for f in verify(path).findings] == [("name", "Motion", "book_template")]
+    assert [(f.kind, f.sheet, f.cell) for f in verify(path).findings] == [("name", "Timing", "book_template")]
 
 
 def test_a_second_list_of_sheets_is_refused(book, tmp_path):
@@ -227,7 +227,7 @@ def test_a_cell_twice_is_refused_wherever_it_stands(book, tmp_path):
     ],
 )  # fmt: skip
 def test_rows_and_cells_out_of_their_place_are_refused(pattern, new, book, tmp_path):
-    assert "damaged" in refused(repacked(book.path, tmp_path / "b.xlsx", {book.part("Motion"): sub(pattern, new)}))
+    assert "damaged" in refused(repacked(book.path, tmp_path / "b.xlsx", {book.part("Timing"): sub(pattern, new)}))
 
 
 @pytest.mark.parametrize("text", [b"<t>OK</t><t>FAIL</t>", b"<t>OK</t><r><t>FAIL</t></r>", b"<r><t>A</t></r><t>B</t>"])
@@ -252,7 +252,7 @@ def test_a_shared_text_written_twice_is_refused(text, book, tmp_path):
     ],
 )  # fmt: skip
 def test_what_programs_write_is_read(pattern, new, book, tmp_path):
-    path = repacked(book.path, tmp_path / "b.xlsx", {book.part("Motion"): sub(pattern, new)})
+    path = repacked(book.path, tmp_path / "b.xlsx", {book.part("Timing"): sub(pattern, new)})
     assert verify(path).findings == []
 
 
@@ -261,7 +261,7 @@ def test_a_part_with_a_prefix_for_its_namespace_is_read_alike(book, tmp_path):
         data = re.sub(rb"<(/?)(?=[a-zA-Z])(?![a-zA-Z]+:)", rb"<\1x:", data)
         return data.replace(b'xmlns="%s"' % SPACE, b'xmlns:x="%s"' % SPACE)
 
-    path = repacked(book.path, tmp_path / "b.xlsx", {book.part("Motion"): prefixed})
+    path = repacked(book.path, tmp_path / "b.xlsx", {book.part("Timing"): prefixed})
     report = verify(path)
     assert report.findings == []
     assert report.compared == report.declared

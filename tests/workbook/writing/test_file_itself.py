@@ -113,10 +113,18 @@ def audited(book, folder):
     return json.loads(answer.read_text())
 
 
+def folded(found, book):
+    """Whether what is found hidden are workings beside tables, which are folded by declaration."""
+    titles = [sheet.title for sheet in book.sheets if sheet.folded]
+    hidden = [re.match(r"Hidden columns \w+ to \w+ on (.*) feed ", text) for text in found["evidence"]]
+    return found["rule_id"] == "HIDDEN_STRUCTURE_IN_TOTAL" and all(one and one[1] in titles for one in hidden)
+
+
 def test_auditor_finds_nothing_above_low(book, template, tmp_path):
     answer = audited(book, tmp_path)
-    numbers, own = designed(template[0].declare(template[1]))
-    above = [f for f in answer["findings"] if f["severity"] not in ("Low", "Info")]
+    declared = template[0].declare(template[1])
+    numbers, own = designed(declared)
+    above = [f for f in answer["findings"] if f["severity"] not in ("Low", "Info") and not folded(f, declared)]
     faults = [f for f in above if f["rule_id"] != "FORMULA_DRIFT" or f["location"] not in own]
     known = {place: FACTORS | TURN | NOTHING | DENSE | BESIDE | some for place, some in numbers.items()}
     faults = [f for f in faults if f["rule_id"] != "LITERAL_CONSTANT" or literals(f) - known[f["location"]]]

@@ -106,7 +106,7 @@ def geometric_extremes(one: AxisRows) -> list[Quantity]:
 def extremes(one: AxisRows) -> list[Quantity]:
     """Return what each movement comes to."""
     axis, over = one.axis, one.machine.over
-    (_, y1, y2, y3), units, lift = over.symbols, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
+    symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
     source = ("C_v h/t", "C_a h/t²", "C_j h/t³", "C_a,rms h/t²")
     if not over.measured:
         source = ("y' ω", "y'' ω²", "y''' ω³", "C_a,rms h/δ² ω²")
@@ -114,14 +114,14 @@ def extremes(one: AxisRows) -> list[Quantity]:
         source = ("C_v h/δ", "C_a h/δ²", "C_j h/δ³", "C_a,rms h/δ²")
     mean = doubled(one.ends.own("rms", f"={RMS}")) if one.ends else f"={RMS}"
     return [
-        result("v", "velocity", f"{y1}max", units[0], f"=[y1]*timing_omega{lift}",
+        result("v", "velocity", symbols[0], units[0], f"=[y1]*timing_omega{lift}",
                moving(one, lambda m: axis.rate(m.v_max)), source=source[0]),
-        result("a", "acceleration", f"{y2}max", units[1], f"=[y2]*timing_omega^2{lift}",
+        result("a", "acceleration", symbols[1], units[1], f"=[y2]*timing_omega^2{lift}",
                moving(one, lambda m: axis.rate(m.a_max)), source=source[1]),
-        result("j", "jerk", f"{y3}_max" if over.paced else f"{y3}max", units[2],
+        result("j", "jerk", symbols[2], units[2],
                f'=IF(ISNUMBER([y3]),[y3]*timing_omega^3{lift},"∞")', jerks(moving(one, lambda m: axis.rate(m.j_max))),
                source=source[2]),
-        result("rms", "RMS acceleration", f"{y2}rms", units[1], f"{mean}*timing_omega^2{lift}",
+        result("rms", "RMS acceleration", symbols[3], units[1], f"{mean}*timing_omega^2{lift}",
                moving(one, lambda m: axis.rate(m.a_rms)), source=source[3]),
         *(lengths(one) if over.measured else []),
     ]  # fmt: skip

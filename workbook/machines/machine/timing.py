@@ -66,7 +66,7 @@ def of_length(machine: Whole) -> list[Quantity]:
     return [
         given("timing_cycle", f"{what} of a cycle", symbol, over.unit, over.length, "master.cycle",
               format=over.format, source=f"phases, shifts, switches{forces} are in {over.unit} of it"),
-        constant(in_unit(over.unit), "Over", "", "", over.unit, align="left", source=over.name),
+        constant(in_unit(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
         *([calc("timing_rate", "Production rate", "n", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
                 source="60 / t_c")] if over.paced else []),
         calc("timing_omega", "Speed of a turn a cycle" if over.paced else f"A turn a cycle, per {over.unit}", "ω",
