@@ -137,7 +137,7 @@ def test_schema_goes_to_the_terminal_or_a_file(tmp_path, capsys):
 
 
 def test_an_unknown_template_is_told_with_the_known_ones(tmp_path):
-    with pytest.raises(InputError, match=r"no template is named 'mill'; expected one of .*motion-composer"):
+    with pytest.raises(InputError, match=r"no template is named 'mill'; expected one of .*motion-laws"):
         describe.new("mill", tmp_path / "x.toml", False)
 
 
