@@ -41,7 +41,8 @@ class Window:
 
     def holds(self, x: float, cycle: float) -> bool:
         """Whether it acts at x of a cycle that is so long."""
-        return (x - self.begin) % cycle < (self.end - self.begin) % cycle or self.end - self.begin == cycle
+        lasts = self.end - self.begin
+        return math.isclose(lasts, cycle) or (x - self.begin) % cycle < lasts % cycle
 
 
 class Motion3(NamedTuple):

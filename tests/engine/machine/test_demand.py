@@ -368,3 +368,14 @@ def test_what_cannot_be_is_refused():
         replace(train, viscous=-1.0)
     with pytest.raises(ValueError, match="resists"):
         Window(0.0, 1.0, 1.0, "sometimes")
+
+
+@pytest.mark.parametrize("rounding", [-2e-15, 0.0, 2e-15])
+@pytest.mark.parametrize("begin", [0.0, 211.174, 359.9])
+def test_a_force_over_the_whole_cycle_acts_everywhere(begin, rounding):
+    """Also where the cycle, a sum of phases, is longer or shorter than a turn by its rounding."""
+    whole = Window(radians(begin), radians(begin + 360.0), 300.0)
+    cycle = 2.0 * pi * (1.0 + rounding)
+    assert all(whole.holds(x, cycle) for x in np.linspace(0.0, cycle, 50))
+    none = Window(radians(begin), radians(begin), 300.0)
+    assert not any(none.holds(x, cycle) for x in np.linspace(0.0, cycle, 50))

@@ -383,8 +383,8 @@ def test_a_block_whose_sheet_was_deleted_is_named(book):
 
 
 def test_a_block_said_to_reach_over_a_million_rows(book):
-    change = sub(rb'(?<=name="move_start">)[^<]*', b"Motion!$D$8:$D$1048576")
-    with pytest.raises(InputError, match="move_start"):
+    change = sub(rb'(?<=name="timing_cycle">)[^<]*', b"Timing!$D$8:$D$1048576")
+    with pytest.raises(InputError, match="timing_cycle"):
         verify(book({"xl/workbook.xml": change}))
 
 
@@ -407,7 +407,7 @@ def entry(path, name):
 )  # fmt: skip
 @pytest.mark.sample(8)
 def test_odd_inputs_are_named_by_their_cell(cell, book):
-    sheet, at = entry(book(), "move_start")
+    sheet, at = entry(book(), "timing_cycle")
     path = book({sheet: sub(rf'<c r="{at}"[^>]*>.*?</c>'.encode(), f'<c r="{at}" {cell}</c>'.encode())})
     assert named(path, at)
 
@@ -416,8 +416,8 @@ def test_odd_inputs_are_named_by_their_cell(cell, book):
 @pytest.mark.sample(3)
 def test_odd_numbers_of_rows_are_no_fault_of_ours(value, book):
     """In a column that numbers the rows of a table, by which rows that were put in are found."""
-    sheet, at = entry(book(), "phases")
-    place = open_book(book()).places["phases"]
+    sheet, at = entry(book(), "axis1")
+    place = open_book(book()).places["axis1"]
     numbers = next(c for c in range(place.columns) if open_book(book()).value(place.cell(1, c)) == 2)
     cell = place.cell(1, numbers).a1
     path = book({sheet: sub(rf'<c r="{cell}"[^>]*>.*?</c>'.encode(), f'<c r="{cell}"><v>{value}</v></c>'.encode())})
@@ -446,7 +446,7 @@ def named(path, at):
 )  # fmt: skip
 @pytest.mark.sample(5)
 def test_odd_formulas_are_findings(formula, book):
-    sheet, at = entry(book(), "move_total")
+    sheet, at = entry(book(), "timing_omega")
     new = f'<c r="{at}"><f>{formula.format(at=at)}</f></c>'.encode()
     report = verify(book({sheet: sub(rf'<c r="{at}"[^>]*>.*?</c>'.encode(), new)}))
     assert at in [finding.cell for finding in report.findings]
