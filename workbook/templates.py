@@ -11,7 +11,6 @@ MODULES = {
     "machine": "machine",
     "indexing-overlap": "overlap",
     "flying-cutter": "flying",
-    "actuator-sizing": "actuator",
     "motion-laws": "laws",
 }
 """where each template is declared, under workbook/machines/"""

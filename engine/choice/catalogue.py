@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -43,6 +43,10 @@ class Motors:
         _require_each("motor", self.names, "end_torque", halves, self.end_torque, "wherever full_torque_to is one")
         falls = ~(self.full_torque_to >= self.max_speed)
         _require_each("motor", self.names, "full_torque_to", falls, self.full_torque_to, "below max_speed")
+
+    def derated(self, share: float) -> Motors:
+        """Return them with a share of their rated torque left: see :func:`engine.drivetrain.derating`."""
+        return replace(self, rated_torque=self.rated_torque * share)
 
     @cached_property
     def knee(self) -> Array:

@@ -8,8 +8,6 @@ drive      a motor on a mechanism: torque, speed and power for any motion of the
 motor      its limits, operating points, derating
 cycle      phases of the load's motion: torque in each part, peak, exact RMS
 lossless   mean squares in closed form, where nothing is lost
-flow, squares   mean squares by phase where power turns round
-magnitudes      what rounding errors are measured by
 """
 
 from engine.drivetrain.chain import Load, Mechanism, Part, Stage, reflected_inertia

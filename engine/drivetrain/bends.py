@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drivetrain.drive import Drive
+from engine.drivetrain.losses import loss_factor
 from engine.laws.base import Array
 
 STEP = 1.0
@@ -81,16 +82,26 @@ class Bends:
     @property
     def level(self) -> float:
         """B (Nm), by the way of power whatever its size."""
-        lossy = math.prod(one.efficiency for one in self.drive.mechanism.stages) ** -self.sign
+        lossy = math.prod(before for before, _ in self.factors)
         return self.resists * lossy / self.drive.mechanism.ratio
+
+    @cached_property
+    def factors(self) -> list[tuple[float, float]]:
+        """The rule of losses of each stage, from the motor's: its factor beside b = 0, and past the bend."""
+        stages, method = self.drive.mechanism.stages, self.drive.method
+        return [
+            (float(loss_factor(self.sign, 1.0, one.efficiency, method)),
+             float(loss_factor(-self.sign, 1.0, one.efficiency, method)))
+            for one in stages
+        ]  # fmt: skip
 
     @cached_property
     def slopes(self) -> tuple[float, float, float]:
         """A (Nm per m/s² or rad/s²) up to the first bend, between both and past both, from virtual work by each way."""
-        m, side = self.drive.mechanism, self.sign
-        first, last = ((1.0 / one.efficiency) ** side for one in m.stages)
+        m = self.drive.mechanism
+        (first, first_past), (last, last_past) = self.factors
         own = (self.drive.motor_inertia + m.on_shaft(0)) * m.ratio
-        ways = [(first, last), (1.0 / first, last), (1.0 / first, 1.0 / last)]
+        ways = [(first, last), (first_past, last), (first_past, last_past)]
         turn = m.ratio_from(1)
         a, b, c = (own + one / m.ratio_to(1) * (other * m.on_shaft(2) / turn + m.on_shaft(1) * turn)
                    for one, other in ways)  # fmt: skip

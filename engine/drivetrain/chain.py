@@ -166,11 +166,6 @@ class Mechanism:
         lossless = inertia / self.ratio_to(shaft) ** 2
         return lossless / self.efficiency_to(shaft) if method == "document" else lossless
 
-    def at_load(self, shaft: int) -> float:
-        """Return what the load seems to weigh with all from a shaft on (kg, or kg m²): Σ J ω²/v²."""
-        behind = range(shaft, self.last + 1)
-        return math.fsum(self.on_shaft(k) * self.ratio_from(k) ** 2 for k in behind)
-
     def inertia(self, method: Method = "physical") -> float:
         """Return J of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
         parts = (self.at_motor(part.reflected, part.shaft, method) for part in self.parts)

@@ -61,11 +61,6 @@ def resisting(force: float, resists: Resists) -> Load:
     return Load(0.0, force) if resists == "always" else Load(0.0, friction=force)
 
 
-def masses(one: float, count: float = 1.0) -> float:
-    """Return the mass (kg) of ``count`` equal ones."""
-    return one * count
-
-
 def cylinder(diameter: float, length: float, density: float, bore: float = 0.0) -> float:
     """Return the inertia of a solid or hollow cylinder about its axis, ½ ρ π (R⁴ − r⁴) L, in kg m².
 

@@ -178,7 +178,7 @@ class BentPart:
     @property
     def first_factor(self) -> float:
         """The reducer's factor before power turns round in it."""
-        return float(self.bends.drive.mechanism.stages[0].efficiency ** -self.bends.sign)
+        return self.bends.factors[0][0]
 
     @property
     def held_at_rest(self) -> float:

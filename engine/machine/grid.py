@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from engine.choice.catalogue import Motors, Reducers
 from engine.choice.task import Task
 from engine.drivetrain import Motor
+from engine.drivetrain.losses import Method, gives_back
 from engine.laws.base import Array
 from engine.machine.course import Course
 from engine.machine.geared import Geared, Gears
@@ -51,9 +52,12 @@ class Points(NamedTuple):
     speed: Array
 
 
-def points(acceleration: Array, torque: Array, going: Array, speed: Array) -> Points:
-    """Return them of torques in directions of motion, 1, −1 or 0: at rest a torque counts as driving."""
-    back = torque * going < 0.0
+def points(acceleration: Array, torque: Array, going: Array, speed: Array, method: Method = "physical") -> Points:
+    """Return them of torques in directions of motion, 1, −1 or 0: at rest a torque counts as driving.
+
+    By the document's method it always does.
+    """
+    back = gives_back(torque, going, 0.0) & (method == "physical")
     return Points(acceleration, np.where(back, 0.0, torque), np.where(back, torque, 0.0), speed)
 
 

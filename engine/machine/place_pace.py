@@ -187,9 +187,13 @@ class PlacePace:
 
     @property
     def losses(self) -> list[tuple[float, float]]:
-        """Of each stage p = (1/η + η)/2 and q = (1/η − η)/2: a torque counts p + q times, one that brakes p − q."""
-        each = [stage.efficiency for stage in self.held.train.drive.mechanism.stages]
-        return [((1.0 / eta + eta) / 2.0, (1.0 / eta - eta) / 2.0) for eta in each]
+        """Of each stage p = (f + f*)/2, q = (f − f*)/2: a torque counts f = p + q times, one that brakes f* = p − q."""
+        train = self.held.train
+        each = [
+            [float(loss_factor(torque, 1.0, stage.efficiency, train.method)) for torque in (1.0, -1.0)]
+            for stage in train.drive.mechanism.stages
+        ]
+        return [((drives + brakes) / 2.0, (drives - brakes) / 2.0) for drives, brakes in each]
 
     @property
     def apart(self) -> list[int]:

@@ -8,7 +8,7 @@ from engine.machine.grid import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
-from workbook.machines.machine.chain import LINKED
+from workbook.machines.machine.chain import BELTED, LINKED
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
@@ -83,7 +83,11 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     force = drawn.choice((0.0, drawn.uniform(-900, 900)))
     kind, viscous = axis["mechanism"]["kind"], axis["load"]["viscous"]
     sized = travels and kind not in LINKED
-    axis["mechanism"] |= {"size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1)}
+    axis["mechanism"] |= {
+        "size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1),
+        "method": drawn.choice(("physical", "physical", "document")),
+        "belt": drawn.choice((None, drawn.uniform(0, 30))) if kind in BELTED else None,
+    }  # fmt: skip
     if kind in LINKED:
         linked(axis, drawn, kind, positions)
     axis["load"] = {
@@ -95,8 +99,8 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     axis["load"]["viscous"] = None if viscous is None else drawn.choice((0.0, drawn.uniform(0, 200)))
     axis["parts"] = [
         {
-            "name": f"part {i}", "count": float(drawn.randint(0, 5)), "inertia": drawn.uniform(0, 0.1),
-            "shaft": drawn.choice(("motor", "mechanism")), **teeth(drawn),
+            "name": f"part {i}", "count": float(drawn.randint(0, 5)), "shaft": drawn.choice(("motor", "mechanism")),
+            **teeth(drawn), **drawn.choice((cylinder, inertia))(drawn),
         }
         for i in range(drawn.randint(0, room))
     ]  # fmt: skip
@@ -104,8 +108,20 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     axis["motor"] = {
         "inertia": drawn.choice((0.0, drawn.uniform(0, 0.05))), "rated_torque": 10 ** drawn.uniform(-3, 6),
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
-        "holding": drawn.choice(("motor", "brake")),
+        "holding": drawn.choice(("motor", "brake")), "temperature": drawn.choice((None, drawn.uniform(-20, 110))),
+        "rated_at": drawn.uniform(20, 60), "limit": drawn.uniform(120, 200),
     }  # fmt: skip
+
+
+def inertia(drawn: random.Random) -> dict[str, float]:
+    """Return the inertia of a part."""
+    return {"inertia": drawn.uniform(0, 0.1)}
+
+
+def cylinder(drawn: random.Random) -> dict[str, float]:
+    """Return the size of a part that is a cylinder, hollow or not."""
+    size = {"diameter": drawn.uniform(10, 150), "length": drawn.uniform(0, 400), "density": drawn.uniform(900, 9000)}
+    return size | drawn.choice(({}, {"bore": drawn.uniform(0, 0.99) * size["diameter"]}))
 
 
 def teeth(drawn: random.Random) -> dict[str, float]:

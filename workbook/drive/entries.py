@@ -1,4 +1,4 @@
-"""What descriptions say of a drive: rotating parts, load, motor and reducer."""
+"""What descriptions say of rotating parts, and of efficiencies."""
 
 from __future__ import annotations
 
@@ -14,58 +14,21 @@ from workbook.entries.types import DesignError, Model, NotNegative, Positive
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 
 
-class MotorLimits(Model):
-    """What a motor can give."""
-
-    rated_torque: Positive  # Nm
-    peak_torque: Positive  # Nm
-    max_speed: Positive  # rpm
-
-
 class RotatingParts(Model):
-    """Rotating parts that turn alike, and how many."""
+    """Rotating parts that turn alike: how many, the inertia of one or a cylinder's size, teeth if they are geared."""
 
     name: Text
     count: NotNegative
-
-
-class GearedParts(RotatingParts):
-    """Rotating parts on a shaft, or geared to it: the inertia of one, the teeth of the gear that drives them."""
-
-    inertia: NotNegative  # kg m²
+    inertia: NotNegative | None = Field(default=None, description="Inertia of one, in kg m²; empty of a cylinder")
+    diameter: NotNegative | None = Field(default=None, description="Of a cylinder: its diameter, in mm")
+    length: NotNegative | None = Field(default=None, description="Of a cylinder: its length, in mm")
+    density: NotNegative | None = Field(default=None, description="Of a cylinder: its density, in kg/m³; steel: 7800")
+    bore: NotNegative | None = Field(default=None, description="Of a hollow cylinder: its inner diameter, in mm")
     teeth_driver: Positive | None = None
     teeth_driven: Positive | None = None
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield teeth of one gear without the other's."""
-        if (self.teeth_driver is None) != (self.teeth_driven is None):
-            missing = "teeth_driver" if self.teeth_driver is None else "teeth_driven"
-            yield DesignError(missing, GEARED.words, GEARED.rule, 1.0)
-
-
-GEARED = RowRule("geared", "COUNT([driver],[driven])<>1", "driver", "teeth of one gear alone, of the driver")
-
-
-class Gear(Model):
-    """A gear between the motor and the last element."""
-
-    name: Text
-    ratio: Positive  # speed before it over speed behind it
-    efficiency: Efficiency = 1.0
-
-
-class PlacedParts(RotatingParts):
-    """Rotating parts behind a number of gears: the inertia of one, or a cylinder."""
-
-    inertia: NotNegative | None = None  # kg m²
-    diameter: NotNegative | None = None  # mm
-    length: NotNegative | None = None  # mm
-    density: NotNegative | None = None  # kg/m³
-    bore: NotNegative | None = None  # mm
-    shaft: NotNegative = 0.0
-
-    def design_faults(self) -> Iterator[DesignError]:
-        """Yield a part of no known inertia, or of two; a bore as large as the cylinder; half a gear."""
+        """Yield a part of no known inertia, or of two; a bore as large as the cylinder; teeth of one gear alone."""
         size = {"diameter": self.diameter, "length": self.length, "density": self.density}
         missing = [name for name, value in size.items() if value is None]
         if self.inertia is None and missing:
@@ -76,8 +39,9 @@ class PlacedParts(RotatingParts):
             yield DesignError("", ALONE.words, ALONE.rule, alone)
         if self.bore and self.bore >= (self.diameter or 0.0):
             yield DesignError("bore", BORED.words, BORED.rule, 0.0)
-        if self.shaft != int(self.shaft):
-            yield DesignError("shaft", WHOLE.words, WHOLE.rule, float(int(self.shaft)))
+        if (self.teeth_driver is None) != (self.teeth_driven is None):
+            entry = "teeth_driver" if self.teeth_driver is None else "teeth_driven"
+            yield DesignError(entry, GEARED.words, GEARED.rule, 1.0)
 
 
 SIZED = RowRule(
@@ -89,4 +53,4 @@ ALONE = RowRule(
     "both an inertia and a cylinder: inertia",
 )  # fmt: skip
 BORED = RowRule("bored", "OR([bore]+0=0,[bore]+0<[diameter]+0)", "bore", "bore, not less than the diameter")
-WHOLE = RowRule("whole", "[shaft]+0=INT([shaft]+0)", "shaft", "gears before it, no whole number")
+GEARED = RowRule("geared", "COUNT([driver],[driven])<>1", "driver", "teeth of one gear alone, of the driver")

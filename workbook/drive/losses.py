@@ -23,17 +23,6 @@ def direction(speed: str) -> str:
     return f"IF(ABS({speed})<@still,0,SIGN({speed}))"
 
 
-def drives(torque: str, direction: str) -> str:
-    """Return the condition that what is behind a stage drives it: a torque against the direction of motion."""
-    return f"{torque}*{direction}+@near<0"
-
-
-def loss_factor(torque: str, direction: str, efficiency: str, method: str = "") -> str:
-    """Return f of a stage: 1/η where the torque behind it resists its direction or it stands, η where it drives.
-
-    ``method`` is the cell of the choice how losses are counted, if the book has one.
-    """
-    back = drives(torque, direction)
-    if method:
-        back = f'AND({method}<>"document",{back})'
-    return f"IF({back},{efficiency},1/{efficiency})"
+def loss_factor(torque: str, direction: str, efficiency: str) -> str:
+    """Return f of a stage: 1/η where the torque behind it resists its direction or it stands, η where it drives."""
+    return f"IF({torque}*{direction}+@near<0,{efficiency},1/{efficiency})"

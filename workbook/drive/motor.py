@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from engine.drivetrain.motor import CORNERS, Corners, Reserve
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Quantity, Sheet, calc, check, constant, given
+from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.sentence import NOTHING, Said, exceeding
-from workbook.drive.entries import MotorLimits
 from workbook.entries.units import RPM, shown
 
 RATED = "@motor_rated"
@@ -17,43 +16,21 @@ RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"
 """colours in the plane of speed and torque"""
 
 
-def limits_given(motor: MotorLimits, key: str) -> list[Quantity]:
-    """Return the rows of a motor's limits, kept at ``key`` of the description."""
-    return [
-        given("@motor_rated", "Motor: rated torque", "T_N", "Nm", motor.rated_torque, f"{key}.rated_torque",
-              source="example value: the document leaves the motor open"),
-        given("@motor_peak", "Motor: peak torque", "T_max", "Nm", motor.peak_torque, f"{key}.peak_torque",
-              source="example value"),
-        given("@motor_nmax", "Motor: largest speed", "n_max", "rpm", motor.max_speed, f"{key}.max_speed",
-              format="0.0##", source="example value"),
-    ]  # fmt: skip
-
-
-def limit_checks(
-    reserve: Reserve, of: str = "", rated: str = RATED, words: str = "rated torque", note: str = "",
-    mends: Said = NOTHING,
-) -> list[Quantity]:  # fmt: skip
-    """Return the checks of the RMS torque against the cell ``rated``, of the peak torque and of the speed.
-
-    ``mends`` says, behind what fails, what would mend it.
-    """
-
-    def label(text: str) -> str:
-        return f"{of}: {text}" if of else f"{text[0].upper()}{text[1:]}"
-
+def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quantity]:
+    """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
     peak, fastest = "MAX(@tmax,0-@tmin)", [shown(n, RPM) for n in (reserve.speed.value, reserve.speed.limit)]
     return [
-        check("@ok_rms", label(f"RMS torque within the {words}"), f"@rms<={rated}", reserve.rms_torque.ok, note,
-              says=exceeding("@rms", rated, "Nm", reserve.rms_torque.value, reserve.rms_torque.limit).then(mends)),
-        check("@ok_peak", label("peak torque within the motor's"), f"{peak}<=@motor_peak", reserve.peak_torque.ok,
+        check("@ok_rms", f"{of}: RMS torque within the rated torque", f"@rms<={RATED}", reserve.rms_torque.ok,
+              says=exceeding("@rms", RATED, "Nm", reserve.rms_torque.value, reserve.rms_torque.limit).then(mends)),
+        check("@ok_peak", f"{of}: peak torque within the motor's", f"{peak}<=@motor_peak", reserve.peak_torque.ok,
               says=exceeding(peak, "@motor_peak", "Nm", reserve.peak_torque.value, reserve.peak_torque.limit)
               .then(mends)),
-        check("@ok_speed", label("speed within the motor's"), "@speed<=@motor_nmax", reserve.speed.ok,
+        check("@ok_speed", f"{of}: speed within the motor's", "@speed<=@motor_nmax", reserve.speed.ok,
               says=exceeding("@speed", "@motor_nmax", "rpm", *fastest).then(mends)),
     ]  # fmt: skip
 
 
-def limits_table(sheet: Sheet, corners: Corners, backward: str, rated: str = RATED, *more: Quantity) -> None:
+def limits_table(sheet: Sheet, corners: Corners, backward: str) -> None:
     """Declare the corners of the limits as the charts draw them; ``backward`` says whether the motor turns so too."""
     right, up = zip(*CORNERS, strict=True)
     sheet.table(
@@ -63,8 +40,7 @@ def limits_table(sheet: Sheet, corners: Corners, backward: str, rated: str = RAT
         calc("rpm", "speed", "n", "rpm",
              f"=IF([side]=1,@motor_nmax,IF({backward},0-@motor_nmax,0))", shown(corners.speed, RPM)),
         calc("peak", "peak torque", "T_max", "Nm", "=[up]*@motor_peak", corners.peak),
-        calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{rated}", corners.rated),
-        *more,
+        calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
     )  # fmt: skip
 
 
@@ -77,13 +53,13 @@ def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
     )  # fmt: skip
 
 
-def plane(cycle: str, symbol: str, rated: str = "rated torque") -> Chart:
+def plane(cycle: str, symbol: str) -> Chart:
     """Return the chart of torque against speed, from the table ``cycle``, and the RMS point, within the limits."""
     lines = (
         Series("cycle", f"[{cycle}.rpm]", f"[{cycle}.torque]"),
         Series("RMS point", "[@point.rpm]", "[@point.torque]", points=True, marker="diamond", color=RMS_POINT),
         Series("peak torque and speed", "[@limits.rpm]", "[@limits.peak]", dashed=True, color=PEAK),
-        Series(rated, "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
+        Series("rated torque", "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
     )
     return Chart(
         "Torque against speed of the motor", "motor speed n_m [rpm]", f"motor torque {symbol} [Nm]", lines,

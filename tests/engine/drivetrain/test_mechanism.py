@@ -5,7 +5,7 @@ from math import pi, radians, sin
 import pytest
 
 from engine.drivetrain import KINDS, Load, Mechanism, Part, Slide, Stage, cylinder
-from engine.drivetrain.loads import GRAVITY, masses
+from engine.drivetrain.loads import GRAVITY
 
 LOAD = Slide(mass=12.0, friction=0.2, slope=radians(30), force=40.0)
 
@@ -91,15 +91,6 @@ def test_power_through_every_mechanism_is_kept_where_nothing_is_lost(kind):
     energy = moved * v * a + 0.02 * (machine.ratio_from(1) ** 2) * v * a + 1e-3 * machine.ratio**2 * v * a
     work = float(machine.torques(a, 1.0)[0]) * machine.ratio * v
     assert work == pytest.approx(34.0 * v + energy, rel=1e-13)
-
-
-def test_what_the_load_seems_to_weigh_from_a_shaft_on():
-    machine = KINDS["rack and pinion"].of(Load(2.0), 0.1, gears=[Stage("gear", 7.0)], parts=[Part("b", 0.02, 1)])
-    assert [machine.at_load(k) for k in (0, 1, 2)] == pytest.approx([2 + 0.02 * 400, 2 + 0.02 * 400, 2.0])
-
-
-def test_equal_masses():
-    assert masses(15.0, 10.0) == 150.0
 
 
 @pytest.mark.parametrize(

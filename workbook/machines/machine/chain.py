@@ -7,7 +7,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Field, model_validator
 
-from workbook.drive.entries import Efficiency, GearedParts
+from workbook.book.sentence import figure
+from workbook.drive.entries import Efficiency, RotatingParts
 from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, EmptyCell, Model, NotNegative, Number, Positive
 
@@ -30,6 +31,8 @@ LARGE: dict[str, dict[str, Any]] = {
 }
 """of mechanisms of a ratio that changes, sizes with which it reaches wherever an axis goes"""
 TURNING = ("rotary table", "gear train")
+BELTED = ("conveyor", "belt")
+"""mechanisms of which a belt moves with the load"""
 TABLE = "table"
 EITHER = (TABLE,)
 """mechanisms of axes that travel, and of those that turn"""
@@ -40,6 +43,7 @@ LINKED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 """of each mechanism of a ratio that changes: the entries that it must have, and those that may be empty"""
 Slope = Annotated[float, Field(ge=-90, le=90)]
+Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 """the name of one in the catalogue; empty where its figures are entered"""
 UNSIZED = "a size of the mechanism is empty"
@@ -72,6 +76,11 @@ class MechanismEntry(Model):
     kind: Kind = Field(description="What turns the motor's motion into the axis'")
     size: Positive  # 1 where the axis turns with it, or other entries tell its size
     efficiency: Efficiency
+    method: Literal["physical", "document"] = Field(
+        default="physical",
+        description="Losses: by the flow of power through each stage, or over the efficiency always, as S4 has it",
+    )
+    belt: NotNegative | None = Field(default=None, description="Of a conveyor or a belt: mass of the belt, in kg")
     crank: Positive | None = Field(default=None, description="Of a crank-slider: radius of the crank, in mm")
     rod: Positive | None = Field(default=None, description="Of a crank-slider: length of the connecting rod, in mm")
     offset: Number | None = Field(default=None, description="From the shaft to the slide's line, in mm; 0 if empty")
@@ -123,6 +132,7 @@ class MechanismEntry(Model):
         """The entries that are of other mechanisms."""
         own = {name for both in LINKED.get(self.kind, ()) for name in both}
         others = {name for names in LINKED.values() for both in names for name in both} - own
+        others |= set() if self.kind in BELTED else {"belt"}
         yield from (name for name in sorted(others) if getattr(self, name) not in (None, []))
 
 
@@ -173,12 +183,22 @@ class AxisMotor(Model):
     peak_torque: Positive | None = None  # Nm
     max_speed: Positive | None = None  # rpm
     holding: Literal["motor", "brake"] = "motor"
+    temperature: Temperature | None = Field(
+        default=None, description="Around it, in °C, where that lowers its rated torque; empty: as rated"
+    )
+    rated_at: Temperature = Field(default=40.0, description="That its rated torque holds at, in °C")
+    limit: Temperature = Field(default=155.0, description="The largest of its winding, in °C")
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield a figure that is missing of a motor without a name."""
-        for figure in ("inertia", "rated_torque", "peak_torque", "max_speed"):
-            if not self.name and getattr(self, figure) is None:
-                yield DesignError(figure, UNTOLD, "told", 1.0)
+        """Yield a figure that is missing of a motor without a name, and one hotter than its limit."""
+        for name in ("inertia", "rated_torque", "peak_torque", "max_speed"):
+            if not self.name and getattr(self, name) is None:
+                yield DesignError(name, UNTOLD, "told", 1.0)
+        for name in ("temperature", "rated_at"):
+            if (getattr(self, name) or 0.0) >= self.limit:
+                hottest = max(self.temperature or 0.0, self.rated_at)
+                said = f"{figure(hottest)} °C; expected less than the limit, {figure(self.limit)} °C"
+                yield DesignError(name, said, "cool", self.limit - 1.0)
 
 
 class Reducer(Model):
@@ -193,7 +213,7 @@ class Reducer(Model):
     max_speed: Positive | None = None  # rpm, of the input
 
 
-class AxisPart(GearedParts):
+class AxisPart(RotatingParts):
     """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer; or geared to it."""
 
     shaft: Literal["motor", "mechanism"]

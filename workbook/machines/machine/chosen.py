@@ -6,14 +6,14 @@ import math
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
-from engine.drivetrain import Motor
+from engine.drivetrain import Motor, derating
 from engine.drivetrain.chain import Part
 from engine.machine.limits import ReducerLimits
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, si
-from workbook.machines.machine.chain import UNTOLD
+from workbook.machines.machine.chain import UNTOLD, AxisMotor
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
 from workbook.selection.entries import Products
@@ -41,6 +41,7 @@ GEARED = {
 }  # fmt: skip
 """of each entry of a reducer: the cell that is used, and the column of the catalogue"""
 COLUMNS = {"inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax"}
+DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
 LIMITS = ("peak_torque", "mean_torque", "max_speed")
 GENERAL = ("kg m²",)
 
@@ -95,8 +96,14 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
     if axis.motor is None:
         raise ValueError(f"{axis.name} has no motor")
     found = named(products.motors, axis.motor.name)
-    figures = [float(getattr(found or axis.motor, name)) for name in IN_USE]
-    return MotorInUse(place_of(axis.motor.name, [row.name for row in products.motors]) + 1, *figures)
+    row = place_of(axis.motor.name, [row.name for row in products.motors]) + 1
+    figures = MotorInUse(row, *(float(getattr(found or axis.motor, name)) for name in IN_USE))
+    return figures._replace(rated_torque=figures.motor.derated(left_of(axis.motor)).rated_torque)
+
+
+def left_of(motor: AxisMotor) -> float:
+    """Return the share of its rated torque that a motor can give at the temperature around it."""
+    return 1.0 if motor.temperature is None else derating(motor.temperature, motor.limit, motor.rated_at)
 
 
 def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
@@ -131,10 +138,22 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
         given("@holding", "At rest the load is held by", "", "", motor.holding if motor else None,
               f"{key}.motor.holding", source="the motor, or a brake")
     )  # fmt: skip
-    return rows
+    return [*rows, *(temperature(axis.motor, f"{key}.motor") if axis.motor else ())]
 
 
-def in_use(motor: MotorInUse, reducer: ReducerInUse) -> list[Quantity]:
+def temperature(motor: AxisMotor, key: str) -> list[Quantity]:
+    """Return the rows of what lowers the rated torque of the motor."""
+    return [
+        given("@temperature", "Temperature around the motor", "ϑ", "°C", motor.temperature, f"{key}.temperature",
+              format="0.0##", source="empty: as rated"),
+        given("@rated_at", "Its rated torque holds at", "ϑ_N", "°C", motor.rated_at, f"{key}.rated_at",
+              format="0.0##"),
+        given("@winding", "Largest temperature of its winding", "ϑ_max", "°C", motor.limit, f"{key}.limit",
+              format="0.0##", source="155 °C of class F"),
+    ]  # fmt: skip
+
+
+def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quantity]:
     """Return the rows of the figures that the drive uses."""
     rows = [
         calc("@reducer_row", "Reducer: row of the catalogue", "", "",
@@ -154,10 +173,13 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse) -> list[Quantity]:
                  source="0: no limit" if name in LIMITS else "")
         )  # fmt: skip
     rows += [
-        calc(IN_USE[name], f"Motor: {words}", symbol, unit,
-             f"=IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))+0",
-             getattr(motor, name))
-        for name, words, symbol, unit, _ in MOTOR
+        calc("@derate", "Motor: share of its rated torque that is left", "", "", f"={DERATING}", left,
+             source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
+        *(calc(IN_USE[name], f"Motor: {words}", symbol, unit,
+               f"=IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))"
+               + ("*@derate" if name == "rated_torque" else "+0"),
+               getattr(motor, name), source="at its temperature" if name == "rated_torque" else "")
+          for name, words, symbol, unit, _ in MOTOR),
     ]  # fmt: skip
     return rows
 
@@ -168,6 +190,15 @@ def told(number: int, called: str) -> Quantity:
     return check("@ok_told", f"{called}: the motor is named or entered",
                  f'OR(@motor_name<>"",COUNT({figures})={len(IN_USE)})', True, rule=f"axes.{number - 1}.motor:told",
                  says=f'"{UNTOLD}"')  # fmt: skip
+
+
+HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'
+
+
+def cool(number: int, called: str) -> Quantity:
+    """Return the check that the motor is cooler than its winding may get."""
+    return check("@ok_cool", f"{called}: the motor is cooler than its limit", "MAX(@temperature,@rated_at)<@winding",
+                 True, rule=f"axes.{number - 1}.motor:cool", says=HOT)  # fmt: skip
 
 
 SOURCE = 100

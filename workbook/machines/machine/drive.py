@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from engine.drivetrain.loads import GRAVITY
+from engine.drivetrain.losses import loss_factor
 from engine.machine.stationary import PLACES
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.book.rows import filled, total
+from workbook.book.rows import total
 from workbook.book.sentence import NOTHING, Said, exceeding
-from workbook.drive.entries import GEARED
 from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KW, RPM, shown
 from workbook.machines.machine import chosen
 from workbook.machines.machine.breaks import ACTS, breaks_table, turns_table, windows_check, windows_table
-from workbook.machines.machine.chain import TABLE
+from workbook.machines.machine.chain import BELTED, TABLE
 from workbook.machines.machine.driven import SCREW, Driven
 from workbook.machines.machine.lines import lines
 from workbook.machines.machine.loads import loads
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import highest, mending, pace_columns, pace_tables
+from workbook.machines.machine.parts import parts_table
 from workbook.machines.machine.powered import PEAKS, power_columns, power_peaks, power_rows
 from workbook.machines.machine.selecting import behind
 from workbook.machines.machine.stretched import Stretched
@@ -74,7 +74,7 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
-        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
+        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer, driven.left))
         workings(sheet, one, driven, ratios(driven), way_of(view))
         cycle(sheet, view)
         lines(sheet, driven)
@@ -102,17 +102,19 @@ def size(driven: Driven) -> list[Quantity]:
     """Return the row of the mechanism's size, if it has one."""
     m, key = driven.given, f"axes.{driven.number - 1}.mechanism"
     label, symbol = SIZES.get(m.kind, ("", ""))
-    return [given("@size", label, symbol, "mm", m.size, f"{key}.size", format="0.0##")] if label else []
+    rows = [given("@size", label, symbol, "mm", m.size, f"{key}.size", format="0.0##")] if label else []
+    if m.kind in BELTED:
+        rows.append(given("@belt_mass", "Mass of the belt", "m_b", "kg", m.belt, f"{key}.belt", format="0.0##",
+                          source="moves with the load; its own weight balances itself"))  # fmt: skip
+    return rows
 
 
 def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     """Declare what is entered of this mechanism, its load, reducer and motor.
 
-    With viscous friction they are watched by two checks: the sentence of one would be too long for a cell.
+    They are watched by two checks: the sentence of one would be too long for a cell.
     """
     m, key = driven.given, f"axes.{driven.number - 1}"
-    products = chosen.entries(driven.entered, key)
-    apart = products if driven.entered.load.viscous is not None else []
     sheet.heading("Enter")
     sheet.rows(
         calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left",
@@ -123,43 +125,18 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
         *size,
         given("@eta2", "Efficiency of the mechanism", "η_2", "",
               m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
+        given("@method", "Losses", "", "", m.method, f"{key}.mechanism.method", align="left",
+              source="physical: by the flow of power; document: over η always, as S4"),
         *loads(driven, key),
-        *([] if apart else products),
     )  # fmt: skip
-    sheet.rows(*apart)
+    sheet.rows(*chosen.entries(driven.entered, key))
 
 
 def tables(sheet: Sheet, view: Stretched) -> None:
     """Declare what is entered row by row: rotating parts, process forces."""
     sheet.heading("Enter: parts and process forces")
-    parts(sheet, view.driven, view.one.machine.machine.sizes.rotors)
+    parts_table(sheet, view.driven, view.one.machine.machine.sizes.rotors)
     windows_table(sheet, f"axes.{view.driven.number - 1}", view)
-
-
-def parts(sheet: Sheet, driven: Driven, rows: int) -> None:
-    """Declare the rotating parts."""
-    e, key = driven.entered.parts, f"axes.{driven.number - 1}.parts.*"
-    turned = driven.parts
-
-    def entered(name: str) -> list[Any]:
-        return filled([getattr(part, name) for part in e], rows, None)
-
-    sheet.row += 1
-    sheet.table(
-        "@parts", "Rotating parts: leave spare rows empty, and the teeth of what turns with its shaft", rows,
-        given("name", "part", "", "", entered("name"), f"{key}.name"),
-        constant("k", "number", "k", "", list(range(1, rows + 1))),
-        given("count", "count", "", "", entered("count"), f"{key}.count", format="0"),
-        given("inertia", "inertia of one", "J", "kg m²", entered("inertia"), f"{key}.inertia", format="General"),
-        given("shaft", "on the shaft of", "", "", entered("shaft"), f"{key}.shaft", source="motor, or mechanism"),
-        given("driver", "teeth of the driver", "n1", "", entered("teeth_driver"), f"{key}.teeth_driver", format="0"),
-        given("driven", "teeth of the driven", "n2", "", entered("teeth_driven"), f"{key}.teeth_driven", format="0"),
-        calc("speed", "speed ratio", "ω_i/ω", "", "=IF(COUNT([driver],[driven])=2,[driver]/[driven],1)",
-             filled([part.speed_ratio for part in turned], rows, 1.0), source="n1/n2, over that shaft's"),
-        calc("all", "at that shaft", "J*", "kg m²", "=[count]*[inertia]*[speed]^2",
-             filled([part.reflected for part in turned], rows), source="n J (ω_i/ω)²"),
-        rules=[GEARED],
-    )  # fmt: skip
 
 
 def outcome(
@@ -219,6 +196,7 @@ def checks(driven: Driven, mends: Said = NOTHING) -> list[Quantity]:
         *limit_checks(driven.reserve, driven.called, mends=mends),
         *reducer_checks(driven, mends),
         chosen.told(driven.number, driven.called),
+        chosen.cool(driven.number, driven.called),
     ]
 
 
@@ -271,6 +249,17 @@ def ratios(driven: Driven) -> list[Quantity]:
     ]  # fmt: skip
 
 
+def lossy(driven: Driven) -> list[Quantity]:
+    """Return the rows of the factors of reducer and mechanism where the load drives them."""
+    stages = driven.mechanism.stages
+    factors = [float(loss_factor(-1.0, 1.0, stage.efficiency, driven.given.method)) for stage in stages]
+    return [
+        calc(f"@back{k}", f"Factor of the {name} where the load drives it", f"f_{k}", "",
+             f'=IF(@method="document",1/@eta{k},@eta{k})', factor, source="η; by S4 1/η, as where it is driven")
+        for k, (name, factor) in enumerate(zip(("reducer", "mechanism"), factors, strict=True), 1)
+    ]  # fmt: skip
+
+
 def way_of(view: Stretched) -> Quantity:
     """Return the row of the way; where phases hand over, one may move there and back."""
     driven, h = view.driven, f"[axis{view.driven.number}.h]"
@@ -282,8 +271,9 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]
     """Declare ratios, inertias and what resists, and more rows."""
     m, load = driven.mechanism, driven.load
     travels = driven.travels
-    steady = "=@force+@m*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
-    rubbing = "=@friction*@m*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
+    steady = "=@force+@mass*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
+    rubbing = "=@friction*@mass*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
+    moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia+0"
     gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
     base = "kg" if travels else "kg m²"
     force = "N" if travels else "Nm"
@@ -298,11 +288,12 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]
         *gravity,
         calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
              shown(driven.axis.speed, one.axis.speed)),
-        calc("@m", "What is moved", "m", base, "=@mass+0" if travels else "=@inertia+0", load.inertia),
+        calc("@m", "What is moved", "m", base, moved, m.on_shaft(m.last)),
         *ratios,
         calc("@j0", "Inertia on the motor's shaft, with it", "J_0", "kg m²",
              f"=@jm+@j_reducer+{on('motor')}", driven.at_motor, source="motor, reducer, parts"),
         calc("@j1", "Inertia on the mechanism's shaft", "J_1", "kg m²", f"={on('mechanism')}", m.on_shaft(1)),
+        *lossy(driven),
         calc("@steady", "What resists always", "", force, steady, load.torque, scale=driven.sizes.force,
              source="F + m g sin θ" if travels else ""),
         calc("@rub", "What opposes the motion", "", force, rubbing, load.friction, scale=driven.sizes.force,
@@ -328,7 +319,7 @@ def cycle(sheet: Sheet, view: Stretched) -> None:
         result("rpm", "motor speed", "n", "rpm", f"=@i*@faster*INDEX([cycle.t{i}],[k]+1)*60/(2*PI())",
                shown(speed, RPM)),
         result("torque", "motor torque", "T", "Nm",
-               '=IF(AND([dir]=0,@holding="brake"),0,IF([behind]*[dir]<0,@eta1,1/@eta1)*[behind]/@i1'
+               '=IF(AND([dir]=0,@holding="brake"),0,IF([behind]*[dir]<0,@back1,1/@eta1)*[behind]/@i1'
                f"+@j0*@i*@faster^2*INDEX([cycle.tt{i}],[k]+1))",
                torque, scale=driven.sizes.torque, source="f T_1/i_1 + J_0 i ÿ"),
         calc("dir", "direction", "", "",
@@ -338,7 +329,7 @@ def cycle(sheet: Sheet, view: Stretched) -> None:
              f"+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force,
              source="with process forces"),
         calc("behind", "torque of the mechanism's shaft", "T_1", "Nm",
-             f"=IF([force]*[dir]<0,@eta2,1/@eta2)*[force]/@i2+@j1*@i2*@faster^2*INDEX([cycle.tt{i}],[k]+1)", behind,
+             f"=IF([force]*[dir]<0,@back2,1/@eta2)*[force]/@i2+@j1*@i2*@faster^2*INDEX([cycle.tt{i}],[k]+1)", behind,
              scale=driven.sizes.behind, source="f F/i_2 + J_1 i_2 ÿ"),
         constant("k", "sample", "k", "", list(range(len(going)))),
     )  # fmt: skip

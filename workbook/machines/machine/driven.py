@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage
+from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, cylinder
 from engine.drivetrain.bends import Bends, Sizes, sizes_of
 from engine.drivetrain.chain import geared
 from engine.drivetrain.kinds import Kind
@@ -19,14 +19,23 @@ from engine.machine.bent import Scales, scales
 from engine.machine.course import Course
 from engine.machine.demand import Demand
 from engine.machine.train import Train, Window
+from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, MM, shown, si
-from workbook.machines.machine.chosen import motor_in_use, reducer_in_use
+from workbook.machines.machine.chosen import left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
 from workbook.selection.entries import Products
 
 RESISTING = {"resists": 1.0, "drives": -1.0}
 SHAFTS = ("motor", "mechanism")
 SCREW = "lead screw"
+
+
+def inertia_of(part: RotatingParts) -> float:
+    """Return the inertia of one part (kg m²), entered or that of a cylinder."""
+    if part.inertia is not None:
+        return part.inertia
+    diameter, length, bore = (si(x or 0.0, MM) for x in (part.diameter, part.length, part.bore))
+    return cylinder(diameter, length, part.density or 0.0, bore)
 
 
 class Driven:
@@ -70,6 +79,11 @@ class Driven:
         return Slide(e.mass, e.friction, radians(e.slope), e.force).load
 
     @property
+    def belt(self) -> float:
+        """Mass of the belt that moves with the load (kg)."""
+        return self.given.belt or 0.0
+
+    @property
     def viscous(self) -> float:
         """Viscous friction of the load (N per m/s, or Nm per rad/s)."""
         return self.entered.load.viscous or 0.0
@@ -78,14 +92,14 @@ class Driven:
     def parts(self) -> list[Part]:
         """The rotating parts."""
         return [
-            Part(p.name, p.inertia, SHAFTS.index(p.shaft), p.count, geared(p.teeth_driver, p.teeth_driven))
+            Part(p.name, inertia_of(p), SHAFTS.index(p.shaft), p.count, geared(p.teeth_driver, p.teeth_driven))
             for p in self.entered.parts
         ]
 
     @cached_property
     def mechanism(self) -> Mechanism:
         """Reducer and mechanism, their parts and the load."""
-        return self.kind.of(self.load, self.size, self.given.efficiency, [self.stage], self.turned)
+        return self.kind.of(self.load, self.size, self.given.efficiency, [self.stage], self.turned, self.belt)
 
     @property
     def stage(self) -> Stage:
@@ -100,7 +114,7 @@ class Driven:
     @cached_property
     def drive(self) -> Drive:
         """The motor on it."""
-        return Drive(self.mechanism, self.motor_used.inertia, holding=self.holding)
+        return Drive(self.mechanism, self.motor_used.inertia, self.given.method, self.holding)
 
     @property
     def train(self) -> Train:
@@ -120,7 +134,12 @@ class Driven:
     @property
     def inertia_ratio(self) -> float:
         """The same over the motor's; 0 of a motor without inertia."""
-        return self.drive.inertia_ratio
+        return replace(self.drive, method="physical").inertia_ratio
+
+    @property
+    def left(self) -> float:
+        """Share of its rated torque that the motor can give at the temperature around it."""
+        return left_of(self.entered.motor) if self.entered.motor else 1.0
 
     @cached_property
     def motor(self) -> Motor:
@@ -205,7 +224,7 @@ class Driven:
         found = np.empty((3, len(a)))
         for k, angle in enumerate(angles.tolist()):
             drive = self.bends_under(self.acting(angle), 1.0).drive
-            torques = drive.mechanism.torques(a[k], going[k])
+            torques = drive.mechanism.torques(a[k], going[k], drive.method)
             found[:, k] = drive.torque(a[k], going[k]), torques[1], torques[2]
         return Samples(self.mechanism.turning(0, v), *found)
 

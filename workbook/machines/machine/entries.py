@@ -44,6 +44,8 @@ from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
 from workbook.selection.entries import SelectionSizes, require_room
 
 MOST_AXES = 24
+PRINTED = ("lead screw", "conveyor")
+"""the mechanisms of S4"""
 Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
 OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
@@ -77,6 +79,9 @@ class Axis(Model):
     rate: Positive | None = Field(
         default=None, description="Rate that its drive is sized at, in cycles/min, if not the machine's"
     )
+    printed: Literal["S4"] | None = Field(
+        default=None, description="A document whose printed figures a sheet of its own has beside those of the drive"
+    )
     mechanism: MechanismEntry | None = None
     load: AxisLoad = AxisLoad()
     parts: list[AxisPart] = []  # noqa: RUF012 - frozen
@@ -105,6 +110,8 @@ class Axis(Model):
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
         if self.mechanism and self.mechanism.kind in (*TURNING, *LINKED) and self.mechanism.size != 1.0:
             raise EntryError("mechanism.size", f"a {self.mechanism.kind} has no size; expected none")
+        if self.printed and self.mechanism and self.mechanism.kind not in PRINTED:
+            raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
         if self.mechanism and (name := next(self.mechanism.foreign, "")):
             raise EntryError(f"mechanism.{name}", f"a {self.mechanism.kind} has no {name}; expected none")
         for name in TRAVELLING_LOAD if self.unit == "°" else TURNING_LOAD:
@@ -114,7 +121,7 @@ class Axis(Model):
 
     def _nothing_driven(self) -> None:
         """Raise EntryError for what belongs to a drive, and would stand nowhere."""
-        for name in ("rate", "load", "parts", "reducer"):
+        for name in ("rate", "printed", "load", "parts", "reducer"):
             if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
                 raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
 

@@ -9,8 +9,8 @@ ABOUT = (
     "In the direction of motion the torque over the acceleration is a line that bends twice, where power turns round "
     "in the reducer and in the mechanism: where the load resists, and where it drives."
 )
-FACTORS = {"resists": "1/{0}", "drives": "{0}"}
-TURNED = {"resists": "{0}", "drives": "1/{0}"}
+FACTORS = {"resists": "1/@eta{0}", "drives": "@back{0}"}
+TURNED = {"resists": "@back{0}", "drives": "1/@eta{0}"}
 
 
 def lines(sheet: Sheet, driven: Driven) -> None:
@@ -18,8 +18,8 @@ def lines(sheet: Sheet, driven: Driven) -> None:
     sheet.heading("Workings: the torque over the acceleration", ABOUT)
     for name, way in driven.lines.items():
         w, slopes = f"@{name}", way.slopes
-        keep, turned = (one[name].format("@eta1") for one in (FACTORS, TURNED))
-        keep2, turned2 = (one[name].format("@eta2") for one in (FACTORS, TURNED))
+        keep, turned = (one[name].format(1) for one in (FACTORS, TURNED))
+        keep2, turned2 = (one[name].format(2) for one in (FACTORS, TURNED))
         sign, slope = ("1", max(slopes)) if name == "resists" else ("(0-1)", max(slopes))
 
         def line(one: str, other: str) -> str:

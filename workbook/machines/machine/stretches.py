@@ -201,7 +201,7 @@ def ends(view: Stretched) -> list[Quantity]:
     return [
         calc("hold", "torque at rest", "", "Nm", '=IF(@holding="brake",0,[r]/@eta2/@i2/@eta1/@i1)',
              of(lambda p: p.held_at_rest), scale=sizes.torque, source="as if it drove"),
-        calc("f", "factor of the reducer", "f", "", "=IF([sign]<0,@eta1,1/@eta1)", of(lambda p: p.first_factor)),
+        calc("f", "factor of the reducer", "f", "", "=IF([sign]<0,@back1,1/@eta1)", of(lambda p: p.first_factor)),
         motor("yb", "begin", 0), motor("ye", "end", 1), shaft("yb", "begin", 0), shaft("ye", "end", 1),
     ]  # fmt: skip
 

@@ -28,6 +28,7 @@ from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.pacing import rate_of
 from workbook.machines.machine.power import power_sheet
+from workbook.machines.machine.printed import printed_sheets
 from workbook.machines.machine.selecting.sheet import selection_sheet
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
@@ -76,12 +77,13 @@ def declare(given: AnyMachine) -> Book:
     power_sheet(book, given.power, list(drives.values()))
     selection_sheet(book, given.selection, given.sizes, list(drives.values()))
     catalogue_sheet(book, given)
+    printed_sheets(book, drives.values())
     shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     cycle_sheet(book, machine, rows)
     pieces_sheet(book, rows, bool(drives or apart))
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
-    return finish(book, "Machine", ("S1", "S3"))
+    return finish(book, "Machine", ("S1", "S3", "S4"))
 
 
 def pace(machine: Whole) -> list[Quantity]:

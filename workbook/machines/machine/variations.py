@@ -8,7 +8,7 @@ from typing import Any
 from engine.machine.grid import RANKS
 from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
-from workbook.machines.machine.chain import LINKED, WINDOWS, bends
+from workbook.machines.machine.chain import BELTED, LINKED, WINDOWS, bends
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
@@ -16,6 +16,7 @@ from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
 SEVENTH = POLYNOMIAL.format(7)
+CYLINDER = {"diameter": 60.0, "density": 7800.0}
 STRAIGHT = "=-1"
 """of a page: how a straight line meets its neighbours"""
 SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
@@ -166,7 +167,11 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     motors, reducers = products["motors"], products["reducers"]
     travels = axis["unit"] == "mm"
     sized = travels and axis["mechanism"]["kind"] not in LINKED
-    axis["mechanism"] |= {"size": 7.0 + 11 * k if sized else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX)}
+    axis["mechanism"] |= {
+        "size": 7.0 + 11 * k if sized else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
+        "method": ("physical", "document")[(i + k) % 4 == 3],
+        "belt": 4.0 * k if axis["mechanism"]["kind"] in BELTED and k else None,
+    }  # fmt: skip
     if axis["mechanism"]["kind"] in LINKED:
         linked(axis, i, k, sizes["positions"])
     viscous = None if axis["load"]["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k]
@@ -182,7 +187,11 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         {
             "name": f"part {j + 1}",
             "count": 1.0 + j,
-            "inertia": 0.002 * (j + k),
+            **(
+                CYLINDER | {"length": 100.0 + 15 * k, "bore": 20.0 if k % 2 else None}
+                if (j + k) % 3 == 1
+                else {"inertia": 0.002 * (j + k)}
+            ),
             "shaft": ("motor", "mechanism")[(j + k) % 2],
             **({"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}),
         }
@@ -197,6 +206,9 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     limits = ("rated_torque", "peak_torque", "max_speed")
     axis["motor"] |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
     axis["motor"] |= {"inertia": 0.0 if k == 4 else 0.001 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor"}
+    axis["motor"] |= {
+        "temperature": (None, 35.0, 20.0, 90.5, None, 60.0)[(i + k) % SIX], "rated_at": 25.0 + k, "limit": 150.0 + k,
+    }  # fmt: skip
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 
 

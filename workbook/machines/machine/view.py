@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Container
 from functools import cached_property
 from itertools import permutations
-from typing import Any, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -235,9 +235,8 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
         if units:
             drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
             load = LEAST.model_copy(update={"viscous": 0.0}) if viscous_name(i) in names else LEAST
-            axes.append(
-                machine.axes[0].model_copy(update={"unit": units[0], "load": load, "parts": [], "rate": None} | drive)
-            )
+            own = {"unit": units[0], "load": load, "parts": [], "rate": None, "printed": printed_in(i, names)}
+            axes.append(machine.axes[0].model_copy(update=own | drive))
     told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
     found: dict[str, Any] = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
     chosen = machine.axes[0].name if CHOSEN in names else None
@@ -290,6 +289,11 @@ def kind_name(number: int, kind: str) -> str:
     return f"drive{number}_{kind.replace(' ', '_').replace('-', '_')}"
 
 
+def printed_in(number: int, names: Container[str]) -> Literal["S4"] | None:
+    """Return which document's figures a file has beside those of an axis, by its defined names."""
+    return "S4" if f"drive{number}_printed" in names else None
+
+
 def viscous_name(number: int) -> str:
     """Return the name of the cell of an axis' viscous friction: by it a file tells that it has one."""
     return f"drive{number}_viscous"
@@ -305,5 +309,6 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     for i, axis in enumerate(machine.axes):
         if axis.mechanism:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
+    found |= {f"axes.{i}.printed": axis.printed for i, axis in enumerate(machine.axes) if axis.printed}
     viscous = (i for i, axis in enumerate(machine.axes) if axis.load.viscous is not None)
     return found | {f"axes.{i}.load.viscous": 0.0 for i in viscous}

@@ -133,8 +133,8 @@ def loss_rows(pace: PlacePace) -> list[Quantity]:
     """Return the rows of how losses count: a stage multiplies F by p + q where it drives, by p − q where it brakes."""
     stages = zip(("1", "2"), ("reducer", "mechanism"), pace.losses, strict=True)
     return [
-        calc(f"@{name}{k}", f"Losses of the {stage}, {words}", f"{name}_{k}", "", f"=(1/@eta{k}{sign}@eta{k})/2", value,
-             source=f"(1/η_{k} {told} η_{k})/2")
+        calc(f"@{name}{k}", f"Losses of the {stage}, {words}", f"{name}_{k}", "",
+             f"=(1/@eta{k}{sign}@back{k})/2", value, source=f"(1/η_{k} {told} f_{k})/2")
         for k, stage, values in stages
         for (name, (sign, told, words)), value in zip(LOSSES.items(), values, strict=True)
     ]  # fmt: skip

@@ -45,8 +45,8 @@ def turned(
     g, change = (g, f"{h}*{v}^2+") if view.varies else ("@i2", "")
     rubs, rubbing = (f"+@viscous*{v}", "c ẏ + ") if viscous else ("", "")
     at_st = "INDEX([@st.{}],[st])".format
-    last = f"IF({force}*{at_st('dir')}<0,@eta2,1/@eta2)*{force}/{g}"
-    first = f"IF({behind}*{at_st('dir')}<0,@eta1,1/@eta1)*{behind}/@i1"
+    last = f"IF({force}*{at_st('dir')}<0,@back2,1/@eta2)*{force}/{g}"
+    first = f"IF({behind}*{at_st('dir')}<0,@back1,1/@eta1)*{behind}/@i1"
     return [
         *(kinds.of(view.driven).ratios(view.driven, at, within, mark) if view.varies else ()),
         calc(f"w{mark}", "speed of the shaft", "φ̇", "rad/s", f"={g}*{v}", at.rate, scale=view.rate,

@@ -64,7 +64,7 @@ def placed_sheet(book: Book, view: PlacedWork) -> None:
         drive.tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
-        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer))
+        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer, driven.left))
         drive.workings(sheet, one, driven, [
             calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=timing_omega*@faster",
                  driven.axis.speed),

@@ -73,9 +73,16 @@ def means(sheet: Sheet, view: Stretched) -> None:
     own, mixed, mixed_back, square, square_back = load.squares
     held = "SUMPRODUCT([@st.on]*([@st.dir]=0)*([@st.ue]-[@st.ub])*([@st.hold]*@eta1*@i1)^2)"
 
-    def mean(mark: str, same: str, other: str, more: str = "") -> str:
+    def summed(mark: str, same: str, other: str) -> str:
         first, second = (f"SUMPRODUCT([@st.{mark}{n}]*([@st.sign]{sign}0))" for n, sign in ((1, same), (2, other)))
-        return f"=({first}+{second}{more})/(2*PI())"
+        return f"({first}+{second})"
+
+    def driving(mark: str, more: str = "") -> str:
+        driven = f'IF(@method="document",{summed(mark, "<", ">")},0)'
+        return f"=({summed(mark, '>', '<')}+{driven}{more})/(2*PI())"
+
+    def driven_by_load(mark: str) -> str:
+        return f'=IF(@method="document",0,{summed(mark, "<", ">")}/(2*PI()))'
 
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
@@ -83,12 +90,12 @@ def means(sheet: Sheet, view: Stretched) -> None:
     sheet.rows(
         calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", f"={total('@st.bq')}/(2*PI())", own, scale=scale.turned),
         calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²",
-             mean("bs", ">", "<", f"+{held}"), square, scale=scale.square),
-        calc("@ask_square_back", "… where the load drives it", "", "Nm²", mean("bs", "<", ">"),
+             driving("bs", f"+{held}"), square, scale=scale.square),
+        calc("@ask_square_back", "… where the load drives it", "", "Nm²", driven_by_load("bs"),
              square_back, scale=scale.square),
-        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean("bp", ">", "<"),
+        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", driving("bp"),
              mixed, scale=scale.product),
-        calc("@ask_product_back", "… where the load drives it", "", "W/s", mean("bp", "<", ">"),
+        calc("@ask_product_back", "… where the load drives it", "", "W/s", driven_by_load("bp"),
              mixed_back, scale=scale.product),
         calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
         calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j1+@m/@i2^2", load.inertia),

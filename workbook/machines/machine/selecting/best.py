@@ -44,7 +44,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
         result("i", "reduction", "i", "", there(at("[@reducers.i]", "r")),
                filled([float(view.reducers.reduction[r]) for _, r in pairs], BEST), format=DASH),
         result("rms", "RMS torque", "T_rms", "Nm", pair("rms"), of("rms"), format=DASH, scale=torque),
-        result("margin", "margin", "", "", f"=IF([rms]>0,{at('[motors.rated]', 'm')}/[rms],0)", of("margin"),
+        result("margin", "margin", "", "", f"=IF([rms]>0,{at('[@motors.rated]', 'm')}/[rms],0)", of("margin"),
                source="T_N/T_rms", format=DASH),
         result("peak", "peak torque", "T_max", "Nm", pair("peak"), of("peak"), format=DASH, scale=torque),
         result("n", "largest speed", "n", "rpm", there(at("[@reducers.n]", "r")), of("speed"), format='0;-0;"–"'),

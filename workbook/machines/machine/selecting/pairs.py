@@ -137,13 +137,15 @@ def motors(sheet: Sheet, view: Choosing) -> None:
                ("rated", "rated torque", "Nm", "rated", m.rated_torque),
                ("peak", "peak torque", "Nm", "peak", m.peak_torque),
                ("nmax", "largest speed", "rpm", "nmax", shown(m.max_speed, RPM)))  # fmt: skip
+    warm = {"rated": "*@left"}
     known = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for _, _, _, column, _ in columns)
     sheet.table(
         "@motors", "Motors of the catalogue", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
         calc("on", "in use", "", "", f"=IF({known}=1,1,0)",
              filled(filled([], count, 1), n, 0), format="0"),
-        *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]),0)", filled(values, n))
+        *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){warm.get(name, '')},0)",
+               filled(values, n))
           for name, label, unit, column, values in columns),
         calc("knee", "peak torque holds to", "", "rpm",
              "=IF([on]=1,IF(COUNT(INDEX([motors.knee],[k]))=1,INDEX([motors.knee],[k]),[nmax]),0)",

@@ -50,7 +50,8 @@ class Choosing:
         self.stretched = drives[self.number]
         self.driven = self.stretched.driven
         self.rooms = sizes.motors, sizes.reducers
-        self.motors, self.reducers = engine_motors(given.motors), engine_reducers(given.reducers)
+        self.motors = engine_motors(given.motors).derated(self.driven.left)
+        self.reducers = engine_reducers(given.reducers)
 
     @cached_property
     def load(self) -> Behind:
@@ -99,7 +100,7 @@ class Choosing:
         ends = [(part, end) for end in (0, 1) for part in self.parts]
         alpha = np.array([part.turning_at(end) for part, end in ends])
         fastest = np.array([part.fastest_behind for part, _ in ends])
-        return points(alpha, self.torque, self.going, fastest)
+        return points(alpha, self.torque, self.going, fastest, self.driven.given.method)
 
     @property
     def torque(self) -> Array:
@@ -208,6 +209,7 @@ def figures_of(view: Stretched) -> list[tuple[float, float]]:
         (mixed, scale.product), (mixed_back, scale.product),
         (load.speed, 0.0), (load.torque, d.sizes.behind),
         (load.inertia, 0.0), (d.beside_motor, 0.0), (d.mechanism.ratio_from(1), 0.0),
+        (float(d.given.method == "physical"), 0.0), (d.left, 0.0),
         (d.at_motor, 0.0), (d.motor_used.inertia, 0.0), (d.reducer.ratio, 0.0), (d.reducer.efficiency, 0.0),
         (d.motor_used.rated_torque, 0.0), (d.motor_used.peak_torque, 0.0),
         (d.motor_used.max_speed, 0.0),

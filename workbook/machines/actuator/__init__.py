@@ -1,1 +1,0 @@
-"""Sizing of an actuator (S4)."""
