@@ -12,11 +12,11 @@ from workbook.machines.machine.chain import BELTED, LINKED
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
-from workbook.machines.machine.variations import constant_drives
+from workbook.machines.machine.variations import constant_drives, of_shapes
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
-SHAPED = {name for name in MOVING if FAMILY[name].page.shapes is not None or name in ("PO7", "DHM")}
+SHAPED = {name for name in MOVING if of_shapes(FAMILY[name]) or name in ("PO7", "DHM")}
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:

@@ -81,7 +81,7 @@ def test_a_coefficient_without_a_duration_makes_no_rise_of_two(tmp_path):
     assert any("duration, row 2: empty" in c.says for c in report.failing)
 
 
-BETWEEN = [("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("actuator-sizing", "phases"),
+BETWEEN = [("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("actuator-sizing", "axis1"),
            ("actuator-sizing", "reducers"), ("machine", "axis2"),
            ("machine", "drive1_parts"), ("machine", "drive1_windows"), ("machine", "motors")]  # fmt: skip
 

@@ -10,7 +10,6 @@ from workbook.templates import TEMPLATES
 BACKWARDS = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]  # s(1) = 1
 BACK = "a law moves backwards: see its sheet, or Laws"
 OWN = {
-    "actuator-sizing": (("actuator", "phases", 0, "law"), ("actuator.phases.0.law", BACK)),
     "flying-cutter": (("cutter", "law"), ("cutter.law", "the law OWN does not: see its sheet, or Laws")),
     "indexing-overlap": (("overlap", "transfer", "law"), ("overlap.transfer.law", BACK)),
 }
@@ -26,8 +25,6 @@ def backwards(name):
     for part in path:
         entry = entry[part]
     entry[last] = "OWN"
-    if name == "actuator-sizing":
-        entry["lift"] = 10.0
     return data
 
 

@@ -134,22 +134,23 @@ CASES = {
                                       "MTP: the seven durations sum to 1", "they sum to 1.1; expected 1"),
     },
     "actuator-sizing": {
-        "an efficiency above 1": ([("actuator", "output", "efficiency", 1.2)], "Actuator: entries within limits",
-                                  "Efficiency of screw, roller, pinion, pulley: 1.2; expected a number greater than 0 "
+        "an efficiency above 1": ([("axes", 0, "mechanism", "efficiency", 1.2)], "Drive Slide: entries within limits",
+                                  "Efficiency of the mechanism: 1.2; expected a number greater than 0 "
                                   "and of at least 0.01 and at most 1"),
-        "too hot": ([("actuator", "motor", "temperature", 200.0)], "The motor is cooler than its limit",
+        "too hot": ([("axes", 0, "motor", "temperature", 200.0)], "Drive Slide: the motor is cooler than its limit",
                     "200 °C; expected less than the limit, 175 °C"),
-        "no inertia": ([("actuator", "motor", "inertia_ratio", None)], "The motor's inertia is known",
-                       "neither the motor's inertia nor a ratio is entered"),
-        "no size": ([("actuator", "output", "turns", None)], "The last element has its size",
-                    "a lead screw has no turns per mm"),
-        "a negative duration": ([("actuator", "phases", 0, "duration", -1.0)], None,
-                                "duration, row 1: -1; expected a number greater than 0"),
-        "a part behind no gear": ([("actuator", "parts", [{"name": "x", "count": 1.0, "inertia": 1.0, "shaft": 2.0}])],
-                                  "Every part turns behind a gear that is there", "row 1: behind 2 gears, of 0"),
-        "a bore too wide": ([("actuator", "parts", [
-            {"name": "x", "count": 1.0, "diameter": 3.0, "length": 1.0, "density": 1.0, "bore": 3.0}])], None,
-            "bore, not less than the diameter, row 1: 3"),
+        "neither an inertia nor a size": ([("axes", 0, "parts", 0, "length", None)], None,
+                                          "neither an inertia nor a cylinder's diameter, length and density: "
+                                          "inertia, row 1: empty"),
+        "both of them": ([("axes", 0, "parts", 0, "inertia", 1e-5)], None,
+                         "both an inertia and a cylinder: inertia, row 1: 0.00001"),
+        "no motor": ([("axes", 0, "motor", "inertia", None)], "Drive Slide: the motor is named or entered", ""),
+        "a bore too wide": ([("axes", 0, "parts", [
+            {"name": "x", "count": 1.0, "diameter": 3.0, "length": 1.0, "density": 1.0, "bore": 3.0,
+             "shaft": "motor"}])], None, "bore, not less than the diameter, row 1: 3"),
+        "a belt that pushes": ([("axes", 0, "mechanism", "kind", "conveyor"), ("axes", 0, "printed", None),
+                                ("axes", 0, "mechanism", "belt", -1.0)], "Drive Slide: entries within limits",
+                               "Mass of the belt: -1; expected a number of at least 0"),
     },
 }  # fmt: skip
 TRIED = [pytest.param(name, case, marks=[pytest.mark.nightly] if n % 3 else [])
@@ -223,7 +224,12 @@ EDITED = {
     "motion-composer": [("axis1", "stop", 1, None), ("TVP_av", None, 0, 1.5)],
     "flying-cutter": [("fly_length", None, 0, 1.0), ("fly_inertia", None, 0, -1.0)],
     "indexing-overlap": [("tool1_dwell", None, 0, 300.0), ("overlap_rate", None, 0, None)],
-    "actuator-sizing": [("act_eta_out", None, 0, 1.3), ("phases", "duration", 0, 0.0)],
+    "actuator-sizing": [
+        ("drive1_eta2", None, 0, 1.3),
+        ("drive1_winding", None, 0, 20.0),
+        ("drive1_parts", "bore", 0, 20.0),
+        ("drive1_parts", "inertia", 0, 1e-5),
+    ],
     "motion-laws": [("TVP_av", None, 0, 1.5), ("CIC_share", None, 0, 1.0)],
 }
 

@@ -15,7 +15,7 @@ from engine.laws.edges import inner_edges
 from engine.laws.pulse import K
 from engine.laws.pulse_law import PulseLaw
 from workbook.book.declare import Quantity, calc
-from workbook.laws.family import Page, PieceRow, ShapeFormulas
+from workbook.laws.family import Page, PieceRow
 
 RISE, CRUISE, FALL = (1, 2, 3), 4, (7, 6, 5)
 """stages of the first pulse, of uniform velocity, and of the second pulse told from its end"""
@@ -37,7 +37,6 @@ class Form(NamedTuple):
     """∫a², over A² d"""
     jerk: str
     """largest jerk, over A/d"""
-    shape: str
     early: Mapping[str, str]
     late: Mapping[str, str]
 
@@ -48,12 +47,12 @@ SINE = {"P": "H", "omega": QUARTER, "equation": "a = H sin(πu / 2D)"}
 COSINE = {"P": "H", "omega": QUARTER, "phi": "PI()/2", "equation": "a = H cos(πu / 2D)"}
 UP, DOWN = {"c1": SLOPE, "equation": "a = H u/D"}, {"c0": "H", "c1": f"0-{SLOPE}", "equation": "a = H (1 − u/D)"}
 LEVEL, WAVE = {"c0": "H", "equation": "a = H"}, {"P": "H", "omega": "PI()/D", "equation": "a = H sin(πu / D)"}
-FLAT = Form("constant", "1", "1/2", "1", "", "flat", LEVEL, LEVEL)
-SINE_OUT = Form("quarter sine from the dwell", "@k", "@k*(1-@k)", "1/2", "PI()/2", "sine", SINE, COSINE)
-SINE_IN = Form("quarter sine inside", "@k", "@k^2", "1/2", "PI()/2", "sine", COSINE, SINE)
-LINE_OUT = Form("straight from the dwell", "1/2", "1/6", "1/3", "1", "ramp", UP, DOWN)
-LINE_IN = Form("straight inside", "1/2", "1/3", "1/3", "1", "ramp", DOWN, UP)
-HALF_SINE = Form("half sine", "@k", "@k/2", "1/2", "PI()", "sine", WAVE, WAVE)
+FLAT = Form("constant", "1", "1/2", "1", "", LEVEL, LEVEL)
+SINE_OUT = Form("quarter sine from the dwell", "@k", "@k*(1-@k)", "1/2", "PI()/2", SINE, COSINE)
+SINE_IN = Form("quarter sine inside", "@k", "@k^2", "1/2", "PI()/2", COSINE, SINE)
+LINE_OUT = Form("straight from the dwell", "1/2", "1/6", "1/3", "1", UP, DOWN)
+LINE_IN = Form("straight inside", "1/2", "1/3", "1/3", "1", DOWN, UP)
+HALF_SINE = Form("half sine", "@k", "@k/2", "1/2", "PI()", WAVE, WAVE)
 
 
 class Stage(NamedTuple):
@@ -146,18 +145,6 @@ class Stages:
             return f"={height}*SQRT(1-{name}_x^2)*({name}_v+{name}_g*{name}_x)", "A cos x (v₂ + G sin x)"
         return f"={height}*{name}_x*({name}_v+{name}_g*(1-{name}_x^2))", "A y (v₂ + G(1 − y²))"
 
-    def shapes(self) -> ShapeFormulas:
-        """Return the shares of time by shape."""
-
-        def share(side: Sequence[int], shape: str) -> str:
-            return f"={added([f'@d{k}' for k, form in self.forms(side) if form.shape == shape])}"
-
-        sides = {"up": RISE, "down": FALL}
-        return ShapeFormulas(
-            **{f"{shape}_{name}": share(side, shape) for shape in ("flat", "sine", "ramp")
-               for name, side in sides.items()}
-        )  # fmt: skip
-
     @property
     def fastest(self) -> str:
         """The formula of the first ξ at which v is largest: the end of the first pulse."""
@@ -224,7 +211,7 @@ def edged(stages: Stages, **stated: Any) -> Page:
     """Return the page of a family by its stages; ``stated`` is what else a page states."""
     return Page(
         pieces=stages.rows(), workings=stages.workings, coefficients=stages.coefficients(), fastest=stages.fastest,
-        shapes=stages.shapes(), early=len(stages.forms(RISE)), **{"way": "=1", **stated},
+        early=len(stages.forms(RISE)), **{"way": "=1", **stated},
     )  # fmt: skip
 
 

@@ -96,17 +96,6 @@ class PieceRow:
     phi2: str = "=0"
 
 
-class ShapeFormulas(NamedTuple):
-    """The cells' side of :class:`engine.laws.base.Shapes`: a formula for each share of time."""
-
-    flat_up: str = "=0"
-    flat_down: str = "=0"
-    sine_up: str = "=0"
-    sine_down: str = "=0"
-    ramp_up: str = "=0"
-    ramp_down: str = "=0"
-
-
 class Stacked(NamedTuple):
     """A row of the stack of all laws' pieces: the engine's piece, and the cells' formula of each of :data:`ENTRIES`."""
 
@@ -131,8 +120,6 @@ class Page:
     coefficients: Mapping[str, tuple[str, str]]
     """formula of each coefficient, and the equation in words"""
     fastest: str
-    shapes: ShapeFormulas | None
-    """None of a family whose stages are of no such shape"""
     parameters: tuple[Parameter, ...] = ()
     variations: tuple[Mapping[str, Any], ...] = ()
     constants: tuple[Quantity, ...] = ()
@@ -257,8 +244,6 @@ class Page:
         wrong = [name for name, *_ in COEFFICIENTS if name not in self.coefficients]
         if any(len(law.as_pieces()) != len(self.pieces) for law in examples):
             wrong.append(f"pieces as many as the engine's {len(examples[0].as_pieces())}")
-        if any((law.shapes() is None) != (self.shapes is None) for law in examples):
-            wrong.append("shapes that the engine knows too")
         if any((way(law), early_of(law)) not in self._meets() for law in examples):
             wrong.append("how it meets its neighbours, as the engine has it")
         wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]

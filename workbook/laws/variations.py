@@ -69,7 +69,12 @@ def single_humped(laws: dict[str, Any]) -> list[str]:
 
 def page_of(name: str, entry: dict[str, Any]) -> Page:
     """Return the page of a law in a description, which leaves out the family of a basic law."""
-    return FAMILY[entry.get("family", name)].page
+    return told_family(name, entry).page
+
+
+def told_family(name: str, entry: dict[str, Any]) -> Family:
+    """Return its family."""
+    return FAMILY[entry.get("family", name)]
 
 
 def passing(k: int, i: int, laws: dict[str, Any], size: float) -> dict[str, Any]:

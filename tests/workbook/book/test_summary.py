@@ -1,6 +1,5 @@
 """The first sheet: what it tells of a machine and of its checks, and what of a book is printed."""
 
-import itertools
 import subprocess
 from datetime import date
 
@@ -121,15 +120,6 @@ def test_the_first_page_shows_each_column_of_its_tables(template):
     printed = [block for block in sheet.blocks if block.row < sheet.print_rows]
     assert printed
     assert all(column <= sheet.print_columns for block in printed for column in block.columns.values())
-
-
-def test_the_actuators_charts_stand_on_its_first_printed_page():
-    """In LibreOffice that page ends behind row 56, at the width that the sheet has."""
-    book = TEMPLATES["actuator-sizing"].declare(read_machine(FOLDER / "actuator-sizing.toml"))
-    sheet = next(sheet for sheet in book.sheets if sheet.title == "Actuator")
-    ends = [(row, row + height) for _, row, _, _, height in sheet.charts]
-    assert all(end < begin for (_, end), (begin, _) in itertools.pairwise(ends))
-    assert max(end for _, end in ends) <= 56
 
 
 def test_an_axis_has_its_laws_and_the_verdict_of_its_own_checks():

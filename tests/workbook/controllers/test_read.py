@@ -53,7 +53,7 @@ ON_THE_WAY = {
     ("flying-cutter-saw", "shaft"): [("MTP", -4500.0), ("LIN", 4500.0)],
     ("indexing-overlap-stations", "Die"): [("CIC", 50.0), ("CIC", -50.0)],
     ("indexing-overlap-stations", "Riveting head"): [("MTP", 80.0), ("CUB", -80.0)],
-    ("actuator-sizing", "load"): [("ACS", 0.8), ("LIN", 6.4), ("ACS", 0.8)],
+    ("actuator-sizing", "Slide"): [("ACS", 0.8), ("LIN", 6.4), ("ACS", 0.8)],
 }  # fmt: skip
 FEW_POINTS = ("rockwell", "mitsubishi", "mitsubishi-ratio")  # and numbers of 32 bits: lines are two points
 BY_DAY = ("codesys", "siemens-points", "siemens-segments", "sew")

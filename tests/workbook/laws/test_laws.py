@@ -15,7 +15,7 @@ from tests.workbook.composed import MACHINE, composed
 from workbook.entries.types import Model
 from workbook.laws import registry
 from workbook.laws.entries import ENTRIES, Laws
-from workbook.laws.family import LawSheet, ShapeFormulas
+from workbook.laws.family import LawSheet
 from workbook.laws.layout import with_laws
 from workbook.laws.page import COEFFICIENTS
 from workbook.laws.registry import CODES, FAMILIES, FAMILY, family_of
@@ -25,7 +25,7 @@ from workbook.templates import TEMPLATES
 
 ROOT = Path(__file__).parents[3]
 SMALL = {"cycle": 12, "law": 4, "own_law": 8, "phases": 8}
-ACTUATOR, FLYING = (TEMPLATES[name] for name in ("actuator-sizing", "flying-cutter"))
+FLYING = TEMPLATES["flying-cutter"]
 
 
 def small(template, **sizes):
@@ -111,15 +111,10 @@ def test_what_a_page_leaves_out_is_named(what):
         replace(family.page, **changed).require_complete(family.entry)
 
 
-def test_a_page_cannot_be_made_without_shapes_or_the_place_of_its_peak():
+def test_a_page_cannot_be_made_without_the_place_of_its_peak():
     stated = {name: getattr(CUB.page, name) for name in ("title", "source", "made", "pieces", "coefficients")}
-    with pytest.raises(TypeError, match="'fastest' and 'shapes'"):
+    with pytest.raises(TypeError, match="'fastest'"):
         type(CUB.page)(**stated)
-
-
-def test_shapes_that_the_engine_does_not_state_are_named():
-    with pytest.raises(IncompleteError, match=r"OWN lacks .*shapes that the engine knows too"):
-        CUB.page.require_complete(FAMILY["OWN"].entry)
 
 
 # --- Cells and engine -----------------------------------------------------------------------------
@@ -140,29 +135,24 @@ def test_the_cells_of_a_law_compute_what_the_engine_has(varied, code):
 
 @pytest.fixture(scope="module")
 def asked():
-    """What is wrong in the tables by which sheets of machines ask of each law, at other parameters of each law."""
-    wrong = []
-    for template, table in ((ACTUATOR, "shapes"), (FLYING, "fastest")):
-        found, _ = disagreeing(template, template.variants(small(template))[0])
-        wrong += [cell for cell in found if cell.startswith(f"{table}.")]
-    return wrong
+    """What is wrong in the table by which the cutter asks of each law, at other parameters of each law."""
+    found, _ = disagreeing(FLYING, FLYING.variants(small(FLYING))[0])
+    return [cell for cell in found if cell.startswith("fastest.")]
 
 
 @pytest.mark.parametrize("code", CODES)
-def test_shapes_and_the_place_of_the_peak_in_cells_are_those_of_the_engine(asked, code):
+def test_the_place_of_the_peak_in_cells_is_that_of_the_engine(asked, code):
     assert [cell for cell in asked if f"[{CODES.index(code)}]" in cell] == []
 
 
 WRONG = {
     "pieces": ("CIC", MACHINE, "CIC_pieces.P[0]"),
     "coefficients": ("CUB", MACHINE, "CUB_cv.CUB_cv[0]"),
-    "shapes": ("MTP", ACTUATOR, f"shapes.sine_up[{CODES.index('MTP')}]"),
     "fastest": ("TVP", FLYING, f"fastest.at[{CODES.index('TVP')}]"),
 }
 CHANGED = {
     "pieces": lambda page: (replace(page.pieces[0], P="=@ca_max*(1+1E-7)"), *page.pieces[1:]),
     "coefficients": lambda page: page.coefficients | {"cv": ("=1.5000001", "")},
-    "shapes": lambda page: ShapeFormulas(flat_up="=@d1+@d2+@d3", flat_down="=@d5+@d6+@d7"),
     "fastest": lambda page: "=@aw",
 }
 

@@ -41,5 +41,4 @@ PAGE = Page(
         "va_min": (f"=0-{ENDS.format(POWER, 'PI()^3/4')}", "the same, of the other end"),
     },
     fastest=f"={ENDS.format('2/3', '1/3')}",
-    shapes=None,
 )  # fmt: skip

@@ -1,7 +1,7 @@
 """Rest: no sheet of its own, and nothing to enter."""
 
 from engine.laws import Dwell
-from workbook.laws.family import COEFFICIENTS, Page, PieceRow, ShapeFormulas
+from workbook.laws.family import COEFFICIENTS, Page, PieceRow
 
 PAGE = Page(
     title="Dwell",
@@ -13,6 +13,5 @@ PAGE = Page(
     pieces=(PieceRow("rest", "s = 0", "=1"),),
     coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS},
     fastest="=0",
-    shapes=ShapeFormulas(),
     way="=-1",
 )

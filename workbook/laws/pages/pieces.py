@@ -247,7 +247,6 @@ PAGE = OwnPage(
     fastest="=@v_at",
     lowest="=@v_least",
     wrong="=@back",
-    shapes=None,
     variations=VARIATIONS,
 )
 

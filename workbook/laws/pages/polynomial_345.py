@@ -29,5 +29,4 @@ PAGE = Page(
     },
     fastest="=@share",
     way=POLYNOMIAL.format(5),
-    shapes=None,
 )  # fmt: skip

@@ -29,5 +29,4 @@ PAGE = Page(
     },
     fastest="=@share",
     way=POLYNOMIAL.format(7),
-    shapes=None,
 )  # fmt: skip

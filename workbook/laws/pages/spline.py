@@ -196,7 +196,6 @@ PAGE = SplinePage(
     way="=2",
     rests=False,
     single=False,
-    shapes=None,
     variations=VARIATIONS,
     functions=False,
 )

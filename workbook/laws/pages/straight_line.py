@@ -1,7 +1,7 @@
 """Straight line: constant velocity."""
 
 from engine.laws.straight_line import StraightLine
-from workbook.laws.family import COEFFICIENTS, Page, PieceRow, ShapeFormulas
+from workbook.laws.family import COEFFICIENTS, Page, PieceRow
 
 PAGE = Page(
     title="Straight line",
@@ -10,7 +10,6 @@ PAGE = Page(
     pieces=(PieceRow("straight line", "s = ξ", "=1"),),
     coefficients={name: ("=0", "no acceleration") for name, *_ in COEFFICIENTS} | {"cv": ("=1", "v = 1")},
     fastest="=0",
-    shapes=ShapeFormulas(),
     start="=1",
     lowest="=1",
     rests=False,

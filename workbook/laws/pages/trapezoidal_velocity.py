@@ -9,7 +9,7 @@ from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
 from workbook.book.sentence import figure
 from workbook.entries.types import DesignError
 from workbook.laws.brief import BRIEF, too_brief
-from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow, ShapeFormulas
+from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
 
 
 class BreakPoints(LawSheet):
@@ -72,5 +72,4 @@ PAGE = Page(
     fastest="=@av",
     way="=1",
     early=1,
-    shapes=ShapeFormulas(flat_up="=@av", flat_down="=1-@aw"),
 )  # fmt: skip

@@ -11,7 +11,6 @@ from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.entries.units import MM, shown
 from workbook.laws import sampling
 from workbook.laws.library import NamedLaw
-from workbook.laws.shapes import fastest_formulas, listed
 from workbook.machines.flying.view import Flying
 
 HALVINGS = 30  # the position at a turning point is known to the square of what this leaves
@@ -31,9 +30,10 @@ def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     sheet.heading("Where each law is fastest", "There a drum that slows down is slowest, and waits if it has to.")
     sheet.table(
         "fastest", "The laws by number", len(laws),
-        listed(laws),
+        calc("law", "law", "", "",
+             [f"=INDEX(law_code,{one.number})" for one in laws], [one.name for one in laws]),
         calc("at", "abscissa", "ξ_v", "",
-             fastest_formulas(laws), [velocity_peak(one.law) if one.family.entry.rises else 0.0 for one in laws]),
+             [one.own(one.page.fastest) for one in laws], [velocity_peak(one.law) if one.family.entry.rises else 0.0 for one in laws]),
     )  # fmt: skip
 
 

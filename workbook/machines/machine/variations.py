@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from engine.machine.grid import RANKS
+from workbook.laws.registry import Family
 from workbook.laws.shared import POLYNOMIAL
-from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, page_of, passing, told_family, variations, vary_laws
 from workbook.machines.machine.chain import BELTED, LINKED, WINDOWS, bends
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
@@ -35,9 +36,16 @@ def shaped(laws: dict[str, Any]) -> list[str]:
     The polynomial 4-5-6-7 and two sines too. Beside a straight line a phase may move there and back: not behind every
     mechanism.
     """
-    found = {name: page_of(name, entry) for name, entry in laws.items()}
-    known = {name: page.shapes is not None or page.way == SEVENTH or page.second_sine for name, page in found.items()}
-    return [name for name, page in found.items() if known[name] and page.way != STRAIGHT]
+    return [
+        name
+        for name, family in ((name, told_family(name, entry)) for name, entry in laws.items())
+        if (of_shapes(family) or family.page.way == SEVENTH or family.page.second_sine) and family.page.way != STRAIGHT
+    ]
+
+
+def of_shapes(family: Family) -> bool:
+    """Whether the laws of a family have stages of such shapes only."""
+    return all(law.shapes() is not None for law in family.entry.examples)
 
 
 def handing(laws: dict[str, Any]) -> list[str]:
