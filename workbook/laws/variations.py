@@ -7,7 +7,7 @@ from typing import Any
 
 from workbook.entries.machine import Machine
 from workbook.laws.family import Page
-from workbook.laws.registry import CODES, FAMILY
+from workbook.laws.registry import CODES, FAMILY, Family
 
 SIX = 6
 """variations of a template, unless its laws need more to have their turn"""

@@ -33,7 +33,8 @@ def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
         calc("law", "law", "", "",
              [f"=INDEX(law_code,{one.number})" for one in laws], [one.name for one in laws]),
         calc("at", "abscissa", "ξ_v", "",
-             [one.own(one.page.fastest) for one in laws], [velocity_peak(one.law) if one.family.entry.rises else 0.0 for one in laws]),
+             [one.own(one.page.fastest) for one in laws],
+             [velocity_peak(one.law) if one.family.entry.rises else 0.0 for one in laws]),
     )  # fmt: skip
 
 
