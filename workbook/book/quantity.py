@@ -15,7 +15,7 @@ SAYS, WHERE = "_says", ": where, and by how much"
 
 FLOOR = 1e-3
 """of the unit: that much of most quantities is next to nothing"""
-FLOORS = {"kg m²": 1e-9, "m²/rad⁴": 1e-6}
+FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}
 """and of those of which it is not"""
 
 ROUNDED, MOST = 1e-9, 1e9

@@ -19,7 +19,7 @@ class RotatingParts(Model):
 
     name: Text
     count: NotNegative
-    inertia: NotNegative | None = Field(default=None, description="Inertia of one, in kg m²; empty of a cylinder")
+    inertia: NotNegative | None = Field(default=None, description="Inertia of one, in kg cm²; empty of a cylinder")
     diameter: NotNegative | None = Field(default=None, description="Of a cylinder: its diameter, in mm")
     length: NotNegative | None = Field(default=None, description="Of a cylinder: its length, in mm")
     density: NotNegative | None = Field(default=None, description="Of a cylinder: its density, in kg/m³; steel: 7800")

@@ -12,6 +12,7 @@ MM = 1e-3  # m
 MM_PER_TURN = MM / tau  # m/rad
 PERCENT = 1e-2
 KW = 1e3  # W
+KG_CM2 = 1e-4  # kg m²
 DEGREE = pi / 180  # rad
 RPM = tau / 60  # rad/s
 PER_MINUTE = 1 / 60  # 1/s

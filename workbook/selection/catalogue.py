@@ -24,7 +24,7 @@ class MotorRow(Model):
     """
 
     name: Name
-    inertia: Positive  # kg m²
+    inertia: Positive  # kg cm²
     rated_torque: Positive  # Nm
     peak_torque: Positive  # Nm
     max_speed: Positive  # rpm
@@ -55,7 +55,7 @@ class ReducerRow(Model):
     name: Name
     reduction: Positive  # ω_M/ω_L
     efficiency: Efficiency
-    inertia: NotNegative | None = None  # kg m², at the motor's shaft
+    inertia: NotNegative | None = None  # kg cm², at the motor's shaft
     max_speed: Positive | None = None  # rpm, of the input
     max_torque: Positive | None = None  # Nm, of the output
     mass: NotNegative | None = None  # kg

@@ -29,7 +29,7 @@ TEXTS = ("name", "source")
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  # Python takes 1_000 and ١٢ too
 MOTOR_COLUMNS = {
     "name": "name",
-    "inertia_kgm2": "inertia",
+    "inertia_kgcm2": "inertia",
     "rated_torque_Nm": "rated_torque",
     "peak_torque_Nm": "peak_torque",
     "max_speed_rpm": "max_speed",
@@ -43,7 +43,7 @@ REDUCER_COLUMNS = {
     "name": "name",
     "reduction": "reduction",
     "efficiency": "efficiency",
-    "inertia_at_input_kgm2": "inertia",
+    "inertia_at_input_kgcm2": "inertia",
     "max_input_speed_rpm": "max_speed",
     "max_output_torque_Nm": "max_torque",
     "mass_kg": "mass",

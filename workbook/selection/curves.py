@@ -127,14 +127,14 @@ def figure12(sheet: Sheet, view: Choosing) -> None:
              "=SQRT([root]^2+4*sel_wrms*sel_trms*[pace]^2/sel_eta)",
              x.wide, source="√(α − β/η + 4 ω̇ T*/η)"),
         result("tau_min", "least ratio", "τ_min", "",
-               ("=IF(sel_moves=1,2*SQRT(INDEX([motors.inertia],MAX(1,sel_m)))*sel_wrms*[pace]/([wide]+[root]),"
+               ("=IF(sel_moves=1,2*SQRT(INDEX([motors.inertia],MAX(1,sel_m))/10000)*sel_wrms*[pace]/([wide]+[root]),"
                 "[reducers.tau.1])"),
                drawn(x.tau_min)),
         result("tau_opt", "best ratio", "τ_opt", "",
                "=IF(sel_moves=1,INDEX([motors.tau_opt],MAX(1,sel_m)),[reducers.tau.1])",
                drawn(x.tau_opt)),
         result("tau_max", "largest ratio", "τ_max", "",
-               ("=IF(sel_moves=1,SQRT(INDEX([motors.inertia],MAX(1,sel_m)))*([wide]+[root])*sel_eta"
+               ("=IF(sel_moves=1,SQRT(INDEX([motors.inertia],MAX(1,sel_m))/10000)*([wide]+[root])*sel_eta"
                 "/(2*sel_trms*[pace]),[reducers.tau.1])"),
                drawn(x.tau_max)),
     )  # fmt: skip
@@ -182,7 +182,7 @@ def cycle(sheet: Sheet, load: LoadCells, view: Choosing) -> None:
                "=IF(sel_found=1,[w]/sel_tau*60/(2*PI()),0)",
                shown(p.speed, RPM), source="ω_L/τ"),
         result("torque", "motor torque", "T_M", "Nm",
-               (f"=IF(sel_found=1,sel_j/sel_tau*INDEX({load.acceleration},[k])+sel_tau*[load]"
+               (f"=IF(sel_found=1,sel_j/10000/sel_tau*INDEX({load.acceleration},[k])+sel_tau*[load]"
                 f"*{losses.loss_factor('[load]', '[dir]', 'sel_er')},0)"),
                p.torque, source="J ω̇/τ + τ T*/η, braking τ T* η"),
         calc("part", "adds to the mean square", "", "Nm² s",

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from workbook.book.declare import Sheet, calc, constant, result
 from workbook.book.rows import filled
+from workbook.entries.units import KG_CM2, shown
 from workbook.selection.products import BLANK, FINE, SMALL, WHOLE
 from workbook.selection.view import Choosing
 
@@ -66,13 +67,13 @@ def pairs(sheet: Sheet, view: Choosing) -> None:
         constant("k", "pair", "", "", list(range(1, len(motor) + 1))),
         constant("m", "motor", "", "", (motor + 1).tolist()),
         constant("r", "reducer", "", "", (reducer + 1).tolist()),
-        calc("total", "inertia", "J", "kg m²",
+        calc("total", "inertia", "J", "kg cm²",
              ("=IF(INDEX([motors.on],[m])*INDEX([reducers.on],[r])*sel_moves=1,"
               "INDEX([motors.inertia],[m])+INDEX([reducers.inertia],[r]),0)"),
-             spread(view, np.where(moving, view.inertia, 0.0)), source="J_M + J_T", format=SMALL),
+             spread(view, np.where(moving, shown(view.inertia, KG_CM2), 0.0)), source="J_M + J_T", format=SMALL),
         result("rms", "RMS torque", "T_rms", "Nm",
-               ("=IF([total]>0,SQRT(MAX(0,INDEX([reducers.load],[r])^2+([total]*INDEX([reducers.acc],[r]))^2"
-                "+[total]*INDEX([reducers.cross],[r]))),0)"),
+               ("=IF([total]>0,SQRT(MAX(0,INDEX([reducers.load],[r])^2+([total]/10000*INDEX([reducers.acc],[r]))^2"
+                "+[total]/10000*INDEX([reducers.cross],[r]))),0)"),
                spread(view, np.where(moving, view.rms, 0.0)),
                source="√((τ T*/η)² + (J ω̇/τ)² + 2 J (ω̇T*)/η)", format=BLANK),
         result("usable", "usable", "", "",

@@ -12,7 +12,7 @@ from engine.choice.pairs import load_at_motor
 from engine.laws.base import Array
 from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.entries.units import KG_CM2, PER_RPM, RPM, shown
 from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
 from workbook.selection.view import Choosing, figures
 
@@ -21,7 +21,7 @@ FIGURES = {"size": "mass", "cost": "cost"}
 BLANK = '0.0##;-0.0##;"–"'  # a row without a pair shows a dash
 FINE = '0.0000##;-0.0000##;"–"'
 WHOLE = '0;-0;"–"'
-SMALL = '0.000000##;-0.000000##;"–"'
+SMALL = '0.0####;-0.0####;"–"'
 
 
 def catalogues(sheet: Sheet, view: Choosing) -> None:
@@ -51,7 +51,7 @@ def motors(sheet: Sheet, view: Choosing) -> None:
         "motors", "Motors (S5, steps 1, 3 and 4)", n,
         given("name", "motor", "", "", entered("name"), "selection.motors.*.name", align="left"),
         constant("k", "number", "", "", list(range(1, n + 1))),
-        given("inertia", "inertia", "J_M", "kg m²",
+        given("inertia", "inertia", "J_M", "kg cm²",
               entered("inertia"), "selection.motors.*.inertia", format="0.000000##"),
         given("rated", "rated torque", "T_N", "Nm",
               entered("rated_torque"), "selection.motors.*.rated_torque", format="0.0##"),
@@ -69,16 +69,16 @@ def motors(sheet: Sheet, view: Choosing) -> None:
                '=IF([on]*sel_moves=0,"–",IF([enough]=0,"too weak",IF([low]<=[tau_max],"yes","too slow")))',
                filled(verdicts(view, ranges.strong, ranges.accepted, "too slow"), n, "–")),
         result("alpha", "accelerating factor", "α", "W/s",
-               "=IF([on]=1,[rated]^2/[inertia],0)",
+               "=IF([on]=1,[rated]^2/([inertia]/10000),0)",
                filled(ranges.accelerating_factor, n), source="T_N²/J_M", format=WHOLE),
         result("tau_min", "least ratio", "τ_min", "",
-               "=IF([enough]=1,2*SQRT([inertia])*sel_wrms/([wide]+[root]),0)",
+               "=IF([enough]=1,2*SQRT([inertia]/10000)*sel_wrms/([wide]+[root]),0)",
                found(ranges.tau_min), source="S5, (14) with −", format=FINE),
         result("tau_max", "largest ratio", "τ_max", "",
-               "=IF([enough]=1,SQRT([inertia])*([wide]+[root])*sel_eta/(2*sel_trms),0)",
+               "=IF([enough]=1,SQRT([inertia]/10000)*([wide]+[root])*sel_eta/(2*sel_trms),0)",
                found(ranges.tau_max), source="S5, (14) with +", format=FINE),
         result("tau_opt", "best ratio", "τ_opt", "",
-               "=IF([on]*sel_moves=1,SQRT([inertia]*sel_wrms*sel_eta/sel_trms),0)",
+               "=IF([on]*sel_moves=1,SQRT([inertia]/10000*sel_wrms*sel_eta/sel_trms),0)",
                found(ranges.tau_opt), source="√(τ_min τ_max)", format=FINE),
         result("tau_lim", "ratio at n_max", "τ_lim", "",
                "=IF([on]*sel_moves=1,sel_wmax/([nmax]*2*PI()/60),0)",
@@ -132,7 +132,7 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         constant("k", "number", "", "", list(range(1, n + 1))),
         given("i", "reduction", "i", "", entered("reduction"), "selection.reducers.*.reduction", format="0.0##"),
         given("eta", "efficiency", "η", "", entered("efficiency"), "selection.reducers.*.efficiency", format="0.0##"),
-        given("inertia", "inertia at the input", "J_T", "kg m²",
+        given("inertia", "inertia at the input", "J_T", "kg cm²",
               entered("inertia"), "selection.reducers.*.inertia", format="0.000000##"),
         given("nmax", "largest input speed", "", "rpm",
               entered("max_speed"), "selection.reducers.*.max_speed", format="0.##"),
@@ -160,9 +160,9 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              "=IF([on]=1,2*sel_mean/[eta],0)",
              filled(load.product, n), source="2 (ω̇ T*)_mean/η", format=BLANK,
              scale=max(view.sizes.power_rate_mean, 1e-3)),
-        calc("match", "inertia that balances", "", "kg m²",
-             "=IF([on]*sel_moves=1,[tau]^2/[eta]*sel_trms/sel_wrms,0)",
-             filled(np.nan_to_num(load.balancing), n), source="τ² T*_rms / (η ω̇_rms)", format=SMALL),
+        calc("match", "inertia that balances", "", "kg cm²",
+             "=IF([on]*sel_moves=1,[tau]^2/[eta]*sel_trms/sel_wrms*10000,0)",
+             filled(shown(np.nan_to_num(load.balancing), KG_CM2), n), source="τ² T*_rms / (η ω̇_rms)", format=SMALL),
         calc("on", "in use", "", "",
              "=COUNT([i])*COUNT([eta])",
              filled(in_use, n, 0)),

@@ -122,7 +122,7 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
         result("sel_speed", "Largest speed of the motor", "n_M", "rpm",
                "=MAX(MAX([pair_cycle.rpm]),0-MIN([pair_cycle.rpm]))", shown(points.max_speed, RPM)),
         result("sel_balance", "Ratio over the best ratio", "τ/τ_opt", "",
-               "=IF(sel_moves*sel_found=1,sel_tau/SQRT(sel_j*sel_wrms*sel_er/sel_trms),0)",
+               "=IF(sel_moves*sel_found=1,sel_tau/SQRT(sel_j/10000*sel_wrms*sel_er/sel_trms),0)",
                pair.balance(view.task) if pair and view.task.moves else 0.0,
                source="1: motor and load balanced, with the reducer's η and inertia"),
         result("sel_nojt", "Reducers whose inertia is not given", "", "",

@@ -17,7 +17,7 @@ from engine.choice.ratios import Ranges, ratio_ranges, rms_torque
 from engine.drivetrain import LimitCheck, OperatingPoints
 from engine.laws.base import Array
 from workbook.entries.texts import place_of
-from workbook.entries.units import RPM, si
+from workbook.entries.units import KG_CM2, RPM, si
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Selection, SelectionSizes
 
@@ -34,7 +34,7 @@ def engine_motors(rows: Sequence[MotorRow]) -> Motors:
     """Return the engine's catalogue of the motors entered."""
     return Motors(
         tuple(row.name for row in rows),
-        figures(rows, "inertia"),
+        si(figures(rows, "inertia"), KG_CM2),
         figures(rows, "rated_torque"),
         figures(rows, "peak_torque"),
         si(figures(rows, "max_speed"), RPM),
@@ -51,7 +51,7 @@ def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
         tuple(row.name for row in rows),
         figures(rows, "reduction"),
         figures(rows, "efficiency"),
-        figures(rows, "inertia", missing=0.0),
+        si(figures(rows, "inertia", missing=0.0), KG_CM2),
         si(figures(rows, "max_speed", missing=math.inf), RPM),
         figures(rows, "max_torque", missing=math.inf),
         figures(rows, "mass"),

@@ -8,7 +8,7 @@ from engine.choice.pairs import Criterion
 from engine.choice.task import NOTHING
 from workbook.book.declare import Sheet, calc, constant
 from workbook.drive import losses
-from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.entries.units import KG_CM2, PER_RPM, RPM, shown
 from workbook.selection.view import PARTS, Choosing
 
 OFF = -1.0  # left of the charts' edge: where what is not drawn lies
@@ -45,7 +45,7 @@ def figures_of_pair(view: Choosing) -> PairFigures:
         r + 1,
         motor.inertia,
         reducer.inertia or 0.0,
-        pair.inertia,
+        shown(pair.inertia, KG_CM2),
         pair.ratio,
         pair.efficiency,
         pair.rated_torque,
@@ -89,11 +89,11 @@ def rows_of_pair(sheet: Sheet, view: Choosing) -> None:
 def figures_of_rows(sheet: Sheet, made: PairFigures) -> None:
     """Declare the figures of the pair's motor and reducer, 0 without a pair."""
     sheet.rows(
-        calc("sel_jm", "Inertia of the motor", "J_M", "kg m²",
+        calc("sel_jm", "Inertia of the motor", "J_M", "kg cm²",
              "=IF(sel_found=1,INDEX([motors.inertia],sel_m),0)", made.motor_inertia),
-        calc("sel_jt", "Inertia of the reducer at the motor's shaft", "J_T", "kg m²",
+        calc("sel_jt", "Inertia of the reducer at the motor's shaft", "J_T", "kg cm²",
              "=IF(sel_found=1,INDEX([reducers.inertia],sel_r),0)", made.reducer_inertia),
-        calc("sel_j", "Both", "J_M + J_T", "kg m²", "=sel_jm+sel_jt", made.inertia),
+        calc("sel_j", "Both", "J_M + J_T", "kg cm²", "=sel_jm+sel_jt", made.inertia),
         calc("sel_tau", "Transmission ratio", "τ", "",
              "=IF(sel_found=1,INDEX([reducers.tau],sel_r),0)", made.ratio, source="ω_L/ω_M"),
         calc("sel_er", "Efficiency of the reducer", "η", "",

@@ -24,7 +24,8 @@ PLAIN = frozenset(
 )
 """that take no prefix"""
 ALIASES = {"1/min": "rpm", "min⁻¹": "rpm", "min-1": "rpm", "min^-1": "rpm", "u/min": "rpm", "r/min": "rpm",
-           "rev/min": "rpm", "giri/min": "rpm", "tr/min": "rpm", "kgm²": "kg m²", "kgm2": "kg m²"}  # fmt: skip
+           "rev/min": "rpm", "giri/min": "rpm", "tr/min": "rpm", "kgm²": "kg m²", "kgm2": "kg m²",
+           "kgcm²": "kg cm²", "kgcm2": "kg cm²"}  # fmt: skip
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 FACTOR = re.compile(r"([^\W\d_]+|°[CF]?|%|‰|1)\^?(-?[0-9])?")
 POWER = re.compile(r"([A-Za-z]+)(-?[0-9])?")

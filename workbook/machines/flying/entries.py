@@ -39,7 +39,7 @@ class SawEntry(Model):
 class LoadEntry(Model):
     """What the shaft moves."""
 
-    inertia: NotNegative  # kg m²
+    inertia: NotNegative  # kg cm²
     mass: NotNegative = 0.0  # kg, in step with the tool
     torque: Number = 0.0  # Nm, against the line's direction
 

@@ -15,7 +15,7 @@ from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.sections import velocity_peak
 from engine.motion import Phase
-from workbook.entries.units import DEGREE, MM, MM_PER_TURN, PER_MINUTE, RPM, shown, si
+from workbook.entries.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_MINUTE, RPM, shown, si
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 
 CASES = {"faster": "faster", "constant speed": "in step", "slower": "slower"}
@@ -49,7 +49,7 @@ class Flying:
         self.number = machine.laws.number(self.given.law)
         self.line = si(self.given.line_speed, PER_MINUTE)
         load = self.given.load
-        self.load = Load(self.tool.load_inertia(load.inertia, load.mass), load.torque)
+        self.load = Load(self.tool.load_inertia(si(load.inertia, KG_CM2), load.mass), load.torque)
         self.peak = velocity_peak(self.law)
         self.cut = self.of(self.given.product_length)
 

@@ -164,7 +164,7 @@ class AxisLoad(Model):
     friction: NotNegative = 0.0  # coefficient
     slope: Slope = 0.0  # degrees
     force: Number = 0.0  # N
-    inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg m²")
+    inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg cm²")
     torque: Number = Field(default=0.0, description="Torque against positive motion, in Nm; always, also at rest")
     friction_torque: NotNegative = Field(default=0.0, description="Friction torque, in Nm; it opposes the motion")
     viscous: NotNegative | None = Field(
@@ -178,7 +178,7 @@ class AxisMotor(Model):
     """A motor by its name in the catalogue, or by its figures; at rest it holds the load, or a brake does."""
 
     name: Product = ""
-    inertia: NotNegative | None = None  # kg m²
+    inertia: NotNegative | None = None  # kg cm²
     rated_torque: Positive | None = None  # Nm
     peak_torque: Positive | None = None  # Nm
     max_speed: Positive | None = None  # rpm
@@ -207,7 +207,7 @@ class Reducer(Model):
     name: Product = ""
     ratio: Annotated[Positive, EmptyCell()] = 1.0  # motor over mechanism
     efficiency: Annotated[Efficiency, EmptyCell()] = 1.0
-    inertia: NotNegative = 0.0  # kg m², at the motor's shaft
+    inertia: NotNegative = 0.0  # kg cm², at the motor's shaft
     peak_torque: Positive | None = None  # Nm, behind it
     mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed
     max_speed: Positive | None = None  # rpm, of the input

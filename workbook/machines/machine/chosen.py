@@ -12,7 +12,7 @@ from engine.machine.limits import ReducerLimits
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
-from workbook.entries.units import RPM, si
+from workbook.entries.units import KG_CM2, RPM, si
 from workbook.machines.machine.chain import UNTOLD, AxisMotor
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
@@ -20,7 +20,7 @@ from workbook.selection.entries import Products
 
 P = TypeVar("P", MotorRow, ReducerRow)
 MOTOR = (
-    ("inertia", "inertia", "J_m", "kg m²", "with its brake"),
+    ("inertia", "inertia", "J_m", "kg cm²", "with its brake"),
     ("rated_torque", "rated torque", "T_N", "Nm", ""),
     ("peak_torque", "peak torque", "T_max", "Nm", ""),
     ("max_speed", "largest speed", "n_max", "rpm", ""),
@@ -28,7 +28,7 @@ MOTOR = (
 REDUCER = (
     ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
     ("efficiency", "efficiency", "η_1", "", "1 if empty"),
-    ("inertia", "inertia at the input", "J_1", "kg m²", ""),
+    ("inertia", "inertia at the input", "J_1", "kg cm²", ""),
     ("peak_torque", "largest torque behind it", "", "Nm", "empty: no limit"),
     ("mean_torque", "largest mean torque behind it", "", "Nm", "empty: no limit; the catalogue has none"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
@@ -43,7 +43,8 @@ GEARED = {
 COLUMNS = {"inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax"}
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
 LIMITS = ("peak_torque", "mean_torque", "max_speed")
-GENERAL = ("kg m²",)
+SI_UNITS = {"kg cm²": "kg m²"}
+"""of what is entered in others, for the formulas behind"""
 
 
 def named(rows: Iterable[P], name: str) -> P | None:
@@ -53,7 +54,7 @@ def named(rows: Iterable[P], name: str) -> P | None:
 
 
 class MotorInUse(NamedTuple):
-    """The motor that a drive has, in the units of entries."""
+    """The motor that a drive has, in the units of entries but for its inertia, in kg m²."""
 
     row: int
     inertia: float
@@ -68,7 +69,7 @@ class MotorInUse(NamedTuple):
 
 
 class ReducerInUse(NamedTuple):
-    """The reducer that a drive has, in the units of entries; a limit of 0 is none."""
+    """The reducer that a drive has, in the units of entries but for its inertia, in kg m²; a limit of 0 is none."""
 
     row: int
     ratio: float
@@ -97,8 +98,9 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
         raise ValueError(f"{axis.name} has no motor")
     found = named(products.motors, axis.motor.name)
     row = place_of(axis.motor.name, [row.name for row in products.motors]) + 1
-    figures = MotorInUse(row, *(float(getattr(found or axis.motor, name)) for name in IN_USE))
-    return figures._replace(rated_torque=figures.motor.derated(left_of(axis.motor)).rated_torque)
+    told = MotorInUse(row, *(float(getattr(found or axis.motor, name)) for name in IN_USE))
+    rated = told.motor.derated(left_of(axis.motor)).rated_torque
+    return told._replace(inertia=si(told.inertia, KG_CM2), rated_torque=rated)
 
 
 def left_of(motor: AxisMotor) -> float:
@@ -112,9 +114,11 @@ def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
     row = place_of(e.name, [one.name for one in products.reducers]) + 1
     mean = e.mean_torque or 0.0
     if found:
-        return ReducerInUse(row, found.reduction, found.efficiency, found.inertia or 0.0, found.max_torque or 0.0, mean,
+        inertia = si(found.inertia or 0.0, KG_CM2)
+        return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.max_torque or 0.0, mean,
                             found.max_speed or 0.0)  # fmt: skip
-    return ReducerInUse(row, e.ratio, e.efficiency, e.inertia, e.peak_torque or 0.0, mean, e.max_speed or 0.0)
+    inertia = si(e.inertia, KG_CM2)
+    return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.peak_torque or 0.0, mean, e.max_speed or 0.0)
 
 
 def entries(axis: Axis, key: str) -> list[Quantity]:
@@ -130,7 +134,7 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
         rows += [
             given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
                   getattr(entered, name), f"{key}.{kind}.{name}", source=source,
-                  format="General" if unit in GENERAL else "0.0##")
+                  format="General" if unit in SI_UNITS else "0.0##")
             for name, words, symbol, unit, source in figures
         ]  # fmt: skip
     motor = axis.motor
@@ -169,19 +173,28 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
         listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)" if column else entered
         rows.append(
-            calc(cell, f"Reducer: {words}", symbol, unit, f"={listed}", getattr(reducer, name),
-                 source="0: no limit" if name in LIMITS else "")
+            calc(cell, f"Reducer: {words}", symbol, SI_UNITS.get(unit, unit), f"={in_si(listed, unit)}",
+                 getattr(reducer, name), source="0: no limit" if name in LIMITS else "")
         )  # fmt: skip
     rows += [
         calc("@derate", "Motor: share of its rated torque that is left", "", "", f"={DERATING}", left,
              source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
-        *(calc(IN_USE[name], f"Motor: {words}", symbol, unit,
-               f"=IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))"
-               + ("*@derate" if name == "rated_torque" else "+0"),
+        *(calc(IN_USE[name], f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={motor_figure(name, unit)}",
                getattr(motor, name), source="at its temperature" if name == "rated_torque" else "")
           for name, words, symbol, unit, _ in MOTOR),
     ]  # fmt: skip
     return rows
+
+
+def motor_figure(name: str, unit: str) -> str:
+    """Return the formula of a figure of the motor in use."""
+    listed = f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))"
+    return f"{listed}*@derate" if name == "rated_torque" else in_si(f"{listed}+0", unit)
+
+
+def in_si(formula: str, unit: str) -> str:
+    """Return the formula of an inertia in kg m², any other as it is."""
+    return f"({formula})/10000" if unit in SI_UNITS else formula
 
 
 def told(number: int, called: str) -> Quantity:
@@ -222,7 +235,7 @@ def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
     sheet.table(
         "motors", "Motors", n,
         column("motors", n, "name", "name", "motor", align="left"),
-        column("motors", n, "inertia", "inertia", "inertia", "J_M", "kg m²", format="0.000000##"),
+        column("motors", n, "inertia", "inertia", "inertia", "J_M", "kg cm²", format="0.0####"),
         column("motors", n, "rated", "rated_torque", "rated torque", "T_N", "Nm", format="0.0##"),
         column("motors", n, "peak", "peak_torque", "peak torque", "T_max", "Nm", format="0.0##"),
         column("motors", n, "nmax", "max_speed", "largest speed", "n_max", "rpm", format="0.##"),
@@ -240,7 +253,7 @@ def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
         column("reducers", n, "name", "name", "reducer", align="left"),
         column("reducers", n, "i", "reduction", "reduction", "i", format="0.0##"),
         column("reducers", n, "eta", "efficiency", "efficiency", "η", format="0.0##"),
-        column("reducers", n, "inertia", "inertia", "inertia at the input", "J_T", "kg m²", format="0.000000##"),
+        column("reducers", n, "inertia", "inertia", "inertia at the input", "J_T", "kg cm²", format="0.0####"),
         column("reducers", n, "nmax", "max_speed", "largest input speed", "", "rpm", format="0.##"),
         column("reducers", n, "tmax", "max_torque", "largest output torque", "", "Nm", format="0.0##"),
         column("reducers", n, "mass", "mass", "mass", "", "kg", format="0.0##"),

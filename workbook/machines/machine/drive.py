@@ -14,7 +14,7 @@ from workbook.book.rows import total
 from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
-from workbook.entries.units import KW, RPM, shown
+from workbook.entries.units import KG_CM2, KW, RPM, shown
 from workbook.machines.machine import chosen
 from workbook.machines.machine.breaks import ACTS, breaks_table, turns_table, windows_check, windows_table
 from workbook.machines.machine.chain import BELTED, TABLE
@@ -40,7 +40,7 @@ SIZES = {
 }
 RATIOS = {"lead screw": "=2*PI()/(@size/1000)", "feed rollers": "=1/(@size/1000)"}
 STRAIGHT = {
-    "jtot": "=@j0-@jm+@j1/@i1^2+@m/@i^2",
+    "jtot": "=(@j0-@jm+@j1/@i1^2+@m/@i^2)*10000",
     "tmax": "=MAX(MAX([@st.tyb]),MAX([@st.tye]))",
     "tmin": "=MIN(MIN([@st.tyb]),MIN([@st.tye]))",
     "rms": f"=SQRT(MAX(0,{total('@st.square')}/(2*PI())))",
@@ -152,10 +152,10 @@ def outcome(
              OWN if own else MACHINES, align="right"),
         calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)',
              own or one.machine.machine.per_minute),
-        result("@jtot", "Inertia at the motor, without it", "J_tot", "kg m²", formulas["jtot"],
-               driven.inertia, source="Σ J/i², load and parts"),
+        result("@jtot", "Inertia at the motor, without it", "J_tot", "kg cm²", formulas["jtot"],
+               shown(driven.inertia, KG_CM2), source="Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
-               "=IF(@jm>0,@jtot/@jm,0)", driven.inertia_ratio, source="load at the motor's shaft / motor"),
+               "=IF(@jm>0,@jtot/10000/@jm,0)", driven.inertia_ratio, source="load at the motor's shaft / motor"),
         result("@tmax", "Highest torque of the motor", "T_max", "Nm",
                formulas["tmax"],
                found.torque.highest.value, scale=torque, source="exact: at the laws' extremes of acceleration"),
@@ -273,13 +273,13 @@ def workings(sheet: Sheet, one: AxisRows, driven: Driven, ratios: list[Quantity]
     travels = driven.travels
     steady = "=@force+@mass*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
     rubbing = "=@friction*@mass*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
-    moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia+0"
+    moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia/10000"
     gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
     base = "kg" if travels else "kg m²"
     force = "N" if travels else "Nm"
 
     def on(shaft: str) -> str:
-        return f'SUMPRODUCT(([@parts.shaft]="{shaft}")*[@parts.all])'
+        return f'SUMPRODUCT(([@parts.shaft]="{shaft}")*[@parts.all])/10000'
 
     sheet.heading("Workings: the chain")
     sheet.rows(

@@ -20,7 +20,7 @@ from engine.machine.course import Course
 from engine.machine.demand import Demand
 from engine.machine.train import Train, Window
 from workbook.drive.entries import RotatingParts
-from workbook.entries.units import DEGREE, MM, shown, si
+from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
 from workbook.machines.machine.chosen import left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
 from workbook.selection.entries import Products
@@ -33,7 +33,7 @@ SCREW = "lead screw"
 def inertia_of(part: RotatingParts) -> float:
     """Return the inertia of one part (kg m²), entered or that of a cylinder."""
     if part.inertia is not None:
-        return part.inertia
+        return si(part.inertia, KG_CM2)
     diameter, length, bore = (si(x or 0.0, MM) for x in (part.diameter, part.length, part.bore))
     return cylinder(diameter, length, part.density or 0.0, bore)
 
@@ -75,7 +75,7 @@ class Driven:
         """The load at the end of the chain."""
         e = self.entered.load
         if not self.travels:
-            return Load(e.inertia, e.torque, e.friction_torque)
+            return Load(si(e.inertia, KG_CM2), e.torque, e.friction_torque)
         return Slide(e.mass, e.friction, radians(e.slope), e.force).load
 
     @property

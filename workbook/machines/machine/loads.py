@@ -15,13 +15,13 @@ def loads(driven: Driven, key: str) -> list[Quantity]:
         ("slope", "Slope", "θ", "°", "rising with positive travel"),
         ("force", "Force against positive travel", "F", "N", "always, also at rest"),
     ) if driven.travels else (
-        ("inertia", "Inertia that turns", "J", "kg m²", ""),
+        ("inertia", "Inertia that turns", "J", "kg cm²", ""),
         ("torque", "Torque against positive motion", "T", "Nm", "always, also at rest"),
         ("friction_torque", "Friction torque", "T_f", "Nm", "opposes the motion"),
     )  # fmt: skip
     viscous = ("viscous", "Viscous friction", "c", "N s/m" if driven.travels else "Nm s/rad", "c ẏ")
     return [
         given(f"@{name}", label, symbol, unit, getattr(e, name), f"{key}.load.{name}",
-              format="General" if unit == "kg m²" else "0.0##", source=source)
+              format="General" if unit == "kg cm²" else "0.0##", source=source)
         for name, label, symbol, unit, source in (*rows, *([] if e.viscous is None else [viscous]))
     ]  # fmt: skip

@@ -14,7 +14,7 @@ from engine.machine.bus import Means, means
 from engine.machine.geared import Geared, Gears, Torques, Works, mean_power, shares_of
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
-from workbook.entries.units import KW, PER_MINUTE, RPM, shown, si
+from workbook.entries.units import KG_CM2, KW, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.entries import AnyMachine, Axis
@@ -202,7 +202,7 @@ class Studied:
             return self.reducers_used[figure]
 
         each: dict[str, Callable[[], Any]] = {
-            "jtot": lambda: self.at_motor,
+            "jtot": lambda: shown(self.at_motor, KG_CM2),
             "inertias": lambda: shares_of(self.at_motor, motor("inertia")),
             "tmax": lambda: self.torques.highest,
             "tmin": lambda: self.torques.lowest,

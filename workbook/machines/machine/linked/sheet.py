@@ -23,7 +23,7 @@ from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.pacing import highest, mending
 from workbook.machines.machine.powered import power_peaks
 
-CHANGING = {"jtot": "=@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2"}
+CHANGING = {"jtot": "=(@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2)*10000"}
 """of a ratio that changes: the largest inertia"""
 RESULTS = {
     "jtot": drive.STRAIGHT["jtot"],

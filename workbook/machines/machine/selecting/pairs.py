@@ -137,14 +137,14 @@ def motors(sheet: Sheet, view: Choosing) -> None:
                ("rated", "rated torque", "Nm", "rated", m.rated_torque),
                ("peak", "peak torque", "Nm", "peak", m.peak_torque),
                ("nmax", "largest speed", "rpm", "nmax", shown(m.max_speed, RPM)))  # fmt: skip
-    warm = {"rated": "*@left"}
+    made = {"jm": "/10000", "rated": "*@left"}
     known = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for _, _, _, column, _ in columns)
     sheet.table(
         "@motors", "Motors of the catalogue", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
         calc("on", "in use", "", "", f"=IF({known}=1,1,0)",
              filled(filled([], count, 1), n, 0), format="0"),
-        *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){warm.get(name, '')},0)",
+        *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){made.get(name, '')},0)",
                filled(values, n))
           for name, label, unit, column, values in columns),
         calc("knee", "peak torque holds to", "", "rpm",
@@ -183,8 +183,8 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              filled(filled([], len(r.names), 1), n, 0), format="0"),
         calc("i", "reduction", "i", "", "=INDEX([reducers.i],[k])+0", filled(r.reduction, n)),
         calc("eta", "efficiency", "η", "", "=INDEX([reducers.eta],[k])+0", filled(r.efficiency, n)),
-        calc("jt", "it, and parts beside the motor", "", "kg m²", "=IF([on]=1,INDEX([reducers.inertia],[k])+@beside,0)",
-             filled(g.beside_motor, n)),
+        calc("jt", "it, and parts beside the motor", "", "kg m²",
+             "=IF([on]=1,INDEX([reducers.inertia],[k])/10000+@beside,0)", filled(g.beside_motor, n)),
         calc("j", "inertia at the motor", "", "kg m²", "=IF([on]=1,[jt]+@inertia/[i]^2,0)", filled(g.at_motor, n)),
         calc("n", "speed of the motor", "n", "rpm", "=@speed*[i]*30/PI()", filled(shown(g.speed, RPM), n)),
         calc("nmax", "largest input speed", "", "rpm", "=INDEX([reducers.nmax],[k])+0", filled(limits[0], n),
