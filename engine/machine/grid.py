@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple, get_args
+from typing import Literal, NamedTuple, Protocol, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -69,8 +69,8 @@ class Curve(NamedTuple):
     fall: float
 
 
-def reserve(points: Points, gears: tuple[float, float, float], curve: Curve) -> float:
-    """Return what is left below a motor's curve at least (Nm), for J, i, η.
+def reserve(points: Points, gears: tuple[float, float, float], curve: Curve, peak: float | None = None) -> float:
+    """Return what is left below a motor's curve at least (Nm), for J, i, η, and the peak torque if that is known.
 
     The torque of each part at its ends with the part's largest speed: never more than what is left; just that where
     the speed stays below the knee, or both are largest at one end.
@@ -79,7 +79,7 @@ def reserve(points: Points, gears: tuple[float, float, float], curve: Curve) -> 
     turned = inertia * ratio * points.acceleration
     torque = np.abs(turned + points.driving / (eta * ratio) + points.driven * eta / ratio)
     beyond = curve.peak + curve.fall * curve.knee - float((torque + curve.fall * ratio * points.speed).max())
-    return min(curve.peak - float(torque.max()), beyond)
+    return min(curve.peak - (float(torque.max()) if peak is None else peak), beyond)
 
 
 class Squares(NamedTuple):
@@ -90,6 +90,35 @@ class Squares(NamedTuple):
     mixed_back: float
     behind: float
     behind_back: float
+
+
+class Asked(Protocol):
+    """What a course asks for behind its first stage, for many motors and reducers; figures as of :class:`Behind`."""
+
+    @property
+    def squares(self) -> Squares:
+        """Means over the cycle."""
+
+    @property
+    def speed(self) -> float:
+        """Largest speed of the shaft (rad/s)."""
+
+    def speed_of_motor(self, ratio: float) -> float:
+        """Return the largest speed of a motor before a reducer (rad/s)."""
+
+    @property
+    def torque(self) -> float:
+        """Largest torque (Nm)."""
+
+    @property
+    def inertia(self) -> float:
+        """Inertia at the shaft (kg m²)."""
+
+    def rms(self, some: Gears) -> Array:
+        """Return the RMS torque of motors (Nm)."""
+
+    def peak(self, some: Gears) -> Array:
+        """Return the largest torque of motors (Nm)."""
 
 
 @dataclass(frozen=True)
@@ -159,7 +188,7 @@ def used(motor: Motor, speed: float, rms: float) -> Used:
 class Grid:
     """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²)."""
 
-    load: Behind
+    load: Asked
     motors: Motors
     reducers: Reducers
     beside: float

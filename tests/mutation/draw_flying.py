@@ -37,7 +37,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
 def load(drawn: random.Random) -> dict[str, float]:
     """Return a load with or without a mass that moves with the tool, and a torque."""
     return {
-        "inertia": 10 ** drawn.uniform(-4, 1),
+        "inertia": 10 ** drawn.uniform(0, 5),
         "mass": drawn.choice((0.0, drawn.uniform(0.1, 200))),
         "torque": drawn.choice((0.0, drawn.uniform(-40, 40))),
     }

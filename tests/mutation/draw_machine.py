@@ -12,7 +12,7 @@ from workbook.machines.machine.chain import BELTED, LINKED
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
-from workbook.machines.machine.variations import constant_drives, of_shapes
+from workbook.machines.machine.variations import drives, of_shapes
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
@@ -39,7 +39,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
     if data["selection"]["axis"] is not None:
         data["selection"] |= {
-            "axis": drawn.choice(constant_drives(data)),
+            "axis": drawn.choice(drives(data)),
             "rank": drawn.choice(get_args(Rank)), "inertia_ratio": 10 ** drawn.uniform(-1, 4),
             "least_margin": 10 ** drawn.uniform(-5, 0.5), "greatest_margin": 10 ** drawn.uniform(0, 6),
             "torque_factor": 10 ** drawn.uniform(-4, 0.3),
@@ -94,7 +94,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),
         "slope": drawn.choice((0.0, drawn.uniform(-90, 90))), "force": force,
     } if travels else {
-        "inertia": drawn.choice((0.0, often)), "torque": drawn.choice((0.0, force)), "friction_torque": often,
+        "inertia": drawn.choice((0.0, 1e4 * often)), "torque": drawn.choice((0.0, force)), "friction_torque": often,
     }  # fmt: skip
     axis["load"]["viscous"] = None if viscous is None else drawn.choice((0.0, drawn.uniform(0, 200)))
     axis["parts"] = [
@@ -106,7 +106,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     ]  # fmt: skip
     axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1)))}
     axis["motor"] = {
-        "inertia": drawn.choice((0.0, drawn.uniform(0, 0.05))), "rated_torque": 10 ** drawn.uniform(-3, 6),
+        "inertia": drawn.choice((0.0, drawn.uniform(0, 500))), "rated_torque": 10 ** drawn.uniform(-3, 6),
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
         "holding": drawn.choice(("motor", "brake")), "temperature": drawn.choice((None, drawn.uniform(-20, 110))),
         "rated_at": drawn.uniform(20, 60), "limit": drawn.uniform(120, 200),
@@ -115,7 +115,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
 
 def inertia(drawn: random.Random) -> dict[str, float]:
     """Return the inertia of a part."""
-    return {"inertia": drawn.uniform(0, 0.1)}
+    return {"inertia": drawn.uniform(0, 1000)}
 
 
 def cylinder(drawn: random.Random) -> dict[str, float]:

@@ -27,7 +27,7 @@ def motor(i: int, drawn: random.Random) -> dict[str, Any]:
     rated, top = 10 ** drawn.uniform(-2, 5), drawn.uniform(300, 9000)
     made = {
         "name": f"motor {i}",
-        "inertia": rated ** drawn.uniform(0.9, 1.4) * 10 ** drawn.uniform(-5, -3),
+        "inertia": rated ** drawn.uniform(0.9, 1.4) * 10 ** drawn.uniform(-1, 1),
         "rated_torque": rated,
         "peak_torque": rated * drawn.uniform(1, 5),
         "max_speed": top,
@@ -45,7 +45,7 @@ def reducer(i: int, drawn: random.Random) -> dict[str, Any]:
         "name": f"reducer {i}",
         "reduction": 10 ** drawn.uniform(-0.3, 2),
         "efficiency": drawn.uniform(0.4, 1),
-        "inertia": maybe(drawn, 10 ** drawn.uniform(-6, -1)),
+        "inertia": maybe(drawn, 10 ** drawn.uniform(-2, 3)),
         "max_speed": maybe(drawn, drawn.uniform(500, 9000)),
         "max_torque": maybe(drawn, 10 ** drawn.uniform(0, 5)),
         "mass": maybe(drawn, drawn.uniform(0.1, 90)),

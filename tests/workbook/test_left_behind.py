@@ -102,7 +102,7 @@ def test_the_committed_catalogues_are_referred_to(tmp_path):
     assert text.count("[[selection.motors]]") == text.count("[[selection.reducers]]") == 0
     assert text.count('"committed"') == 2
     (tmp_path / "machine.toml").write_text(text, encoding="utf-8")
-    head = "name,inertia_kgm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm"
+    head = "name,inertia_kgcm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm"
     (tmp_path / "motors.csv").write_text(f"{head}\nX,0.01,2,3,3000\n", encoding="utf-8")
     again = described(tmp_path / "machine.toml")
     assert again == machine

@@ -120,7 +120,7 @@ def driven(*phases, lead=10.0, **entries):
     return axis(1, *phases) | {
         "mechanism": {"kind": "lead screw", "size": lead, "efficiency": 1.0},
         "load": {"mass": 20.0},
-        "motor": {"inertia": 1e-3, "rated_torque": 60.0, "peak_torque": 450.0, "max_speed": 13000.0},
+        "motor": {"inertia": 10.0, "rated_torque": 60.0, "peak_torque": 450.0, "max_speed": 13000.0},
     } | entries  # fmt: skip
 
 
@@ -152,7 +152,7 @@ def test_no_result_hangs_on_the_samples():
 
 
 def test_parts_of_a_drive_have_their_room_whichever_axis_it_moves():
-    part = {"name": "disc", "count": 1.0, "inertia": 1e-3, "shaft": "motor"}
+    part = {"name": "disc", "count": 1.0, "inertia": 10.0, "shaft": "motor"}
     machine = described([axis(2, (0, 90, 2.0, "CIC")), driven((0, 90, 2.0, "CIC"), parts=[part] * 3)], rotors=3)
     assert entered(TEMPLATE, machine) == (machine, [])
 
@@ -182,7 +182,7 @@ def test_a_law_that_a_drive_cannot_integrate_makes_an_unfinished_design(law, tmp
     [
         ({"motor": None}, "a drive has a mechanism and a motor"),
         ({"unit": "°"}, "a lead screw does not move an axis in °"),
-        ({"load": {"inertia": 1.0}}, "no entry of an axis in mm"),
+        ({"load": {"inertia": 10000.0}}, "no entry of an axis in mm"),
     ],
 )
 def test_a_drive_that_is_none_is_refused(entries, said):
@@ -194,7 +194,7 @@ def test_a_drive_that_is_none_is_refused(entries, said):
     "entries",
     [
         {"rate": 100.0}, {"load": {"mass": 3.0}},
-        {"parts": [{"name": "Roll", "inertia": 1e-3, "count": 1, "shaft": "motor"}]},
+        {"parts": [{"name": "Roll", "inertia": 10.0, "count": 1, "shaft": "motor"}]},
         {"reducer": {"ratio": 5.0}}, {"load": {"windows": [{"start": 10.0, "stop": 20.0, "force": 5.0}]}},
     ],
     ids=lambda entries: next(iter(entries)),

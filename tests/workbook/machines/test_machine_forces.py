@@ -55,7 +55,7 @@ def test_over_a_closed_cycle_the_motor_does_the_work_of_friction_and_process_for
 
 def test_a_force_in_a_dwell_is_held_by_the_motor_or_by_a_brake():
     """F/i for 36 of 360°, beside a motion that is the same without it."""
-    motor = {"inertia": 1e-3, "rated_torque": 60.0, "peak_torque": 450.0, "max_speed": 13000.0}
+    motor = {"inertia": 10.0, "rated_torque": 60.0, "peak_torque": 450.0, "max_speed": 13000.0}
     bare, held, braked = (
         computed(TEMPLATE, small([one]))
         for one in (forced(), forced((100, 136, 800.0, "always")),

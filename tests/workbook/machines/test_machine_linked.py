@@ -13,7 +13,7 @@ ROCKER = {"kind": "rocker", "efficiency": 1.0, "lever": 90.0, "link": 240.0, "of
 POINTS = [{"angle": 30.0 * k, "position": 13.0 * k + 0.2 * k * k} for k in range(6)]
 TABLE = {"kind": "table", "efficiency": 1.0, "points": POINTS}
 RISE = ((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP"))
-MOTOR = {"inertia": 8e-4, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 4500.0}
+MOTOR = {"inertia": 8.0, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 4500.0}
 FIGURES = ("tmax", "tmin", "rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "jtot", "ok_peak")
 
 
@@ -31,7 +31,7 @@ def small(one, **sizes):
 LOSSY = {
     "load": {"mass": 12.0, "friction": 0.1, "slope": 30.0,
              "windows": [{"start": 100.0, "stop": 150.0, "force": 400.0}]},
-    "parts": [{"name": "Crank", "count": 1.0, "inertia": 4e-3, "shaft": "mechanism"}],
+    "parts": [{"name": "Crank", "count": 1.0, "inertia": 40.0, "shaft": "mechanism"}],
     "reducer": {"ratio": 5.0, "efficiency": 0.9}, "shift": 33.0,
 }  # fmt: skip
 

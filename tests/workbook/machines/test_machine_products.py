@@ -22,7 +22,7 @@ def failed(machine):
 
 
 def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
-    others = {"inertia": 9.0, "rated_torque": 1e-3, "peak_torque": 1e-3, "max_speed": 1.0}
+    others = {"inertia": 90000.0, "rated_torque": 1e-3, "peak_torque": 1e-3, "max_speed": 1.0}
     named = small([driven(*PHASES, motor=others | {"name": MOTOR.name.upper()},
                               reducer={"name": REDUCER.name, "ratio": 99.0})])  # fmt: skip
     told = small([driven(*PHASES, motor=FIGURES,
@@ -37,7 +37,7 @@ def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
 
 def test_a_motor_by_name_needs_no_figures():
     machine = small([driven(*PHASES, motor={"name": MOTOR.name})])
-    assert computed(TEMPLATE, machine)("drive1_jm") == MOTOR.inertia
+    assert computed(TEMPLATE, machine)("drive1_jm") == pytest.approx(MOTOR.inertia * 1e-4, rel=1e-15)
     assert entered(TEMPLATE, machine) == (machine, [])
 
 

@@ -23,7 +23,7 @@ from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import Whole
 
 CHECKS = dict(zip(LIMITS, ("speed", "reducer_speed", "peak", "reducer_peak", "rms", "reducer_mean"), strict=True))
-FREE = {"inertia": 1e-3, "rated_torque": 1e5, "peak_torque": 1e5, "max_speed": 1e6}
+FREE = {"inertia": 10.0, "rated_torque": 1e5, "peak_torque": 1e5, "max_speed": 1e6}
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
          {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
 BINDING = {

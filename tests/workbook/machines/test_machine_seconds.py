@@ -28,7 +28,7 @@ OUT, BACK = {"start": 0.05, "stop": 0.095, "lift": 20.0, "law": "MTP"}, {
 DRIVE = {
     "mechanism": {"kind": "lead screw", "size": 20.0, "efficiency": 0.8},
     "load": {"mass": 30.0, "friction": 0.05, "windows": [{"start": 0.28, "stop": 0.07, "force": 40.0}]},
-    "motor": {"inertia": 0.001, "rated_torque": 500.0, "peak_torque": 1500.0, "max_speed": 30000.0},
+    "motor": {"inertia": 10.0, "rated_torque": 500.0, "peak_torque": 1500.0, "max_speed": 30000.0},
 }
 
 

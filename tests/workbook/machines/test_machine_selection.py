@@ -16,16 +16,16 @@ from workbook.templates import TEMPLATES
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
          {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
 LOAD = {"mass": 20.0, "friction": 0.1, "slope": 30.0, "windows": PRESS}
-PARTS = [{"name": "Coupling", "count": 1.0, "inertia": 0.0003, "shaft": "motor"},
-         {"name": "Pulley", "count": 2.0, "inertia": 0.001, "shaft": "mechanism"}]  # fmt: skip
+PARTS = [{"name": "Coupling", "count": 1.0, "inertia": 3.0, "shaft": "motor"},
+         {"name": "Pulley", "count": 2.0, "inertia": 10.0, "shaft": "mechanism"}]  # fmt: skip
 OTHER = ((10, 150, 50.0, "MTP"), (200, 350, -50.0, "CIC"))
 MOTORS = [
-    {"name": f"M{k}", "inertia": 2e-4 * k**1.5, "rated_torque": 2.0 * k, "peak_torque": 6.0 * k, "max_speed": 5000.0,
+    {"name": f"M{k}", "inertia": 2.0 * k**1.5, "rated_torque": 2.0 * k, "peak_torque": 6.0 * k, "max_speed": 5000.0,
      "mass": 2.0 * k if k != 3 else None} | ({"full_torque_to": 1500.0, "end_torque": 2.5 * k} if k % 2 else {})
     for k in range(1, 6)
 ]  # fmt: skip
 REDUCERS = [
-    {"name": f"R{k}", "reduction": float(k), "efficiency": 0.99 - 0.04 * k, "inertia": 1e-4 * k, "mass": 1.0}
+    {"name": f"R{k}", "reduction": float(k), "efficiency": 0.99 - 0.04 * k, "inertia": 1.0 * k, "mass": 1.0}
     for k in range(1, 5)
 ]
 WIDE = {"inertia_ratio": 1e6, "least_margin": 1e-3, "greatest_margin": 1e6}

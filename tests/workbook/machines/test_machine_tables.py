@@ -35,7 +35,7 @@ def test_cells_agree_with_the_engine_and_entries_come_back():
 
 @pytest.mark.nightly
 def test_an_axis_that_turns_agrees_too_at_a_table_of_which_points_are_left_empty():
-    load = {"inertia": 0.02, "torque": 1.0, "friction_torque": 0.3}
+    load = {"inertia": 200.0, "torque": 1.0, "friction_torque": 0.3}
     machine = driven(table((-20, -5), (20, 5), (70, 21)), unit="°", load=load)
     wrong, _ = disagreeing(TEMPLATE, machine)
     assert wrong == []

@@ -41,7 +41,7 @@ def lossy(value=300.0, mechanism=SCREW, **entries):
 
 def turning(value):
     """The same on a rotary table."""
-    load = {"inertia": 0.02, "friction_torque": 0.3, "torque": 0.4, "viscous": value}
+    load = {"inertia": 200.0, "friction_torque": 0.3, "torque": 0.4, "viscous": value}
     return lossy(value, mechanism=TURNING, unit="°", load=load, motor=MOTOR | {"holding": "brake"})
 
 
@@ -156,7 +156,7 @@ def test_random_machines_agree(request, number):
 def test_a_torque_with_a_kink_beside_the_place_where_it_turns_round():
     """Of a load that drives a light part: power turns round at the load and in the reducer between the same places."""
     load = {"torque": -126.0, "friction_torque": 0.2, "viscous": 162.0}
-    parts = [{"name": "Disc", "count": 4.0, "inertia": 0.0544, "shaft": "mechanism"}]
+    parts = [{"name": "Disc", "count": 4.0, "inertia": 544.0, "shaft": "mechanism"}]
     reducer = {"ratio": 38.0, "efficiency": 0.55}
     one = viscous(mechanism=TURNING | {"efficiency": 0.515}, phases=((0, 105, 99.0, "CIC"),), unit="°", load=load,
                   parts=parts, reducer=reducer, rate=147.7, closes="feed")  # fmt: skip

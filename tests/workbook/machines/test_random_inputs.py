@@ -97,7 +97,7 @@ def machine(seed):
     return made
 
 
-MOTOR = {"name": "M", "inertia": 0.01, "rated_torque": 10.0, "peak_torque": 30.0, "max_speed": 3000.0}
+MOTOR = {"name": "M", "inertia": 100.0, "rated_torque": 10.0, "peak_torque": 30.0, "max_speed": 3000.0}
 
 
 def drive(dice, seed):

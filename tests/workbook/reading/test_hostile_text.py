@@ -14,7 +14,7 @@ BEFORE = TEXT.split("[master]")[0]
 SELECTION = "[selection]\n"
 RATE = "rate = 100.0"
 HEAD = 'template = "machine"\n'
-MOTORS = "name,inertia_kgm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm\n"
+MOTORS = "name,inertia_kgcm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm\n"
 SECONDS = 20  # of one hostile file
 LONGEST_LINE = 1_000  # characters
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
@@ -112,8 +112,8 @@ CATALOGUES = {
     "a field of 131,072 characters": (MOTORS + f'"{"x" * 131_073}",1,1,1,1', "131072"),
     "a name of 100,000 characters": (MOTORS + "x" * 100_000 + ",1,1,1,1", "found"),
     "digits joined": (MOTORS + "A,1_000,1,1,1", "'1_000'"),
-    "Arabic digits": (MOTORS + "A,١٢,1,1,1", "inertia_kgm2"),
-    "digits of full width": (MOTORS + "A,\uff11,1,1,1", "inertia_kgm2"),
+    "Arabic digits": (MOTORS + "A,١٢,1,1,1", "inertia_kgcm2"),
+    "digits of full width": (MOTORS + "A,\uff11,1,1,1", "inertia_kgcm2"),
     "infinity": (MOTORS + "A,infinity,1,1,1", "'infinity'"),
     "an escape in a head": ("name,\x1b[31m\n", "unknown column"),
     "an escape in a cell": (MOTORS + "A,\x1b[31m\x9b,1,1,1", "found"),

@@ -40,19 +40,19 @@ TEMPLATE = TEMPLATES["flying-cutter"]
 HEAVY = {
     "line_speed": 103.5, "product_length": 450.0, "law": "CIC",
     "drum": {"tools": 1.0, "radius": 134.0, "tool_angle": 30.0},
-    "load": {"inertia": 1.164, "mass": 0.0, "torque": 67.0},
+    "load": {"inertia": 11640.0, "mass": 0.0, "torque": 67.0},
     "lengths": {"shortest": 250.0, "longest": 1500.0},
 }  # fmt: skip
 """a drum with one tool, of the inertia, the radius and the torque of S1's feeding rollers"""
 MOTORS, REDUCERS = FOLDER / "motors.csv", FOLDER / "reducers.csv"
-MOTOR_HEAD = "name,inertia_kgm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm"
+MOTOR_HEAD = "name,inertia_kgcm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm"
 FALLING = {"max_speed": 1700.0, "full_torque_to": 10.0, "end_torque": 1.0}
 HALF_HEAD = MOTOR_HEAD + ",torque_at_max_speed_Nm"
 REDUCER_HEAD = "name,reduction,efficiency"
 STRONG = [
-    {"name": "small", "inertia": 0.004, "rated_torque": 60.0, "peak_torque": 300.0, "max_speed": 3000.0, "mass": 20.0},
-    {"name": "large", "inertia": 0.02, "rated_torque": 180.0, "peak_torque": 600.0, "max_speed": 3000.0, "mass": 70.0},
-    {"name": "twin", "inertia": 0.02, "rated_torque": 180.0, "peak_torque": 600.0, "max_speed": 3000.0, "mass": 70.0},
+    {"name": "small", "inertia": 40.0, "rated_torque": 60.0, "peak_torque": 300.0, "max_speed": 3000.0, "mass": 20.0},
+    {"name": "large", "inertia": 200.0, "rated_torque": 180.0, "peak_torque": 600.0, "max_speed": 3000.0, "mass": 70.0},
+    {"name": "twin", "inertia": 200.0, "rated_torque": 180.0, "peak_torque": 600.0, "max_speed": 3000.0, "mass": 70.0},
 ]
 FIVE = STRONG + [STRONG[0] | {"name": name} for name in "ab"]
 OWN_MOTOR = """
@@ -64,9 +64,9 @@ peak_torque = 2.0
 max_speed = 3.0
 """
 BOXES = [
-    {"name": "i 5", "reduction": 5.0, "efficiency": 0.95, "inertia": 0.001, "max_torque": 2000.0, "mass": 15.0},
+    {"name": "i 5", "reduction": 5.0, "efficiency": 0.95, "inertia": 10.0, "max_torque": 2000.0, "mass": 15.0},
     {"name": "i 8", "reduction": 8.0, "efficiency": 0.95, "max_torque": 2000.0, "mass": 15.0},
-    {"name": "i 5 weak", "reduction": 5.0, "efficiency": 0.95, "inertia": 0.001, "max_torque": 500.0, "mass": 5.0},
+    {"name": "i 5 weak", "reduction": 5.0, "efficiency": 0.95, "inertia": 10.0, "max_torque": 500.0, "mass": 5.0},
 ]
 
 
@@ -119,7 +119,7 @@ def test_the_committed_catalogues_say_where_each_figure_is_from():
 def test_motors_have_the_power_rate_that_their_makers_print(name, kilowatts_per_second):
     """α is what makers call the power rate: printed beside torque and inertia, it shows that both were read right."""
     motor = next(m for m in committed_motors() if m.name == name)
-    alpha = float(accelerating_factor(motor.rated_torque, motor.inertia))
+    alpha = float(accelerating_factor(motor.rated_torque, motor.inertia * 1e-4))
     assert alpha / 1000 == pytest.approx(kilowatts_per_second, rel=0.02)  # torque is printed with two figures
 
 
@@ -242,7 +242,7 @@ def test_the_pair_drives_the_load_as_a_reducer_before_it_does():
 def test_a_reducer_without_an_inertia_is_named_and_counts_as_none():
     value = computed(TEMPLATE, machine())
     assert value("sel_nojt") == 1
-    assert value("pairs", "total")[1] == STRONG[0]["inertia"]
+    assert value("pairs", "total")[1] == pytest.approx(STRONG[0]["inertia"], rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -282,7 +282,7 @@ def csv(tmp_path, *lines, name="motors.csv"):
         ([MOTOR_HEAD, "A,1,2,3,3000,4"], "line 2: 6 cells; expected 5, as in the head"),
         ([MOTOR_HEAD + ",colour", "A,1,2,3,3000,red"], "line 1: unknown column 'colour'; expected one of name, "),
         ([MOTOR_HEAD + ",name", "A,1,2,3,3000,B"], "line 1: column name stands there twice"),
-        (["name,inertia_kgm2", "A,1"], "line 1: column rated_torque_Nm is missing"),
+        (["name,inertia_kgcm2", "A,1"], "line 1: column rated_torque_Nm is missing"),
         ([MOTOR_HEAD], "there is no product below the head; expected one a line"),
     ],
 )

@@ -14,7 +14,7 @@ from workbook.studies.evaluate import Evaluator
 from workbook.studies.folder import Parts
 from workbook.studies.run import run
 
-INERT = {"load": {}, "parts": [{"name": "Disc", "count": 1.0, "inertia": 1.0, "shaft": "mechanism"}]}
+INERT = {"load": {}, "parts": [{"name": "Disc", "count": 1.0, "inertia": 10000.0, "shaft": "mechanism"}]}
 FAMILIES = ("ACS", "TVP", "CIC", "CUB", "MTP", "SHM", "PO5", "MSN", "SCC")
 
 

@@ -82,7 +82,7 @@ def test_every_result_of_a_whole_machine_is_what_its_book_says(tmp_path, templat
     data["sizes"] |= SIZES
     (tmp_path / "feed.toml").write_text(tomli_w.dumps(data), encoding="utf-8")
     driven = next(one["name"] for one in data["axes"] if one.get("motor"))
-    varied = {"key": f"axes.{driven}.motor.inertia", "values": [0.001, 0.004]}
+    varied = {"key": f"axes.{driven}.motor.inertia", "values": [10.0, 40.0]}
     plan = planned(tmp_path, {**RATES, "steps": 2}, varied, results=["timing_rate"])
     pairs, _ = compared(plan, 3)
     require_alike(pairs)

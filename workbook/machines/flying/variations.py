@@ -34,7 +34,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     drum, saw, load = entries["drum"], entries["saw"], entries["load"]
     drum |= {"tools": 1.0 + k, "radius": 90.0 + 17 * k, "tool_angle": (47.0, 0.0, 31.0, 22.0, 29.0, 17.0)[k]}
     saw |= {"tool_length": 210.0 + 40 * k, "lead": 25.0 + 6 * k, "stroke": (60.0, 2000.0)[k % 2] * next(scale)}
-    load |= {"inertia": 0.01 * next(scale), "mass": 3.0 * k, "torque": (0.0, 2.5, -1.5, 0.0, 4.0, 0.7)[k]}
+    load |= {"inertia": 100.0 * next(scale), "mass": 3.0 * k, "torque": (0.0, 2.5, -1.5, 0.0, 4.0, 0.7)[k]}
     entries["limits"] = limits(k, scale)
     entries["line_speed"] = 35.0 + 21 * k
     entries |= product(entries, k) | {"law": law, "smoothness": smoothness_for(turn)}

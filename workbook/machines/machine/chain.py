@@ -51,11 +51,6 @@ LEAST_POINTS = 2
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
-def bends(kind: str, viscous: float | None) -> bool:
-    """Whether a drive's torque is a bent line over the acceleration: of constant ratio, without viscous friction."""
-    return kind not in LINKED and viscous is None
-
-
 def size_by_kind(made: dict[str, Any]) -> None:
     """Let the schema of a mechanism do without the size: not every kind has one."""
     made["required"] = [name for name in made["required"] if name != "size"]

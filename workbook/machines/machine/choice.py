@@ -11,7 +11,7 @@ from workbook.entries.texts import LOOKED_UP, NO_FORMULA
 from workbook.entries.types import EntryError, Positive
 from workbook.selection.entries import Products
 
-UNCHOSEN = "no axis with a drive of constant ratio is named "
+UNCHOSEN = "no axis with a drive is named "
 Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
 
@@ -21,7 +21,7 @@ class Choice(Products):
 
     axis: Called | None = Field(
         default=None,
-        description="Axis with a drive of constant ratio, not viscous, that the sheet Selection looks at; or none",
+        description="Axis with a drive that the sheet Selection looks at; or none",
     )
     rank: Rank = Field(default="smallest motor", description="What the sheet Selection ranks usable pairs by")
     inertia_ratio: Positive = Field(

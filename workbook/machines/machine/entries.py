@@ -34,7 +34,6 @@ from workbook.machines.machine.chain import (
     MechanismEntry,
     PowerEntry,
     Reducer,
-    bends,
 )
 from workbook.machines.machine.choice import UNCHOSEN, Choice
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
@@ -241,17 +240,16 @@ class AnyMachine(Exporting):
 
     @property
     def choosable(self) -> list[int]:
-        """The axes, from 0, that the sheet Selection may look at: with a drive of constant ratio, and not viscous."""
-        axes = enumerate(self.axes)
-        return [i for i, axis in axes if axis.mechanism and bends(axis.mechanism.kind, axis.load.viscous)]
+        """The axes, from 0, that the sheet Selection may look at: with a drive."""
+        return [i for i, axis in enumerate(self.axes) if axis.mechanism]
 
     def _chooses(self) -> None:
-        """Raise an error where Selection looks at no axis with a drive of constant ratio."""
+        """Raise an error where Selection looks at no axis with a drive."""
         name, names = self.selection.axis, [self.axes[i].name for i in self.choosable]
         if name is None or place_of(name, names) >= 0:
             return
         if not names:
-            raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has such a drive")
+            raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has a drive")
         raise TogetherError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", names[0])])
 
     def _find_room(self) -> None:

@@ -71,6 +71,11 @@ class Stretched:
         return sum([self.room, phases, phases, edges, *more])
 
     @property
+    def points(self) -> int:
+        """Places at which a torque can be largest: both ends of each stretch."""
+        return self.rows + self.rows
+
+    @property
     def septics(self) -> bool:
         """Whether the book has laws of the seventh degree."""
         return self.one.pieces.powers > QUINTIC

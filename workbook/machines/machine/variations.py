@@ -9,7 +9,7 @@ from engine.machine.grid import RANKS
 from workbook.laws.registry import Family
 from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, told_family, variations, vary_laws
-from workbook.machines.machine.chain import BELTED, LINKED, WINDOWS, bends
+from workbook.machines.machine.chain import BELTED, LINKED, WINDOWS
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
@@ -82,7 +82,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
                 phase |= passing(k, n, data["laws"], 0.01)
     if any(axis["motor"] is not None for axis in data["axes"]):
         data["power"] = {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}
-    choose(data, constant_drives(data), k)
+    choose(data, drives(data), k)
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
@@ -93,10 +93,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-def constant_drives(data: dict[str, Any]) -> list[str]:
-    """Return the axes with a drive of constant ratio, without viscous friction."""
-    driven = (axis for axis in data["axes"] if axis["motor"])
-    return [axis["name"] for axis in driven if bends(axis["mechanism"]["kind"], axis["load"]["viscous"])]
+def drives(data: dict[str, Any]) -> list[str]:
+    """Return the axes with a drive."""
+    return [axis["name"] for axis in data["axes"] if axis["motor"]]
 
 
 def choose(data: dict[str, Any], names: list[str], k: int) -> None:
@@ -187,7 +186,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
         "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k], "windows": forces(i, k, 400.0),
     } if travels else {
-        "inertia": 0.01 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
+        "inertia": 100.0 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
         "windows": forces(i, k, 6.0),
     }  # fmt: skip
     axis["load"]["viscous"] = viscous
@@ -198,7 +197,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
             **(
                 CYLINDER | {"length": 100.0 + 15 * k, "bore": 20.0 if k % 2 else None}
                 if (j + k) % 3 == 1
-                else {"inertia": 0.002 * (j + k)}
+                else {"inertia": 20.0 * (j + k)}
             ),
             "shaft": ("motor", "mechanism")[(j + k) % 2],
             **({"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}),
@@ -207,13 +206,13 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     ]
     axis["reducer"] = {
         "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
-        "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1e-4 * k,
+        "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1.0 * k,
         "peak_torque": (None, 1e-3, 1e6)[k % 3], "mean_torque": (1e-3, 1e6, None)[k % 3],
         "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
     }  # fmt: skip
     limits = ("rated_torque", "peak_torque", "max_speed")
     axis["motor"] |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
-    axis["motor"] |= {"inertia": 0.0 if k == 4 else 0.001 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor"}
+    axis["motor"] |= {"inertia": 0.0 if k == 4 else 10.0 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor"}
     axis["motor"] |= {
         "temperature": (None, 35.0, 20.0, 90.5, None, 60.0)[(i + k) % SIX], "rated_at": 25.0 + k, "limit": 150.0 + k,
     }  # fmt: skip

@@ -304,8 +304,8 @@ def cuts_table(sheet: Sheet, view: PlacedWork) -> None:
     )  # fmt: skip
 
 
-def nodes_table(sheet: Sheet, view: PlacedWork) -> None:
-    """Declare the drive at the nodes of each section."""
+def nodes_table(sheet: Sheet, view: PlacedWork, *more: Quantity) -> None:
+    """Declare the drive at the nodes of each section, and more columns."""
     rows = view.section_rows
     ranges = [view.within(held, span) for held, span in view.placed]
     places = np.concatenate([section(span, NODES, -1.0) for span in ranges])
@@ -325,4 +325,5 @@ def nodes_table(sheet: Sheet, view: PlacedWork) -> None:
         *columns(view, stacked(view.worked), helds, places),
         calc("P", "torque times speed, before the reducer", "", "Nm rad/s", "=[T]*[w]", view.at_nodes("power"),
              scale=max(1e-9, float(np.abs(view.at_nodes("power")).max()))),
+        *more,
     )  # fmt: skip

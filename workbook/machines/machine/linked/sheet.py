@@ -22,6 +22,7 @@ from workbook.machines.machine.linked.places import stacked, turned
 from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.pacing import highest, mending
 from workbook.machines.machine.powered import power_peaks
+from workbook.machines.machine.selecting import behind
 
 CHANGING = {"jtot": "=(@j0-@jm+@j1/@i1^2+@m/(@i1*MAX([@sec.topg]))^2)*10000"}
 """of a ratio that changes: the largest inertia"""
@@ -84,9 +85,10 @@ def placed_sheet(book: Book, view: PlacedWork) -> None:
         cut.rule_table(sheet)
         cut.cuts_table(sheet, view)
         found.sections_table(sheet, view, *pacing.pace_columns(view))
-        cut.nodes_table(sheet, view)
+        cut.nodes_table(sheet, view, *behind.node_columns(view))
         sheet.rows(*found.lost_rows(view), *pacing.loss_rows(view.pacing))
         pacing.pace_tables(sheet, view)
+        behind.means(sheet, view)
         limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), drive.BACKWARD)
         rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18

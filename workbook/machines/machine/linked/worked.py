@@ -79,6 +79,11 @@ class PlacedWork(Stretched):
         return len(range(super().rows - self.one.machine.machine.sizes.phases))
 
     @property
+    def points(self) -> int:
+        """Places at which a torque can be largest: the nodes of each section."""
+        return len(NODES) * self.section_rows
+
+    @property
     def turn_rows(self) -> int:
         """Rows of the table of where power turns round."""
         n = self.one.machine.machine.sizes.phases
@@ -321,14 +326,18 @@ class PlacedWork(Stretched):
         room = self.turned_round <= self.turn_rows and len(self.spans) <= self.rows
         return room and len(self.sections) <= self.section_rows and suffices(worst, self.at_nodes("torque"))
 
+    @property
+    def widths(self) -> list[float]:
+        """How wide each section is (rad); spare rows have no width."""
+        each = [end - begin for begin, end in (self.within(held, span) for held, span in self.placed)]
+        return [width if k < len(self.sections) else 0.0 for k, width in enumerate(each)]
+
     @cached_property
     def pacing(self) -> PlacePace:
         """What they ask for at other rates; spare rows repeat the last section, without a width."""
-        motor, driven, used = self.driven.motor, self.driven, len(self.sections)
-        widths = [end - begin for begin, end in (self.within(held, span) for held, span in self.placed)]
-        widths = [width if k < used else 0.0 for k, width in enumerate(widths)]
+        motor, driven = self.driven.motor, self.driven
         loads = loads_of(
-            [(held, width, at) for (held, _), width, at in zip(self.placed, widths, self.worked, strict=True)]
+            [(held, width, at) for (held, _), width, at in zip(self.placed, self.widths, self.worked, strict=True)]
         )
         limits = motor.rated_torque, motor.peak_torque, motor.max_speed, driven.reducer.limits
         return PlacePace(loads, self.helds[0], driven.demand, *limits)

@@ -8,11 +8,15 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 from __future__ import annotations
 
 from operator import methodcaller
+from typing import NamedTuple
 
 from engine.machine.bent import Away, away
-from engine.machine.grid import Behind
-from workbook.book.declare import Quantity, Sheet, calc
+from engine.machine.grid import Asked, Behind
+from engine.machine.node_load import NodeLoad
+from engine.machine.places import WEIGHTS, Held, Worked
+from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import total
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import BEHIND, LOST, ORDER, integral
 
@@ -25,9 +29,25 @@ def asks(view: Stretched) -> bool:
     return view.one.machine.machine.selection.axis is not None
 
 
+def load_of(view: Stretched) -> Asked:
+    """Return the engine's view of what the cycle asks for."""
+    demand = view.driven.demand
+    if not isinstance(view, PlacedWork):
+        return Behind(demand.course)
+    return NodeLoad(demand, view.driven.inertia, sections(view))
+
+
+def sections(view: PlacedWork) -> list[tuple[Held, Worked, float]]:
+    """Return the drive at the nodes of each section, and how wide that is."""
+    each = zip(view.placed, view.worked, view.widths, strict=True)
+    return [(held, worked, width) for (held, _), worked, width in each]
+
+
 def scales_of(view: Stretched) -> Away:
     """Return what the integrals are measured by."""
     sizes = view.driven.sizes
+    if isinstance(view, PlacedWork):
+        return away(sizes.behind, view.acceleration_of_shaft, 1.0)
     return away(sizes.behind, sizes.acceleration, view.driven.mechanism.ratio_from(1))
 
 
@@ -69,36 +89,80 @@ def means(sheet: Sheet, view: Stretched) -> None:
     if not asks(view):
         return
     driven, scale = view.driven, scales_of(view)
-    load = Behind(driven.demand.course)
+    load = load_of(view)
     own, mixed, mixed_back, square, square_back = load.squares
-    held = "SUMPRODUCT([@st.on]*([@st.dir]=0)*([@st.ue]-[@st.ub])*([@st.hold]*@eta1*@i1)^2)"
-
-    def summed(mark: str, same: str, other: str) -> str:
-        first, second = (f"SUMPRODUCT([@st.{mark}{n}]*([@st.sign]{sign}0))" for n, sign in ((1, same), (2, other)))
-        return f"({first}+{second})"
-
-    def driving(mark: str, more: str = "") -> str:
-        driven = f'IF(@method="document",{summed(mark, "<", ">")},0)'
-        return f"=({summed(mark, '>', '<')}+{driven}{more})/(2*PI())"
-
-    def driven_by_load(mark: str) -> str:
-        return f'=IF(@method="document",0,{summed(mark, "<", ">")}/(2*PI()))'
-
+    asked = node_sums() if isinstance(view, PlacedWork) else sums()
+    inertia = "@j1+@m/MAX([@sec.topg])^2" if isinstance(view, PlacedWork) and view.varies else "@j1+@m/@i2^2"
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
     sheet.rows(
-        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", f"={total('@st.bq')}/(2*PI())", own, scale=scale.turned),
-        calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²",
-             driving("bs", f"+{held}"), square, scale=scale.square),
-        calc("@ask_square_back", "… where the load drives it", "", "Nm²", driven_by_load("bs"),
-             square_back, scale=scale.square),
-        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", driving("bp"),
-             mixed, scale=scale.product),
-        calc("@ask_product_back", "… where the load drives it", "", "W/s", driven_by_load("bp"),
-             mixed_back, scale=scale.product),
+        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", f"={asked.own}/(2*PI())", own, scale=scale.turned),
+        calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²", driving(asked.square), square,
+             scale=scale.square),
+        calc("@ask_square_back", "… where the load drives it", "", "Nm²", driven_by_load(asked.square), square_back,
+             scale=scale.square),
+        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", driving(asked.product), mixed,
+             scale=scale.product),
+        calc("@ask_product_back", "… where the load drives it", "", "W/s", driven_by_load(asked.product), mixed_back,
+             scale=scale.product),
         calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
-        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j1+@m/@i2^2", load.inertia),
+        calc("@ask_inertia", "Inertia", "J", "kg m²", f"={inertia}", load.inertia),
         calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", "=@j0-@jm-@j_reducer",
              driven.beside_motor),
     )  # fmt: skip
+
+
+class Asks(NamedTuple):
+    """Sums over the sheet of a drive: ∫α²; ∫S² and ∫αS, each where S drives the load and where the load drives it."""
+
+    own: str
+    square: tuple[str, str]
+    product: tuple[str, str]
+
+
+def sums() -> Asks:
+    """Return them of the stretches of a drive of constant ratio."""
+    held = "SUMPRODUCT([@st.on]*([@st.dir]=0)*([@st.ue]-[@st.ub])*([@st.hold]*@eta1*@i1)^2)"
+
+    def of(mark: str, same: str, other: str) -> str:
+        return "+".join(f"SUMPRODUCT([@st.{mark}{n}]*([@st.sign]{sign}0))" for n, sign in ((1, same), (2, other)))
+
+    square, product = ((of(mark, ">", "<"), of(mark, "<", ">")) for mark in ("bs", "bp"))
+    return Asks(total("@st.bq"), (f"{square[0]}+{held}", square[1]), product)
+
+
+def node_sums() -> Asks:
+    """Return them of the nodes of a drive that is worked out place by place."""
+
+    def of(one: str, other: str) -> str:
+        return f"SUMPRODUCT([@pl.wide],{one}*{other})"
+
+    sides, alpha = ("([@pl.S]-[@pl.back])", "[@pl.back]"), "[@pl.turn]"
+    (drives, back), product = (of(one, one) for one in sides), tuple(of(alpha, one) for one in sides)
+    return Asks(of(alpha, alpha), (drives, back), (product[0], product[1]))
+
+
+def driving(sides: tuple[str, str]) -> str:
+    """Return the mean where S drives the load: by the document's losses, all of it."""
+    return f'=({sides[0]}+IF(@method="document",{sides[1]},0))/(2*PI())'
+
+
+def driven_by_load(sides: tuple[str, str]) -> str:
+    """Return the mean where the load drives it."""
+    return f'=IF(@method="document",0,({sides[1]})/(2*PI()))'
+
+
+def node_columns(view: PlacedWork) -> list[Quantity]:
+    """Return the columns of the nodes: what each counts in an integral, and the torque with which the load drives."""
+    if not asks(view):
+        return []
+    nodes = [WEIGHTS.tolist() for _ in view.placed]
+    load = NodeLoad(view.driven.demand, view.driven.inertia, sections(view))
+    wide = "INDEX([@sec.on],[sec])*(INDEX([@sec.ue],[sec])-INDEX([@sec.ub],[sec]))/2"
+    return [
+        constant("weight", "weight", "", "", [weight for each in nodes for weight in each]),
+        calc("wide", "counts", "", "rad", f"={wide}*[weight]", load.wide, scale=1.0),
+        calc("back", "where the load drives", "S", "Nm", "=IF([S]*INDEX([@st.dir],[st])<0,[S],0)", load.back,
+             scale=view.driven.sizes.behind),
+    ]  # fmt: skip

@@ -3,14 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.selecting.behind import scales_of
 from workbook.machines.machine.selecting.view import AS_ENTERED, Choosing
+from workbook.machines.machine.stretched import Stretched
 
-FAST = "INDEX([@@st.vm],[st])*timing_omega*@@faster*@@i2"
+
+class ToldAt(NamedTuple):
+    """What a drive's sheet tells of a place, as formulas: direction, acceleration, torque, speed at most."""
+
+    way: str
+    acceleration: str
+    torque: str
+    fastest: str
+
+
+def told_at(one: Stretched, k: int) -> ToldAt:
+    """Return it of the ``k``-th place, from 1: an end of a stretch, begins before ends, or a node; else 0."""
+    if k > one.points:
+        return NOWHERE
+    if isinstance(one, PlacedWork):
+        return ToldAt(f"INDEX([@@st.dir],[@@pl.st.{k}])", f"[@@pl.turn.{k}]+0", f"[@@pl.S.{k}]+0", f"ABS([@@pl.w.{k}])")
+    end, st = ("b", k) if k <= one.rows else ("e", k - one.rows)
+    fast, sign = f"[@@st.vm.{st}]*timing_omega*@@faster*@@i2", f"0-[@@st.sign.{st}]"
+    return ToldAt(f"[@@st.dir.{st}]+0", f"{sign}*[way]*@@i2*[@@st.y{end}.{st}]", f"[@@st.ry{end}.{st}]+0", fast)
+
+
+NOWHERE = ToldAt("0", "0", "0", "0")
 
 
 def told() -> list[tuple[str, str, str, str]]:
@@ -25,7 +49,6 @@ def told() -> list[tuple[str, str, str, str]]:
         ("smax", "largest torque", "Nm", "@smax"),
         ("inertia", "inertia", "kg m²", "@ask_inertia"),
         ("beside", "parts beside the motor", "kg m²", "@ask_beside"),
-        ("turn", "ratio of the mechanism", "", "@i2"),
         ("by_power", "losses by the flow of power", "", '(@method="physical")'),
         ("left", "rated torque left at its temperature", "", "@derate"),
         ("held_j", "inertia with its motor", "kg m²", "@j0"),
@@ -34,6 +57,7 @@ def told() -> list[tuple[str, str, str, str]]:
         ("held_eta", "its efficiency", "", "@eta1"),
         ("held_rated", "its rated torque", "Nm", "@motor_rated"),
         ("held_peak", "its peak torque", "Nm", "@motor_peak"),
+        ("held_top", "what it is asked for", "Nm", "MAX(@tmax,0-@tmin)"),
         ("held_nmax", "its largest speed", "rpm", "@motor_nmax"),
         ("held_row", "its row of motors", "", "@motor_row"),
         ("held_gear", "its row of reducers", "", "@reducer_row"),
@@ -48,7 +72,7 @@ def drives_table(sheet: Sheet, view: Choosing) -> None:
         return f"={formula.replace('@', f'drive{driven.number}_')}+0"
 
     sheet.table(
-        "@drives", "Drives of constant ratio", len(drives),
+        "@drives", "Drives", len(drives),
         calc("axis", "axis", "", "", [f"=[axes.name.{one.number}]" for one in drives],
              [one.entered.name for one in drives], align="left"),
         constant("k", "number of the axis", "k", "", [one.number for one in drives]),
@@ -95,27 +119,23 @@ def held(view: Choosing) -> Sequence[Quantity]:
 
 def points_table(sheet: Sheet, view: Choosing) -> None:
     """Declare the ends of the stretches of the named drive."""
-    rows, points, scale = view.stretched.rows, view.points, scales_of(view.stretched)
-    behind = view.driven.sizes.behind
+    points, scale = view.points, scales_of(view.stretched)
+    behind, rows = view.driven.sizes.behind, range(1, len(points.speed) + 1)
 
-    def of(formula: str) -> str:
-        each = [formula.replace("@@", f"drive{one.driven.number}_") for one in view.drives]
-        return f"=CHOOSE(@no,{','.join(each)})" if len(each) > 1 else f"={each[0]}"
-
-    def ends(column: str, formula: str) -> list[str]:
-        return [of(formula.format(f"INDEX([@@st.{column}{end}],[st])")) for end in "be" for _ in range(rows)]
+    def of(figure: str) -> list[str]:
+        each = [[getattr(told_at(one, k), figure).replace("@@", f"drive{one.driven.number}_") for one in view.drives]
+                for k in rows]  # fmt: skip
+        return [f"=CHOOSE(@no,{','.join(one)})" if len(one) > 1 else f"={one[0]}" for one in each]
 
     sheet.row += 1
     sheet.table(
-        "@points", "Both ends of its stretches", len(points.speed),
-        constant("k", "number", "", "", list(range(1, len(points.speed) + 1))),
-        constant("st", "stretch", "", "", [*range(1, rows + 1), *range(1, rows + 1)]),
-        calc("way", "direction", "", "", of("INDEX([@@st.dir],[st])"), view.going, format="0"),
-        calc("a", "acceleration", "α", "rad/s²", ends("y", "0-INDEX([@@st.sign],[st])*[way]*@turn*{0}"),
-             points.acceleration, scale=scale.alpha),
-        calc("torque", "torque", "S", "Nm", ends("ry", "{0}+0"), view.torque, scale=behind),
+        "@points", "Where its torque can be largest: ends of stretches, or nodes of sections", len(rows),
+        constant("k", "number", "", "", list(rows)),
+        calc("way", "direction", "", "", of("way"), view.going, format="0"),
+        calc("a", "acceleration", "α", "rad/s²", of("acceleration"), points.acceleration, scale=scale.alpha),
+        calc("torque", "torque", "S", "Nm", of("torque"), view.torque, scale=behind),
         calc("driving", "where it drives the load", "", "Nm", "=IF(@by_power*[torque]*[way]<0,0,[torque])",
              points.driving, scale=behind),
         calc("driven", "where the load drives it", "", "Nm", "=[torque]-[driving]", points.driven, scale=behind),
-        calc("w", "no faster than", "ω", "rad/s", of(FAST), points.speed, scale=scale.alpha),
+        calc("w", "no faster than", "ω", "rad/s", of("fastest"), points.speed, scale=scale.alpha),
     )  # fmt: skip

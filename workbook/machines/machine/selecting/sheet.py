@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
 from workbook.machines.machine.choice import UNCHOSEN, Choice
-from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.selecting.best import best_table, order_table
 from workbook.machines.machine.selecting.charts import chart, uses
 from workbook.machines.machine.selecting.drives import chosen, drives_table, known, points_table
-from workbook.machines.machine.selecting.formulas import peak_of, rms_of, spare_of, whole
+from workbook.machines.machine.selecting.formulas import rms_of, spare_of, whole
 from workbook.machines.machine.selecting.pairs import grids, products
 from workbook.machines.machine.selecting.view import Choosing
 from workbook.machines.machine.stretched import Stretched
@@ -28,7 +27,7 @@ def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: S
     """Declare the sheet, where an axis is named for it."""
     if given_.axis is None:
         return
-    view = Choosing(given_, sizes, [one for one in drives if not isinstance(one, PlacedWork)])
+    view = Choosing(given_, sizes, drives)
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: what can do its cycle, best first.")
     with sheet.scoped("sel_"):
         entries(sheet, view)
@@ -54,7 +53,7 @@ def entries(sheet: Sheet, view: Choosing) -> None:
     sheet.heading("Enter", ABOUT)
     sheet.rows(
         given("@axis", "Axis", "", "", s.axis, "selection.axis", choices="=sel_axes", align="left",
-              source="one whose drive has a constant ratio, and no viscous friction"),
+              source="one with a drive"),
         given("@rank", "Rank usable pairs by", "", "", s.rank, "selection.rank", align="left",
               source="smallest motor: the least rated torque, then the least of it used"),
         given("@inertia_ratio", "Largest inertia ratio", "", "", s.inertia_ratio, "selection.inertia_ratio",
@@ -102,7 +101,7 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
              source="those that have the mass or cost they are ranked by"),
     )  # fmt: skip
     sheet.checks(
-        check("@ok_axis", "Selection: its axis has a drive of constant ratio", known(view), True, rule=":chosen",
+        check("@ok_axis", "Selection: its axis has a drive", known(view), True, rule=":chosen",
               says=f'"{UNCHOSEN}"&@axis'),
         check("@ok", "Selection: a motor and a reducer can do it", "SUM([@best.holds])>0", pair is not None,
               says=Said("@message", message(view)))
@@ -124,7 +123,8 @@ def own_pair(view: Choosing) -> list[Quantity]:
                source="that of the drive's sheet"),
         result("@own_margin", "Margin", "", "", "=IF(@own_rms>0,@held_rated/@own_rms,0)", own.margin,
                source="T_N / T_rms"),
-        result("@own_peak", "Peak torque of the motor", "T_max", "Nm", f"={peak_of(*gears)}", own.peak, scale=torque),
+        result("@own_peak", "Peak torque of the motor", "T_max", "Nm", "=@held_top+0", own.peak, scale=torque,
+               source="that of the drive's sheet"),
         result("@own_speed", "Largest speed of the motor", "n", "rpm", "=@speed*@held_i*30/PI()", own.speed),
         result("@own_inertias", "Inertia ratio", "", "",
                "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),

@@ -12,12 +12,15 @@ from numpy.typing import NDArray
 from engine.laws.base import Array
 from engine.machine.bent import BentPart
 from engine.machine.geared import shares_of
-from engine.machine.grid import RANKS, Behind, Curve, Grid, Points, Used, Wanted, gears, points, reserve, used
+from engine.machine.grid import RANKS, Asked, Curve, Grid, Points, Used, Wanted, gears, points, reserve, used
+from engine.machine.node_load import NodeLoad
+from engine.machine.places import NODES
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, shown, si
 from workbook.machines.machine.choice import Choice
-from workbook.machines.machine.selecting.behind import scales_of
+from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.machines.machine.selecting.behind import load_of, scales_of
 from workbook.machines.machine.stretched import Stretched
 from workbook.selection.entries import SelectionSizes
 from workbook.selection.view import engine_motors, engine_reducers
@@ -54,9 +57,9 @@ class Choosing:
         self.reducers = engine_reducers(given.reducers)
 
     @cached_property
-    def load(self) -> Behind:
+    def load(self) -> Asked:
         """What the cycle asks for behind the reducer."""
-        return Behind(self.driven.demand.course)
+        return load_of(self.stretched)
 
     @cached_property
     def grid(self) -> Grid:
@@ -95,22 +98,41 @@ class Choosing:
         return int(np.ravel_multi_index(pair, self.rooms))
 
     @cached_property
+    def places(self) -> int:
+        """How many places the sheet has: of the drive with the most, that of the axis may be another."""
+        return max(one.points for one in self.drives)
+
+    @cached_property
     def points(self) -> Points:
-        """The ends of the stretches, begins before ends, in the order of the sheet."""
+        """Where the torque can be largest, in the order of the sheet; nothing behind the last."""
+        return Points(*(np.array(filled(one, self.places)) for one in self._points))
+
+    @property
+    def _points(self) -> Points:
+        """The ends of the stretches, begins before ends; or the nodes of the sections."""
+        if isinstance(self.load, NodeLoad):
+            return self.load.points
         ends = [(part, end) for end in (0, 1) for part in self.parts]
         alpha = np.array([part.turning_at(end) for part, end in ends])
         fastest = np.array([part.fastest_behind for part, _ in ends])
-        return points(alpha, self.torque, self.going, fastest, self.driven.given.method)
+        torque = np.array([part.shaft_at(end) for part, end in ends])
+        return points(alpha, torque, np.array(self._going), fastest, self.driven.given.method)
 
     @property
     def torque(self) -> Array:
-        """The torque behind the reducer at these ends (Nm)."""
-        return np.array([part.shaft_at(end) for end in (0, 1) for part in self.parts])
+        """The torque behind the reducer at these places (Nm)."""
+        return self.points.driving + self.points.driven
 
     @property
-    def going(self) -> Array:
+    def going(self) -> list[float]:
         """The direction of motion there."""
-        return np.array([part.going for _ in (0, 1) for part in self.parts])
+        return filled(self._going, self.places)
+
+    @property
+    def _going(self) -> list[float]:
+        if isinstance(self.stretched, PlacedWork):
+            return [held.going for held, _ in self.stretched.placed for _ in NODES]
+        return [part.going for _ in (0, 1) for part in self.parts]
 
     @property
     def parts(self) -> list[BentPart]:
@@ -186,10 +208,10 @@ class Choosing:
         d = self.driven
         inertia = d.at_motor
         pair = gears(inertia, d.reducer.ratio, d.reducer.efficiency)
-        rms, peak = float(self.load.rms(pair)[0]), float(self.load.peak(pair)[0])
+        rms, peak = float(self.load.rms(pair)[0]), d.demand.torque.peak
         speed = shown(self.load.speed_of_motor(d.reducer.ratio), RPM)
         motor = d.motor_used
-        spare = reserve(self.points, (inertia, d.reducer.ratio, d.reducer.efficiency), self.held_curve)
+        spare = reserve(self.points, (inertia, d.reducer.ratio, d.reducer.efficiency), self.held_curve, peak)
         margin = shares_of(np.array(motor.rated_torque), np.array(rms))
         return Figures(rms, float(margin), peak, speed, d.inertia_ratio, spare)
 
@@ -202,16 +224,17 @@ class Choosing:
 
 def figures_of(view: Stretched) -> list[tuple[float, float]]:
     """Return what the sheet of a drive tells of the shaft behind its reducer, and of its motor, each with its scale."""
-    d, load, scale = view.driven, Behind(view.driven.demand.course), scales_of(view)
+    d, load, scale = view.driven, load_of(view), scales_of(view)
     own, mixed, mixed_back, square, square_back = load.squares
     return [
         (own, scale.turned), (square, scale.square), (square_back, scale.square),
         (mixed, scale.product), (mixed_back, scale.product),
         (load.speed, 0.0), (load.torque, d.sizes.behind),
-        (load.inertia, 0.0), (d.beside_motor, 0.0), (d.mechanism.ratio_from(1), 0.0),
+        (load.inertia, 0.0), (d.beside_motor, 0.0),
         (float(d.given.method == "physical"), 0.0), (d.left, 0.0),
         (d.at_motor, 0.0), (d.motor_used.inertia, 0.0), (d.reducer.ratio, 0.0), (d.reducer.efficiency, 0.0),
         (d.motor_used.rated_torque, 0.0), (d.motor_used.peak_torque, 0.0),
+        (d.demand.torque.peak, d.sizes.torque),
         (d.motor_used.max_speed, 0.0),
         (d.motor_used.row, 0.0), (d.reducer.row, 0.0),
     ]  # fmt: skip
