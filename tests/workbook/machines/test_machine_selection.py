@@ -144,8 +144,8 @@ def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes
     report = verify(tmp_path / "other.xlsx")
     assert report.findings == []
     failing = {check.what: check.says for check in report.checks if check.found == "FAIL"}
-    said = f"no axis with a drive of constant ratio is named {name}"
-    assert failing["Selection: its axis has a drive of constant ratio"] == said
+    said = f"no axis with a drive is named {name}"
+    assert failing["Selection: its axis has a drive"] == said
     given, lost = inputs(tmp_path / "other.xlsx")
     assert lost == []
     assert as_entered(given)["selection"]["axis"] == name
@@ -153,25 +153,12 @@ def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes
 
 
 @pytest.mark.parametrize(("selection", "said"), [
-    ({"axis": "C3"}, "selection.axis: no axis with a drive of constant ratio is named C3"),
+    ({"axis": "C3"}, "selection.axis: no axis with a drive is named C3"),
     ({"axis": None, "rank": "mass"}, "selection.rank: no axis is told for the sheet Selection"),
 ])  # fmt: skip
 def test_what_it_cannot_look_at_is_refused(selection, said):
     with pytest.raises(ValueError, match=said.split(": ")[1].split(";")[0]):
         machine(**selection)
-
-
-def test_a_drive_whose_ratio_changes_is_not_among_the_axes():
-    told = [{"start": 0.0, "stop": 100.0, "lift": 20.0, "law": "CIC"},
-            {"start": 150.0, "stop": 250.0, "lift": -20.0, "law": "CIC"}]  # fmt: skip
-    mechanism = {"kind": "crank-slider", "crank": 50.0, "rod": 200.0, "position": 10.0, "efficiency": 0.9}
-    crank = {"name": "RAM", "group": "Press", "phases": told, "mechanism": mechanism, "motor": {"name": "M4"}}
-    straight = driven(*OTHER, load=LOAD) | {"name": "B2"}
-    given = machine(axes=[crank, straight])
-    wrong, _ = disagreeing(TEMPLATE, given)
-    assert wrong == []
-    with pytest.raises(ValueError, match="no axis with a drive of constant ratio is named RAM"):
-        machine(axes=[crank, straight], axis="RAM")
 
 
 def test_the_variations_turn_the_axis_and_find_all_and_none():

@@ -199,14 +199,6 @@ def test_an_axis_without_a_drive_has_none():
         described([axis(1, *RISE, load={"viscous": 3.0})])
 
 
-def test_selection_does_not_look_at_such_a_drive():
-    bare = lossy(None) | {"name": "Bare"}
-    data = small(lossy()).model_dump() | {"axes": [lossy(), bare], "selection": {"axis": "A1"}}
-    fault, *_ = checked(TEMPLATE, data, str).design.faults
-    assert fault.said == "no axis with a drive of constant ratio is named A1"
-    assert checked(TEMPLATE, data | {"selection": {"axis": "Bare"}}, str).design.faults == ()
-
-
 def test_out_in_and_through_with_its_cell_emptied(tmp_path):
     """From build to verify, inputs and regenerate; an empty cell counts as none of it, and keeps its place."""
     path, again = tmp_path / "book.xlsx", tmp_path / "again.xlsx"
