@@ -175,8 +175,9 @@ class Pace:
         widths, levels, slopes, places = self._lines(x)
         mechanism = self.parts[0].bends.drive.mechanism
         own = (self.parts[0].bends.drive.motor_inertia + mechanism.on_shaft(0)) * mechanism.ratio
-        signs, factors = (self.of(f)[:, None] for f in (lambda p: p.bends.sign, lambda p: p.first_factor))
-        through = mechanism.stages[0].ratio * np.hstack([1.0 / factors, factors, factors])
+        signs = self.of(lambda part: part.bends.sign)[:, None]
+        near, past = np.array([part.bends.factors[0] for part in self.parts]).T[:, :, None]
+        through = mechanism.stages[0].ratio / np.hstack([near, past, past])
         behind = levels + (slopes + signs[:, :, None] * own) * x * self._eta(places)
         way = self.velocity(places.reshape(len(self.parts), -1)).reshape(places.shape)
         return self._over(widths, np.abs(through[:, :, None] * behind) ** 3 * way)

@@ -89,7 +89,7 @@ def test_s1_movements_with_the_modified_trapezoidal_law():
 def test_s1_torque_at_the_roller_shaft(law, dw, highest, lowest):
     value = computed(TEMPLATE, described(laws=feeding(law), **BARE))
     assert value("drive1_jtot") == pytest.approx(11640.0, abs=1e-8)
-    assert value("drive1_parts", "all")[:2] == pytest.approx([4 * 0.284, 4 * 0.007], rel=1e-12)
+    assert value("drive1_parts", "all")[:2] == pytest.approx([4 * 2840, 4 * 70], rel=1e-12)
     assert value("drive1_steady") / value("drive1_i2") == pytest.approx(67, abs=1e-12)
     assert value("axis1", "a")[0] * value("drive1_i2") == pytest.approx(dw, abs=5e-5)
     assert (value("drive1_tmax"), value("drive1_tmin")) == pytest.approx((highest, lowest), abs=1e-4)

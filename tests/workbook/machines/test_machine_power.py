@@ -153,8 +153,9 @@ def test_the_bus_against_power_from_differentiated_positions():
     angle = np.arctan2(e, x) + np.arccos((r**2 + x**2 + e**2 - rod**2) / (2 * r * np.hypot(x, e)))
     turning, v, w = (np.gradient(place, time) for place in (angle, y, z))
     weight = 12.0 * 9.81
-    first = kinetic(time, turning, MOTOR["inertia"]) + kinetic(time, v, 12.0) + 0.1 * weight * np.abs(v)
-    second_motor = screw["motor"]["inertia"] * (2 * math.pi / 0.01) ** 2
+    motor = MOTOR["inertia"] * 1e-4  # kg m²
+    first = kinetic(time, turning, motor) + kinetic(time, v, 12.0) + 0.1 * weight * np.abs(v)
+    second_motor = screw["motor"]["inertia"] * 1e-4 * (2 * math.pi / 0.01) ** 2
     second = kinetic(time, w, 8.0 + second_motor) + 300.0 * w**2
     drawn = sum(np.where(power > 0, power / 0.9, power * 0.9) for power in (first, second))
     ups, downs = np.maximum(drawn, 0.0), np.maximum(-drawn, 0.0)

@@ -116,7 +116,7 @@ def drawn(seed):
 
     load = {"mass": some(1, 60), "friction": some(0, 0.5), "slope": some(-60, 60), "force": some(-300, 300)}
     kind = dice.choice(("lead screw", "rack and pinion", "belt"))
-    motor = DRIVE["motor"] | {"inertia": some(0, 0.002), "holding": dice.choice(("motor", "brake"))}
+    motor = DRIVE["motor"] | {"inertia": some(0, 20), "holding": dice.choice(("motor", "brake"))}
     return machine(axis(
         "A", *(phases or SEPTIC), shift=dice.choice((0.0, 77.0)), smoothness="velocity",
         mechanism={"kind": kind, "size": dice.uniform(10, 80), "efficiency": dice.uniform(0.4, 1)}, motor=motor,

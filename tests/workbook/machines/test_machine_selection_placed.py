@@ -52,7 +52,7 @@ def require_pairs_of_the_grid(axis, pairs):
 
 
 @pytest.mark.parametrize("kind", ["viscous", *LIFTS])
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 def test_each_cell_agrees_and_a_pair_does_what_a_drive_with_it_does(kind):
     axis = placed(kind)
     given = choosing(axis)
@@ -74,6 +74,7 @@ def test_drives_of_each_kind_among_the_axes(named):
         assert together("sel_best", column) == alone("sel_best", column), column
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize(("holding", "method"), [("brake", "physical"), ("motor", "document")])
 def test_who_holds_and_how_losses_count(holding, method):
     axis = placed("crank-slider")

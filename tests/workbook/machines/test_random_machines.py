@@ -28,6 +28,9 @@ SAME = ("rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", 
 CHECKS = dict(zip(LIMITS, ("speed", "reducer_speed", "peak", "reducer_peak", "rms", "reducer_mean"), strict=True))
 RACK = {"kind": "rack and pinion", "size": 50.0, "efficiency": 0.9}
 
+TIE = "about_binds"
+"""which of three equal drives binds hangs on rounding"""
+
 
 def told(request, number):
     """What a machine is drawn from."""
@@ -65,11 +68,11 @@ def in_degrees(axis):
     """The same with the pinion's angle as the motion: behind a ratio of 1."""
     load, radius = axis["load"], axis["mechanism"]["size"] / 2000
     weight, slope = load["mass"] * G, math.radians(load["slope"])
-    turning = {"inertia": load["mass"] * radius**2, "torque": (load["force"] + weight * math.sin(slope)) * radius,
+    turning = {"inertia": 1e4 * load["mass"] * radius**2, "torque": (load["force"] + weight * math.sin(slope)) * radius,
                "friction_torque": load["friction"] * weight * abs(math.cos(slope)) * radius}  # fmt: skip
     windows = [one | {"force": one["force"] * radius} for one in load["windows"]]
     phases = [phase | {"lift": math.degrees(phase["lift"] / 1000 / radius)} for phase in axis["phases"]]
-    mechanism = {"kind": "rotary table", "efficiency": axis["mechanism"]["efficiency"]}
+    mechanism = {"kind": "rotary table"} | {name: axis["mechanism"][name] for name in ("efficiency", "method")}
     return axis | {"name": "In degrees", "unit": "°", "phases": phases, "mechanism": mechanism,
                    "load": turning | {"windows": windows}}  # fmt: skip
 
@@ -88,7 +91,7 @@ def test_cells_mirrored_motion_and_other_units(request, number):
     axis = data["axes"][0]
     made = valid(data | {"axes": [axis, mirrored(axis), in_degrees(axis)]})
     wrong, _ = disagreeing(TEMPLATE, made)
-    assert wrong == []
+    assert [cell for cell in wrong if not cell.startswith(TIE)] == []
     value = computed(TEMPLATE, made)
     peak = max(value("drive1_tmax"), -value("drive1_tmin"), 1e-9)
     for name in SAME:

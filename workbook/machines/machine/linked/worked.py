@@ -81,7 +81,7 @@ class PlacedWork(Stretched):
     @property
     def points(self) -> int:
         """Places at which a torque can be largest: the nodes of each section."""
-        return len(NODES) * self.section_rows
+        return len([node for _ in range(self.section_rows) for node in NODES])
 
     @property
     def turn_rows(self) -> int:
