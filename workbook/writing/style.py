@@ -73,6 +73,7 @@ TEXTS = {
     "header": Kind("Table head", font(10, GREY, bold=True),
                    Alignment(wrap_text=True, horizontal="center", vertical="bottom")),
     "units": Kind("Table units", font(10, GREY, italic=True), Alignment(horizontal="center"), None, line(RULE)),
+    "folded units": Kind("Folded units", font(10, GREY, italic=True), Alignment(horizontal="left"), None, line(RULE)),
     "equation": Kind("Table equation", font(9, GREY),
                      Alignment(wrap_text=True, horizontal="center", vertical="center")),
 }  # fmt: skip

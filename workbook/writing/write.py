@@ -105,7 +105,8 @@ def size(column: int, columns: int, rows: int) -> tuple[float, float]:
 def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Styles, wide: dict[int, float]) -> None:
     """Write titles, labels and headers."""
     for text in sheet.texts:
-        cells.put(text.row, text.column, styles.text(text.style), text.text or None)
+        aside = text.style == "units" and 0 < sheet.folded <= text.column
+        cells.put(text.row, text.column, styles.text("folded units" if aside else text.style), text.text or None)
         if text.link:
             target = f"{quote_sheetname(text.link)}!A1"
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
