@@ -41,9 +41,10 @@ def middle(span: tuple[float, float]) -> float:
     return 0.5 * (span[0] + span[1])
 
 
-def turned(angle: float, late: float, cycle: float) -> float:
-    """Return the place in the cycle of a place in a motion that is so late."""
-    return (angle + late) % cycle
+def turned(angle: float, late: float, cycle: float, near: float = 0.0) -> float:
+    """Return the place in the cycle of a place in a motion that is so late; so near before its begin it is on that."""
+    place = angle + late
+    return place - cycle * math.floor((place + near) / cycle)
 
 
 def going(piece: MotionPiece, u: float, fastest: float) -> float:

@@ -108,7 +108,7 @@ def patient(answer):
 
 @pytest.mark.parametrize("killed", [False, True])
 def test_a_turn_that_it_has_begun_is_left_to_it_and_not_lost(wrong, begun, monkeypatch, killed):
-    helper, take, declared = begun(wrong), Shared._take, []
+    helper, take, answer, declared = begun(wrong), Shared._take, Asked.answer, []
 
     def when_it_has_begun(shared):
         last = len(shared._turns) - 1
@@ -118,7 +118,12 @@ def test_a_turn_that_it_has_begun_is_left_to_it_and_not_lost(wrong, begun, monke
             helper.process.wait()
         return take(shared)
 
+    def unless_killed(asked, key):
+        """It may have ended the turn before it was killed."""
+        return None if killed and key[0] == "turn" else answer(asked, key)
+
     monkeypatch.setattr(Shared, "_take", when_it_has_begun)
+    monkeypatch.setattr(Asked, "answer", unless_killed)
     monkeypatch.setattr(Variation, "__call__", counted(Variation.__call__, declared))
     report = verify(wrong, beside=helper)
     shared = len(declared)

@@ -75,7 +75,7 @@ class Apart:
     @cached_property
     def breaks(self) -> list[float]:
         """Where a stretch can begin, and the end of the turn (degrees of the master shaft)."""
-        found = [turned(at, one.axis.given.shift, TURN) for one in self.rows for at in begins(one)]
+        found = [turned(at, one.axis.given.shift, TURN, one.machine.near) for one in self.rows for at in begins(one)]
         return [*found, *GRID, TURN]
 
     @cached_property
@@ -129,7 +129,7 @@ def begins(one: AxisRows) -> list[float]:
 
 def _told(one: AxisRows, span: tuple[float, float]) -> tuple[int, int, float]:
     late, known = one.axis.given.shift, begins(one)[: len(one.pieces.pieces)]
-    inside = turned(middle(span), -late, TURN)
+    inside = turned(middle(span), -late, TURN, one.machine.near)
     cycle = round(shown(middle(span) - late - inside, TURN))
     row = int(np.searchsorted(known, inside, side="right"))
     return cycle, row, si(span[0] - late - shown(cycle, shown(1.0, TURN)) - known[row - 1], DEGREE)

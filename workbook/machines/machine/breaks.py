@@ -125,9 +125,9 @@ def breaks_table(sheet: Sheet, view: Stretched) -> None:
     for n in range(1, WINDOWS + 1):
         for edge in ("start", "stop"):
             told = f"({over.in_degrees(f'[@windows.{edge}.{n}]')}-[axes_taken.late.{i}])"
-            formulas.append(f'=IF([@windows.{edge}.{n}]="",360,{told}-360*INT({told}/360))')
+            formulas.append(f'=IF([@windows.{edge}.{n}]="",360,{told}-360*INT(({told}+timing_eps)/360))')
     late = f"(0-[axes_taken.late.{i}])"
-    formulas += [f"={late}-360*INT({late}/360)", *(formula for _, formula in view.further), "=360+0"]
+    formulas += [f"={late}-360*INT(({late}+timing_eps)/360)", *(formula for _, formula in view.further), "=360+0"]
     further = [angle for angle, _ in view.further]
     sheet.table(
         "@breaks", "Where a stretch can begin", len(formulas),

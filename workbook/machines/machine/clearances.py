@@ -121,7 +121,7 @@ def breaks(sheet: Sheet, one: Apart) -> None:
         i = rows.axis.number
         for r in range(1, len(begins(rows)) + 1):
             told = f"([axis{i}_pieces.begin.{r}]+[axes_taken.late.{i}])"
-            formulas.append(f"={told}-360*INT({told}/360)")
+            formulas.append(f"={told}-360*INT(({told}+timing_eps)/360)")
     formulas += [f"={at:.15g}+0" for at in (*GRID, TURN)]
     sheet.table(
         f"clear{one.number}_breaks", "Where a stretch can begin", len(formulas),
@@ -137,7 +137,7 @@ def found(one: Apart, end: int) -> list[Quantity]:
     angle = f"([b]+[e])/2-[axes_taken.late.{i}]"
     begin = f"INDEX([axis{i}_pieces.begin],[q{mark}])"
     return [
-        calc(f"n{mark}", "cycles", "n", "", f"=INT(({angle})/360)", [one[0] for one in told], format="0"),
+        calc(f"n{mark}", "cycles", "n", "", f"=INT(({angle}+timing_eps)/360)", [one[0] for one in told], format="0"),
         calc(f"q{mark}", "piece", "q", "", f"=MATCH({angle}-360*[n{mark}],[axis{i}_pieces.begin],1)",
              [one[1] for one in told], format="0"),
         calc(f"u{mark}", "from", "u", "rad", f"=RADIANS([b]-[axes_taken.late.{i}]-360*[n{mark}]-{begin})",

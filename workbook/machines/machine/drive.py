@@ -125,7 +125,7 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
         *size,
         given("@eta2", "Efficiency of the mechanism", "η_2", "",
               m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
-        given("@method", "Losses", "", "", m.method, f"{key}.mechanism.method", align="left",
+        given("@method", "Losses", "", "", m.method, f"{key}.mechanism.method",
               source="physical: by the flow of power; document: over η always, as S4"),
         *loads(driven, key),
     )  # fmt: skip
@@ -254,7 +254,7 @@ def lossy(driven: Driven) -> list[Quantity]:
     stages = driven.mechanism.stages
     factors = [float(loss_factor(-1.0, 1.0, stage.efficiency, driven.given.method)) for stage in stages]
     return [
-        calc(f"@back{k}", f"Factor of the {name} where the load drives it", f"f_{k}", "",
+        calc(f"@back{k}", f"Factor of the {name}, load driving", f"f_{k}", "",
              f'=IF(@method="document",1/@eta{k},@eta{k})', factor, source="η; by S4 1/η, as where it is driven")
         for k, (name, factor) in enumerate(zip(("reducer", "mechanism"), factors, strict=True), 1)
     ]  # fmt: skip

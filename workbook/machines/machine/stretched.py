@@ -147,7 +147,7 @@ class Stretched:
         """The edges of process forces in degrees of the motion as it is told; spare ones at the end of the turn."""
         late = self.driven.axis.given.shift
         windows = self.driven.windows
-        found = [turned(shown(edge, DEGREE), -late, TURN) for w in windows for edge in (w.begin, w.end)]
+        found = [turned(shown(edge, DEGREE), -late, TURN, self.near) for w in windows for edge in (w.begin, w.end)]
         return filled(found, WINDOWS + WINDOWS, TURN)
 
     @cached_property
@@ -160,7 +160,7 @@ class Stretched:
     @property
     def turn_begin(self) -> float:
         """Where the turn of the master shaft begins, in degrees of the motion as it is told."""
-        return turned(0.0, -self.driven.axis.given.shift, TURN)
+        return turned(0.0, -self.driven.axis.given.shift, TURN, self.near)
 
     @property
     def further(self) -> list[tuple[float, str]]:
@@ -298,7 +298,7 @@ class Stretched:
     def middles(self) -> list[float]:
         """The angle of the master shaft in the middle of each stretch."""
         late = self.driven.axis.given.shift
-        found = [turned(middle(span), late, TURN) for span in self.spans]
+        found = [turned(middle(span), late, TURN, self.near) for span in self.spans]
         return filled(found, self.rows, found[-1])
 
     @property

@@ -108,9 +108,8 @@ def directed(view: Stretched) -> list[Quantity]:
              f"=IF(ABS({middle})>check_zero*@vmax,SIGN({middle}),0)", of(lambda p: p.going), format="0"),
         calc("back", "turns back", "", "", f"=IF([dir]=0,0,IF({back},1,0))", of(lambda p: int(p.turns_back)),
              format="0"),
-        calc("x", f"{view.one.machine.over.angle} in its middle", "θ", "°", f"={angle}-360*INT({angle}/360)",
-             view.middles, scale=360.0,
-             format="0.0##"),
+        calc("x", f"{view.one.machine.over.angle} in its middle", "θ", "°",
+             f"={angle}-360*INT(({angle}+timing_eps)/360)", view.middles, scale=360.0, format="0.0##"),
         calc("r", "what resists", "R", force,
              f"=IF([dir]=0,@steady+SUMPRODUCT({acts}*[@windows.always]),[dir]*@steady+@rub"
              f"+SUMPRODUCT({acts}*([dir]*[@windows.always]+[@windows.moving])))", of(lambda p: p.bends.resists),
