@@ -26,6 +26,8 @@ from workbook.reading.descriptions import (
 )
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
+from workbook.reading.guard import inspect
+from workbook.reading.refusal import Refusal
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Products, Selection
 from workbook.template import FOLDER
@@ -35,6 +37,8 @@ from workbook.writing.place import refuse_existing, replace
 from workbook.writing.same import same_book
 from workbook.writing.write import save
 
+LARGE = 10_000_000
+"""bytes of a file: one below is far within the limits of reading"""
 READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
@@ -48,8 +52,20 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
     require_possible(template, machine, counted)
     with collector_paused():
         book = template.declare(machine)
-        save(book, type(machine), path, overwrite)
+        save(book, type(machine), path, overwrite, require_readable)
     return failing(book)
+
+
+def require_readable(draft: Path) -> None:
+    """Raise InputError for a workbook that is larger than what verify would read; a small one needs no look."""
+    size = draft.stat().st_size
+    if size <= LARGE:
+        return
+    try:
+        with draft.open("rb") as file:
+            inspect(file, size)
+    except Refusal as refusal:
+        raise InputError([f"sizes: too large a workbook to be verified: {refusal}; expected fewer samples"]) from None
 
 
 def failing(book: Book) -> list[str]:

@@ -1,19 +1,20 @@
 """What all parts of a workbook hold together, within limits.
 
-The limits bound what openpyxl and the witnesses build from a part. They lie well above the largest book that the
-templates can make, and mostly at or below Excel's own.
+The limits bound what openpyxl and the witnesses build from a part. A machine of 24 axes with a drive each, at 720
+samples, lies within them; what is larger is not built. Most are at or below Excel's own.
 """
 
 from __future__ import annotations
 
 from workbook.reading.refusal import Refusal, shown
 
-MOST_CELLS = 1_500_000  # of the rectangles around the cells of all sheets: openpyxl fills them
+MOST_PLACES = 5_000_000  # of the rectangles around the cells of all sheets
+MOST_CELLS = 1_500_000  # that openpyxl makes
 MOST_IN_ROWS = 7 * MOST_CELLS  # elements and attributes inside of rows
 MOST_OUTSIDE = 1_000_000  # elements, attributes and ranges outside of rows
 MOST_OF = {"definedName": 20_000, "si": 200_000, "sheet": 250}
 MOST_LONG = {"f": 8_192, "definedName": 8_192, "v": 32_767, "t": 32_767}  # characters; Excel's limits
-MOST_FORMULAS = 200_000_000  # characters of all formulas and names, the shared ones written out
+MOST_FORMULAS = 400_000_000  # characters of all formulas and names, the shared ones written out
 MOST_IN_TAG = 100_000  # characters of all attributes of one element
 MOST_DEPTH = 100
 
@@ -22,7 +23,7 @@ class Count:
     """What all parts of a workbook hold together; raises Refusal beyond each limit."""
 
     def __init__(self) -> None:
-        self.cells = self.formulas = self.outside = self.in_rows = self.in_pivots = 0
+        self.places = self.filled = self.formulas = self.outside = self.in_rows = self.in_pivots = 0
         self.of = dict.fromkeys(MOST_OF, 0)
         self.referred: set[tuple[str, ...]] = set()
 
@@ -49,15 +50,24 @@ class Count:
         if self.in_rows > MOST_IN_ROWS:
             raise Refusal(f"holds more than {MOST_CELLS:,} cells")
 
-    def area(self, cells: int) -> None:
-        """Count a rectangle of cells."""
-        self.cells += cells
-        if self.cells > MOST_CELLS:
-            raise Refusal(f"its cells reach over {self.cells:,} places; at most {MOST_CELLS:,} are expected: "
-                          "delete what lies far from the others")  # fmt: skip
+    def area(self, places: int) -> None:
+        """Count the rectangle around the cells of a sheet."""
+        self.places = within(self.places + places, MOST_PLACES)
+
+    def range(self, cells: int) -> None:
+        """Count cells that openpyxl makes: of rows, and all in a range that is merged, linked or annotated."""
+        self.filled = within(self.filled + cells, MOST_CELLS)
 
     def formula(self, length: int) -> None:
         """Count the characters of a formula."""
         self.formulas += length
         if self.formulas > MOST_FORMULAS:
             raise Refusal(f"its formulas have more than {MOST_FORMULAS:,} characters together")
+
+
+def within(places: int, most: int) -> int:
+    """Return the places that cells reach over, where they are not too many."""
+    if places > most:
+        raise Refusal(f"its cells reach over {places:,} places; at most {most:,} are expected, "
+                      "and one that lies far from the others counts all between")  # fmt: skip
+    return places

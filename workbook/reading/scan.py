@@ -49,7 +49,9 @@ class Scan:
             parser.Parse(data[self.begun(data) :], True)
         except (expat.ExpatError, LookupError, UnicodeError) as error:  # the last two: an unknown encoding
             raise Refusal(f"damaged: {self.name} is not well-formed XML ({error}); {SAVE_AS}") from None
-        self.count.area(self.rows.size if self.rows else 0)
+        if self.rows:
+            self.count.area(self.rows.size)
+            self.count.range(self.rows.cells)
 
     def begun(self, data: bytes) -> int:
         """Read the part up to its rows, and these where they are plain; return where the parser is to go on."""
@@ -100,7 +102,7 @@ class Scan:
         if name in MOST_LONG:
             self.inside, self.length = name, 0
         elif name in FILLED and "ref" in attributes:
-            self.count.area(size_of(attributes["ref"]))
+            self.count.range(size_of(attributes["ref"]))
 
     def root(self, prefix: str, name: str, attributes: dict[str, str]) -> None:
         """Begin the part; a worksheet is known by its root."""

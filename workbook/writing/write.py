@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import zipfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from openpyxl import Workbook
@@ -38,13 +38,16 @@ AS_TYPED = "@"
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
-def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False) -> None:
+def save(
+    book: Book, model: type[BaseModel], path: Path, overwrite: bool = False, check: Callable[[Path], None] | None = None
+) -> None:
     """Save a book, each formula with its value: beside the target first, then renamed onto it.
 
-    Raises WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written.
+    ``check`` may refuse the file that stands beside. Raises WriteError where ``path`` exists and ``overwrite`` is not
+    given, or cannot be written.
     """
     refuse_existing(path, overwrite)
-    pack(parts(book, model), path, overwrite)
+    pack(parts(book, model), path, overwrite, check)
 
 
 def parts(
@@ -194,10 +197,14 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
         page.row_breaks.append(Break(id=row))
 
 
-def pack(parts: dict[str, bytes], path: Path, overwrite: bool = False) -> None:
+def pack(
+    parts: dict[str, bytes], path: Path, overwrite: bool = False, check: Callable[[Path], None] | None = None
+) -> None:
     """Write the parts as one file, as :func:`replace` does."""
 
     def written(beside: Path) -> None:
         beside.write_bytes(archive.zipped(parts, zipfile.ZIP_DEFLATED))
+        if check:
+            check(beside)
 
     replace(path, written, overwrite)

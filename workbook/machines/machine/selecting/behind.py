@@ -109,7 +109,7 @@ def means(sheet: Sheet, view: Stretched) -> None:
         calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
         calc("@ask_inertia", "Inertia", "J", "kg m²", f"={inertia}", load.inertia),
         calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", "=@j0-@jm-@j_reducer",
-             driven.beside_motor),
+             driven.beside_motor, scale=driven.at_motor),
     )  # fmt: skip
 
 
