@@ -59,6 +59,23 @@ def test_the_sums_are_those_of_the_power_of_all_drives():
     assert abs(KW * value("bus_alone") - alone.mains_peak) <= at_most
 
 
+def test_the_first_sheet_tells_the_power_of_all_drives():
+    value = computed(TEMPLATE, machine())
+    assert value("about_peak") == value("bus_mains_peak")
+    assert (value("about_bus_year"), value("about_year")) == (value("bus_year"), value("power_year"))
+    assert value("about_bus_year") < value("about_year")
+
+
+def test_there_a_drive_at_a_rate_of_its_own_is_beside_the_bus():
+    slow = AXES[1] | {"rate": 60.0}
+    both, one, other = (computed(TEMPLATE, machine(axes)) for axes in ([AXES[0], slow], AXES[:1], [slow]))
+    assert disagreeing(TEMPLATE, machine([AXES[0], slow]))[0] == []
+    for name in ("about_peak", "about_bus_year", "about_year"):
+        assert both(name) == pytest.approx(one(name) + other(name), rel=1e-12)
+    assert other("about_peak") == other("power", "peak")[0]
+    assert other("about_bus_year") == other("about_year") > 0.0
+
+
 def test_the_peaks_of_each_drive_are_those_of_its_power():
     value = computed(TEMPLATE, machine())
     for k, one in enumerate(together(machine()).courses):

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from engine.laws.base import Array
+from engine.machine.bus import Means, Peaks, means, peaks, together
 from engine.machine.sharing import Jump, Running, Sharing, room_for
 from workbook.book.rows import filled
 from workbook.entries.abscissa import Abscissa
@@ -17,6 +18,7 @@ from workbook.machines.machine.stretched import Stretched
 FULL, MORE = 2, 12
 """drives of which all stretches have room, and stretches of each further one"""
 NONE = Jump(0.0, 0.0, 0.0)
+T = TypeVar("T")
 
 
 class Begin(NamedTuple):
@@ -46,6 +48,37 @@ class Bus:
     def row(self, one: Stretched) -> int:
         """Return the row of a drive in the table of all drives, from 1."""
         return self.drives.index(one) + 1
+
+    @cached_property
+    def each(self) -> list[Means]:
+        """What each drive takes and burns without a common bus."""
+        driven = [one.driven for one in self.drives]
+        return [means(one.demand.energy, one.demand.course.time, self.entered.efficiency) for one in driven]
+
+    @cached_property
+    def most(self) -> list[Peaks]:
+        """The peak powers of each drive without a common bus."""
+        power = [one.driven.demand.power for one in self.drives]
+        return [peaks(one.highest.value, one.lowest.value, self.entered.efficiency) for one in power]
+
+    def of(self, each: Sequence[T], *, shared: bool) -> list[T]:
+        """Return what is known of the drives that are on the bus, or of those that are not."""
+        return [known for known, one in zip(each, self.drives, strict=True) if self.shares(one) is shared]
+
+    @cached_property
+    def alone(self) -> Means:
+        """What all drives take and burn, each alone."""
+        return together(self.each)
+
+    @cached_property
+    def common(self) -> Means:
+        """What those on the bus take and burn together."""
+        return Means(self.lines.mean, self.lines.mean - self.lines.net)
+
+    @cached_property
+    def mains_peak(self) -> float:
+        """The largest power from the mains of those on the bus (W)."""
+        return max(0.0, float(self.lines.common.max()))
 
     @cached_property
     def running(self) -> list[Running]:

@@ -141,11 +141,14 @@ def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     def whole() -> Means:
         return together([one.mains for one in drives])
 
-    hours = machine.power.hours
+    def year() -> Any:
+        return shown(whole().energy_a_year(machine.power.hours), KWH)
+
     found: Worked = {
         "power_mains": lambda: shown(whole().mains, KW),
         "power_resistors": lambda: shown(whole().resistor, KW),
-        "power_year": lambda: shown(whole().energy_a_year(hours), KWH),
+        "power_year": year,
+        "about_year": year,
         "power_least": lambda: shown(whole().least, KW),
     }
     for k, one in enumerate(drives, 1):

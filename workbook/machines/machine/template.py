@@ -14,6 +14,7 @@ from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
+from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.clearances import clearances_sheet
@@ -27,7 +28,7 @@ from workbook.machines.machine.linked.sheet import placed_sheet
 from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.pacing import rate_of
-from workbook.machines.machine.power import power_sheet
+from workbook.machines.machine.power import power_sheet, supply
 from workbook.machines.machine.printed import printed_sheets
 from workbook.machines.machine.selecting.sheet import selection_sheet
 from workbook.machines.machine.stretched import Stretched
@@ -49,13 +50,14 @@ def declare(given: AnyMachine) -> Book:
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
     drives = {one.axis.number: over_motion(one, driven_of(one.axis, given.selection))
               for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
+    bus = Bus(list(drives.values()), given.power)
     sheet = summary_sheet(
         book,
         given,
         f"A machine: the motions of its axes over a cycle in {machine.over.unit}."
         if machine.over.measured
         else "A machine: the motions of its axes over one master shaft, at one rate.",
-        [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over)],
+        [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *supply(bus)],
     )  # fmt: skip
     axes_in_short(
         sheet,
@@ -74,7 +76,7 @@ def declare(given: AnyMachine) -> Book:
             drive_sheet(book, view)
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
     clearances_sheet(book, apart)
-    power_sheet(book, given.power, list(drives.values()))
+    power_sheet(book, bus)
     selection_sheet(book, given.selection, given.sizes, list(drives.values()))
     catalogue_sheet(book, given)
     printed_sheets(book, drives.values())
