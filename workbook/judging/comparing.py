@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.errors import WitnessError
+from workbook.errors import TooLargeError, WitnessError
 from workbook.judging.compare import TOLERANCE, difference, is_error
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Finding, Ran, Report
@@ -40,15 +40,18 @@ class Comparison:
             if pair.declared_formula:
                 report.cells[pair.address.sheet] = report.cells.get(pair.address.sheet, 0) + 1
 
-    def ask(self, witness: Witness, required: bool) -> None:
-        """Compare what a witness says; one that was asked by name and cannot answer is a finding."""
+    def ask(self, witness: Witness, required: bool, alone: bool) -> None:
+        """Compare what a witness says; one that was asked and cannot answer is a finding.
+
+        A file that is too large for it is none, but where it was asked ``alone``.
+        """
         ran = Ran(witness.name, witness.version())
         self.report.witnesses.append(ran)
         try:
             values = self.model.evaluate() if witness is self.single else self._said(witness)
         except WitnessError as error:
             ran.why = str(error)
-            if required:
+            if required and (alone or not isinstance(error, TooLargeError)):
                 self.report.findings.append(Finding("", ran.name, "witness", str(error), "values to compare"))
             return
         if witness.kept:

@@ -144,6 +144,10 @@ class Report:
         """The witnesses that answered, with their versions."""
         return ", ".join(f"{w.name} {w.version}" for w in self.witnesses if w.answered)
 
+    def tells(self, ran: Ran) -> bool:
+        """Whether a finding says that a witness could not answer."""
+        return any(one.kind == "witness" and one.cell == ran.name for one in self.findings)
+
     def add(
         self, pair: Pair, kind: str, computed: Any, expected: Any, deviation: float = math.inf, by: str = "",
         why: str = "",

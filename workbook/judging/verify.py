@@ -100,8 +100,9 @@ def judge(
             report.notes.append("the values entered leave no room for other ones: compared at these alone")
         else:
             comparison.ask_elsewhere([Variation(template, m, match.columns) for m in variants], suspects)
+        alone = sum(not witness.kept for witness in asked) == 1
         for witness in asked:
-            comparison.ask(witness, required=witness.name in witnesses)
+            comparison.ask(witness, witness.name in witnesses, alone)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
         displayed(match, comparison.values, report)

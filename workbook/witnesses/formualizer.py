@@ -8,9 +8,11 @@ from typing import Any
 import formualizer
 
 from workbook.book.address import Address
-from workbook.errors import WitnessError
+from workbook.errors import TooLargeError, WitnessError
 from workbook.reading.files import BookFile
 from workbook.witnesses.witness import cached_values
+
+TOO_LARGE = "cell count limit"
 
 
 class Formualizer:
@@ -28,5 +30,7 @@ class Formualizer:
         try:
             filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]
         except Exception as error:
+            if TOO_LARGE in str(error):
+                raise TooLargeError("formualizer takes no workbook of so many formula cells") from error
             raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
         return cached_values(filled, file)

@@ -15,6 +15,7 @@ from workbook.errors import MotionbookError
 from workbook.judging.matching import Match
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
+from workbook.reports.console import verdict
 from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 
@@ -119,3 +120,17 @@ def test_error_values_volatile_and_other_functions_in_own_cells_are_no_finding(c
     report = verify(tmp_path / "b.xlsx")
     assert report.findings == []
     assert report.own == ["Mine!A1", "Mine!A2", "Mine!A4"]
+
+
+@pytest.mark.parametrize(("names", "kinds"), [(["pycel", "formualizer"], []), (["formualizer"], ["witness"])])
+def test_a_workbook_too_large_for_one_witness_is_compared_by_the_others(names, kinds, book, monkeypatch):
+    def refused(_: bytes) -> None:
+        raise RuntimeError("Unsupported feature: formula cell count limit in workbook")
+
+    monkeypatch.setattr("workbook.witnesses.formualizer.formualizer.recalculate_xlsx_bytes", refused)
+    report = verify(book, names)
+    assert [finding.kind for finding in report.findings] == kinds
+    (ran,) = [one for one in report.witnesses if one.name == "formualizer"]
+    assert (ran.answered, ran.why) == (False, "formualizer takes no workbook of so many formula cells")
+    lines = verdict(report)
+    assert any(line == f"Not compared: {ran.why}" for line in lines) == (not kinds)
