@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 DECLARING = [ROOT / "workbook" / room for room in ("book", "drive", "laws", "machines", "selection")]
 # inputs as entered or made up; readers of formulas and of sentences
-ELSE = {"entries.py", "catalogue.py", "variations.py", "formula.py", "depends.py", "sentence.py"}
+ELSE = {"entries.py", "catalogue.py", "variations.py", "formula.py", "depends.py", "gentle.py", "sentence.py"}
 LONGEST = 120
 OPERATORS = {ast.Mult: "*", ast.Div: "/", ast.Pow: "**", ast.MatMult: "@"}
 SPELLED_OUT = {"multiply", "divide", "true_divide", "power", "pow", "prod", "dot", "mul", "truediv", "reciprocal"}

@@ -23,6 +23,20 @@ CORNERS = ((0, -1), (1, -1), (1, 1), (0, 1), (0, -1))
 """of the limits in the plane of speed and torque: whether at the largest speed; above or below"""
 
 
+FALLING_CORNERS = (
+    (0, 0, -1),
+    (1, 0, -1),
+    (1, 1, -1),
+    (1, 1, 1),
+    (1, 0, 1),
+    (0, 0, 1),
+    (0, 1, 1),
+    (0, 1, -1),
+    (0, 0, -1),
+)
+"""the same where the peak torque falls: right side; at the largest speed, or where it begins to fall; above or below"""
+
+
 @dataclass(frozen=True)
 class Motor:
     """Inertia (kg m²), rated and peak torque (Nm) and largest speed (rad/s); no limit is given by infinity.
@@ -56,9 +70,18 @@ class Motor:
         speed = np.where(right > 0.0, self.max_speed, left)
         return Corners(right > 0.0, speed, up * self.peak_torque, up * self.rated_torque)
 
+    def falling_corners(self, lowest_speed: float, knee: float, fall: float) -> Corners:
+        """Return the same with a peak torque that falls beyond a speed (rad/s) by so much (Nm s)."""
+        right, outer, up = np.array(FALLING_CORNERS, dtype=np.float64).T
+        left = -1.0 if lowest_speed < -STANDSTILL else 0.0
+        begins = knee if fall else self.max_speed
+        speed = np.where(right > 0.0, 1.0, left) * np.where(outer > 0.0, self.max_speed, begins)
+        peak = self.peak_torque - fall * np.maximum(0.0, np.abs(speed) - begins)
+        return Corners(right > 0.0, speed, up * peak, up * self.rated_torque)
+
 
 class Corners(NamedTuple):
-    """A motor's limits in the plane of speed (rad/s) and torque (Nm): arrays of shape (5,).
+    """A motor's limits in the plane of speed (rad/s) and torque (Nm): arrays of shape (5,), or (9,) if it falls.
 
     ``right`` says of each corner whether it is at the largest speed.
     """

@@ -13,13 +13,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from engine.laws.base import Array
 from engine.machine.bent import LEAST, BentPart
 from engine.machine.demand import Demand
+from engine.machine.falling import Against, Falling
 from engine.machine.limits import ReducerLimits
 from engine.machine.rows import Rows, rows_of
 from engine.machine.searching import rule
@@ -28,10 +29,14 @@ from engine.machine.stationary import LOST
 TRIALS = 5
 FAR = 1e12
 """x beyond which is not looked: a million times the rate"""
+EQUAL = 1e-9
+"""of a rate: those that differ by less are equal"""
 BELOW = 1e-9
 """of the rate: how far below it all limits are held"""
 APART = 1e-2
 """of x: trials nearer to each other tell nothing of a parabola's bend"""
+NEARER = 1e-4
+"""the same of √x, of what the line of a falling curve must be: it is known to more digits"""
 FLAT = 1e-9
 """of what is asked for at rest: what rises by no more does not rise, but for rounding"""
 REACH = 10.0
@@ -42,8 +47,11 @@ PARTS = 300
 """of a stretch, and of these again, in which a level is looked for"""
 SHARES = np.arange(1, PARTS + 1) / PARTS
 NODES = 32
+LONE = (1.0, 0.0, 1.0)
+"""the power of x with which each figure grows beyond its first, where a single trial tells it"""
 LIMITS = (
     "motor speed", "reducer input speed", "peak torque", "reducer peak torque", "RMS torque", "reducer mean torque",
+    "motor's curve",
 )  # fmt: skip
 
 
@@ -63,11 +71,16 @@ class Trial(NamedTuple):
 
 
 class Trials(NamedTuple):
-    """An x that was tried, and what the mean square of T and the mean torque behind the reducer come to there."""
+    """An x that was tried, and what is asked for there.
+
+    The mean square of T, the mean torque behind the reducer, and the line of a falling curve at no speed: this over √x,
+    as the speed adds to it.
+    """
 
     x: float
     square: Trial
     mean: Trial
+    curve: Trial
 
 
 class Crossing(NamedTuple):
@@ -90,6 +103,7 @@ class Pace:
     peak_torque: float
     max_speed: float
     reducer: ReducerLimits
+    falling: Falling = Falling()  # noqa: RUF009 - a tuple
 
     def of(self, figure: Callable[[BentPart], float]) -> Array:
         """Return a figure of each stretch."""
@@ -216,36 +230,44 @@ class Pace:
         return motor, reducer, float(self.peaks.min()), float(self.geared_peaks.min())
 
     @cached_property
+    def against(self) -> Against:
+        """The stretches against a peak torque that falls."""
+        return Against(self.parts, self.falling)
+
+    def curve_at(self, root: float) -> float:
+        """Return what the line of a falling curve must be at no speed (Nm) at a √x."""
+        return self.against.most(root**2)
+
+    @cached_property
     def trials(self) -> tuple[Trials, ...]:
         """The present rate, and all that were tried from there."""
-        limits = (self.rated_torque**2, self.reducer.mean_torque)
-        rest = (self.mean_square(0.0), self.mean_torque(0.0))
-        present = (self.demand.rms_torque**2, self.demand.mean_shaft_torque(1))
+        limits = (self.rated_torque**2, self.reducer.mean_torque, self.falling.lowest(self.peak_torque))
+        asked = (self.mean_square, self.mean_torque, self.curve_at)
+        rest = [one(0.0) for one in asked]
+        present = (self.demand.rms_torque**2, self.demand.mean_shaft_torque(1), self.curve_at(1.0))
         rises = [risen(value, first) for value, first in zip(present, rest, strict=True)]
-        bends = (rises[0], 0.0)
-        square, mean = (met(*one, 1.0) for one in zip(present, rises, bends, rest, limits, strict=True))
-        found = [Trials(1.0, square, mean)]
+        bends = [lone * rise for lone, rise in zip(LONE, rises, strict=True)]
+        found = [Trials(1.0, *(met(*one, 1.0) for one in zip(present, rises, bends, rest, limits, strict=True)))]
         for n in range(TRIALS):
             last = found[-1]
-            x = min(*self.bounds, last.square.x, last.mean.x)
-            alone = (None, None) if n else (1.0, 0.0)
-            square = further(self.mean_square(x), last.square, last.x, x, rest[0], limits[0], alone[0])
-            mean = further(self.mean_torque(x), last.mean, last.x, x, rest[1], limits[1], alone[1])
-            found.append(Trials(x, square, mean))
+            x = min(*self.bounds, last.square.x, last.mean.x, last.curve.x**2)
+            at = [(x, last.x)] * 2 + [(math.sqrt(x), math.sqrt(last.x))]
+            lone = (None, None, None) if n else LONE
+            each = zip(asked, last[1:], at, rest, limits, lone, (APART, APART, NEARER), strict=True)
+            found.append(Trials(x, *(further(of(z), one, before, z, *more) for of, one, (z, before), *more in each)))
         return tuple(found)
 
     @cached_property
-    def sizes(self) -> tuple[float, float]:
-        """How large F/x grows over the trials, of the mean square and of the mean torque: by it rises are measured."""
-        tried = [one for one in self.trials if one.x > 0.0]
-        square = max(one.square.value / one.x for one in tried)
-        mean = max(one.mean.value / one.x for one in tried)
-        return max(square, LEAST), max(mean, LEAST)
+    def sizes(self) -> list[float]:
+        """How large F/x grows over the trials, of each figure that is tried: by it rises are measured."""
+        tried = [((x, x, math.sqrt(x)), each) for x, *each in self.trials if x > 0.0]
+        return [max(LEAST, *(each[k].value / at[k] for at, each in tried)) for k in range(len(LONE))]
 
     @property
     def each(self) -> tuple[float, ...]:
-        """The x at which each of :data:`LIMITS` binds: of the last two to all digits where none binds before."""
-        return (*self.bounds, self.trials[-1].square.x, self.trials[-1].mean.x)
+        """The x at which each of :data:`LIMITS` binds: of the last three to all digits where none binds before."""
+        _, square, mean, curve = self.trials[-1]
+        return (*self.bounds, square.x, mean.x, min(FAR, curve.x**2))
 
     @property
     def highest(self) -> float:
@@ -263,6 +285,16 @@ class Pace:
         return telling([one.x for one in self.trials])
 
     @property
+    def roots(self) -> list[float]:
+        """√x of each trial."""
+        return [math.sqrt(one.x) for one in self.trials]
+
+    @property
+    def roots_apart(self) -> list[int]:
+        """Whether these differ enough to tell a bend."""
+        return telling(self.roots, NEARER)
+
+    @property
     def last_step(self) -> float:
         """By how much x changes with the last trial, as a share."""
         x = min(self.each)
@@ -273,6 +305,11 @@ class Pace:
         """The limit that binds there."""
         x = min(self.each)
         return LIMITS[self.each.index(x)] if x < FAR else ""
+
+
+def first_lowest(rates: Array) -> Any:
+    """Return which rate of each column is the lowest: the first, of those that are equal but for rounding."""
+    return (rates <= rates.min(axis=0) * (1.0 + EQUAL)).argmax(axis=0)
 
 
 def reached(part: BentPart, shaft: int, limit: float) -> float:
@@ -327,7 +364,8 @@ def rough(x: float) -> float:
 
 
 def further(
-    value: float, last: Trial, before: float, x: float, rest: float, limit: float, lone: float | None
+    value: float, last: Trial, before: float, x: float, rest: float, limit: float, lone: float | None,
+    apart: float = APART,
 ) -> Trial:  # fmt: skip
     """Return the next trial of a quantity, after one at ``before``.
 
@@ -335,7 +373,7 @@ def further(
     """
     rise = risen(value, rest) / x if x > 0.0 else 0.0
     turn = rise - last.rise
-    if told(x, before, lone is None):
+    if told(x, before, lone is None, apart):
         bend = turn / (x - before)
     elif lone is None:
         bend = last.bend
@@ -344,11 +382,11 @@ def further(
     return met(value, rise, bend, rest, limit, x, turn)
 
 
-def told(x: float, before: float, later: bool) -> bool:
+def told(x: float, before: float, later: bool, apart: float = APART) -> bool:
     """Whether two trials, the ``later`` ones or the first beside the present rate, tell a parabola's bend."""
-    return abs(x - before) > APART * x and (later or x < TRUSTED)
+    return abs(x - before) > apart * x and (later or x < TRUSTED)
 
 
-def telling(xs: Sequence[float]) -> list[int]:
+def telling(xs: Sequence[float], apart: float = APART) -> list[int]:
     """Return whether each trial differs enough from the one before to tell a bend; the first is the present rate."""
-    return [0, *(int(told(after, before, bool(n))) for n, (before, after) in enumerate(pairwise(xs)))]
+    return [0, *(int(told(after, before, bool(n), apart)) for n, (before, after) in enumerate(pairwise(xs)))]

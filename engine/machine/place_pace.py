@@ -9,7 +9,7 @@ the rate is found to :data:`WITHIN`. :mod:`engine.machine.rate` comes to it exac
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -19,8 +19,9 @@ import numpy as np
 from engine.drivetrain.losses import loss_factor
 from engine.laws.base import Array
 from engine.machine.demand import Demand
+from engine.machine.falling import Falling
 from engine.machine.limits import ReducerLimits
-from engine.machine.pace import FAR, LIMITS, Trial, further, met, risen, telling
+from engine.machine.pace import APART, FAR, LIMITS, NEARER, Trial, further, met, risen, telling
 from engine.machine.places import NODES, WEIGHTS, Held, Worked
 
 TRIALS = 7
@@ -79,7 +80,10 @@ class Peak(NamedTuple):
 
 
 class Asked(NamedTuple):
-    """What a rate asks for: ∫T² and ∫|S|³ |φ̇| of each section, the peaks of |T| and |S|, between nodes if ``fine``."""
+    """What a rate asks for: ∫T² and ∫|S|³ |φ̇| of each section, the peaks of |T| and |S|, between nodes if ``fine``.
+
+    ``line`` are the peaks of what the line of a falling curve must be at no speed.
+    """
 
     x: float
     fine: bool
@@ -87,13 +91,15 @@ class Asked(NamedTuple):
     cubes: Array
     motor: list[Peak]
     geared: list[Peak]
+    line: list[Peak]
 
     @property
-    def peaks(self) -> tuple[float, float]:
-        """The largest |T| and |S|."""
+    def peaks(self) -> tuple[float, float, float]:
+        """The largest |T| and |S|, and of the line."""
         name = "value" if self.fine else "most"
-        motor, geared = (max(getattr(one, name) for one in peaks) for peaks in (self.motor, self.geared))
-        return motor, geared
+        found = (max(getattr(one, name) for one in peaks) for peaks in (self.motor, self.geared, self.line))
+        motor, geared, line = found
+        return motor, geared, line
 
 
 @dataclass(frozen=True)
@@ -107,6 +113,16 @@ class PlacePace:
     peak_torque: float
     max_speed: float
     reducer: ReducerLimits
+    falling: Falling = Falling()  # noqa: RUF009 - a tuple
+
+    @property
+    def sink(self) -> float:
+        """By how much the curve falls where the mechanism's shaft turns by 1 rad/s (Nm)."""
+        return self.falling.fall * self.held.train.drive.mechanism.stages[0].ratio
+
+    def line(self, torque: Array, rate: Array) -> Array:
+        """Return what the line of a falling curve must be at no speed (Nm), of torques at speeds of the shaft."""
+        return np.asarray(np.abs(torque) + self.sink * np.abs(rate))
 
     def torques(self, x: float) -> tuple[Array, Array]:
         """Return the torques of the motor and behind the reducer at the nodes (Nm), a row a section."""
@@ -125,7 +141,8 @@ class PlacePace:
         torque, behind = self.torques(x)
         half = (self.loads.width / 2.0)[:, 0]
         squares, cubes = torque**2 @ WEIGHTS, (np.abs(behind) ** 3 * np.abs(self.loads.rate)) @ WEIGHTS
-        peaks = ([peak(row) for row in np.abs(values)] for values in (torque, behind))
+        line = self.line(torque, math.sqrt(x) * self.loads.rate)
+        peaks = ([peak(row) for row in values] for values in (np.abs(torque), np.abs(behind), line))
         return Asked(x, fine, half * squares, half * cubes, *peaks)
 
     @cached_property
@@ -133,16 +150,17 @@ class PlacePace:
         """∫|φ̇| over the cycle at the present rate."""
         return float((self.loads.width[:, 0] / 2.0 * (np.abs(self.loads.rate) @ WEIGHTS)).sum())
 
-    def figures(self, asked: Asked) -> tuple[float, float, float, float]:
-        """Return mean square and cubic mean, and the peaks of both torques."""
+    def figures(self, asked: Asked) -> tuple[float, ...]:
+        """Return mean square and cubic mean, the peaks of both torques, and of the line of a falling curve."""
         mean = math.cbrt(float(asked.cubes.sum()) / self.way) if self.way else 0.0
         square = float(asked.squares.sum()) / self.demand.course.told.total
         return square, mean, *asked.peaks
 
     @property
-    def limits(self) -> tuple[float, float, float, float]:
+    def limits(self) -> tuple[float, ...]:
         """What each of these must not be above."""
-        return self.rated_torque**2, self.reducer.mean_torque, self.peak_torque, self.reducer.peak_torque
+        line = self.falling.lowest(self.peak_torque)
+        return self.rated_torque**2, self.reducer.mean_torque, self.peak_torque, self.reducer.peak_torque, line
 
     @property
     def bounds(self) -> tuple[float, float]:
@@ -153,7 +171,7 @@ class PlacePace:
         return motor, reducer
 
     @cached_property
-    def rest(self) -> tuple[float, float, float, float]:
+    def rest(self) -> tuple[float, ...]:
         """What next to no rate asks for."""
         return self.figures(self.asked(0.0))
 
@@ -169,12 +187,14 @@ class PlacePace:
         tried = [(asked, tuple(trials))]
         for n in range(TRIALS):
             before, last = asked.x, trials
-            x = min(*self.bounds, *(one.x for one in last))
+            x = min(*self.bounds, *squared(one.x for one in last))
             asked = self.asked(x, n >= TRIALS - FINE)
             known_from = x if n == TRIALS - FINE else before
             trials = [
-                further(value, one, known_from, x, rest, limit, None if n else lone)
-                for value, one, (rest, limit, lone) in zip(self.figures(asked), last, known, strict=True)
+                further(value, one, first, at, rest, limit, None if n else lone, apart)
+                for value, one, (rest, limit, lone), first, at, apart in zip(
+                    self.figures(asked), last, known, rooted(known_from), rooted(x), NEAR, strict=True
+                )
             ]
             tried.append((asked, tuple(trials)))
         return tried
@@ -182,8 +202,8 @@ class PlacePace:
     @property
     def sizes(self) -> list[float]:
         """How large each figure over x grows over the trials: by it rises are measured."""
-        found = [(self.figures(asked), asked.x) for asked, _ in self.tried if asked.x > 0.0]
-        return [max(LEAST, *(figures[k] / x for figures, x in found)) for k in range(len(LONE))]
+        found = [(self.figures(asked), rooted(asked.x)) for asked, _ in self.tried if asked.x > 0.0]
+        return [max(LEAST, *(figures[k] / at[k] for figures, at in found)) for k in range(len(LONE))]
 
     @property
     def losses(self) -> list[tuple[float, float]]:
@@ -203,10 +223,22 @@ class PlacePace:
         return found
 
     @property
+    def roots(self) -> list[float]:
+        """√x of each trial."""
+        return [math.sqrt(asked.x) for asked, _ in self.tried]
+
+    @property
+    def roots_apart(self) -> list[int]:
+        """Whether these differ enough to tell a bend; the first fine one does not."""
+        found = telling(self.roots, NEARER)
+        found[-FINE] = 0
+        return found
+
+    @property
     def each(self) -> tuple[float, ...]:
         """The x at which each of :data:`engine.machine.pace.LIMITS` binds, to all digits where none binds before."""
-        square, mean, peak, geared = (one.x for one in self.tried[-1][1])
-        return (*self.bounds, peak, geared, square, mean)
+        square, mean, peak, geared, line = squared(one.x for one in self.tried[-1][1])
+        return (*self.bounds, peak, geared, square, mean, min(FAR, line))
 
     @property
     def rate(self) -> float:
@@ -226,8 +258,21 @@ class PlacePace:
         return LIMITS[self.each.index(x)] if x < FAR else ""
 
 
-LONE = (1.0, 0.0, 0.0, 0.0)
+LONE = (1.0, 0.0, 0.0, 0.0, 1.0)
 """the power of x with which each figure grows beyond its first, where a single trial tells it"""
+NEAR = (APART, APART, APART, APART, NEARER)
+"""trials nearer to each other tell nothing of each figure's bend"""
+
+
+def rooted(x: float) -> tuple[float, ...]:
+    """Return what each figure is tried over: the last over √x, as the speed adds to it."""
+    return x, x, x, x, math.sqrt(x)
+
+
+def squared(found: Iterable[float]) -> tuple[float, ...]:
+    """Return the x of what each figure is tried over."""
+    *others, root = found
+    return *others, root**2
 
 
 def peak(values: Array) -> Peak:

@@ -5,7 +5,7 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 
 from __future__ import annotations
 
-from engine.drivetrain.motor import CORNERS, Corners, Reserve
+from engine.drivetrain.motor import CORNERS, FALLING_CORNERS, Corners, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.sentence import NOTHING, Said, exceeding
@@ -40,6 +40,23 @@ def limits_table(sheet: Sheet, corners: Corners, backward: str) -> None:
         calc("rpm", "speed", "n", "rpm",
              f"=IF([side]=1,@motor_nmax,IF({backward},0-@motor_nmax,0))", shown(corners.speed, RPM)),
         calc("peak", "peak torque", "T_max", "Nm", "=[up]*@motor_peak", corners.peak),
+        calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
+    )  # fmt: skip
+
+
+def falling_table(sheet: Sheet, corners: Corners, backward: str) -> None:
+    """Declare the same where the peak torque falls by ``@fall`` (Nm/rpm) beyond ``@knee`` (rpm)."""
+    right, outer, up = zip(*FALLING_CORNERS, strict=True)
+    begins = "IF(@fall=0,@motor_nmax,@knee)"
+    sheet.table(
+        "@limits", "Limits of the motor, as drawn in the charts", len(FALLING_CORNERS),
+        constant("side", "right side", "", "", list(right)),
+        constant("outer", "at the largest speed", "", "", list(outer)),
+        constant("up", "upper side", "", "", list(up)),
+        calc("rpm", "speed", "n", "rpm",
+             f"=IF([side]=1,1,IF({backward},0-1,0))*IF([outer]=1,@motor_nmax,{begins})", shown(corners.speed, RPM)),
+        calc("peak", "peak torque", "T_max", "Nm", f"=[up]*(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))",
+             corners.peak),
         calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
     )  # fmt: skip
 

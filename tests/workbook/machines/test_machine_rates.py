@@ -22,7 +22,9 @@ from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import Whole
 
-CHECKS = dict(zip(LIMITS, ("speed", "reducer_speed", "peak", "reducer_peak", "rms", "reducer_mean"), strict=True))
+CHECKS = dict(
+    zip(LIMITS, ("speed", "reducer_speed", "peak", "reducer_peak", "rms", "reducer_mean", "curve"), strict=True)
+)
 FREE = {"inertia": 10.0, "rated_torque": 1e5, "peak_torque": 1e5, "max_speed": 1e6}
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
          {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
@@ -144,3 +146,13 @@ def test_a_drive_is_sized_at_a_rate_of_its_own():
 def test_a_rate_without_a_drive_is_refused():
     with pytest.raises(ValueError, match="without a drive"):
         small([{"name": "A", "group": "G", "phases": small([driven(*RISE)]).axes[0].phases, "rate": 3.0}])
+
+
+def test_of_equal_drives_the_first_is_named():
+    """As of two lanes, whose motions differ by a shift: which rate is lower hangs on rounding."""
+    slow, twin = driven(*RISE, motor=FREE | {"max_speed": 9000.0}), driven(*RISE, motor=FREE | {"max_speed": 7000.0})
+    lanes = [slow, *({**twin, "shift": 52.7 * k} for k in (0, 1, 2, 3))]
+    machine = small([axis | {"name": f"Axis {k}"} for k, axis in enumerate(lanes, 1)])
+    assert computed(TEMPLATE, machine)("about_binds") == "Axis 2: motor speed"
+    wrong, _ = disagreeing(TEMPLATE, machine)
+    assert [cell for cell in wrong if cell.startswith("about_")] == []

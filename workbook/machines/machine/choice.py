@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Self
+from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
 from engine.machine.grid import Rank
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA
 from workbook.entries.types import EntryError, Positive
-from workbook.selection.entries import Products
+from workbook.selection.entries import COMMITTED, REFERENCE, Products
 
 UNCHOSEN = "no axis with a drive is named "
 Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
@@ -32,13 +32,40 @@ class Choice(Products):
         default=10.0, description="Greatest rated torque over RMS torque of a usable pair"
     )
     torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
+    falling: bool | None = Field(
+        default=None,
+        description="Whether the sheets of drives know motors whose peak torque falls beyond a speed; as the catalogue "
+        "has such motors if empty",
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _as_catalogued(cls, data: Any) -> Any:
+        """Leave out what the catalogue says too: a description stays as it is, through a book and back."""
+        if not isinstance(data, dict) or data.get("falling") is None:
+            return data
+        rows = data.get("motors", REFERENCE)
+        told = COMMITTED["motors"]() if rows == REFERENCE else rows
+        known = isinstance(told, (list, tuple)) and data["falling"] is any(map(falling, told))
+        return {key: value for key, value in data.items() if key != "falling"} if known else data
+
+    @property
+    def knows_falling(self) -> bool:
+        """Whether the sheets of drives know such motors."""
+        return any(map(falling, self.motors)) if self.falling is None else self.falling
 
     @model_validator(mode="after")
     def _without_axis(self) -> Self:
-        own = [name for name in type(self).model_fields if name not in {*Products.model_fields, "axis"}]
+        own = [name for name in type(self).model_fields if name not in {*Products.model_fields, "axis", "falling"}]
         told = [name for name in own if getattr(self, name) != type(self).model_fields[name].default]
         if self.axis is None and told:
             raise EntryError(
                 told[0], "no axis is told for the sheet Selection; expected selection.axis, or none of this"
             )
         return self
+
+
+def falling(motor: Any) -> bool:
+    """Return whether the peak torque of a motor of a catalogue falls, as it is entered or as a row."""
+    end = motor.get("end_torque") if isinstance(motor, dict) else getattr(motor, "end_torque", None)
+    return end is not None

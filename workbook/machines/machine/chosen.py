@@ -8,6 +8,7 @@ from typing import NamedTuple, TypeVar
 
 from engine.drivetrain import Motor, derating
 from engine.drivetrain.chain import Part
+from engine.machine.falling import Falling
 from engine.machine.limits import ReducerLimits
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given
 from workbook.book.rows import filled
@@ -101,6 +102,15 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
     told = MotorInUse(row, *(float(getattr(found or axis.motor, name)) for name in IN_USE))
     rated = told.motor.derated(left_of(axis.motor)).rated_torque
     return told._replace(inertia=si(told.inertia, KG_CM2), rated_torque=rated)
+
+
+def falling_of(name: str, products: Products) -> Falling:
+    """Return how the peak torque of a motor of the catalogue falls; of one that is entered, not at all."""
+    found = named(products.motors, name)
+    if found is None or found.full_torque_to is None or found.end_torque is None:
+        return Falling()
+    knee, fastest = si(found.full_torque_to, RPM), si(found.max_speed, RPM)
+    return Falling.between(knee, found.peak_torque, fastest, found.end_torque)
 
 
 def left_of(motor: AxisMotor) -> float:

@@ -12,10 +12,10 @@ from engine.machine.stationary import PLACES
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import total
 from workbook.book.sentence import NOTHING, Said, exceeding
-from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
+from workbook.drive.motor import limit_checks, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, RPM, shown
-from workbook.machines.machine import chosen
+from workbook.machines.machine import chosen, curved
 from workbook.machines.machine.breaks import ACTS, breaks_table, turns_table, windows_check, windows_table
 from workbook.machines.machine.chain import BELTED, TABLE
 from workbook.machines.machine.driven import SCREW, Driven
@@ -64,12 +64,15 @@ UNSHAPED = (
 def drive_sheet(book: Book, view: Stretched) -> None:
     """Declare the sheet."""
     one, driven = view.one, view.driven
-    i = driven.number
+    i, line = driven.number, curved.line_of(view)
     sheet = begun(book, driven)
     with sheet.scoped(f"drive{i}_"):
         entries(sheet, driven, size(driven))
-        outcome(sheet, one, driven, STRAIGHT, [*power_peaks(view, PEAKS), *highest(view)])
-        sheet.checks(*checks(driven, mending(view)), laws_check(driven, one), *windows_check(view))
+        outcome(sheet, one, driven, STRAIGHT, [*curved.spare(view, line), *power_peaks(view, PEAKS), *highest(view)])
+        sheet.checks(
+            *checks(driven, mending(view)), curved.curve_check(view, line, mending(view)), laws_check(driven, one),
+            *windows_check(view),
+        )  # fmt: skip
         sheet.chart(plane("@cycle", "T"), column=CHART_COLUMN, row=5, width=8, height=22)
         tables(sheet, view)
         sheet.not_printed_below()
@@ -81,11 +84,11 @@ def drive_sheet(book: Book, view: Stretched) -> None:
         turns_table(sheet, view)
         breaks_table(sheet, view)
         sheet.row += 1
-        sheet.rows(*power_rows(view))
+        sheet.rows(*power_rows(view), *curved.curve_rows(view, line))
         stretches_table(sheet, view, *power_columns(view), *pace_columns(view), *behind.columns(view))
         pace_tables(sheet, view)
         behind.means(sheet, view)
-        limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), BACKWARD)
+        curved.corners_table(sheet, view, BACKWARD)
         rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18
 

@@ -18,12 +18,13 @@ from engine.laws.base import Array
 from engine.machine.bent import Scales, scales
 from engine.machine.course import Course
 from engine.machine.demand import Demand
+from engine.machine.falling import Falling
 from engine.machine.train import Train, Window
 from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
-from workbook.machines.machine.chosen import left_of, motor_in_use, reducer_in_use
+from workbook.machines.machine.choice import Choice
+from workbook.machines.machine.chosen import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
-from workbook.selection.entries import Products
 
 RESISTING = {"resists": 1.0, "drives": -1.0}
 SHAFTS = ("motor", "mechanism")
@@ -41,11 +42,13 @@ def inertia_of(part: RotatingParts) -> float:
 class Driven:
     """An axis with its drive."""
 
-    def __init__(self, axis: MovingAxis, products: Products) -> None:
+    def __init__(self, axis: MovingAxis, products: Choice) -> None:
         self.axis, self.entered = axis.sized, axis.given
         if axis.given.mechanism is None or axis.given.motor is None:
             raise ValueError(f"{axis.given.name} has no drive")
         self.given, self.holding = axis.given.mechanism, axis.given.motor.holding
+        self.told_falling = falling_of(axis.given.motor.name, products)
+        self.falling = self.told_falling if products.knows_falling else Falling()
         self.motor_used, self.reducer = motor_in_use(axis.given, products), reducer_in_use(axis.given, products)
         self._under: dict[tuple[tuple[Window, ...], float], Bends] = {}
         self.number = axis.number

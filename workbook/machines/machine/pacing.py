@@ -9,12 +9,27 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
-from engine.machine.pace import APART, FAR, LIMITS, PARTS, REACH, TRIALS, TRUSTED, Crossing, Trial, meets, reached
+from engine.machine.pace import (
+    APART,
+    FAR,
+    LIMITS,
+    NEARER,
+    PARTS,
+    REACH,
+    TRIALS,
+    TRUSTED,
+    Crossing,
+    Trial,
+    meets,
+    reached,
+)
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled, total
 from workbook.book.sentence import Said, bound
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_MINUTE, shown
+from workbook.machines.machine.curved import at_rest as curve_at_rest
+from workbook.machines.machine.curved import curve_column
 from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.stretches import BEFORE, BEHIND, BEYOND, BRANCHES, LINES, LOST
 
@@ -27,17 +42,27 @@ ABOUT = (
     "peak does."
 )
 NONE_BINDS = "none"
+GROWING = ("s", "c")
+"""marks of figures that grow with the square of what they are tried over"""
 LAST = TRIALS + 1
 """row of the last trial: the first is the present rate"""
 EXACT = "from the motion's pieces, to 1e-9 below where a limit binds"
-TOLD = f"IF(ABS([gap])>{APART:.0E}*[x],1,0)".replace("E-0", "E-")
-TELLS = ["=0", f"=IF([x]<{TRUSTED:.0f},{TOLD},0)", *(f"={TOLD}" for _ in range(2, LAST))]
-"""whether trials are far enough apart to tell a parabola's bend"""
+
+
+def telling(x: str = "x", gap: str = "gap", near: float = APART, rows: int = LAST) -> list[str]:
+    """Return the formulas of whether trials are far enough apart to tell a parabola's bend."""
+    told = f"IF(ABS([{gap}])>{near:.0E}*[{x}],1,0)".replace("E-0", "E-")
+    return ["=0", f"=IF([{x}]<{TRUSTED:.0f},{told},0)", *(f"={told}" for _ in range(2, rows))]
 
 
 def pace_columns(view: Stretched) -> list[Quantity]:
     """Return the columns of the stretches: where peaks meet their limits, and what is asked for at each trial."""
-    return [*at_rest(view), *peaks(view), *(q for trial in range(1, LAST) for q in tried(view, trial))]
+    return [
+        *at_rest(view),
+        *peaks(view),
+        *curve_column(view, 0),
+        *(q for trial in range(1, LAST) for q in tried(view, trial)),
+    ]
 
 
 def at_rest(view: Stretched) -> list[Quantity]:
@@ -129,6 +154,7 @@ def tried(view: Stretched, trial: int) -> list[Quantity]:
              view.rowed(pace.squares(x)), scale=square),
         calc(f"cu_{trial}", f"trial {trial}: ∫|S|³ |y'|", "", "",
              f"=IF([on]*ABS([dir])=0,0,{again('cu')}{lines(cubed)}))", view.rowed(pace.cubes(x)), scale=cube),
+        *curve_column(view, trial, at, again("cv")),
     ]  # fmt: skip
 
 
@@ -167,20 +193,35 @@ def pace_tables(sheet: Sheet, view: Stretched) -> None:
              scale=torque),
         calc("@mean0", "Mean torque behind the reducer at no rate", "", "Nm",
              f"=IF(@way>0,({total('@st.cu0')}/@way)^(1/3),0)", rest[1], scale=behind),
+        *curve_at_rest(view),
     )  # fmt: skip
     bounds = ",".join(f"[@limiting.x.{n}]" for n in range(1, len(pace.bounds) + 1))
-    xs, asked, behind_it = zip(*pace.trials, strict=True)
+    xs, asked, behind_it, _ = zip(*pace.trials, strict=True)
     squares = ["=@rms^2", *(f"={total(f'@st.sq_{trial}')}/(2*PI())" for trial in range(1, LAST))]
+    lines = [f"=MAX([@st.cv_{trial}])" for trial in range(LAST)]
     means = ["=@smean+0", *(f"=IF(@way>0,({total(f'@st.cu_{t}')}/@way)^(1/3),0)" for t in range(1, LAST))]
     sheet.table(
         "@pace", "Trials: the present rate, and where a limit seems to bind", LAST,
         constant("k", "trial", "", "", list(range(LAST))),
-        calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1])"), list(xs), scale=1.0),
-        *steps(list(xs), TELLS, pace.apart),
+        calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1]{',[xc-1]^2' if view.knows_falling else ''})"),
+             list(xs), scale=1.0),
+        *steps(list(xs), telling(), pace.apart),
         *searched("s", "mean square", "Nm²", squares, "@square0", "@motor_rated^2", asked, pace.sizes[0]),
         *searched("m", "mean torque", "Nm", means, "@mean0", "@reducer_mean", behind_it, pace.sizes[1]),
+        *(roots(view, lines) if view.knows_falling else ()),
     )  # fmt: skip
-    limits_found(sheet, pace.each, ("=MIN([@st.xp])", "=MIN([@st.xg])"))
+    limits_found(sheet, pace.each, ("=MIN([@st.xp])", "=MIN([@st.xg])"), view.knows_falling)
+
+
+def roots(view: Stretched, lines: list[str]) -> list[Quantity]:
+    """Return the columns of what the line of a falling curve must be at trials, over √x: the speed adds to it."""
+    pace = view.pace
+    found = [one.curve for one in pace.trials]
+    return [
+        calc("z", "√x", "√x", "", "=SQRT([x])", pace.roots, scale=1.0),
+        *steps(pace.roots, telling("z", "gapz", NEARER), pace.roots_apart, "z", "z"),
+        *searched("c", "line of the motor's curve", "Nm", lines, "@curve0", "@lowest", found, pace.sizes[2], "z", "z"),
+    ]
 
 
 def first(present: str, others: str, rows: int = LAST) -> list[str]:
@@ -193,29 +234,34 @@ def later(formula: str, rows: int = LAST) -> list[str]:
     return [formula for _ in range(2, rows)]
 
 
-def steps(xs: list[float], tells: list[str], apart: Sequence[int]) -> list[Quantity]:
+def steps(xs: list[float], tells: list[str], apart: Sequence[int], x: str = "x", mark: str = "") -> list[Quantity]:
     """Return the columns of by how much x changes, and whether that is enough to tell a parabola's bend."""
     gaps = [0.0, *(after - before for before, after in pairwise(xs))]
     return [
-        calc("gap", "step", "", "", first("=0", "=[x]-[x-1]", len(xs)), gaps, scale=max(xs)),
-        calc("apart", "tells the bend", "", "", tells, apart, format="0"),
+        calc(f"gap{mark}", "step", "", "", first("=0", f"=[{x}]-[{x}-1]", len(xs)), gaps, scale=max(xs)),
+        calc(f"apart{mark}", "tells the bend", "", "", tells, apart, format="0"),
     ]
 
 
 def searched(
-    mark: str, words: str, unit: str, formulas: list[str], rest: str, limit: str, found: Sequence[Trial], rise: float
+    mark: str, words: str, unit: str, formulas: list[str], rest: str, limit: str, found: Sequence[Trial], rise: float,
+    x: str = "x", over: str = "",
 ) -> list[Quantity]:  # fmt: skip
-    """Return the columns of a quantity that is asked for at trials, and where it meets its limit."""
+    """Return the columns of a quantity that is asked for at trials, and where it meets its limit.
+
+    ``x`` is the column that it is tried over, ``over`` the mark of those of its steps.
+    """
+    x, gap, apart = f"[{x}]", f"[gap{over}]", f"[apart{over}]"
     d, t, c, b, w = (f"{name}{mark}" for name in "dtcbw")
     rows = len(found)
     size = max(1e-9, *(abs(one.value) for one in found))
-    rises = f"AND([x]>0,ABS([v{mark}]-{rest})>check_zero*ABS({rest}))"
-    over = f"({limit}-{rest})"
-    inside = f"[{b}]^2+4*[{c}]*{over}"
-    meets_at = f"IF({rest}>{limit},0,IF([{w}]*{FARTHEST}<=2*{over},{FARTHEST},"
-    meets_at += f"IF(2*{over}<={REACH:.0f}*[x]*[{w}],2*{over}/[{w}],10^ROUND(LOG10(2*{over}/[{w}]),0))))"
-    turned = f"=[apart]*[{t}]/([gap]+1-[apart])+(1-[apart])*"
-    lone = f"IF([x]>0,[{d}]/[x],0)" if mark == "s" else "0"
+    rises = f"AND({x}>0,ABS([v{mark}]-{rest})>check_zero*ABS({rest}))"
+    left = f"({limit}-{rest})"
+    inside = f"[{b}]^2+4*[{c}]*{left}"
+    meets_at = f"IF({rest}>{limit},0,IF([{w}]*{FARTHEST}<=2*{left},{FARTHEST},"
+    meets_at += f"IF(2*{left}<={REACH:.0f}*{x}*[{w}],2*{left}/[{w}],10^ROUND(LOG10(2*{left}/[{w}]),0))))"
+    turned = f"={apart}*[{t}]/({gap}+1-{apart})+(1-{apart})*"
+    lone = f"IF({x}>0,[{d}]/{x},0)" if mark in GROWING else "0"
 
     def unlimited(value: str, formula: str) -> str:
         return formula if mark == "s" else f"IF({limit}=0,{value},{formula})"
@@ -223,12 +269,12 @@ def searched(
     term = f"IF({inside}<0,0,[{b}]+SQRT(MAX(0,{inside})))"
     return [
         calc(f"v{mark}", words, "F", unit, formulas, [one.value for one in found], scale=size),
-        calc(d, "its rise from rest", "D", "", f"=IF({rises},([v{mark}]-{rest})/[x],0)",
+        calc(d, "its rise from rest", "D", "", f"=IF({rises},([v{mark}]-{rest})/{x},0)",
              [one.rise for one in found], scale=rise, source="(F − F_0)/x"),
         calc(t, "changes by", "", "", first("=0", f"=[{d}]-[{d}-1]", rows), [one.turn for one in found], scale=rise),
         calc(c, "bend", "c", "", [f"={lone}", f"{turned}{lone}", *later(f"{turned}[{c}-1]", rows)],
              [one.bend for one in found], scale=rise),
-        calc(b, "slope", "b", "", f"=[{d}]-[{c}]*[x]", [one.slope for one in found], scale=rise),
+        calc(b, "slope", "b", "", f"=[{d}]-[{c}]*{x}", [one.slope for one in found], scale=rise),
         calc(w, "of its root", "", "",
              f"={unlimited('0', term)}", [one.term for one in found], scale=rise, source="b + √(b² + 4 c (L − F_0))"),
         calc(f"x{mark}", "meets its limit at", "x", "", f"={unlimited(FARTHEST, meets_at)}",
@@ -236,12 +282,16 @@ def searched(
     ]  # fmt: skip
 
 
-def limits_found(sheet: Sheet, each: Sequence[float], peaks: tuple[str, str], last: int = LAST) -> None:
-    """Declare up to which x each limit is held; ``peaks`` are the formulas of those of motor and reducer."""
+def limits_found(sheet: Sheet, each: Sequence[float], peaks: tuple[str, str], curve: bool, last: int = LAST) -> None:
+    """Declare up to which x each limit is held.
+
+    ``peaks`` are the formulas of those of motor and reducer, ``curve`` says whether the trials look at a falling one.
+    """
     formulas = [
         f"=IF(@speed>0,MIN({FARTHEST},(@motor_nmax/@speed)^2),{FARTHEST})",
         f"=IF(AND(@reducer_nmax>0,@speed>0),MIN({FARTHEST},(@reducer_nmax/@speed)^2),{FARTHEST})",
         *peaks, f"=[@pace.xs.{last}]", f"=[@pace.xm.{last}]",
+        f"=MIN({FARTHEST},[@pace.xc.{last}]^2)" if curve else f"={FARTHEST}",
     ]  # fmt: skip
     sheet.table(
         "@limiting", "Up to which rate each limit is held", len(LIMITS),

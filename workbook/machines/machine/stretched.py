@@ -185,12 +185,39 @@ class Stretched:
         """What they ask for at other rates."""
         motor, driven = self.driven.motor, self.driven
         limits = motor.rated_torque, motor.peak_torque, motor.max_speed, driven.reducer.limits
-        return Pace(tuple(self.parts), driven.demand, *limits)
+        return Pace(tuple(self.parts), driven.demand, *limits, driven.falling)
 
     @property
     def paced(self) -> Paced:
         """Its highest rate."""
         return self.pace
+
+    @property
+    def knows_falling(self) -> bool:
+        """Whether the book's sheets of drives know motors whose peak torque falls."""
+        return self.one.machine.machine.selection.knows_falling
+
+    @property
+    def line_asked(self) -> float:
+        """What the line of a falling curve must be at no speed (Nm), or a little more; 0 of one that does not fall."""
+        return self.pace.against.most(1.0)
+
+    @property
+    def corner(self) -> float:
+        """The line of a falling curve at no speed (Nm); 0 of one that does not fall."""
+        return self.driven.falling.corner(self.driven.motor.peak_torque) if self.driven.falling.fall else 0.0
+
+    @property
+    def below_curve(self) -> bool:
+        """Whether the torque stays below the motor's curve; of a curve that the book does not know it does not."""
+        return self.line_asked <= self.corner if self.knows_falling else not self.driven.told_falling.fall
+
+    @property
+    def spare(self) -> float:
+        """What is left below the motor's curve at least (Nm)."""
+        motor = self.driven.motor
+        below = motor.peak_torque - self.driven.demand.torque.peak
+        return min(below, self.corner - self.line_asked) if self.driven.falling.fall else below
 
     @cached_property
     def powers(self) -> list[Powering]:

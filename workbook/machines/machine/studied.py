@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from engine.machine.bus import Means, together
+from engine.machine.pace import first_lowest
 from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of, turn_time
 from workbook.entries.units import KW, PER_MINUTE, shown, si
@@ -175,7 +176,7 @@ def binding(drives: list[Studied]) -> Any:
     """Return the axis and the limit that bind there."""
     rates = np.array(np.broadcast_arrays(*(one.highest for one in drives)))
     words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.binds], dtype=object) for one in drives]
-    return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
+    return np.choose(first_lowest(rates), np.broadcast_arrays(*words))
 
 
 SCALING = Scaling(part, results)

@@ -22,6 +22,7 @@ from workbook.machines.machine.linked.changing import over_motion
 from workbook.machines.machine.linked.driven import driven_of
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.pacing import rate_of
+from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -178,8 +179,18 @@ class Studied:
     @cached_property
     def highest_each(self) -> dict[tuple[int, int, int], Highest]:
         """The highest rate of each drive, and the limit that binds there."""
+        return {one: rate_of(view) for one, view in self.views.items()}
+
+    @cached_property
+    def views(self) -> dict[tuple[int, int, int], Stretched]:
+        """The drive of each design over the stretches of its motion."""
         rows = self.rows()
-        return {one: rate_of(over_motion(rows, drive)) for one, drive in self.drives.items()}
+        return {one: over_motion(rows, drive) for one, drive in self.drives.items()}
+
+    def viewed(self, figure: Callable[[Stretched], Any]) -> Array:
+        """Return a figure of each design's drive over these."""
+        found = {one: figure(view) for one, view in self.views.items()}
+        return np.array([found[one] for one in self.designs])
 
     @property
     def highest(self) -> Array:
@@ -222,6 +233,7 @@ class Studied:
             "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
             "ok_peak": lambda: told(self.torques.peak <= motor("peak_torque")),
             "ok_speed": lambda: told(self.speed <= motor("max_speed")),
+            "ok_curve": lambda: told(self.viewed(lambda view: view.below_curve)),
             "ok_reducer_peak": lambda: self.within("peak_torque", self.behind),
             "ok_reducer_mean": lambda: self.within("mean_torque", self.mean_behind),
             "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
@@ -230,6 +242,8 @@ class Studied:
             "highest": lambda: self.highest,
             "binds": lambda: self.binds,
         }
+        if self.products.knows_falling:
+            each["spare"] = lambda: self.viewed(lambda view: view.spare)
         for figure in WEIGHED:
             each |= {
                 f"motor_{figure}": partial(motor, figure),

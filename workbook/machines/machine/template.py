@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
+
+from engine.machine.pace import first_lowest
 from engine.timing import turn_time
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
@@ -112,19 +115,25 @@ def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
 
 def highest_rate(drives: Iterable[Stretched], axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds."""
-    found = [(view.driven.axis.given.name, rate_of(view)) for view in drives]
-    if not found:
+    views = list(drives)
+    if not views:
         return []
-    axis, least = min(found, key=lambda one: one[1].rate)
-    place = "MATCH(about_highest,[axes_short.highest],0)"
+    rates = [rate_of(view) for view in views]
+    each = np.array([rate.rate for rate in rates])
+    least, binding, place = float(each.min()), int(first_lowest(each)), ""
+    for view in reversed(views):
+        number = view.driven.number
+        held = f"drive{number}_highest<=about_highest*(1+check_zero)"
+        place = f"IF({held},{number},{place})" if place else str(number)
     names = ("[axes_short.axis]", "[axes_short.binds]")
     told = [f"INDEX({column},{place})" if axes > 1 else column for column in names]
     return [
-        result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least.rate,
+        result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least,
                source="of all drives"),
-        *([shortest(least.rate)] if over.measured else []),
+        *([shortest(least)] if over.measured else []),
         result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
-               f"{axis}: {least.limit}", align="right"),
+               f"{views[binding].driven.axis.given.name}: {rates[binding].limit}", align="right",
+               source="the first, of equal ones"),
     ]  # fmt: skip
 
 

@@ -10,7 +10,9 @@ from workbook.laws.registry import Family
 from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, told_family, variations, vary_laws
 from workbook.machines.machine.chain import BELTED, LINKED, WINDOWS
+from workbook.machines.machine.choice import falling
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.gentle import gentle
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
 from workbook.motion.asked import smoothness_for
@@ -27,7 +29,7 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
     free = any(axis.motor is None for axis in machine.axes)
     suited = list if free else shaped
-    return [type(machine).model_validate(data) for data in variations(machine, varied, suited)]
+    return [gentle(type(machine).model_validate(data)) for data in variations(machine, varied, suited)]
 
 
 def shaped(laws: dict[str, Any]) -> list[str]:
@@ -58,6 +60,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     k = turn % SIX
     sizes, scale = data["sizes"], factors(k)
     vary_laws(data["laws"], k, scale, sizes["pieces"])
+    bend(data["selection"], k)
     master = data["master"]
     pace = next(iter(master))
     master[pace] *= next(scale)
@@ -91,6 +94,18 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     if pace == "cycle":
         in_units_of(data, master["unit"], master[pace])
     return data
+
+
+def bend(products: dict[str, Any], k: int) -> None:
+    """Let the peak torque of motors of the catalogue fall in other ways, of some not, if the book knows such motors."""
+    rows = products["motors"]
+    if not (any(map(falling, rows)) if products["falling"] is None else products["falling"]):
+        return
+    for n, motor in enumerate(rows):
+        level = (n + k) % 4 == 3
+        motor["full_torque_to"] = None if level else motor["max_speed"] * (0.02 + 0.15 * ((n + k) % SIX))
+        motor["end_torque"] = None if level else motor["peak_torque"] * 0.23 * ((n + 2 * k) % 4)
+    products["falling"] = True
 
 
 def drives(data: dict[str, Any]) -> list[str]:

@@ -240,7 +240,8 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
     found: dict[str, Any] = {"axes": axes or machine.axes, "switches": told, "clearances": clearances(names)}
     chosen = machine.axes[0].name if CHOSEN in names else None
-    found["selection"] = machine.selection.model_copy(update={"axis": chosen})
+    falling = any(fall_name(i) in names for i in range(1, entered.MOST_AXES + 1))
+    found["selection"] = machine.selection.model_copy(update={"axis": chosen, "falling": falling})
     told_in = [unit for unit in MEASURES if in_unit(unit) in names]
     if told_in:
         known = {name: getattr(machine, name) for name in type(machine).model_fields}
@@ -299,6 +300,11 @@ def viscous_name(number: int) -> str:
     return f"drive{number}_viscous"
 
 
+def fall_name(number: int) -> str:
+    """Return the name of the cell of the fall of a motor's peak torque: by it a file tells that its drives know one."""
+    return f"drive{number}_fall"
+
+
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
     master = {"cycle": None, "unit": machine.over.unit} if machine.over.measured else {}
@@ -310,5 +316,6 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
         if axis.mechanism:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
     found |= {f"axes.{i}.printed": axis.printed for i, axis in enumerate(machine.axes) if axis.printed}
+    found["selection.falling"] = machine.selection.falling
     viscous = (i for i, axis in enumerate(machine.axes) if axis.load.viscous is not None)
     return found | {f"axes.{i}.load.viscous": 0.0 for i in viscous}

@@ -18,7 +18,7 @@ from workbook.machines.machine.breaks import ACTS
 from workbook.machines.machine.linked import kinds
 from workbook.machines.machine.linked.places import columns, stacked
 from workbook.machines.machine.linked.turn import Turn
-from workbook.machines.machine.linked.worked import FIGURES, PlacedWork
+from workbook.machines.machine.linked.worked import FIGURES, LINE, PlacedWork
 from workbook.motion.sampled import derivative
 
 LETTERS = ("F", "S", "T")
@@ -324,5 +324,7 @@ def nodes_table(sheet: Sheet, view: PlacedWork, *more: Quantity) -> None:
         *columns(view, stacked(view.worked), helds, places),
         calc("P", "torque times speed, before the reducer", "", "Nm rad/s", "=[T]*[w]", view.at_nodes("power"),
              scale=max(1e-9, float(np.abs(view.at_nodes("power")).max()))),
+        *([calc(LINE, "line of the motor's curve", "", "Nm", "=([T]^2)^0.5+@sink*([w]^2)^0.5", view.line,
+                scale=view.driven.sizes.torque)] if view.knows_falling else ()),
         *more,
     )  # fmt: skip

@@ -21,9 +21,9 @@ from workbook.book.sentence import figure
 from workbook.entries.units import DEGREE, MM, si
 from workbook.machines.machine import chain
 from workbook.machines.machine.chain import MechanismEntry, TablePoint
+from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.view import MovingAxis
-from workbook.selection.entries import Products
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
@@ -123,7 +123,7 @@ class LinkedDriven(PlacedDriven):
         return self.judged.inertia_ratio if self.motor_used.inertia else 0.0
 
 
-def driven_of(axis: MovingAxis, products: Products) -> Driven:
+def driven_of(axis: MovingAxis, products: Choice) -> Driven:
     """Return the drive of an axis, as its torque is worked out. Raises ValueError where it has none."""
     mechanism, viscous = axis.given.mechanism, axis.given.load.viscous
     if mechanism and mechanism.kind in chain.LINKED:

@@ -23,12 +23,13 @@ from engine.machine.places import (
     Sums,
     Worked,
     largest,
+    lost,
 )
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.units import KW, shown
 from workbook.machines.machine.linked.cut import BENDS, begins, bounds
-from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.machines.machine.linked.worked import LINE, PlacedWork
 
 
 class Figure(NamedTuple):
@@ -53,7 +54,7 @@ FIGURES = (
     Figure("P", "power", "P", "{f}", "MAX({f})", lambda one: one.power),
     Figure("Q", "power that comes back", "P", "(0-{f})", "(0-MIN({f}))", lambda one: -one.power),
 )
-LOST = {name: f"{LEVEL!r}*@lost_{name}" for name in ("T", "S", "w", "g", "P")}
+LOST = {name: f"{LEVEL!r}*@lost_{name}" for name in ("T", "S", "w", "g", "P", LINE)}
 BARYCENTRIC = "SUMPRODUCT([@rule.inter]/({x}-[@rule.x]),{f})/SUMPRODUCT([@rule.inter]/({x}-[@rule.x]))"
 
 
@@ -66,11 +67,12 @@ def ranges(view: PlacedWork, column: str) -> list[str]:
 def lost_rows(view: PlacedWork) -> list[Quantity]:
     """Return the rows of what is next to nothing of speeds, ratios and powers."""
     ratios = [("g", "ratios", view.least("first"))] if view.varies else []
+    lines = [(LINE, "the motor's curve", lost(largest(view.line)))] if view.knows_falling else []
     return [
         calc(f"@lost_{column}", f"Next to nothing of {words} is", "", "",
              f"=check_zero*{BOTH.format(f=f'[@pl.{column}]')}", size, format="0E+00", scale=size)
         for column, words, size in (("w", "speeds", view.least("rate")), *ratios,
-                                    ("P", "powers", view.least("power")))
+                                    ("P", "powers", view.least("power")), *lines)
     ]  # fmt: skip
 
 
@@ -172,9 +174,16 @@ def sections_table(sheet: Sheet, view: PlacedWork, *more: Quantity) -> None:
              of("rest"), scale=driven.sizes.torque),
         calc("off", "straight lines are off by at most", "", "kW", bends, filled(shown(np.array(view.offs), KW), rows),
              scale=shown(view.most_power, KW)),
-        *(column for figure in FIGURES if view.varies or figure.column != RATIO for column in extremes(view, figure)),
+        *(column for figure in figures(view) for column in extremes(view, figure)),
         *more,
     )  # fmt: skip
+
+
+def figures(view: PlacedWork) -> list[Figure]:
+    """Return what the largest values of are wanted: of a ratio that changes, of a motor whose peak torque falls."""
+    found = [figure for figure in FIGURES if view.varies or figure.column != RATIO]
+    line = Figure(LINE, "line of the motor's curve", LINE, "{f}", "MAX({f})", view.line_at)
+    return [*found, line] if view.knows_falling else found
 
 
 def bend(before: int) -> str:

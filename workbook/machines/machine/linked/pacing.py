@@ -7,14 +7,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from engine.machine.pace import TRUSTED
+from engine.machine.pace import NEARER
 from engine.machine.place_pace import FINE, PARTS, TRIALS, WITHIN, Asked, PlacePace
 from engine.machine.places import NODES
 from workbook.book.declare import Quantity, Sheet, calc
 from workbook.book.rows import total
+from workbook.machines.machine.curved import lowest_rows
 from workbook.machines.machine.linked.found import ranges
-from workbook.machines.machine.linked.worked import PlacedWork
-from workbook.machines.machine.pacing import TOLD, first, limits_found, searched, steps
+from workbook.machines.machine.linked.worked import LINE, PlacedWork
+from workbook.machines.machine.pacing import first, limits_found, searched, steps, telling
 
 LAST = TRIALS + 1
 """row of the last trial: the first is the present rate"""
@@ -27,16 +28,21 @@ ABOUT = (
     "now. Each trial is where parabolas through the last ones meet a limit; the last two find peaks between nodes, too."
 )
 LOSSES = {"p": ("+", "+", "mean"), "q": ("-", "−", "half the difference")}
-TELLS = ["=0", f"=IF([x]<{TRUSTED:.0f},{TOLD},0)", *("=0" if n == SWITCH else f"={TOLD}" for n in range(2, LAST))]
+TELLS = ["=0" if n == SWITCH else told for n, told in enumerate(telling(rows=LAST))]
+"""the first trial that looks between nodes tells no bend"""
 HALF = "[on]*([ue]-[ub])/2*SUMPRODUCT([@rule.w],"
-MARKS = {"T": ("motor", "torque"), "S": ("geared", "torque behind the reducer")}
+MARKS = {
+    "T": ("motor", "torque"), "S": ("geared", "torque behind the reducer"),
+    LINE: ("line", "line of the motor's curve"),
+}  # fmt: skip
 
 
 class Texts(NamedTuple):
-    """The formulas of |T| and |S| at the nodes of a section, or at one of them."""
+    """The formulas of |T| and |S| at the nodes of a section, or at one of them, and of the line of a falling curve."""
 
     motor: str
     geared: str
+    line: str
 
 
 def texts(view: PlacedWork, x: str, node: str = "") -> list[Texts]:
@@ -45,14 +51,15 @@ def texts(view: PlacedWork, x: str, node: str = "") -> list[Texts]:
     def at(column: str) -> list[str]:
         return [f"INDEX({one},{node})" if node else one for one in ranges(view, column)]
 
-    columns = at("a"), at("v"), at("g") if view.varies else ["@i2" for _ in view.worked], at("turn")
+    ratios = at("g") if view.varies else ["@i2" for _ in view.worked]
     viscous = view.driven.entered.load.viscous is not None
     found = []
-    for a, v, g, turning in zip(*columns, strict=True):
+    for a, v, g, turning, rate in zip(at("a"), at("v"), ratios, at("turn"), at("w"), strict=True):
         force = f"({x}*@m*{a}{f'+SQRT({x})*@viscous*{v}' if viscous else ''}+[res])"
         behind = f"[act]*((@p2*{force}+@q2*[dir]*({force}^2)^0.5)/{g}+{x}*@j1*{turning})"
         torque = f"(@p1*{behind}+@q1*[dir]*(({behind})^2)^0.5)/@i1+[act]*{x}*@j0*@i1*{turning}"
-        found.append(Texts(f"(({torque})^2)^0.5", f"(({behind})^2)^0.5"))
+        size = f"(({torque})^2)^0.5"
+        found.append(Texts(size, f"(({behind})^2)^0.5", f"({size}+@sink*SQRT({x})*({rate}^2)^0.5)"))
     return found
 
 
@@ -79,8 +86,13 @@ def asking(view: PlacedWork, asked: Asked, words: str, n: int, x: str) -> list[Q
     return [
         calc(f"sq_{n}", f"{words}: ∫T²", "", "", squares, asked.squares.tolist(), scale=square),
         calc(f"cu_{n}", f"{words}: ∫|S|³ |φ̇|", "", "", cubes, asked.cubes.tolist(), scale=cube),
-        *(q for mark in MARKS for q in peak(view, asked, mark, words, n, x, each)),
+        *(q for mark in marks(view) for q in peak(view, asked, mark, words, n, x, each)),
     ]  # fmt: skip
+
+
+def marks(view: PlacedWork) -> list[str]:
+    """Return the marks of what peaks are looked for of at trials."""
+    return [mark for mark in MARKS if mark != LINE or view.knows_falling]
 
 
 def peak(
@@ -89,7 +101,7 @@ def peak(
     """Return the columns of the largest torque of a shaft at a trial: at a node, or of the parabola around it."""
     figure, named = MARKS[mark]
     found, end = getattr(asked, figure), f"{mark}_{n}"
-    rest = {"T": "MAX([topT],[topD])", "S": "[topS]"}[mark]
+    rest = {"T": "MAX([topT],[topD])", "S": "[topS]", LINE: f"[top{LINE}]"}[mark]
     middle = f"MAX(2,MIN({len(NODES) - 1},[k{end}]))"
 
     def of(name: str) -> list[float]:
@@ -155,6 +167,7 @@ def pace_tables(sheet: Sheet, view: PlacedWork) -> None:
              scale=view.driven.sizes.torque),
         calc("@geared0", "Largest torque behind the reducer at no rate", "", "Nm", "=MAX([@sec.mS_0])", rest[3],
              scale=view.driven.sizes.behind),
+        *(lowest_rows(view, f"MAX([@sec.m{LINE}_0])", rest[-1]) if view.knows_falling else ()),
     )  # fmt: skip
     tried = range(1, LAST)
     asked = (
@@ -166,16 +179,31 @@ def pace_tables(sheet: Sheet, view: PlacedWork) -> None:
         ("g", "peak torque behind the reducer", "Nm",
          [largest("S"), *(f"=MAX([@sec.{at_trial('S', n)}])" for n in tried)], "@geared0", "@reducer_peak"),
     )  # fmt: skip
-    columns = []
+    columns, line = [], ",[xc-1]^2" if view.knows_falling else ""
     for k, one in enumerate(asked):
         columns += searched(*one, [trials[k] for _, trials in pace.tried], pace.sizes[k])
+    if view.knows_falling:
+        columns += roots(view)
     sheet.table(
         "@pace", "Trials: the present rate, and where a limit seems to bind", LAST,
-        calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1],[xp-1],[xg-1])", LAST), xs, scale=1.0),
+        calc("x", "x", "x", "", first("=1", f"=MIN({bounds},[xs-1],[xm-1],[xp-1],[xg-1]{line})", LAST), xs, scale=1.0),
         *steps(xs, TELLS, pace.apart),
         *columns,
     )  # fmt: skip
-    limits_found(sheet, pace.each, (f"=[@pace.xp.{LAST}]", f"=[@pace.xg.{LAST}]"), LAST)
+    limits_found(sheet, pace.each, (f"=[@pace.xp.{LAST}]", f"=[@pace.xg.{LAST}]"), view.knows_falling, LAST)
+
+
+def roots(view: PlacedWork) -> list[Quantity]:
+    """Return the columns of what the line of a falling curve must be at trials, over √x: the speed adds to it."""
+    pace = view.pacing
+    tells = ["=0" if n == SWITCH else told for n, told in enumerate(telling("z", "gapz", NEARER, LAST))]
+    lines = [f"=MAX([@pl.{LINE}])", *(f"=MAX([@sec.{at_trial(LINE, n)}])" for n in range(1, LAST))]
+    found = [trials[-1] for _, trials in pace.tried]
+    return [
+        calc("z", "√x", "√x", "", "=SQRT([x])", pace.roots, scale=1.0),
+        *steps(pace.roots, tells, pace.roots_apart, "z", "z"),
+        *searched("c", "line of the motor's curve", "Nm", lines, "@curve0", "@lowest", found, pace.sizes[-1], "z", "z"),
+    ]
 
 
 def mean(way: str, n: int) -> str:

@@ -9,17 +9,17 @@ from engine.machine.places import SUFFICES, Worked
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import total
-from workbook.drive.motor import limits_table, plane, rms_point
+from workbook.drive.motor import plane, rms_point
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.units import RPM, shown
-from workbook.machines.machine import chosen, drive
+from workbook.machines.machine import chosen, curved, drive
 from workbook.machines.machine.breaks import breaks_table, turns_table, windows_check
 from workbook.machines.machine.chain import UNSIZED
 from workbook.machines.machine.cycle import CYCLES
 from workbook.machines.machine.linked import cut, found, kinds, pacing, reach
 from workbook.machines.machine.linked.changing import LinkedWork
 from workbook.machines.machine.linked.places import stacked, turned
-from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.machines.machine.linked.worked import LINE, PlacedWork
 from workbook.machines.machine.pacing import highest, mending
 from workbook.machines.machine.powered import power_peaks
 from workbook.machines.machine.selecting import behind
@@ -49,14 +49,18 @@ TITLES = (
 def placed_sheet(book: Book, view: PlacedWork) -> None:
     """Declare the sheet."""
     one, driven = view.one, view.driven
-    i = driven.number
+    i, line = driven.number, line_of(view)
     sheet = drive.begun(book, driven)
     with sheet.scoped(f"drive{i}_"):
         drive.entries(sheet, driven, kinds.of(driven).entries(driven, f"axes.{i - 1}"))
-        drive.outcome(sheet, one, driven, RESULTS | (CHANGING if view.varies else {}),
-                      [*power_peaks(view, PEAKS), *highest(view, pacing.BELOW, pacing.NEAR)])  # fmt: skip
+        results = *curved.spare(view, line), *power_peaks(view, PEAKS), *highest(view, pacing.BELOW, pacing.NEAR)
+        drive.outcome(sheet, one, driven, RESULTS | (CHANGING if view.varies else {}), results)
         sheet.checks(
-            *drive.checks(driven, mending(view)), drive.laws_check(driven, one), *windows_check(view), *checks(view)
+            *drive.checks(driven, mending(view)),
+            curved.curve_check(view, line, mending(view)),
+            drive.laws_check(driven, one),
+            *windows_check(view),
+            *checks(view),
         )
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         if view.varies:
@@ -70,6 +74,7 @@ def placed_sheet(book: Book, view: PlacedWork) -> None:
             calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=timing_omega*@faster",
                  driven.axis.speed),
             *kinds.of(driven).sizes(driven),
+            *curved.curve_rows(view, line),
         ])  # fmt: skip
         kinds.of(driven).table(sheet, driven, one.machine.machine.sizes.positions)
         cycle(sheet, view)
@@ -89,9 +94,14 @@ def placed_sheet(book: Book, view: PlacedWork) -> None:
         sheet.rows(*found.lost_rows(view), *pacing.loss_rows(view.pacing))
         pacing.pace_tables(sheet, view)
         behind.means(sheet, view)
-        limits_table(sheet, driven.motor.corners(min(0.0, *view.ways)), drive.BACKWARD)
+        curved.corners_table(sheet, view, drive.BACKWARD)
         rms_point(sheet, driven.demand.mean_speed, driven.demand.rms_torque)
     sheet.print_columns = 18
+
+
+def line_of(view: PlacedWork) -> curved.Line:
+    """Return the formulas of what the line of a falling curve must be at no speed, by the sections."""
+    return curved.Line(f"MAX([@sec.top{LINE}])", "@i1*60/(2*PI())", view.pacing.sink, curved.EXACT)
 
 
 def checks(view: PlacedWork) -> list[Quantity]:

@@ -10,6 +10,7 @@ import numpy as np
 from engine.laws.base import Array
 from engine.machine.bent import going, middle, stretches
 from engine.machine.brackets import Bracket
+from engine.machine.falling import line_asked
 from engine.machine.interpolated import Interpolated
 from engine.machine.place_pace import PlacePace, loads_of
 from engine.machine.places import (
@@ -41,6 +42,8 @@ from workbook.machines.machine.stretched import Paced, Stretched
 
 FIGURES = ("force", "behind", "torque")
 """what power changes its way with: at the load, in the reducer, in the motor"""
+LINE = "C"
+"""column of what the line of a falling curve must be at no speed"""
 RATES = {"w": "rate", "g": "first", "P": "power"}
 SPARE_TURNS = 8
 EACH = len(LOOKS)
@@ -306,8 +309,24 @@ class PlacedWork(Stretched):
     def node_lost(self, column: str) -> float:
         """Return by how little a figure differs where it is level, by its column: torques as at places of stretches."""
         names = {"T": "torque", "S": "behind"}
-        of_places = column in names
-        return level(self.sizes[names[column]] if of_places else largest(self.at_nodes(RATES[column])))
+        if column in names:
+            return level(self.sizes[names[column]])
+        return level(largest(self.line if column == LINE else self.at_nodes(RATES[column])))
+
+    @cached_property
+    def line_asked(self) -> float:
+        """What the line of a falling curve must be at no speed (Nm); 0 of one that does not fall."""
+        falling = self.driven.falling
+        return line_asked(self.driven.demand.course, falling) if falling.fall else 0.0
+
+    @property
+    def line(self) -> Array:
+        """What the line of a falling curve must be at no speed (Nm), at all nodes."""
+        return np.concatenate([self.line_at(one) for one in self.worked])
+
+    def line_at(self, one: Worked) -> Array:
+        """Return the same at places of a section."""
+        return self.pacing.line(one.torque, one.rate)
 
     @property
     def rate(self) -> float:
@@ -340,7 +359,7 @@ class PlacedWork(Stretched):
             [(held, width, at) for (held, _), width, at in zip(self.placed, self.widths, self.worked, strict=True)]
         )
         limits = motor.rated_torque, motor.peak_torque, motor.max_speed, driven.reducer.limits
-        return PlacePace(loads, self.helds[0], driven.demand, *limits)
+        return PlacePace(loads, self.helds[0], driven.demand, *limits, driven.falling)
 
     @property
     def paced(self) -> Paced:

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from workbook.book.declare import Quantity, Sheet, calc, constant
-from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.machine.driven import Driven
 from workbook.machines.machine.linked.worked import PlacedWork
 from workbook.machines.machine.selecting.behind import scales_of
@@ -37,8 +36,9 @@ def told_at(one: Stretched, k: int) -> ToldAt:
 NOWHERE = ToldAt("0", "0", "0", "0")
 
 
-def told() -> list[tuple[str, str, str, str]]:
+def told(view: Choosing) -> list[tuple[str, str, str, str]]:
     """Return of each figure of a drive: its name, label and unit, and its formula on the sheet of the drive."""
+    spare = "@spare" if view.stretched.knows_falling else "@motor_peak-MAX(@tmax,0-@tmin)"
     return [
         ("own", "mean of α²", "rad²/s⁴", "@ask_own"),
         ("square", "mean of S², driving", "Nm²", "@ask_square"),
@@ -58,6 +58,7 @@ def told() -> list[tuple[str, str, str, str]]:
         ("held_rated", "its rated torque", "Nm", "@motor_rated"),
         ("held_peak", "its peak torque", "Nm", "@motor_peak"),
         ("held_top", "what it is asked for", "Nm", "MAX(@tmax,0-@tmin)"),
+        ("held_spare", "left below its curve", "Nm", spare),
         ("held_nmax", "its largest speed", "rpm", "@motor_nmax"),
         ("held_row", "its row of motors", "", "@motor_row"),
         ("held_gear", "its row of reducers", "", "@reducer_row"),
@@ -77,7 +78,7 @@ def drives_table(sheet: Sheet, view: Choosing) -> None:
              [one.entered.name for one in drives], align="left"),
         constant("k", "number of the axis", "k", "", [one.number for one in drives]),
         *(calc(name, label, "", unit, [scoped(formula, one) for one in drives], values, scale=scale)
-          for (name, label, unit, formula), (values, scale) in zip(told(), view.figures, strict=True)),
+          for (name, label, unit, formula), (values, scale) in zip(told(view), view.figures, strict=True)),
     )  # fmt: skip
 
 
@@ -95,25 +96,20 @@ def chosen(sheet: Sheet, view: Choosing) -> None:
     """Declare the named drive."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.drives) > 1 else "COUNT([@drives.k])"
     rows = [calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0")]
-    for (name, label, unit, _), (values, scale) in zip(told(), view.figures, strict=True):
+    for (name, label, unit, _), (values, scale) in zip(told(view), view.figures, strict=True):
         rows.append(calc(f"@{name}", label.capitalize(), "", unit, f"={taken(view, name)}+0", values[view.number],
                          scale=scale))  # fmt: skip
     sheet.rows(*rows, *held(view))
 
 
 def held(view: Choosing) -> Sequence[Quantity]:
-    """Return the names of the motor and the reducer of the drive, and the motor's curve."""
-    curve = view.held_curve
+    """Return the names of the motor and the reducer of the drive."""
     return [
         calc("@held_motor", "Its motor", "", "",
              f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', view.held_motor, align="left"),
         calc("@held_reducer", "Its reducer", "", "",
              f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', view.held_reducer,
              align="left"),
-        calc("@held_knee", "its peak torque holds up to", "n_1", "rpm",
-             "=IF(@held_row=0,0,INDEX([@motors.knee],MAX(1,@held_row)))", shown(curve.knee, RPM)),
-        calc("@held_fall", "its fall beyond", "", "Nm/rpm",
-             "=IF(@held_row=0,0,INDEX([@motors.fall],MAX(1,@held_row)))", shown(curve.fall, PER_RPM)),
     ]  # fmt: skip
 
 

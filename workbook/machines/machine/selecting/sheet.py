@@ -10,7 +10,7 @@ from workbook.machines.machine.choice import UNCHOSEN, Choice
 from workbook.machines.machine.selecting.best import best_table, order_table
 from workbook.machines.machine.selecting.charts import chart, uses
 from workbook.machines.machine.selecting.drives import chosen, drives_table, known, points_table
-from workbook.machines.machine.selecting.formulas import rms_of, spare_of, whole
+from workbook.machines.machine.selecting.formulas import rms_of, whole
 from workbook.machines.machine.selecting.pairs import grids, products
 from workbook.machines.machine.selecting.view import Choosing
 from workbook.machines.machine.stretched import Stretched
@@ -117,7 +117,7 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
 def own_pair(view: Choosing) -> list[Quantity]:
     """Return what the drive's pair does."""
     own, torque = view.own, max(view.own.peak, 1e-3)
-    gears, held = ("@held_j", "@held_i", "@held_eta"), ("@held_peak", "@held_knee", "@held_fall")
+    gears = ("@held_j", "@held_i", "@held_eta")
     return [
         result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms_of(*gears)}", own.rms, scale=torque,
                source="that of the drive's sheet"),
@@ -128,9 +128,8 @@ def own_pair(view: Choosing) -> list[Quantity]:
         result("@own_speed", "Largest speed of the motor", "n", "rpm", "=@speed*@held_i*30/PI()", own.speed),
         result("@own_inertias", "Inertia ratio", "", "",
                "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),
-        result("@own_spare", "Reserve below the motor's curve, at least", "", "Nm",
-               f"={spare_of(held, '@own_peak', gears)}", own.spare, scale=torque,
-               source="of a motor of the catalogue with its curve, else below its peak torque"),
+        result("@own_spare", "Least reserve below the motor's curve", "", "Nm", "=@held_spare+0", own.spare,
+               scale=torque, source="that of the drive's sheet"),
     ]  # fmt: skip
 
 

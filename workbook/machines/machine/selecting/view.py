@@ -157,16 +157,10 @@ class Choosing:
         row = self.driven.reducer.row
         return self.reducers.names[row - 1] if row else AS_ENTERED
 
-    @property
-    def held_curve(self) -> Curve:
-        """The curve of the drive's motor; of one that is entered, no fall."""
-        row = self.driven.motor_used.row
-        return self.curve(row - 1) if row else Curve(self.driven.motor_used.peak_torque, 0.0, 0.0)
-
     def curve(self, motor: int) -> Curve:
         """Return the curve of a motor of the catalogue."""
         m = self.motors
-        return Curve(float(m.peak_torque[motor]), float(m.knee[motor]), 0.0 - float(m.slope[motor]))
+        return Curve(float(m.peak_torque[motor]), float(m.knee[motor]), max(0.0, 0.0 - float(m.slope[motor])))
 
     @cached_property
     def listed(self) -> list[Figures]:
@@ -211,9 +205,8 @@ class Choosing:
         rms, peak = float(self.load.rms(pair)[0]), d.demand.torque.peak
         speed = shown(self.load.speed_of_motor(d.reducer.ratio), RPM)
         motor = d.motor_used
-        spare = reserve(self.points, (inertia, d.reducer.ratio, d.reducer.efficiency), self.held_curve, peak)
         margin = shares_of(np.array(motor.rated_torque), np.array(rms))
-        return Figures(rms, float(margin), peak, speed, d.inertia_ratio, spare)
+        return Figures(rms, float(margin), peak, speed, d.inertia_ratio, self.stretched.spare)
 
     def spread(self, table: NDArray[Any], spare: Any) -> list[list[Any]]:
         """Return a table of the pairs by columns, ``spare`` where a row or a column of the sheet is."""
@@ -235,6 +228,6 @@ def figures_of(view: Stretched) -> list[tuple[float, float]]:
         (d.at_motor, 0.0), (d.motor_used.inertia, 0.0), (d.reducer.ratio, 0.0), (d.reducer.efficiency, 0.0),
         (d.motor_used.rated_torque, 0.0), (d.motor_used.peak_torque, 0.0),
         (d.demand.torque.peak, d.sizes.torque),
-        (d.motor_used.max_speed, 0.0),
+        (view.spare, d.sizes.torque), (d.motor_used.max_speed, 0.0),
         (d.motor_used.row, 0.0), (d.reducer.row, 0.0),
     ]  # fmt: skip
