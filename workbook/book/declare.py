@@ -9,6 +9,7 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 ``[xi-1]``            the cell one row above it
 ``[samples.xi]``      the whole column ``xi`` of table ``samples``, absolute
 ``[samples.xi.first]``, ``.last``, ``.3``   its first, last, third cell
+``[c0:c5]``, ``[pieces.c0:c5]``   the same of all columns from one to another, side by side
 ``@stroke``           ``tool2_stroke`` in the scope ``tool2_`` (:meth:`Sheet.scoped`),
                       by which one function declares the like of several parts
 ``drive_rate``        anything else is Excel's own text; scalars go by defined name
@@ -36,7 +37,7 @@ __all__ = [
     "calc", "check", "constant", "given", "result",
 ]  # fmt: skip
 
-REFERENCE = re.compile(r"\[(\w+)(-1|\.\w+)?(\.first|\.last|\.\d+)?\]")
+REFERENCE = re.compile(r"\[(\w+(?::\w+)?)(-1|\.\w+(?::\w+)?)?(\.first|\.last|\.\d+)?\]")
 
 
 class Cell(NamedTuple):
@@ -89,13 +90,16 @@ class Block:
         return span(self.row, self.column, self.row + self.size - 1, self.column + len(self.quantities) - 1)
 
     def reference(self, quantity: str, end: str = "") -> str:
-        """Return the absolute range of one column, or one cell of it: ``.first``, ``.last``, or its number."""
+        """Return the absolute range of one column, or of several (``c0:c5``), or one row of it.
+
+        The row is ``.first``, ``.last``, or its number.
+        """
         top, bottom = self.row, self.row + self.size - 1
         if end:
             row = {".first": 1, ".last": self.size}.get(end) or int(end[1:])
             top = bottom = self.row + row - 1
-        column = self.columns[quantity]
-        return span(top, column, bottom, column)
+        first, _, last = quantity.partition(":")
+        return span(top, self.columns[first], bottom, self.columns[last or first])
 
     @property
     def blanked(self) -> tuple[Quantity, ...]:
@@ -400,7 +404,8 @@ class Book:
         def reference(found: re.Match[str]) -> str:
             first, second, end = found.groups()
             if second is None or second == "-1":
-                return f"${get_column_letter(at.seen[first])}{'{0}' if second is None else '{1}'}"
+                row = "{0}" if second is None else "{1}"
+                return ":".join(f"${get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
             prefix = "" if block.sheet is at.sheet else quote_sheetname(block.sheet.title) + "!"
             return prefix + block.reference(second[1:], end or "")
