@@ -20,6 +20,8 @@ ABOUT = (
     "a piece of the phase's law, scaled by lift and duration."
 )
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
+DERIVATIVES = (("dy", "y'"), ("ddy", "y''"), ("dddy", "y'''"))
+"""the blocks of coefficients of the derivatives: what their columns' names begin with, and their symbols"""
 ROOM = "sizes.motion_pieces in the description says how many there may be"
 Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]
@@ -103,6 +105,7 @@ def pieces_table(
         *taken,
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
+        *(column for order in range(1, len(DERIVATIVES) + 1) for column in derivative(rows, order, of, sizes)),
         *more,
         blank=f"[r]>{at.count}",
     )  # fmt: skip
@@ -126,6 +129,20 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
         formula = f"=({own}+{at.of_end(f'e{i}')})*{per}^{i}" if at.ends else f"={own}*{per}^{i}"
     return calc(f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, of(lambda piece: piece.c[i]), scale=sizes(i),
                 source=source)  # fmt: skip
+
+
+def derivative(rows: PieceRows, order: int, of: Column, sizes: Sizes) -> list[Quantity]:
+    """Return the coefficients of a derivative of the polynomial, from the lowest power: the block of that derivative."""
+    name, symbol = DERIVATIVES[order - 1]
+
+    def value(k: int) -> list[float]:
+        return of(lambda piece: perm(k + order, order) * piece.c[k + order])
+
+    return [
+        calc(f"{name}{k}", f"{NAMES[k]} of {symbol}", "", rows.at.unit(order), f"={perm(k + order, order)}*[c{k + order}]",
+             value(k), scale=sizes(order))
+        for k in range(rows.powers - order)
+    ]  # fmt: skip
 
 
 def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, Quantity, Quantity]:
