@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.drivetrain.losses import Method, loss_factor
+from engine.drivetrain.losses import NEAR, Method, loss_factor
 from engine.laws.base import Array, require_finite
 
 
@@ -18,18 +18,23 @@ from engine.laws.base import Array, require_finite
 class Stage:
     """A transmission: speed before it over speed behind it, and its efficiency.
 
-    Where it turns rotation into travel, ``ratio`` is in rad/m (lead screw: 2πP; roller: 1/R).
-    Raises ValueError unless the ratio is above 0 and the efficiency above 0 and at most 1.
+    Where it turns rotation into travel, ``ratio`` is in rad/m (lead screw: 2πP; roller: 1/R). ``back_efficiency`` is the
+    efficiency where the load drives, the same by default; at 0 or less the stage locks itself.
+    Raises ValueError unless the ratio is above 0, the efficiency above 0 and at most 1, and backward at most 1.
     """
 
     name: str
     ratio: float
     efficiency: float = 1.0
+    back_efficiency: float | None = None
 
     def __post_init__(self) -> None:
         require_positive(self.name, ratio=self.ratio)
         if not 0.0 < self.efficiency <= 1.0:
             raise ValueError(f"{self.name}: efficiency is {self.efficiency:g}; expected more than 0 and at most 1")
+        back = self.back_efficiency
+        if back is not None and not (math.isfinite(back) and back <= 1.0):
+            raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
 
     def before(self, behind: ArrayLike, direction: ArrayLike, method: Method = "physical") -> Array:
         """Return the torque (Nm) before the stage that drives one behind it (Nm, N of travel), f T/i.
@@ -37,7 +42,13 @@ class Stage:
         f is that of the rule of losses, in a direction of motion: 1, −1, or 0 at rest.
         """
         torque = np.asarray(behind, dtype=np.float64)
-        return loss_factor(torque, direction, self.efficiency, method) * torque / self.ratio
+        return self.factor(torque, direction, method) * torque / self.ratio
+
+    def factor(
+        self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR
+    ) -> Array:  # fmt: skip
+        """Return f of the rule of losses for a torque behind it: see :func:`engine.drivetrain.losses.loss_factor`."""
+        return loss_factor(torque, direction, self.efficiency, method, near, self.back_efficiency)
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ class Drive:
         For accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1), without the motor's own inertia.
         """
         found = self.mechanism.torques(acceleration, direction, self.method)
-        return [self._held(torque, direction) for torque in found]
+        return [self._held(found[0], direction), *found[1:]]
 
     def torque(self, acceleration: ArrayLike, direction: ArrayLike) -> Array:
         """Return the motor's torque (Nm) at accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1).

@@ -34,15 +34,35 @@ def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> N
 
 
 def loss_factor(
-    torque: ArrayLike, direction: ArrayLike, efficiency: float, method: Method = "physical", near: float = NEAR
-) -> Array:
-    """Return f, by which a stage multiplies the torque behind it: 1/η where power flows to the load, η where back.
+    torque: ArrayLike, direction: ArrayLike, efficiency: float, method: Method = "physical", near: float = NEAR,
+    back_efficiency: float | None = None,
+) -> Array:  # fmt: skip
+    """Return f, by which a stage multiplies the torque behind it.
 
-    With the document's method 1/η always. Source: S1, 'Feeding group', last equation, where f = 1; S4, problem 1,
-    where inertia and torque behind the screw are over η; S5, step 7.
+    1/η where power flows to the load and at rest; where the load drives, the efficiency backward, η where none is
+    given. A stage whose efficiency backward is 0 or less locks itself: it must be driven then, and at rest it holds the
+    load by itself, f = 0. With the document's method 1/η always.
+    Source: S1, 'Feeding group', last equation, where f = 1; S4, problem 1, where inertia and torque behind the screw
+    are over η; S5, step 7.
     """
-    back = gives_back(torque, direction, near) & (method == "physical")
-    return np.where(back, efficiency, 1.0 / efficiency)
+    if method == "document":
+        return np.full(np.broadcast(torque, direction).shape, 1.0 / efficiency)
+    back = efficiency if back_efficiency is None else back_efficiency
+    forward = np.where(np.asarray(direction) == 0.0, held_factor(efficiency, back), 1.0 / efficiency)
+    return np.where(gives_back(torque, direction, near), back, forward)
+
+
+def held_factor(efficiency: float, back_efficiency: float) -> float:
+    """Return f at rest: as if the motor drove; 0 of a stage that locks itself."""
+    return 0.0 if back_efficiency <= 0.0 else 1.0 / efficiency
+
+
+def of_friction(efficiency: float) -> float:
+    """Return the efficiency backward of a screw or worm whose losses are friction in its thread, 2 − 1/η.
+
+    Source: G. Niemann, Maschinenelemente I, screws: the friction torque is the same both ways.
+    """
+    return 2.0 - 1.0 / efficiency
 
 
 def require_method(method: str) -> None:

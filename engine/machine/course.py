@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drivetrain.losses import loss_factor
 from engine.laws.base import Array
 from engine.laws.ladder import Curve, root, zeros
 from engine.machine.searching import NOISE, crossed
@@ -31,7 +30,7 @@ class Stretch:
     """A part of a piece in which direction, process force and the way of power through every stage stay as they are.
 
     u runs from ``low`` to ``high``, from the piece's begin, in units of the motion; ``speed`` is that of the abscissa
-    (1/s). ``weights`` are those of each shaft from the motor's. At rest behind a brake they are 0.
+    (1/s). ``weights`` are those of each shaft from the motor's; 0 of the motor's where a brake holds it.
     """
 
     train: Train
@@ -289,15 +288,16 @@ class Course:
             middle = np.array([0.5 * (begin + end)])
             stage = self.train.drive.mechanism.stages[shaft - 1]
             behind = here.torque(middle, shaft)
-            factor = float(loss_factor(behind, going, stage.efficiency, self.train.method, 0.0)[0])
+            factor = float(stage.factor(behind, going, self.train.method, 0.0)[0])
             known = [*factors[: shaft - 1], factor, *factors[shaft:]]
             yield from self._through(piece, begin, end, going, force, known, shaft - 1)
 
     def _stretch(
         self, piece: MotionPiece, low: float, high: float, going: float, force: Force, factors: Sequence[float]
     ) -> Stretch:  # fmt: skip
-        braked = going == 0.0 and self.train.drive.holding == "brake"
-        weights = tuple(Weights(0.0, 0.0) if braked else one for one in self.train.weights(factors))
+        weights = tuple(self.train.weights(factors))
+        if going == 0.0 and self.train.drive.holding == "brake":  # on the motor's shaft: gears carry the load
+            weights = (Weights(0.0, 0.0), *weights[1:])
         return Stretch(self.train, piece, self.speed, low, high, going, force, weights)
 
 

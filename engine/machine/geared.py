@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drivetrain.chain import Mechanism, Stage
-from engine.drivetrain.losses import gives_back, loss_factor
+from engine.drivetrain.losses import gives_back
 from engine.laws.base import Array
 from engine.laws.ladder import zeros
 from engine.machine.course import Course, Span, position, trimmed
@@ -71,7 +71,8 @@ class Works(NamedTuple):
 class Lines(NamedTuple):
     """Every part at every rate, cut where a torque turns round: arrays of parts, rates, and what lies between cuts.
 
-    From ``low`` to ``high`` S = ``mass`` α + ``level``; ``back`` where it is driven by the load.
+    From ``low`` to ``high`` S = ``mass`` α + ``level``; ``back`` where it is driven by the load, ``held`` (1 or 0) where
+    it reaches the motor: no brake holds the motor's shaft.
     """
 
     low: Array
@@ -79,6 +80,7 @@ class Lines(NamedTuple):
     mass: Array
     level: Array
     back: NDArray[np.bool_]
+    held: Array
 
 
 class Moments(NamedTuple):
@@ -172,7 +174,7 @@ class Geared:
         mass, rest = self._chain(bent, going[..., None], level[..., None], 1)
         back = gives_back(mass * bent + rest, going[..., None], 0.0) & (self.course.train.method == "physical")
         held = (going[..., None] != 0.0) | (self.course.train.drive.holding != "brake")
-        return Lines(begin, end, held * mass / self.turns, held * rest, back)
+        return Lines(begin, end, mass / self.turns, rest, back, held + 0.0 * mass)
 
     def _chain(self, bent: Array, going: Array, level: Array, shaft: int) -> tuple[Array, Array]:
         """Return what drives a shaft at accelerations of the load, as a line over these: slope and level."""
@@ -180,7 +182,7 @@ class Geared:
         mass, rest = np.full(bent.shape, m.on_shaft(m.last)), level + 0.0 * bent
         for k in range(m.last - 1, shaft - 1, -1):
             stage = m.stages[k]
-            share = loss_factor(mass * bent + rest, going, stage.efficiency, method, 0.0) / stage.ratio
+            share = stage.factor(mass * bent + rest, going, method, 0.0) / stage.ratio
             mass, rest = share * mass + m.on_shaft(k) * m.ratio_from(k), share * rest
         return mass, rest
 
@@ -190,7 +192,7 @@ class Geared:
         lines = self.lines
         u = np.stack([lines.low, lines.high], axis=-1)
         alpha = self.turns * (self.speeds**2)[:, None, None] * self.rows.over(4).at(u, 2)
-        torque = lines.mass[..., None] * alpha + lines.level[..., None]
+        torque = (lines.mass[..., None] * alpha + lines.level[..., None]) * lines.held[..., None]
         back = np.broadcast_to(lines.back[..., None], u.shape)
         rates = len(self.speeds)
         alphas, torques = (np.moveaxis(one, 1, 0).reshape(rates, -1) for one in (alpha, torque))
@@ -198,8 +200,11 @@ class Geared:
 
     @property
     def behind(self) -> Array:
-        """The largest torque behind the stage at each rate (Nm)."""
-        return np.asarray(np.abs(self.points[1]).max(axis=1))
+        """The largest torque behind the stage at each rate (Nm): of a load at rest too, whoever holds the motor."""
+        lines = self.lines
+        u = np.stack([lines.low, lines.high], axis=-1)
+        alpha = self.turns * (self.speeds**2)[:, None, None] * self.rows.over(4).at(u, 2)
+        return np.asarray(np.abs(lines.mass[..., None] * alpha + lines.level[..., None]).max(axis=(0, 2, 3)))
 
     @cached_property
     def moments(self) -> Moments:
@@ -211,12 +216,12 @@ class Geared:
     def _moments(self, some: slice) -> Moments:
         """Return the integrals at some of the rates."""
         low, high, mass, level = (values[:, some, :, None] for values in self.lines[:4])
-        back = self.lines.back[:, some, :, None]
+        back, held = (values[:, some, :, None] for values in self.lines[4:])
         speed = self.speeds[some, None, None]
         grid, weights = rule(NODES)
         u, rows = low + (high - low) * grid, self.rows.over(4)
         alpha, way = self.turns * speed**2 * rows.at(u, 2), np.abs(rows.at(u, 1))
-        torque = mass * alpha + level
+        torque = (mass * alpha + level) * held
 
         def mean(values: Array) -> Array:
             over = (high - low)[..., 0] * (values @ weights)

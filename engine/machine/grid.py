@@ -1,7 +1,7 @@
 """Motors by reducers for a course: which pairs can do it within limits, and which of them suit it best. SI units.
 
-Torques are exact for every pair (:class:`engine.machine.geared.Geared`); S5's steps 5 to 7, whose table of pairs this
-is, take the motor as driving all the time.
+Torques are those of the points of a cycle (:mod:`engine.machine.point_load`); S5's steps 5 to 7, whose table of pairs
+this is, take the motor as driving all the time.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple, Protocol, get_args
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,10 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 from engine.choice.catalogue import Motors, Reducers
 from engine.choice.task import Task
 from engine.drivetrain import Motor
-from engine.drivetrain.losses import Method, gives_back
 from engine.laws.base import Array
-from engine.machine.course import Course
-from engine.machine.geared import Geared, Gears
+from engine.machine.geared import Gears
+from engine.machine.point_load import PointLoad
 
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
 RANKS: tuple[str, ...] = get_args(Rank)
@@ -39,28 +38,6 @@ class Wanted(NamedTuple):
     torque_factor: float
 
 
-class Points(NamedTuple):
-    """Both ends of the parts of a cycle, arrays of one length, at the shaft behind the reducer.
-
-    α (rad/s²), S (Nm) where it drives the load and where the load drives it (0 elsewhere), and the largest speed
-    (rad/s) of the part.
-    """
-
-    acceleration: Array
-    driving: Array
-    driven: Array
-    speed: Array
-
-
-def points(acceleration: Array, torque: Array, going: Array, speed: Array, method: Method = "physical") -> Points:
-    """Return them of torques in directions of motion, 1, −1 or 0: at rest a torque counts as driving.
-
-    By the document's method it always does.
-    """
-    back = gives_back(torque, going, 0.0) & (method == "physical")
-    return Points(acceleration, np.where(back, 0.0, torque), np.where(back, torque, 0.0), speed)
-
-
 class Curve(NamedTuple):
     """Peak torque (Nm), the speed (rad/s) up to which it holds, and its fall beyond (Nm s)."""
 
@@ -69,100 +46,12 @@ class Curve(NamedTuple):
     fall: float
 
 
-def reserve(points: Points, gears: tuple[float, float, float], curve: Curve, peak: float | None = None) -> float:
-    """Return what is left below a motor's curve at least (Nm), for J, i, η, and the peak torque if that is known.
-
-    The torque of each part at its ends with the part's largest speed: never more than what is left; just that where
-    the speed stays below the knee, or both are largest at one end.
-    """
-    inertia, ratio, eta = gears
-    turned = inertia * ratio * points.acceleration
-    torque = np.abs(turned + points.driving / (eta * ratio) + points.driven * eta / ratio)
-    beyond = curve.peak + curve.fall * curve.knee - float((torque + curve.fall * ratio * points.speed).max())
-    return min(curve.peak - (float(torque.max()) if peak is None else peak), beyond)
-
-
-class Squares(NamedTuple):
-    """⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ where S drives the load, and where the load drives it."""
-
-    own: float
-    mixed: float
-    mixed_back: float
-    behind: float
-    behind_back: float
-
-
-class Asked(Protocol):
-    """What a course asks for behind its first stage, for many motors and reducers; figures as of :class:`Behind`."""
-
-    @property
-    def squares(self) -> Squares:
-        """Means over the cycle."""
-
-    @property
-    def speed(self) -> float:
-        """Largest speed of the shaft (rad/s)."""
-
-    def speed_of_motor(self, ratio: float) -> float:
-        """Return the largest speed of a motor before a reducer (rad/s)."""
-
-    @property
-    def torque(self) -> float:
-        """Largest torque (Nm)."""
-
-    @property
-    def inertia(self) -> float:
-        """Inertia at the shaft (kg m²)."""
-
-    def rms(self, some: Gears) -> Array:
-        """Return the RMS torque of motors (Nm)."""
-
-    def peak(self, some: Gears) -> Array:
-        """Return the largest torque of motors (Nm)."""
-
-
-@dataclass(frozen=True)
-class Behind:
-    """What a course asks for behind its first stage, at its own speed."""
-
-    course: Course
-
-    @cached_property
-    def geared(self) -> Geared:
-        """The same for many motors."""
-        return Geared(self.course, np.array([self.course.speed]))
-
-    @property
-    def squares(self) -> Squares:
-        """Means over the cycle."""
-        return Squares(*(float(values[0]) for values in self.geared.moments[:5]))
-
-    @property
-    def speed(self) -> float:
-        """Largest speed of the shaft (rad/s)."""
-        return float(self.geared.speed(gears(1.0, 1.0, 1.0))[0])
-
-    def speed_of_motor(self, ratio: float) -> float:
-        """Return the largest speed of a motor before a reducer (rad/s)."""
-        return ratio * self.speed
-
-    @property
-    def torque(self) -> float:
-        """Largest torque (Nm)."""
-        return float(self.geared.behind[0])
-
-    @property
-    def inertia(self) -> float:
-        """Inertia at the shaft (kg m²)."""
-        return float(self.geared.inertia(np.ones(1))[0])
-
-    def rms(self, some: Gears) -> Array:
-        """Return the RMS torque of motors (Nm)."""
-        return self.geared.rms_torque(some)
-
-    def peak(self, some: Gears) -> Array:
-        """Return the largest torque of motors (Nm)."""
-        return self.geared.torques(some).peak
+def reserve(load: PointLoad, pair: tuple[float, float, float], curve: Curve) -> float:
+    """Return the least that is left below a motor's curve at the points (Nm), for J, i and η."""
+    torque = load.torques(gears(*pair))[0]
+    speed = pair[1] * load.points.speed
+    left = curve.peak - curve.fall * np.maximum(0.0, speed - curve.knee) - np.abs(torque)
+    return float(left.min())
 
 
 def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike) -> Gears:
@@ -188,7 +77,7 @@ def used(motor: Motor, speed: float, rms: float) -> Used:
 class Grid:
     """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²)."""
 
-    load: Asked
+    load: PointLoad
     motors: Motors
     reducers: Reducers
     beside: float
@@ -271,11 +160,19 @@ class Grid:
     @cached_property
     def verdicts(self) -> NDArray[np.str_]:
         """What each pair fails first, or that it is usable."""
-        m, share = self.motors, self.motors.rated_torque[:, None]
+        m = self.motors
         fails = (
             (np.broadcast_to(~self.fits, self.rms.shape), "reducer"),
             (self.speed > m.max_speed[:, None], "speed"),
             (self.peak > m.peak_torque[:, None], "peak"),
+        )
+        return np.select([one for one, _ in fails], [word for _, word in fails], self.wanted_verdicts)
+
+    @cached_property
+    def wanted_verdicts(self) -> NDArray[np.str_]:
+        """What each pair fails of margins and inertia ratio, or that it is usable."""
+        share = self.motors.rated_torque[:, None]
+        fails = (
             (self.rms * self.wanted.least_margin > share, "RMS"),
             (self.rms * self.wanted.greatest_margin < share, "large"),
             (self.inertia_ratio > self.wanted.inertia_ratio, "inertia"),

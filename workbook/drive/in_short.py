@@ -16,12 +16,12 @@ NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
 
 
 class Highest(NamedTuple):
-    """The highest rate (cycles/min) at which a drive holds all limits, and the limit that binds there.
+    """The highest rate (cycles/min) at which a drive holds all limits, or a word, and the limit that binds there.
 
     ``own`` is the rate that it is sized at, if not the machine's.
     """
 
-    rate: float
+    rate: float | str
     limit: str
     own: float | None = None
 
@@ -107,6 +107,6 @@ def highest_rates(axes: Sequence[InShort]) -> list[Quantity]:
         result("sized", "sized at", "n", "cycles/min", own, [MACHINES if at is None else at for *_, at in values],
                align="right"),
         result("highest", "highest rate", "n", "cycles/min", cells[0], [rate for rate, *_ in values], format="0.0",
-               align="right", source="at which it holds all limits"),
-        result("binds", "limit that binds there", "", "", cells[1], [limit for _, limit, _ in values], align="right"),
+               align="right", source="at which it holds all limits; about"),
+        result("binds", "limiting factor", "", "", cells[1], [limit for _, limit, _ in values], align="right"),
     ]  # fmt: skip

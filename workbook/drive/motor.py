@@ -70,16 +70,16 @@ def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
     )  # fmt: skip
 
 
-def plane(cycle: str, symbol: str) -> Chart:
-    """Return the chart of torque against speed, from the table ``cycle``, and the RMS point, within the limits."""
+def plane(speed: str, torque: str) -> Chart:
+    """Return the chart of torque against speed, from these columns, and the RMS point, within the limits."""
     lines = (
-        Series("cycle", f"[{cycle}.rpm]", f"[{cycle}.torque]"),
+        Series("cycle", speed, torque),
         Series("RMS point", "[@point.rpm]", "[@point.torque]", points=True, marker="diamond", color=RMS_POINT),
         Series("peak torque and speed", "[@limits.rpm]", "[@limits.peak]", dashed=True, color=PEAK),
         Series("rated torque", "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
     )
     return Chart(
-        "Torque against speed of the motor", "motor speed n_m [rpm]", f"motor torque {symbol} [Nm]", lines,
+        "Torque against speed of the motor", "motor speed n_m [rpm]", "motor torque T [Nm]", lines,
         "Speed and torque of the motor over one cycle, and its RMS torque at its mean speed: the point that has to lie "
         "within the continuous limit, the cycle within the peak limit",
     )  # fmt: skip

@@ -25,7 +25,7 @@ SIZES = {"lead screw": (50, 200), "conveyor": (0.05, 0.3), "rack and pinion": (0
 LINKAGES = {
     "crank-slider": (lambda: crank_slider(0.05, 0.2, 0.02), 0.02, 0.06),
     "rocker": (lambda: rocker(0.1, 0.15, 0.1, 1.6), -0.05, 0.05),
-    "table": (lambda: PositionTable([(0.4 * k, 0.01 * k + 0.004 * np.sin(k)) for k in range(10)]), 0.005, 0.07),
+    "table": (lambda: PositionTable([(k / 9, 0.05 - 0.05 * np.cos(0.2 + k / 9)) for k in range(25)]), 0.005, 0.09),
 }
 RISING = [law for entry in ENTRIES for law in entry.examples if abs(law.end.s - 1) < 1e-9]
 LAWS = [law for law in RISING if abs(law.start.v) + abs(law.end.v) < 1e-9]

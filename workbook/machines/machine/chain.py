@@ -33,6 +33,8 @@ LARGE: dict[str, dict[str, Any]] = {
 TURNING = ("rotary table", "gear train")
 BELTED = ("conveyor", "belt")
 """mechanisms of which a belt moves with the load"""
+SCREWS = ("lead screw",)
+"""mechanisms whose losses are friction in a thread"""
 TABLE = "table"
 EITHER = (TABLE,)
 """mechanisms of axes that travel, and of those that turn"""
@@ -71,6 +73,11 @@ class MechanismEntry(Model):
     kind: Kind = Field(description="What turns the motor's motion into the axis'")
     size: Positive  # 1 where the axis turns with it, or other entries tell its size
     efficiency: Efficiency
+    back_efficiency: Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)] | None = Field(
+        default=None,
+        description="Efficiency where the load drives it; 0 or less: it locks itself. If empty, 2 - 1/efficiency of a "
+        "screw, and the efficiency of all else",
+    )
     method: Literal["physical", "document"] = Field(
         default="physical",
         description="Losses: by the flow of power through each stage, or over the efficiency always, as S4 has it",

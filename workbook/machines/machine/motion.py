@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from engine.machine.pace import PARTS, SHARES
 from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
@@ -72,7 +71,7 @@ class AxisRows:
         )  # fmt: skip
 
 
-def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
+def pieces_sheet(book: Book, axes: list[AxisRows], apart: bool) -> None:
     """Declare the sheet of the motions as pieces."""
     sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
     sheet.unprinted = True
@@ -88,11 +87,9 @@ def pieces_sheet(book: Book, axes: list[AxisRows], driven: bool) -> None:
                      *columns, taken=taken)  # fmt: skip
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     ends_tables(sheet, [(f"axis {one.axis.number}", one.ends) for one in axes if one.ends])
-    if driven and not any(one.ends for one in axes):
-        sheet.heading("Grid and rule", "What drives find crossings and integrals with.")
+    if apart and not any(one.ends for one in axes):
+        sheet.heading("Grid and rule", "What clearances find crossings with.")
         grids(sheet)
-    if driven:
-        sheet.table("fine", "Parts of a stretch", PARTS, constant("at", "share", "", "", SHARES.tolist()))
     sheet.print_columns = 20
 
 

@@ -3,50 +3,46 @@
 from __future__ import annotations
 
 from engine.machine.bus import together
+from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import total
-from workbook.book.sentence import Said
+from workbook.book.sentence import amount
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.units import KW, shown
-from workbook.machines.machine.bus_table import breaks_table, bus_table, lines_chart
-from workbook.machines.machine.bussed import Bus
-from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.machines.machine.mains import Mains
 
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 TOGETHER = "Drives use what others give back; what is left goes into one resistor."
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
-ROOM = "more places where power may jump than this sheet has rows for; build it with larger sizes.motion_pieces"
+FINE = 0.05
+"""of the peak: by more the samples must not miss the drives' peaks"""
 CHART_COLUMN = 10
 
 
-def supply(bus: Bus) -> list[Quantity]:
+def supply(bus: Mains) -> list[Quantity]:
     """Return what the first sheet tells of all drives: those at a rate of their own are beside the bus."""
     if not bus.drives:
         return []
     hours, beside = bus.entered.hours, "SUMPRODUCT((1-[power.bus])*[power.{}])"
-    peak = sum([bus.mains_peak, *(one.mains for one in bus.of(bus.most, shared=False))])
-    means = together([bus.common, *bus.of(bus.each, shared=False)])
+    alone = 1.0 - bus.on_bus
+    peak = bus.peak + float(alone @ [one.mains for one in bus.most])
+    others = [one for one, is_alone in zip(bus.each, alone, strict=True) if is_alone]
+    size = shown(bus.size, KW)
     return [
         result("about_peak", "Peak power from the mains", "P_max", "kW", f"=bus_mains_peak+{beside.format('peak')}",
-               shown(peak, KW), scale=common_floor(bus), source="on a common DC bus"),
+               shown(peak, KW), scale=size, source="on a common DC bus"),
+        result("about_peak_off", "… may be higher by", "", "kW", "=bus_off+0", shown(float(bus.off.sum()), KW),
+               scale=size, source="what the samples miss of the drives' peaks"),
         result("about_bus_year", "Energy a year", "E", "kWh", f"=bus_year+{beside.format('mains')}*power_hours",
-               shown(means.energy_a_year(hours), KWH), scale=common_floor(bus), source="on a common DC bus"),
+               shown(together([bus.common, *others]).energy_a_year(hours), KWH), scale=size,
+               source="on a common DC bus"),
         result("about_year", "… each drive alone", "E", "kWh", "=power_year",
-               shown(bus.alone.energy_a_year(hours), KWH), scale=floor_of(bus)),
+               shown(bus.alone.energy_a_year(hours), KWH), scale=size),
     ]  # fmt: skip
 
 
-def floor_of(bus: Bus) -> float:
-    """Return the size of power below which its rounding is nothing (kW)."""
-    return shown(max(1e-3, *(one.driven.scales.power for one in bus.drives)), KW)
-
-
-def common_floor(bus: Bus) -> float:
-    """Return that size on a common bus (kW)."""
-    return max(shown(bus.size, KW), floor_of(bus))
-
-
-def power_sheet(book: Book, bus: Bus) -> None:
+def power_sheet(book: Book, bus: Mains) -> None:
     """Declare the sheet, where there are drives."""
     if not bus.drives:
         return
@@ -59,99 +55,144 @@ def power_sheet(book: Book, bus: Bus) -> None:
         given("power_hours", "Hours of running a year", "", "h", entered.hours, "power.hours", format="0.##"),
     )  # fmt: skip
     sheet.heading("Results: each drive alone")
-    sheet.rows(*totals(bus, floor_of(bus)))
+    sheet.rows(*totals(bus))
     sheet.heading("Results: on a common DC bus", TOGETHER)
     sheet.note(APART.format(bus.over.period))
-    sheet.rows(*common(bus, common_floor(bus)))
-    sheet.checks(check("power_room", "Power: rows for all places",
-                       "MAX([bus.e])>=360-timing_eps", bus.lines.enough, says=Said(f'"{ROOM}"', ROOM)))  # fmt: skip
+    sheet.rows(*common(bus))
+    missed = float(bus.off.sum())
+    sheet.checks(check("bus_fine", "Power: the samples tell the peak of the bus to 5 %",
+                       f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)",
+                       missed <= FINE * max(bus.peak, bus.burnt_peak), "it may be higher by less",
+                       says=amount("bus_off", shown(missed, KW), "it may be higher by ",
+                                   " kW: build the book with more samples, sizes.cycle")))  # fmt: skip
     sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)
     sheet.row += 1
-    drives_table(sheet, bus, floor_of(bus))
+    drives_table(sheet, bus)
     sheet.not_printed_below()
     sheet.print_columns = 18
-    breaks_table(sheet, bus)
     bus_table(sheet, bus)
 
 
-def totals(bus: Bus, floor: float) -> list[Quantity]:
+def totals(bus: Mains) -> list[Quantity]:
     """Return the results of drives that share no bus."""
-    whole = bus.alone
+    whole, size = bus.alone, shown(bus.size, KW)
     return [
         result("power_mains", "Mean power from the mains", "P", "kW", f"={total('power.mains')}",
-               shown(whole.mains, KW), scale=floor, source="exact, without a common DC bus"),
+               shown(whole.mains, KW), scale=size, source="from the points, without a common DC bus"),
         result("power_resistors", "Mean power in the brake resistors", "", "kW", f"={total('power.resistor')}",
-               shown(whole.resistor, KW), scale=floor),
+               shown(whole.resistor, KW), scale=size),
         result("power_year", "Energy a year", "E", "kWh", "=power_mains*power_hours",
-               shown(whole.energy_a_year(bus.entered.hours), KWH), scale=floor),
+               shown(whole.energy_a_year(bus.entered.hours), KWH), scale=size),
         result("power_least", "Mean power from the mains if all that comes back is used", "", "kW",
-               "=MAX(0,power_mains-power_resistors)", shown(whole.least, KW), scale=floor,
+               "=MAX(0,power_mains-power_resistors)", shown(whole.least, KW), scale=size,
                source="no bus can do better"),
     ]  # fmt: skip
 
 
-def common(bus: Bus, size: float) -> list[Quantity]:
-    """Return the results of drives on a common bus, and by how much they are off at most."""
-    found, lines = bus.common, bus.lines
-    net = together(bus.of(bus.each, shared=True))
-    resistor = max(0.0, -float(lines.common.min()))
-    own = "SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))"
+def common(bus: Mains) -> list[Quantity]:
+    """Return the results of drives on a common bus, and how far they may be off."""
+    found, size = bus.common, shown(bus.size, KW)
+    one = "SUMPRODUCT([power.bus]*[power.mains])"
+    sampled = "SUMPRODUCT([bus.w],[bus.sum],([bus.sum]>0)*1)"
     return [
         result("bus_alone", "Peak power from the mains without the bus", "", "kW",
-               "=MAX(MAX([bus.alone]),MAX([bus.alone_e]))", shown(float(lines.alone.max()), KW), scale=size),
+               "=MAX(MAX([bus.alone]),SUMPRODUCT(MAX([power.bus]*[power.peak])))", shown(bus.apart_peak, KW), scale=size),
         result("bus_mains_peak", "Peak power from the mains", "P_max", "kW",
-               "=MAX(0,MAX([bus.sum]),MAX([bus.sum_e]))", shown(bus.mains_peak, KW), scale=size),
-        result("bus_mains", "Mean power from the mains", "P", "kW", f"={total('bus.above')}/360",
-               shown(found.mains, KW), scale=size),
+               "=MAX(0,MAX([bus.sum]),MAX([power.proves]))", shown(bus.peak, KW), scale=size,
+               source="of the samples, and what one drive's peak proves"),
+        calc("bus_net", "Mean power used up on the way", "", "kW",
+             "=SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))", shown(bus.net, KW), scale=size,
+             source="from the points"),
+        result("bus_mains", "Mean power from the mains", "P", "kW",
+               f"=IF(SUM([power.bus])=1,{one},MAX(0,bus_net,{sampled}))", shown(found.mains, KW), scale=size,
+               source="of one drive from its points, of more from the samples"),
         result("bus_resistor_peak", "Peak power in the brake resistor", "", "kW",
-               "=MAX(0,0-MIN([bus.sum]),0-MIN([bus.sum_e]))", shown(resistor, KW), scale=size),
-        result("bus_resistor", "Mean power in the brake resistor", "", "kW",
-               "=bus_mains-SUMPRODUCT(([bus.e]-[bus.b])*[bus.on],([bus.sum]+[bus.sum_e])/2)/360",
-               shown(found.resistor, KW),
-               scale=size),
+               "=MAX(0,0-MIN([bus.sum]),MAX([power.burns]))", shown(bus.burnt_peak, KW), scale=size),
+        result("bus_resistor", "Mean power in the brake resistor", "", "kW", "=bus_mains-bus_net",
+               shown(found.resistor, KW), scale=size, source="mains less what is used up"),
         result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours",
                shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, source="of these drives"),
-        result("bus_off", "None of these is off by more than", "", "kW", f"={total('power.off')}",
-               shown(sum(map(bus.off, bus.drives)), KW), scale=size,
-               source="Σ |P''| δ²/8 + |ΔP'| δ/4: straight lines between places"),
-        calc("bus_net_off", "Their means are off by", "", "kW",
-             f"=ABS(bus_mains-bus_resistor-{own})", shown(abs(found.net - net.net), KW), scale=size,
-             source="mains less resistor, beside the exact one"),
-        constant("bus_step", "Places of the sum are apart by", "δ", "°", bus.step, source="or less, at every jump"),
+        result("bus_off", "The peaks may be higher by", "", "kW", f"={total('power.off')}",
+               shown(float(bus.off.sum()), KW), scale=size, source="what the samples miss of the drives' peaks"),
+        calc("bus_net_off", "Error of the mean power of the samples", "", "kW",
+             "=ABS(SUMPRODUCT([bus.w],[bus.sum])-bus_net)", shown(bus.net_off, KW), scale=size,
+             source="beside that of the points"),
     ]  # fmt: skip
 
 
-def drives_table(sheet: Sheet, bus: Bus, floor: float) -> None:
-    """Declare a row for each drive: its energy, mean and peak powers, and what it adds to the error of the sum."""
-    drives, each = bus.drives, bus.each
+def drives_table(sheet: Sheet, bus: Mains) -> None:
+    """Declare a row for each drive: its energy, mean and peak powers, and what its peak proves of the bus."""
+    drives, each, size = bus.drives, bus.each, shown(bus.size, KW)
     driven = [one.driven for one in drives]
     scopes = [f"drive{one.number}_" for one in driven]
-    scale, peak = max(one.scales.work for one in driven), shown(max(one.most_power for one in drives), KW)
-    energies = [one.demand.energy for one in driven]
-    tables = ["sec" if isinstance(one, PlacedWork) else "st" for one in drives]
-
+    work = max(one.scales.work for one in drives)
+    burnt = "(SUMPRODUCT([power.bus]*[power.burnt])-[bus]*[burnt])"
+    taken = "(SUMPRODUCT([power.bus]*[power.peak])-[bus]*[peak])"
+    proves, burns = bus.proved
     sheet.table(
         "power", "Drives", len(drives),
         constant("k", "number of the axis", "k", "", [one.number for one in driven]),
         calc("axis", "axis", "", "", [f"=[axes.name.{one.number}]" for one in driven],
              [one.entered.name for one in driven], align="left"),
         calc("time", "cycle", "t_c", "s", [f"=60/{scope}rate" for scope in scopes],
-             [one.demand.course.time for one in driven]),
+             [one.course.time for one in driven]),
         calc("driving", "its motor drives with", "E", "J", [f"={scope}energy+0" for scope in scopes],
-             [one.driving for one in energies], scale=scale),
+             [one.energy[0] for one in drives], scale=work),
         calc("returned", "comes back to it", "", "J", [f"={scope}returned+0" for scope in scopes],
-             [one.regenerated for one in energies], scale=scale),
+             [one.energy[1] for one in drives], scale=work),
         result("mains", "mean power from the mains", "P", "kW", "=[driving]/power_efficiency/[time]/1000",
-               [shown(one.mains, KW) for one in each], scale=floor),
+               [shown(one.mains, KW) for one in each], scale=size),
         result("peak", "peak", "P_max", "kW", [f"={scope}pmax/power_efficiency" for scope in scopes],
-               [shown(one.mains, KW) for one in bus.most], scale=peak, source="exact"),
+               [shown(one.mains, KW) for one in bus.most], scale=size),
         result("resistor", "mean power in its resistor", "", "kW", "=[returned]*power_efficiency/[time]/1000",
-               [shown(one.resistor, KW) for one in each], scale=floor),
+               [shown(one.resistor, KW) for one in each], scale=size),
         result("burnt", "peak", "", "kW", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
-               [shown(one.resistor, KW) for one in bus.most], scale=peak, source="exact"),
+               [shown(one.resistor, KW) for one in bus.most], scale=size),
         calc("bus", "on the common bus", "", "", [f'=IF({scope}own_rate="",1,0)' for scope in scopes],
              [int(bus.shares(one)) for one in drives], format="0", source="1: yes"),
-        calc("off", "its lines are off by at most", "", "kW",
-             [f"=[bus]*MAX([{scope}{table}.off])" for scope, table in zip(scopes, tables, strict=True)],
-             [shown(bus.off(one), KW) for one in drives], scale=shown(bus.size, KW)),
+        calc("proves", "the bus takes at least", "", "kW", f"=[bus]*([peak]-{burnt})", shown(proves, KW).tolist(),
+             scale=size, source="its peak less what others give back at most"),
+        calc("burns", "the bus burns at least", "", "kW", f"=[bus]*([burnt]-{taken})", shown(burns, KW).tolist(),
+             scale=size),
+        calc("off", "the samples miss", "", "kW",
+             [f"=[bus]*MAX([peak]-MAX([bus.d{one.number}]),[burnt]+MIN([bus.d{one.number}]))" for one in driven],
+             shown(bus.off, KW).tolist(), scale=size, source="of its peaks"),
     )  # fmt: skip
+
+
+def bus_table(sheet: Sheet, bus: Mains) -> None:
+    """Declare the power of the bus at the samples of the cycle: each drive's, and their sum."""
+    machine, size = bus.drives[0].one.machine, shown(bus.size, KW)
+    over, rows = bus.over, len(machine.angles)
+    loss = "({p}*(1/power_efficiency+power_efficiency)+ABS({p})*(1/power_efficiency-power_efficiency))/2"
+    columns = [f"d{one.driven.number}" for one in bus.drives]
+
+    def drawn(row: int, number: int) -> str:
+        return f"=[power.bus.{row}]*{loss.format(p=f'INDEX([drive{number}_cycle.power],[k]+1)')}"
+
+    time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle.time],[k]+1)", machine.times,
+                format=over.format) if over.measured else \
+        calc("theta", over.angle, "θ", "°", "=INDEX([cycle.theta],[k]+1)", machine.angles, format="0.0##")  # fmt: skip
+    sheet.heading("Power over the cycle")
+    sheet.table(
+        "bus", "The common DC bus at the samples of the cycle", rows,
+        time,
+        result("sum", "on a common bus", "P", "kW", f"=SUM([{columns[0]}:{columns[-1]}])", shown(bus.sum, KW), scale=size),
+        result("alone", "each drive alone, from the mains", "P", "kW",
+               f"=SUMPRODUCT([{columns[0]}:{columns[-1]}],([{columns[0]}:{columns[-1]}]>0)*1)", shown(bus.apart, KW),
+               scale=size),
+        constant("k", "sample", "k", "", list(range(rows))),
+        constant("w", "counts", "", "", bus.weights.tolist()),
+        *(calc(name, f"axis {one.driven.number}: draws", "P", "kW", drawn(row, one.driven.number),
+               shown(bus.drawn[row - 1], KW), scale=size, source="P/η, or η P that comes back")
+          for row, (name, one) in enumerate(zip(columns, bus.drives, strict=True), 1)),
+    )  # fmt: skip
+
+
+def lines_chart(over: Abscissa) -> Chart:
+    """Return the chart of the power over the cycle."""
+    x = "[bus.time]" if over.measured else "[bus.theta]"
+    lines = (Series("on a common bus", x, "[bus.sum]"),
+             Series("each drive alone, from the mains", x, "[bus.alone]", dashed=True))  # fmt: skip
+    return Chart(f"Power over the {over.period}", over.title, "P [kW]", lines,
+                 f"Power from the mains over {over.cycle}", over.axis(60))  # fmt: skip

@@ -11,14 +11,13 @@ import numpy as np
 from engine.timing import at_rate
 from workbook.book.declare import Book, calc, constant
 from workbook.entries.titles import sheet_title
-from workbook.machines.machine.driven import Driven
-from workbook.machines.machine.stretched import Stretched
+from workbook.machines.machine.drive.view import DriveView
 
 NONE = "-"
 LOSSY = "/@i/(@eta1*@eta2)"
 INERTIA = f"(@j0-@jm+@j1/@i1^2/@eta1+@m/@i{LOSSY})"
 RESISTS = f"(@rub+@steady){LOSSY}"
-ACCELERATES = f"(@jm+{INERTIA})*@i*@hard"
+ACCELERATES = f"(@jm+{INERTIA})*@i*@amax"
 
 
 class Printed(NamedTuple):
@@ -48,7 +47,7 @@ FIGURES = (
     Printed("Largest speed of the load", "m/s", "@vmax*timing_omega*@faster", 0.048, 0.0185, (0.048, 0.01851852)),
     Printed("Largest speed of the motor", "rad/s", "@speed*PI()/30", "48π", 6.173, (150.7964, 6.172840),
             "printed “48 A = π”, which reads 48π"),
-    Printed("Largest acceleration of the motor", "rad/s²", "@i*@hard", "1460.4π", 2.058, (4523.893, 2.057613),
+    Printed("Largest acceleration of the motor", "rad/s²", "@i*@amax", "1460.4π", 2.058, (4523.893, 2.057613),
             "1460.4π comes from 0.2/6 s rounded to 0.033 s; exactly 1440π"),
     Printed("Torque accelerating", "Nm", f"{RESISTS}+{ACCELERATES}", 0.103, 1.5343, (0.1021457, 1.536194),
             "follows the rounded acceleration"),
@@ -62,15 +61,16 @@ FIGURES = (
 )  # fmt: skip
 
 
-def printed_sheets(book: Book, drives: Iterable[Stretched]) -> None:
+def printed_sheets(book: Book, drives: Iterable[DriveView]) -> None:
     """Declare the sheet of each axis that asks for it."""
     for view in drives:
         if view.driven.entered.printed:
-            printed_sheet(book, view.driven)
+            printed_sheet(book, view)
 
 
-def printed_sheet(book: Book, driven: Driven) -> None:
+def printed_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet of one axis."""
+    driven = view.driven
     title = sheet_title(str(driven.entered.printed), [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, "The figures that the document prints, its misprints, and this book's.")
     sheet.heading(
@@ -83,8 +83,8 @@ def printed_sheet(book: Book, driven: Driven) -> None:
             "@printed", "Figures of S4: problem 1, the lead screw, and problem 2, the conveyor", len(FIGURES),
             constant("what", "figure", "", "", [f.what for f in FIGURES], align="left"),
             constant("unit", "unit", "", "", [f.unit or NONE for f in FIGURES]),
-            calc("here", "this book", "", "", [f"={f.formula}+0" for f in FIGURES], values(driven),
-                 format="[<0.001]0.0000E+00;0.00000", scale=driven.sizes.torque),
+            calc("here", "this book", "", "", [f"={f.formula}+0" for f in FIGURES], values(view),
+                 format="[<0.001]0.0000E+00;0.00000", scale=view.scales.torque),
             constant("screw", "lead screw, printed", "", "", [f.screw for f in FIGURES], format="General"),
             constant("screw_exact", "lead screw, exact", "", "", [f.exact[0] for f in FIGURES], format="General"),
             constant("conveyor", "conveyor, printed", "", "", [f.conveyor for f in FIGURES], format="General"),
@@ -94,14 +94,15 @@ def printed_sheet(book: Book, driven: Driven) -> None:
     sheet.print_columns = 15
 
 
-def values(driven: Driven) -> list[float]:
+def values(view: DriveView) -> list[float]:
     """Return the engine's figures in the order of the table."""
+    driven = view.driven
     m, drive = driven.mechanism, replace(driven.drive, method="document")
     hardest = driven.axis.hardest
     accelerating, uniform, decelerating = (float(drive.torque(a, 1.0)) for a in (hardest, 0.0, -hardest))
     return [
         m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
         m.driving(m.load.friction), m.driving(m.load.torque), m.driving(float(m.load.resisting(1.0))),
-        float(at_rate(driven.fastest, np.array(driven.axis.speed), 1)), driven.demand.speed.peak,
-        float(m.turning(0, hardest)), accelerating, uniform, decelerating, driven.demand.rms_torque, driven.left,
+        float(at_rate(driven.fastest, np.array(driven.axis.speed), 1)), view.speed,
+        float(m.turning(0, hardest)), accelerating, uniform, decelerating, view.points.rms_torque, driven.left,
     ]  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from engine.machine.bus import Means, together
-from engine.machine.pace import first_lowest
+from engine.machine.geared import constant
 from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of, turn_time
 from workbook.entries.units import KW, PER_MINUTE, shown, si
@@ -19,7 +19,7 @@ from workbook.laws.library import laws, named
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.linked.driven import PlacedDriven, driven_of
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told
@@ -92,8 +92,7 @@ class Rows:
 
 def drive_of(axis: MovingAxis, rows: Rows, columns: Mapping[str, Column]) -> Studied:
     """Return the drive of an axis with many motors and reducers, at many rates."""
-    placed = isinstance(driven_of(axis, rows.machine.selection), PlacedDriven)
-    kind = EachStudied if placed else Studied
+    kind = Studied if constant(Driven(axis, rows.machine.selection).course) else EachStudied
     return kind(axis, rows.machine, columns, partial(rows.of, axis.number))
 
 
@@ -176,7 +175,7 @@ def binding(drives: list[Studied]) -> Any:
     """Return the axis and the limit that bind there."""
     rates = np.array(np.broadcast_arrays(*(one.highest for one in drives)))
     words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.binds], dtype=object) for one in drives]
-    return np.choose(first_lowest(rates), np.broadcast_arrays(*words))
+    return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
 
 SCALING = Scaling(part, results)

@@ -16,13 +16,10 @@ from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
 from workbook.entries.units import KG_CM2, KW, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.view import DriveView, settled_highest, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
-from workbook.machines.machine.linked.changing import over_motion
-from workbook.machines.machine.linked.driven import driven_of
 from workbook.machines.machine.motion import AxisRows
-from workbook.machines.machine.pacing import rate_of
-from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -69,7 +66,7 @@ class Studied:
     @cached_property
     def driven(self) -> Driven:
         """The drive as it is entered."""
-        return driven_of(self.axis, self.products)
+        return Driven(self.axis, self.products)
 
     @cached_property
     def geared(self) -> Geared:
@@ -164,7 +161,7 @@ class Studied:
         given = changed(given, "reducer", self.reducer_key, self.reducers.values[reducer])
         at = self.rates.values[rate]
         given = given if given.rate is None else given.model_copy(update={"rate": at})
-        return driven_of(MovingAxis(given, axis.number, axis.library, speed_of(at)), self.products)
+        return Driven(MovingAxis(given, axis.number, axis.library, speed_of(at)), self.products)
 
     @cached_property
     def drives(self) -> dict[tuple[int, int, int], Driven]:
@@ -178,17 +175,20 @@ class Studied:
 
     @cached_property
     def highest_each(self) -> dict[tuple[int, int, int], Highest]:
-        """The highest rate of each drive, and the limit that binds there."""
-        return {one: rate_of(view) for one, view in self.views.items()}
+        """The highest rate of each drive, entered and read again until it stays, and the limit that binds there."""
+        return {one: settled_highest(view) for one, view in self.views.items()}
 
     @cached_property
-    def views(self) -> dict[tuple[int, int, int], Stretched]:
-        """The drive of each design over the stretches of its motion."""
-        rows = self.rows()
-        return {one: over_motion(rows, drive) for one, drive in self.drives.items()}
+    def views(self) -> dict[tuple[int, int, int], DriveView]:
+        """The drive of each design at the points of its motion: those at one rate share their load."""
+        rows, loads, found = self.rows(), {}, {}
+        for one, drive in self.drives.items():
+            base = loads.setdefault(one[2], DriveView(rows, drive))
+            found[one] = with_motor(base, drive)
+        return found
 
-    def viewed(self, figure: Callable[[Stretched], Any]) -> Array:
-        """Return a figure of each design's drive over these."""
+    def viewed(self, figure: Callable[[DriveView], Any]) -> Array:
+        """Return a figure of each design's drive at these points."""
         found = {one: figure(view) for one, view in self.views.items()}
         return np.array([found[one] for one in self.designs])
 
@@ -233,7 +233,7 @@ class Studied:
             "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
             "ok_peak": lambda: told(self.torques.peak <= motor("peak_torque")),
             "ok_speed": lambda: told(self.speed <= motor("max_speed")),
-            "ok_curve": lambda: told(self.viewed(lambda view: view.below_curve)),
+            "ok_curve": lambda: told(self.viewed(below_curve)),
             "ok_reducer_peak": lambda: self.within("peak_torque", self.behind),
             "ok_reducer_mean": lambda: self.within("mean_torque", self.mean_behind),
             "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
@@ -259,7 +259,7 @@ class EachStudied(Studied):
     @property
     def at_motor(self) -> Array:
         """Largest inertia at the motor over the cycle, without it (kg m²)."""
-        return self.each(lambda drive: drive.inertia)
+        return self.viewed(lambda view: view.inertia)
 
     @cached_property
     def torques(self) -> Torques:
@@ -291,12 +291,17 @@ class EachStudied(Studied):
     @cached_property
     def behind(self) -> Any:
         """Largest torques behind the reducers (Nm)."""
-        return self.each(lambda drive: drive.reducer_checks[0].value)
+        return self.each(lambda drive: drive.demand.shaft_torque(1).peak)
 
     @cached_property
     def mean_behind(self) -> Any:
         """Mean torques behind the reducers (Nm)."""
-        return self.each(lambda drive: drive.reducer_checks[1].value)
+        return self.each(lambda drive: drive.demand.mean_shaft_torque(1))
+
+
+def below_curve(view: DriveView) -> bool:
+    """Return whether a motor's torque stays below its curve; of a curve that the book does not know it does not."""
+    return view.spare >= 0.0 if view.knows_falling else not view.driven.catalogued_falling.fall
 
 
 def figures(

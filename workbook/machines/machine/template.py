@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-import numpy as np
-
-from engine.machine.pace import first_lowest
 from engine.timing import turn_time
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
@@ -17,24 +14,21 @@ from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
-from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheet, exportable
-from workbook.machines.machine.drive import drive_sheet
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.sheet import drive_sheet
+from workbook.machines.machine.drive.points import asks
+from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.judged import judge_axes
-from workbook.machines.machine.linked.changing import over_motion
-from workbook.machines.machine.linked.driven import driven_of
-from workbook.machines.machine.linked.sheet import placed_sheet
-from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.machines.machine.mains import Mains
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
-from workbook.machines.machine.pacing import rate_of
 from workbook.machines.machine.power import power_sheet, supply
 from workbook.machines.machine.printed import printed_sheets
 from workbook.machines.machine.selecting.sheet import selection_sheet
-from workbook.machines.machine.stretched import Stretched
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timed import TimedMachine, told_in_seconds
@@ -51,9 +45,9 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {one.axis.number: over_motion(one, driven_of(one.axis, given.selection))
+    drives = {one.axis.number: DriveView(one, Driven(one.axis, given.selection))
               for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
-    bus = Bus(list(drives.values()), given.power)
+    bus = Mains(list(drives.values()), given.power)
     sheet = summary_sheet(
         book,
         given,
@@ -72,11 +66,9 @@ def declare(given: AnyMachine) -> Book:
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
     for one in rows:
-        view = drives.get(one.axis.number)
-        if isinstance(view, PlacedWork):
-            placed_sheet(book, view)
-        elif view:
+        if view := drives.get(one.axis.number):
             drive_sheet(book, view)
+            name_points(book, view)
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
     clearances_sheet(book, apart)
     power_sheet(book, bus)
@@ -85,7 +77,7 @@ def declare(given: AnyMachine) -> Book:
     printed_sheets(book, drives.values())
     shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     cycle_sheet(book, machine, rows)
-    pieces_sheet(book, rows, bool(drives or apart))
+    pieces_sheet(book, rows, bool(apart))
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, "Machine", ("S1", "S3", "S4"))
@@ -102,45 +94,52 @@ def pace(machine: Whole) -> list[Quantity]:
     ]
 
 
-def in_short(axis: MovingAxis, view: Stretched | None) -> InShort:
+def in_short(axis: MovingAxis, view: DriveView | None) -> InShort:
     """Return what the first sheet tells of an axis, and of its drive if it has one."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
     if view is None:
         return found
     name, driven = axis.given.motor.name if axis.given.motor else "", view.driven
-    return found._replace(reserve=driven.reserve, scope=f"drive{axis.number}_", motor=name,
-                          ratio=driven.reducer.ratio, highest=rate_of(view))  # fmt: skip
+    return found._replace(reserve=view.reserve, scope=f"drive{axis.number}_", motor=name,
+                          ratio=driven.reducer.ratio, highest=view.highest)  # fmt: skip
 
 
-def highest_rate(drives: Iterable[Stretched], axes: int, over: Abscissa) -> list[Quantity]:
+def name_points(book: Book, view: DriveView) -> None:
+    """Give the columns of a drive's points names that the sheet Selection chooses by."""
+    if asks(view):
+        drive = f"drive{view.driven.number}"
+        book.column_names |= {f"{drive}_{column}": (f"{drive}_pt", column) for column in ("dir", "al", "S", "n")}
+
+
+def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds."""
     views = list(drives)
     if not views:
         return []
-    rates = [rate_of(view) for view in views]
-    each = np.array([rate.rate for rate in rates])
-    least, binding, place = float(each.min()), int(first_lowest(each)), ""
-    for view in reversed(views):
-        number = view.driven.number
-        held = f"drive{number}_highest<=about_highest*(1+check_zero)"
-        place = f"IF({held},{number},{place})" if place else str(number)
-    names = ("[axes_short.axis]", "[axes_short.binds]")
-    told = [f"INDEX({column},{place})" if axes > 1 else column for column in names]
+    column, rates = "[axes_short.highest]", [one.highest for one in views]
+    known = [one.rate for one in rates if isinstance(one.rate, float)]
+    least = min(known, default=NONE_BINDS)
+    binding = next((k for k, one in enumerate(rates) if one.rate == least), 0)
+    first = f"MATCH(about_highest,{column},0)" if axes > 1 else ""
+    told = [f"INDEX([axes_short.{name}],{first})" if axes > 1 else f"[axes_short.{name}.1]" for name in ("axis", "binds")]
+    shortest_of = [shortest(least)] if over.measured else []
+    said = f"{views[binding].driven.axis.given.name}: {rates[binding].limit}" if known else NONE_BINDS
     return [
-        result("about_highest", "Highest rate", "n_max", "cycles/min", "=MIN([axes_short.highest])", least,
-               source="of all drives"),
-        *([shortest(least)] if over.measured else []),
-        result("about_binds", "Axis and limit that bind there", "", "", f'={told[0]}&": "&{told[1]}',
-               f"{views[binding].driven.axis.given.name}: {rates[binding].limit}", align="right",
+        result("about_highest", "Highest rate", "n_max", "cycles/min",
+               f'=IF(COUNT({column})=0,"{NONE_BINDS}",MIN({column}))', least, align="right",
+               source="of all drives; exact at the rate entered, elsewhere to about 1 %"),
+        *shortest_of,
+        result("about_binds", "Axis and limiting factor", "", "",
+               f'=IF(COUNT({column})=0,"{NONE_BINDS}",{told[0]}&": "&{told[1]})', said, align="right",
                source="the first, of equal ones"),
     ]  # fmt: skip
 
 
-def shortest(rate: float) -> Quantity:
+def shortest(rate: float | str) -> Quantity:
     """Return the result of the shortest cycle: at the highest rate."""
-    time = turn_time(si(rate, PER_MINUTE)) if rate > 0 else NO_DRIVE
-    formula = f'=IF(about_highest>0,60/about_highest,"{NO_DRIVE}")'
+    time = turn_time(si(rate, PER_MINUTE)) if isinstance(rate, float) and rate > 0 else NO_DRIVE
+    formula = f'=IF(ISNUMBER(about_highest),IF(about_highest>0,60/about_highest,"{NO_DRIVE}"),"{NO_DRIVE}")'
     return result("about_shortest", "Shortest cycle", "t_c,min", "s", formula, time, align="right",
                   source="all times scaled")  # fmt: skip
 

@@ -12,7 +12,6 @@ from workbook.laws.variations import SIX, factors, law_for, page_of, passing, to
 from workbook.machines.machine.chain import BELTED, LINKED, WINDOWS
 from workbook.machines.machine.choice import falling
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.gentle import gentle
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
 from workbook.motion.asked import smoothness_for
@@ -29,7 +28,7 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
     free = any(axis.motor is None for axis in machine.axes)
     suited = list if free else shaped
-    return [gentle(type(machine).model_validate(data)) for data in variations(machine, varied, suited)]
+    return [type(machine).model_validate(data) for data in variations(machine, varied, suited)]
 
 
 def shaped(laws: dict[str, Any]) -> list[str]:

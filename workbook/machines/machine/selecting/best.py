@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from workbook.book.declare import Sheet, calc, constant, result
+from typing import Any
+
+import numpy as np
+
+from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
-from workbook.machines.machine.selecting.formulas import spare_of, whole
+from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.machines.machine.selecting.formulas import torque_of, whole
 from workbook.machines.machine.selecting.view import BEST, Choosing
 
 DASH = '0.0##;-0.0##;"–"'
@@ -24,10 +29,6 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
     """Declare the list of the best pairs."""
     pairs, found = view.ranked[:BEST], view.listed
     torque = max([view.own.peak, *(one.peak for one in found), 1e-3])
-    inertia = f"({at('[@motors.jm]', 'm')}+{at('[@reducers.jt]', 'r')})"
-    gears = inertia, at("[@reducers.i]", "r"), at("[@reducers.eta]", "r")
-    curve = [at(f"[@motors.{column}]", "m") for column in ("peak", "knee", "fall")]
-
     def of(figure: str) -> list[float]:
         return filled([getattr(one, figure) for one in found], BEST)
 
@@ -50,8 +51,8 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
         result("n", "largest speed", "n", "rpm", there(at("[@reducers.n]", "r")), of("speed"), format='0;-0;"–"'),
         result("inertias", "inertia ratio", "", "", there(f"{at('[@reducers.j]', 'r')}/{at('[@motors.jm]', 'm')}"),
                of("inertias"), format=DASH),
-        result("spare", "left below the curve, at least", "", "Nm", there(spare_of(curve, "[peak]", gears)),
-               of("spare"), scale=torque, source="exact below the knee", format="0.0##;-0.0##;0.0"),
+        result("spare", "left below the curve", "", "Nm", there("INDEX([@order.spare],[place])"),
+               of("spare"), scale=torque, source="at the points", format="0.0##;-0.0##;0.0"),
         calc("holds", "below its curve", "", "", there("IF([spare]>=0,1,0)"),
              filled([int(one.spare >= 0.0) for one in found], BEST, 0), format="0", source="1 yes, 0 no"),
         result("reducer", "reducer", "", "", there(at("[reducers.name]", "r"), '"–"'),
@@ -63,7 +64,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
 def order_table(sheet: Sheet, view: Choosing) -> None:
     """Declare which pairs the best are: the smallest keys, and the rows of the catalogue that these tell."""
     pairs = view.ranked[:BEST]
-    rows, across = view.rows, view.rooms[1]
+    rows, across = view.pairs, view.rooms[1]
     sheet.row += 1
     sheet.table(
         "@order", "Which pairs the best are", BEST,
@@ -76,4 +77,32 @@ def order_table(sheet: Sheet, view: Choosing) -> None:
              filled([m + 1 for m, _ in pairs], BEST, 0), format="0"),
         calc("r", "row of the reducer", "", "", there(f"[at]-{across}*([m]-1)+1"),
              filled([r + 1 for _, r in pairs], BEST, 0), format="0"),
+        *figures(view),
     )  # fmt: skip
+
+
+def figures(view: Choosing) -> list[Quantity]:
+    """Return the columns of a pair's figures, and of what it leaves below its motor's curve."""
+    pairs, m, g = view.ranked[:BEST], view.motors, view.grid
+    each = [g.pair(*pair) for pair in pairs]
+    fall = np.maximum(0.0, -shown(m.slope, PER_RPM))
+
+    def of(values: Any) -> list[float]:
+        return filled(values, BEST)
+
+    def motor(name: str) -> str:
+        return there(f"INDEX([@motors.{name}],MAX(1,[m]))")
+
+    speed = "[i]/@held_i*[@points.n]"
+    spare = f"[tp]-SUMPRODUCT(MAX((({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*({speed}-[knee])*({speed}>[knee])))"
+    return [
+        calc("j", "inertia with the motor", "J", "kg m²",
+             there("INDEX([@motors.jm],MAX(1,[m]))+INDEX([@reducers.jt],MAX(1,[r]))"), of([one[0] for one in each])),
+        calc("i", "reduction", "i", "", there("INDEX([@reducers.i],MAX(1,[r]))"), of([one[1] for one in each])),
+        calc("eta", "efficiency", "η", "", there("INDEX([@reducers.eta],MAX(1,[r]))"), of([one[2] for one in each])),
+        calc("tp", "motor's peak torque", "", "Nm", motor("peak"), of([float(m.peak_torque[k]) for k, _ in pairs])),
+        calc("knee", "holds to", "n_1", "rpm", motor("knee"), of([shown(float(m.knee[k]), RPM) for k, _ in pairs])),
+        calc("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), of([float(fall[k]) for k, _ in pairs])),
+        calc("spare", "left below its curve", "", "Nm", there(spare), of([one.spare for one in view.listed]),
+             scale=max([*(abs(one.peak) for one in view.listed), 1e-3])),
+    ]  # fmt: skip

@@ -1,44 +1,23 @@
-"""What the drives tell the sheet Selection: a row each, the named one by its cells, the ends of its stretches."""
+"""What the drives tell the sheet Selection: a row each, the named one by its cells, and its points."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any
 
+import numpy as np
+
+from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant
-from workbook.machines.machine.driven import Driven
-from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.entries.units import RPM, shown
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.selecting.behind import scales_of
 from workbook.machines.machine.selecting.view import AS_ENTERED, Choosing
-from workbook.machines.machine.stretched import Stretched
 
 
-class ToldAt(NamedTuple):
-    """What a drive's sheet tells of a place, as formulas: direction, acceleration, torque, speed at most."""
-
-    way: str
-    acceleration: str
-    torque: str
-    fastest: str
-
-
-def told_at(one: Stretched, k: int) -> ToldAt:
-    """Return it of the ``k``-th place, from 1: an end of a stretch, begins before ends, or a node; else 0."""
-    if k > one.points:
-        return NOWHERE
-    if isinstance(one, PlacedWork):
-        return ToldAt(f"INDEX([@@st.dir],[@@pl.st.{k}])", f"[@@pl.turn.{k}]+0", f"[@@pl.S.{k}]+0", f"ABS([@@pl.w.{k}])")
-    end, st = ("b", k) if k <= one.rows else ("e", k - one.rows)
-    fast, sign = f"[@@st.vm.{st}]*timing_omega*@@faster*@@i2", f"0-[@@st.sign.{st}]"
-    return ToldAt(f"[@@st.dir.{st}]+0", f"{sign}*[way]*@@i2*[@@st.y{end}.{st}]", f"[@@st.ry{end}.{st}]+0", fast)
-
-
-NOWHERE = ToldAt("0", "0", "0", "0")
-
-
-def told(view: Choosing) -> list[tuple[str, str, str, str]]:
+def figures_told(view: Choosing) -> list[tuple[str, str, str, str]]:
     """Return of each figure of a drive: its name, label and unit, and its formula on the sheet of the drive."""
-    spare = "@spare" if view.stretched.knows_falling else "@motor_peak-MAX(@tmax,0-@tmin)"
+    spare = "@spare" if view.view.knows_falling else "@motor_peak-MAX(@tmax,0-@tmin)"
     return [
         ("own", "mean of α²", "rad²/s⁴", "@ask_own"),
         ("square", "mean of S², driving", "Nm²", "@ask_square"),
@@ -49,6 +28,7 @@ def told(view: Choosing) -> list[tuple[str, str, str, str]]:
         ("smax", "largest torque", "Nm", "@smax"),
         ("inertia", "inertia", "kg m²", "@ask_inertia"),
         ("beside", "parts beside the motor", "kg m²", "@ask_beside"),
+        ("brake", "a brake holds it at rest", "", '(@holding="brake")'),
         ("by_power", "losses by the flow of power", "", '(@method="physical")'),
         ("left", "rated torque left at its temperature", "", "@derate"),
         ("held_j", "inertia with its motor", "kg m²", "@j0"),
@@ -78,7 +58,7 @@ def drives_table(sheet: Sheet, view: Choosing) -> None:
              [one.entered.name for one in drives], align="left"),
         constant("k", "number of the axis", "k", "", [one.number for one in drives]),
         *(calc(name, label, "", unit, [scoped(formula, one) for one in drives], values, scale=scale)
-          for (name, label, unit, formula), (values, scale) in zip(told(view), view.figures, strict=True)),
+          for (name, label, unit, formula), (values, scale) in zip(figures_told(view), view.figures, strict=True)),
     )  # fmt: skip
 
 
@@ -96,7 +76,7 @@ def chosen(sheet: Sheet, view: Choosing) -> None:
     """Declare the named drive."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.drives) > 1 else "COUNT([@drives.k])"
     rows = [calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0")]
-    for (name, label, unit, _), (values, scale) in zip(told(view), view.figures, strict=True):
+    for (name, label, unit, _), (values, scale) in zip(figures_told(view), view.figures, strict=True):
         rows.append(calc(f"@{name}", label.capitalize(), "", unit, f"={taken(view, name)}+0", values[view.number],
                          scale=scale))  # fmt: skip
     sheet.rows(*rows, *held(view))
@@ -114,24 +94,49 @@ def held(view: Choosing) -> Sequence[Quantity]:
 
 
 def points_table(sheet: Sheet, view: Choosing) -> None:
-    """Declare the ends of the stretches of the named drive."""
-    points, scale = view.points, scales_of(view.stretched)
-    behind, rows = view.driven.sizes.behind, range(1, len(points.speed) + 1)
-
-    def of(figure: str) -> list[str]:
-        each = [[getattr(told_at(one, k), figure).replace("@@", f"drive{one.driven.number}_") for one in view.drives]
-                for k in rows]  # fmt: skip
-        return [f"=CHOOSE(@no,{','.join(one)})" if len(one) > 1 else f"={one[0]}" for one in each]
-
+    """Declare the points of the named drive."""
+    load, drive, scale = view.load.points, view.view, scales_of(view.view)
+    behind, rows = drive.scales.behind, list(range(1, view.rows + 1))
     sheet.row += 1
     sheet.table(
-        "@points", "Where its torque can be largest: ends of stretches, or nodes of sections", len(rows),
-        constant("k", "number", "", "", list(rows)),
-        calc("way", "direction", "", "", of("way"), view.going, format="0"),
-        calc("a", "acceleration", "α", "rad/s²", of("acceleration"), points.acceleration, scale=scale.alpha),
-        calc("torque", "torque", "S", "Nm", of("torque"), view.torque, scale=behind),
-        calc("driving", "where it drives the load", "", "Nm", "=IF(@by_power*[torque]*[way]<0,0,[torque])",
-             points.driving, scale=behind),
-        calc("driven", "where the load drives it", "", "Nm", "=[torque]-[driving]", points.driven, scale=behind),
-        calc("w", "no faster than", "ω", "rad/s", of("fastest"), points.speed, scale=scale.alpha),
+        "@points", "The points of its cycle", len(rows),
+        constant("k", "number", "", "", rows),
+        *named(view, "dir", "direction", "", "", drive.load.direction, format="0"),
+        *named(view, "al", "acceleration", "α", "rad/s²", load.acceleration, scale=scale.alpha),
+        *named(view, "S", "torque behind the reducer", "S", "Nm", drive.load.behind, scale=behind),
+        *named(view, "n", "speed of its motor", "|n|", "rpm", np.abs(shown(drive.points.speed, RPM)), "ABS({})",
+               scale=drive.scales.rpm),
+        calc("driving", "where it drives the load", "", "Nm",
+             "=IF(OR(@by_power*[S]*[dir]<0,AND([dir]=0,@brake=1)),0,[S])", view.by_point(load.driving), scale=behind,
+             source="none that a brake holds"),
+        calc("driven", "where the load drives it", "", "Nm", "=IF(@by_power*[S]*[dir]<0,[S],0)",
+             view.by_point(load.driven), scale=behind),
     )  # fmt: skip
+
+
+GROUP = 6
+"""drives among which one formula chooses"""
+
+
+def named(
+    view: Choosing, column: str, label: str, symbol: str, unit: str, values: Array, whole: str = "{}", **more: Any
+) -> list[Quantity]:  # fmt: skip
+    """Return the column of a figure of the named drive; of many drives, one for each group of them before it.
+
+    ``whole`` is what the formula of the figure stands in.
+    """
+    names = [f"INDEX(drive{one.driven.number}_{column},[k])" for one in view.drives]
+    chosen = view.by_point(values)
+    if len(names) == 1:
+        return [calc(column, label, symbol, unit, f"={whole.format(names[0])}+0", chosen, **more)]
+    if len(names) <= GROUP:
+        return [calc(column, label, symbol, unit, f"={whole.format(f'CHOOSE(@no,{chr(44).join(names)})')}", chosen, **more)]
+    found = []
+    for first in range(0, len(names), GROUP):
+        group = names[first : first + GROUP]
+        within = f"AND(@no>{first},@no<={first + len(group)})"
+        here = first <= view.number < first + len(group)
+        found.append(calc(f"{column}{first + 1}", f"{label}, drives {first + 1} to {first + len(group)}", symbol, unit,
+                          f"=IF({within},{whole.format(f'CHOOSE(@no-{first},{chr(44).join(group)})')},0)", chosen if here else 0.0, **more))
+    parts = "+".join(f"[{one.name}]" for one in found)
+    return [*found, calc(column, label, symbol, unit, f"={parts}", chosen, **more)]

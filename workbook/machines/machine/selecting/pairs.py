@@ -28,10 +28,16 @@ def grids(sheet: Sheet, view: Choosing) -> None:
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
     torque = max(float(g.peak.max()), 1e-3)
     grid(sheet, view, "word", "Which pairs can do it", verdict, view.spread(g.verdicts, "–"), align="center")
+    grid(sheet, view, "wanted", "What is wanted of a pair", within, wanted(view), align="center")
     grid(sheet, view, "rms", "RMS torque of the motor [Nm]", lambda c: if_on(c, rms_of(*pair(c))),
          view.spread(g.rms, 0.0), format=DASH, scale=torque)  # fmt: skip
     grid(sheet, view, "peak", "Peak torque of the motor [Nm]", lambda c: if_on(c, peak_of(*pair(c))),
          view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
+
+
+def wanted(view: Choosing) -> list[list[Any]]:
+    """Return what each pair fails of what is wanted of it."""
+    return view.spread(view.grid.wanted_verdicts, "–")
 
 
 def grid(
@@ -72,22 +78,19 @@ def if_on(c: int, formula: str) -> str:
     return f"IF(INDEX([@motors.on],[k])*[@reducers.on.{c}]=0,0,{formula})"
 
 
+def within(c: int) -> str:
+    """Return the formula of what a pair fails of what is wanted of it, or that it is usable."""
+    rms, rated = f"INDEX([@rms{c}.v],[k])", "INDEX([@motors.rated],[k])"
+    large = f'IF([@reducers.j.{c}]>@inertia_ratio*INDEX([@motors.jm],[k]),"inertia","yes")'
+    margins = f'IF({rms}*@least>{rated},"RMS",IF({rms}*@greatest<{rated},"large",{large}))'
+    return f'IF(INDEX([@motors.on],[k])*[@reducers.on.{c}]=0,"–",{margins})'
+
+
 def verdict(c: int) -> str:
-    """Return the formula of what a pair fails first."""
-    rms, peak, rated = f"INDEX([@rms{c}.v],[k])", f"INDEX([@peak{c}.v],[k])", "INDEX([@motors.rated],[k])"
-    tests = (
-        (f"INDEX([@motors.on],[k])*[@reducers.on.{c}]=0", "–"),
-        (f"[@reducers.fits.{c}]=0", "reducer"),
-        (f"[@reducers.n.{c}]>INDEX([@motors.nmax],[k])", "speed"),
-        (f"{peak}>INDEX([@motors.peak],[k])", "peak"),
-        (f"{rms}*@least>{rated}", "RMS"),
-        (f"{rms}*@greatest<{rated}", "large"),
-        (f"[@reducers.j.{c}]>@inertia_ratio*INDEX([@motors.jm],[k])", "inertia"),
-    )
-    found = '"yes"'
-    for condition, word in reversed(tests):
-        found = f'IF({condition},"{word}",{found})'
-    return found
+    """Return the formula of what a pair fails first: reducer, speed, peak torque, or what is wanted of it."""
+    peak = f'IF(INDEX([@peak{c}.v],[k])>INDEX([@motors.peak],[k]),"peak",INDEX([@wanted{c}.v],[k]))'
+    speed = f'IF([@reducers.n.{c}]>INDEX([@motors.nmax],[k]),"speed",{peak})'
+    return f'IF(INDEX([@motors.on],[k])*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{speed}))'
 
 
 def products(sheet: Sheet, view: Choosing) -> None:
@@ -126,7 +129,7 @@ def key(view: Choosing, c: int) -> str:
     known = f"IF(@rank_no<4,1,IF(@rank_no=4,INDEX([@motors.weighs],[k])*[@reducers.weighs.{c}],"
     known += f"INDEX([@motors.costs],[k])*[@reducers.costs.{c}]))=1"
     place = f"([k]-1)*{view.rooms[1]}+{c - 1}"
-    return f'IF(INDEX([@word{c}.v],[k])="yes",IF({known},ROUND({score}*{PARTS},0)*{view.rows}+{place},"–"),"–")'
+    return f'IF(INDEX([@word{c}.v],[k])="yes",IF({known},ROUND({score}*{PARTS},0)*{view.pairs}+{place},"–"),"–")'
 
 
 def motors(sheet: Sheet, view: Choosing) -> None:

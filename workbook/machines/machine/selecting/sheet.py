@@ -13,7 +13,7 @@ from workbook.machines.machine.selecting.drives import chosen, drives_table, kno
 from workbook.machines.machine.selecting.formulas import rms_of, whole
 from workbook.machines.machine.selecting.pairs import grids, products
 from workbook.machines.machine.selecting.view import Choosing
-from workbook.machines.machine.stretched import Stretched
+from workbook.machines.machine.drive.view import DriveView
 from workbook.selection.entries import SelectionSizes
 
 TITLE = "Selection"
@@ -23,7 +23,7 @@ ABOUT = (
 )
 
 
-def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: Sequence[Stretched]) -> None:
+def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: Sequence[DriveView]) -> None:
     """Declare the sheet, where an axis is named for it."""
     if given_.axis is None:
         return
@@ -70,7 +70,7 @@ def entries(sheet: Sheet, view: Choosing) -> None:
 def asked(sheet: Sheet, view: Choosing) -> None:
     """Declare what the axis asks for behind its reducer."""
     load = view.grid.task
-    scale = view.driven.sizes.behind
+    scale = view.view.scales.behind
     sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
     sheet.rows(
         calc("@wrms", "RMS acceleration", "α_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),

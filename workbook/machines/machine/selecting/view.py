@@ -10,18 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.machine.bent import BentPart
 from engine.machine.geared import shares_of
-from engine.machine.grid import RANKS, Asked, Curve, Grid, Points, Used, Wanted, gears, points, reserve, used
-from engine.machine.node_load import NodeLoad
-from engine.machine.places import NODES
+from engine.machine.grid import RANKS, Curve, Grid, Used, Wanted, gears, reserve, used
+from engine.machine.point_load import PointLoad
+from engine.machine.quadrature import COUNT
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, shown, si
 from workbook.machines.machine.choice import Choice
-from workbook.machines.machine.linked.worked import PlacedWork
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.selecting.behind import load_of, scales_of
-from workbook.machines.machine.stretched import Stretched
 from workbook.selection.entries import SelectionSizes
 from workbook.selection.view import engine_motors, engine_reducers
 
@@ -46,20 +44,20 @@ class Figures(NamedTuple):
 class Choosing:
     """The choice for the axis that is named."""
 
-    def __init__(self, given: Choice, sizes: SelectionSizes, drives: Sequence[Stretched]) -> None:
+    def __init__(self, given: Choice, sizes: SelectionSizes, drives: Sequence[DriveView]) -> None:
         self.given, self.drives = given, drives
         names = [one.driven.entered.name for one in drives]
         self.number = place_of(given.axis or "", names)
-        self.stretched = drives[self.number]
-        self.driven = self.stretched.driven
+        self.view = drives[self.number]
+        self.driven = self.view.driven
         self.rooms = sizes.motors, sizes.reducers
         self.motors = engine_motors(given.motors).derated(self.driven.left)
         self.reducers = engine_reducers(given.reducers)
 
     @cached_property
-    def load(self) -> Asked:
+    def load(self) -> PointLoad:
         """What the cycle asks for behind the reducer."""
-        return load_of(self.stretched)
+        return load_of(self.view)
 
     @cached_property
     def grid(self) -> Grid:
@@ -69,14 +67,14 @@ class Choosing:
         return Grid(self.load, self.motors, self.reducers, self.driven.beside_motor, wanted)
 
     @property
-    def rows(self) -> int:
+    def pairs(self) -> int:
         """Pairs of the grid, spare rows and columns among them."""
         return np.zeros(self.rooms).size
 
     @property
     def beta_scale(self) -> float:
         """How large the load factor's parts are."""
-        return scales_of(self.stretched).product
+        return scales_of(self.view).product
 
     @property
     def rank(self) -> int:
@@ -86,58 +84,25 @@ class Choosing:
     @cached_property
     def keys(self) -> Array:
         """What the pairs are sorted by; NaN where they are not ranked."""
-        return self.grid.keys(self.given.rank, self.rooms[1], self.rows)
+        return self.grid.keys(self.given.rank, self.rooms[1], self.pairs)
 
     @cached_property
     def ranked(self) -> list[tuple[int, int]]:
         """The ranked pairs, best first."""
-        return self.grid.best(self.given.rank, self.rooms[1], self.rows)
+        return self.grid.best(self.given.rank, self.rooms[1], self.pairs)
 
     def place(self, pair: tuple[int, int]) -> int:
         """Return the number of a pair in the grid, from 0, motor by motor."""
         return int(np.ravel_multi_index(pair, self.rooms))
 
-    @cached_property
-    def places(self) -> int:
-        """How many places the sheet has: of the drive with the most, that of the axis may be another."""
-        return max(one.points for one in self.drives)
-
-    @cached_property
-    def points(self) -> Points:
-        """Where the torque can be largest, in the order of the sheet; nothing behind the last."""
-        return Points(*(np.array(filled(one, self.places)) for one in self._points))
-
     @property
-    def _points(self) -> Points:
-        """The ends of the stretches, begins before ends; or the nodes of the sections."""
-        if isinstance(self.load, NodeLoad):
-            return self.load.points
-        ends = [(part, end) for end in (0, 1) for part in self.parts]
-        alpha = np.array([part.turning_at(end) for part, end in ends])
-        fastest = np.array([part.fastest_behind for part, _ in ends])
-        torque = np.array([part.shaft_at(end) for part, end in ends])
-        return points(alpha, torque, np.array(self._going), fastest, self.driven.given.method)
+    def rows(self) -> int:
+        """Points of a drive's sheet: as many of each."""
+        return self.view.rows * COUNT
 
-    @property
-    def torque(self) -> Array:
-        """The torque behind the reducer at these places (Nm)."""
-        return self.points.driving + self.points.driven
-
-    @property
-    def going(self) -> list[float]:
-        """The direction of motion there."""
-        return filled(self._going, self.places)
-
-    @property
-    def _going(self) -> list[float]:
-        if isinstance(self.stretched, PlacedWork):
-            return [held.going for held, _ in self.stretched.placed for _ in NODES]
-        return [part.going for _ in (0, 1) for part in self.parts]
-
-    @property
-    def parts(self) -> list[BentPart]:
-        """The stretches; spare rows repeat the last."""
-        return self.stretched.of(lambda part: part)
+    def by_point(self, values: Array) -> list[float]:
+        """Return values of the points as a column."""
+        return self.view.by_point(values.reshape(self.view.load.place.shape))
 
     @cached_property
     def figures(self) -> list[tuple[list[float], float]]:
@@ -171,7 +136,7 @@ class Choosing:
         g = self.grid
         rms = float(g.rms[m, r])
         margin = shares_of(self.motors.rated_torque[m], g.rms[m, r])
-        spare = reserve(self.points, g.pair(m, r), self.curve(m))
+        spare = reserve(self.load, g.pair(m, r), self.curve(m))
         peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
         return Figures(rms, float(margin), peak, speed, float(g.inertia_ratio[m, r]), spare)
 
@@ -202,11 +167,11 @@ class Choosing:
         d = self.driven
         inertia = d.at_motor
         pair = gears(inertia, d.reducer.ratio, d.reducer.efficiency)
-        rms, peak = float(self.load.rms(pair)[0]), d.demand.torque.peak
-        speed = shown(self.load.speed_of_motor(d.reducer.ratio), RPM)
+        rms, peak = float(self.load.rms(pair)[0]), self.view.reserve.peak_torque.value
+        speed = shown(d.reducer.ratio * self.load.speed, RPM)
         motor = d.motor_used
         margin = shares_of(np.array(motor.rated_torque), np.array(rms))
-        return Figures(rms, float(margin), peak, speed, d.inertia_ratio, self.stretched.spare)
+        return Figures(rms, float(margin), peak, speed, self.view.inertia_ratio, self.view.spare)
 
     def spread(self, table: NDArray[Any], spare: Any) -> list[list[Any]]:
         """Return a table of the pairs by columns, ``spare`` where a row or a column of the sheet is."""
@@ -215,19 +180,19 @@ class Choosing:
         return [column.tolist() for column in whole.T]
 
 
-def figures_of(view: Stretched) -> list[tuple[float, float]]:
+def figures_of(view: DriveView) -> list[tuple[float, float]]:
     """Return what the sheet of a drive tells of the shaft behind its reducer, and of its motor, each with its scale."""
     d, load, scale = view.driven, load_of(view), scales_of(view)
     own, mixed, mixed_back, square, square_back = load.squares
     return [
         (own, scale.turned), (square, scale.square), (square_back, scale.square),
         (mixed, scale.product), (mixed_back, scale.product),
-        (load.speed, 0.0), (load.torque, d.sizes.behind),
-        (load.inertia, 0.0), (d.beside_motor, 0.0),
+        (load.speed, 0.0), (load.torque, view.scales.behind),
+        (load.inertia, 0.0), (d.beside_motor, 0.0), (float(d.holding == "brake"), 0.0),
         (float(d.given.method == "physical"), 0.0), (d.left, 0.0),
         (d.at_motor, 0.0), (d.motor_used.inertia, 0.0), (d.reducer.ratio, 0.0), (d.reducer.efficiency, 0.0),
         (d.motor_used.rated_torque, 0.0), (d.motor_used.peak_torque, 0.0),
-        (d.demand.torque.peak, d.sizes.torque),
-        (view.spare, d.sizes.torque), (d.motor_used.max_speed, 0.0),
+        (view.reserve.peak_torque.value, view.scales.torque),
+        (view.spare, view.scales.torque), (d.motor_used.max_speed, 0.0),
         (d.motor_used.row, 0.0), (d.reducer.row, 0.0),
     ]  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from workbook.book.declare import Quantity, given
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.drive.driven import Driven
 
 
 def loads(driven: Driven, key: str) -> list[Quantity]:

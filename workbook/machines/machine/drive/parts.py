@@ -8,7 +8,7 @@ from workbook.book.declare import Sheet, calc, constant, given
 from workbook.book.rows import filled
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
 from workbook.entries.units import KG_CM2, shown
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.drive.driven import Driven
 
 TITLE = "Rotating parts: an inertia, or a cylinder's diameter, length and density; teeth of what is geared"
 CYLINDER = (

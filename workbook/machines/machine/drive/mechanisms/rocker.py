@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from engine.mechanisms.rocker import SAME, ends_of
+from engine.mechanisms.slide import lever_angle
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
 from workbook.book.sentence import quoted
-from workbook.machines.machine.linked import slides
-from workbook.machines.machine.linked.driven import APART, LinkedDriven
+from workbook.entries.units import DEGREE, si
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.linkages import APART
+from workbook.machines.machine.drive.mechanisms import slides
 
 FITS = "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(SIN(@theta-ATAN2(@x0,@e)))>=check_zero,@high<@none,@low>0-@none)"
 HOLDS = "lever, link and slide where the motion begins"
 SIZED = "COUNT(@lever,@link,@angle)=3"
-WRONG = quoted(APART["rocker"])
 WITHIN = "between its dead centres"
-entered, passing = slides.entered, slides.passing
-held, ratios, angle = slides.held, slides.ratios, slides.angle
+entered, ratios, angle = slides.entered, slides.ratios, slides.angle
 
 
-def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
+def wrong(driven: Driven) -> str:
+    """Return the formula of what is said of sizes that do not go together."""
+    return quoted(APART["rocker"])
+
+
+def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
     e, key = driven.given, f"{key}.mechanism"
     return [
@@ -34,7 +42,7 @@ def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def sizes(driven: LinkedDriven) -> list[Quantity]:
+def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the mechanism in m, and of where it can bring its load to."""
     one = slides.slide_of(driven.linkage)
     low, high, *_ = one.reach
@@ -44,12 +52,14 @@ def sizes(driven: LinkedDriven) -> list[Quantity]:
         calc("@r", "Lever", "r", "m", "=@lever/1000", one.lever),
         calc("@l", "Link", "l", "m", "=@link/1000", one.link),
         calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
-        calc("@theta", "Lever where the motion begins", "", "rad", "=RADIANS(@angle)", driven.entered_angle),
+        calc("@theta", "Lever where the motion begins", "", "rad", "=RADIANS(@angle)",
+             si(driven.given.angle or 0.0, DEGREE)),
         calc("@sense", "Positions grow along the line (1)", "", "", f"=IF({back},0-1,1)", one.direction, format="0"),
         calc("@x0", "Slide where the motion begins", "x_0", "m",
              f'=@r*COS(@theta)+IF(@slide="behind",0-1,1)*{ahead}', one.zero, source="r cos ψ ± √(l² − (r sin ψ − e)²)"),
         calc("@side", "Lever ahead of the line to the slide (1)", "s", "",
              "=IF(SIN(@theta-ATAN2(@x0,@e))>0,1,0-1)", one.side, format="0"),
+        constant("@same", "Places that count as one, of the link", "", "", SAME, format="0E+00"),
         calc("@none", "Farther than any slide", "", "m", "=4*(@r+@l+ABS(@e))", slides.far(one)),
         calc("@low", "Lowest position that is reached", "", "m",
              f"=IF({back},@x0-MIN([@ends.above]),MAX([@ends.below])-@x0)", low, scale=one.link),
@@ -59,17 +69,18 @@ def sizes(driven: LinkedDriven) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
+def table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the places at which the mechanism may lock."""
     one = slides.slide_of(driven.linkage)
     places = ends_of(one.lever, one.link, one.offset, one.side, one.zero)
-    d = "MAX(1E-9*@l,SQRT([at]^2+@e^2))"
-    height, m = slides.HEIGHT.format(d="[d]"), slides.ANGLE.format(d="[d]^2")
     signs = [1, -1, 1, -1, 1, -1, 1, -1]
     ways = [1, 1, -1, -1, 1, 1, -1, -1]
     rests = [f"=(@l+{way}*@r)^2-@e^2" for way in ways[:4]] + [f"=@r^2-(@e+{way}*@l)^2" for way in ways[4:]]
-    square = f"([at]*({m})-@side*@e*{height})/(2*[d]^2)"
-    locks = "OR([k]<=4,ABS([at]-[along])<=" + f"{SAME:.0E}*@l)"
+    locks = "OR([k]<=4,ABS([at]-[along])<=@same*@l)"
+    at, square = np.array([place.at for place in places]), np.arange(len(places)) >= 4
+    distances = np.hypot(at, one.offset)
+    areas = np.where(square, slides.area(one, distances), 0.0)
+    angles = np.where(square, lever_angle(one.lever, one.link, one.offset, one.side, at), 0.0)
 
     def of(name: str) -> list[float]:
         return [getattr(place, name) for place in places]
@@ -81,8 +92,13 @@ def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
         constant("sign", "sign", "", "", signs),
         calc("rest", "under the root", "", "m²", rests, of("rest"), scale=slides.far(one)),
         calc("at", "slide at", "x", "m", "=IF([rest]<0,@x0,[sign]*SQRT(MAX(0,[rest])))", of("at"), scale=one.link),
-        calc("d", "to the shaft", "d", "m", f"={d}", of("d"), scale=one.link),
-        calc("along", "lever's end along the line", "c", "m", f"=IF([k]<=4,[at],{square})",
+        calc("d", "to the shaft", "d", "m", "=SQRT([at]^2+@e^2)", distances, scale=one.link),
+        calc("K", "four areas of the triangle", "K", "m²", f"=IF([k]<=4,0,{slides.AREA.format(d='[d]')})",
+             areas, scale=one.link**2, source="0 in line"),
+        calc("psi", "angle of the lever", "ψ", "rad",
+             f"=IF([k]<=4,0,{slides.ANGLE.format(x='[at]', d='[d]', k='[K]')})", angles, scale=1.0,
+             source="where the link is square"),
+        calc("along", "lever's end along the line", "c", "m", "=IF([k]<=4,[at],@r*COS([psi]))",
              of("along"), scale=one.link),
         calc("x", "locks at", "x", "m", f"=IF(AND([rest]>=0,{locks}),[at],@x0)", of("x"), scale=one.link),
         calc("below", "below the begin", "", "m", "=IF([x]<@x0,[x],0-@none)", of("below"), scale=one.link),

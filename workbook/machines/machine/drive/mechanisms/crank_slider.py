@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from workbook.book.declare import Quantity, Sheet, calc, given
 from workbook.book.sentence import quoted
-from workbook.machines.machine.linked import slides
-from workbook.machines.machine.linked.driven import APART, LinkedDriven
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.linkages import APART
+from workbook.machines.machine.drive.mechanisms import slides
 
 INNER = "SQRT(MAX(0,(@l-@r)^2-@e^2))"
 OUTER = "SQRT((@l+@r)^2-@e^2)"
@@ -13,13 +14,16 @@ ENDS = {"low": ("inner dead centre", "outer dead centre"), "high": ("outer dead 
 FITS = "@l>@r+ABS(@e)"
 HOLDS = "rod longer than crank and offset"
 SIZED = "COUNT(@crank,@rod)=2"
-WRONG = quoted(APART["crank-slider"])
 WITHIN = "between its dead centres"
-entered, passing = slides.entered, slides.passing
-held, ratios, angle = slides.held, slides.ratios, slides.angle
+entered, ratios, angle = slides.entered, slides.ratios, slides.angle
 
 
-def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
+def wrong(driven: Driven) -> str:
+    """Return the formula of what is said of sizes that do not go together."""
+    return quoted(APART["crank-slider"])
+
+
+def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
     e, key = driven.given, f"{key}.mechanism"
     return [
@@ -36,7 +40,7 @@ def entries(driven: LinkedDriven, key: str) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def sizes(driven: LinkedDriven) -> list[Quantity]:
+def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the mechanism in m, and of where it can bring its load to."""
     one = slides.slide_of(driven.linkage)
     low, high, *_ = one.reach
@@ -62,5 +66,5 @@ def end(which: str) -> str:
     return f'IF(@zero="outer","{other}","{one}")'
 
 
-def table(sheet: Sheet, driven: LinkedDriven, rows: int) -> None:
+def table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare nothing more: the dead centres are told in closed form."""

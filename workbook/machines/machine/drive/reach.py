@@ -2,31 +2,30 @@
 
 from __future__ import annotations
 
-from engine.machine.bent import middle
-from engine.mechanisms.linkage import Linkage
+from engine.mechanisms.linkage import Linkage, Reach
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded
 from workbook.book.sentence import shown as rounding
 from workbook.entries.units import shown
-from workbook.machines.machine.linked import kinds
-from workbook.machines.machine.linked.changing import LinkedWork
+from workbook.machines.machine.drive.mechanisms import registry
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.view import MovingAxis
 
 WORDS = " reaches {} {}, {} {} beyond the {}"
 
 
-def reach_table(sheet: Sheet, view: LinkedWork) -> None:
+def reach_table(sheet: Sheet, view: DriveView) -> None:
     """Declare by how much each phase leaves the reach."""
     i, axis, n = view.driven.number, view.driven.axis, view.one.machine.machine.sizes.phases
     reaches = [axis.motion.reaches[k] for k in axis.entered]
-    low, high, *_ = view.linked.linkage.reach
-    unit, size = view.base, view.driven.axis.motion.size(0)
+    low, high, *_ = reach_of(view)
+    unit, size = axis.base, axis.motion.size(0)
 
     def of(name: str) -> str:
         return f"=IF(INDEX([axis{i}.span],[k])>0,INDEX([axis{i}_steps.{name}],2*[k]),(@low+@high)/2)"
 
-    lows, highs = (filled([one[k] for one in reaches], n, middle((low, high))) for k in (0, 1))
+    lows, highs = (filled([one[k] for one in reaches], n, (low + high) / 2) for k in (0, 1))
     under, over = [low - one for one in lows], [one - high for one in highs]
     sheet.table(
         "@reach", "What each phase reaches", n,
@@ -40,9 +39,16 @@ def reach_table(sheet: Sheet, view: LinkedWork) -> None:
     )  # fmt: skip
 
 
-def reach_check(view: LinkedWork) -> Quantity:
+def reach_of(view: DriveView) -> Reach:
+    """Return between which positions a mechanism can bring its load. Raises ValueError for one without ends."""
+    if view.driven.linkage is None:
+        raise ValueError(f"{view.driven.called} has a constant ratio")
+    return view.driven.linkage.reach
+
+
+def reach_check(view: DriveView) -> Quantity:
     """Return the check that every position is reached."""
-    driven, i = view.linked, view.driven.number
+    driven, i = view.driven, view.driven.number
     row = "MATCH(1,[@reach.out],0)"
 
     def at(name: str) -> str:
@@ -53,14 +59,14 @@ def reach_check(view: LinkedWork) -> Quantity:
 
     unit, lower = driven.entered.unit, f"{at('under')}>={at('over')}"
     place = f"IF({lower},{at('low')},{at('high')})"
-    end = f"IF({lower},{kinds.of(driven).end('low')},{kinds.of(driven).end('high')})"
+    end = f"IF({lower},{registry.linkage_page(driven).end('low')},{registry.linkage_page(driven).end('high')})"
     by = outward(f"MAX(0,{at('under')},{at('over')})")
     says = (
         f'[axes.name.{i}]&" row "&{row}&" reaches "&ROUND({outward(place)},9)&" {unit}, "'
         f'&{rounding(by)}&" {unit} beyond the "&{end}'
     )
     return check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
-                 kinds.of(driven).WITHIN, f":reach{i}", says)  # fmt: skip
+                 registry.linkage_page(driven).WITHIN, f":reach{i}", says)  # fmt: skip
 
 
 def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:
@@ -74,9 +80,9 @@ def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:
     return ""
 
 
-def back_check(view: LinkedWork) -> Quantity:
+def back_check(view: DriveView) -> Quantity:
     """Return the check that the axis comes back every cycle: such a mechanism does not feed on."""
-    driven, i = view.linked, view.driven.number
+    driven, i = view.driven, view.driven.number
     unit, travel = driven.entered.unit, shown(driven.axis.motion.lifts_sum, driven.axis.unit)
     lifts, cell = f"[axis{i}.h]", f"[axes.travel.{i}]"
     back = f"ABS(SUM({lifts}))<=check_zero*MAX(MAX({lifts}),0-MIN({lifts}))"

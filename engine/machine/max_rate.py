@@ -1,0 +1,114 @@
+"""The highest rate of a drive by its limits, from its torque at points: what stands, and what grows with the rate.
+
+Inertia grows with the square of a rate. With S the torque without motion and I = T − S what grows, a limit is met where
+the square of the rate is 1/use times the present one. It is met exactly at the present rate; elsewhere, with viscous
+friction or where power turns round, to about 1 %. :func:`engine.machine.rate.highest_rate` is exact. SI units.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.machine.falling import Falling
+from engine.machine.limits import ReducerLimits
+from engine.machine.quadrature import DrivePoints
+
+
+class Share(NamedTuple):
+    """A limit, what of it is taken without motion and at the present rate, and the use of the square of the rate."""
+
+    limit: float
+    standing: float
+    present: float
+    use: float
+
+    def highest(self, rate: float) -> float:
+        """Return the highest rate that it allows for a present one; infinite where none is too high."""
+        if math.isinf(self.limit):
+            return math.inf
+        if self.standing >= self.limit:
+            return 0.0
+        return rate / math.sqrt(self.use) if self.use > 0.0 else math.inf
+
+
+class Squares(NamedTuple):
+    """Means over the cycle (Nm²): S², S·I and I²."""
+
+    standing: float
+    mixed: float
+    growing: float
+
+
+def squares(points: DrivePoints) -> Squares:
+    """Return them as sums of mean S², S·T and T²."""
+    torque, standing = points.torque, points.standing
+    own, both, whole = (points.mean(one) for one in (standing**2, standing * torque, torque**2))
+    return Squares(own, both - own, whole - 2.0 * both + own)
+
+
+def by_rms(points: DrivePoints, rated: float, moves: bool = True) -> Share:
+    """Return the share of a rated torque (Nm): mean (S + x I)² = rated²."""
+    own, mixed, growing = squares(points)
+    use = 0.0
+    if moves and own < rated**2:
+        use = growing / (math.sqrt(mixed**2 + growing * (rated**2 - own)) - mixed)
+    return Share(rated, math.sqrt(own), points.rms_torque, use)
+
+
+def growing_use(torque: Array, standing: Array, limit: float) -> Array:
+    """Return at each point the use by a limit of torque (Nm): |I| over what S leaves of it in the direction of I."""
+    grows = torque - standing
+    return np.asarray(np.abs(grows) / (limit - np.sign(grows) * standing))
+
+
+def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:
+    """Return at each point the use of the rate itself by a peak torque that falls: |S + r² I| + f r |ω| = T + f ω_1."""
+    grows = points.torque - points.standing
+    left = peak + falling.fall * falling.knee - np.sign(grows) * points.standing
+    sink = falling.fall * np.abs(points.speed)
+    return np.asarray((sink + np.sqrt(sink**2 + 4.0 * np.abs(grows) * left)) / (2.0 * left))
+
+
+def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> Share:
+    """Return the share of a limit of torque (Nm); none of an infinite one."""
+    use = 0.0 if math.isinf(limit) else float(growing_use(torque, standing, limit).max())
+    return Share(limit, float(np.abs(standing).max()), points.size(torque), use)
+
+
+def by_mean(points: DrivePoints, limit: float) -> Share:
+    """Return the share of the reducer's mean torque (Nm), which grows in a straight line from that without motion."""
+    none, present = (points.cubic_mean(one) for one in (points.load.standing_behind, points.load.behind))
+    use = max(0.0, present - none) / (limit - none) if none < limit < math.inf else 0.0
+    return Share(limit, none, present, use)
+
+
+def by_speed(speed: float, limit: float) -> Share:
+    """Return the share of a speed (rad/s)."""
+    return Share(limit, 0.0, speed, (speed / limit) ** 2)
+
+
+def shares(
+    points: DrivePoints, speed: float, motor: tuple[float, float, float], reducer: ReducerLimits, falling: Falling
+) -> dict[str, Share]:
+    """Return the share of each limit, by its name.
+
+    ``speed`` is the largest of the motor (rad/s), ``motor`` its rated and peak torque (Nm) and its largest speed.
+    """
+    rated, peak, fastest = motor
+    behind, standing = points.load.behind, points.load.standing_behind
+    found = {
+        "RMS torque": by_rms(points, rated, speed > 0.0),
+        "peak torque": by_peak(points, points.torque, points.standing, peak),
+        "motor speed": by_speed(speed, fastest),
+        "reducer input speed": by_speed(speed, reducer.input_speed),
+        "reducer peak torque": by_peak(points, behind, standing, reducer.peak_torque),
+        "reducer mean torque": by_mean(points, reducer.mean_torque),
+    }
+    if falling.fall:
+        use = float(falling_use(points, peak, falling).max()) ** 2
+        found["torque below the curve"] = found["peak torque"]._replace(use=use)
+    return found

@@ -1,0 +1,89 @@
+"""What a drive asks for behind its reducer, whatever that and the motor are: at the points of its cycle. SI units.
+
+With J all that turns with the motor, T = J i α + f S/i: f = 1/η where S drives the load, η where the load drives it.
+Squares of T are sums of five means of α and S; peaks are those of the points.
+Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drivetrain.losses import gives_back
+from engine.laws.base import Array
+from engine.machine.geared import Gears
+from engine.machine.quadrature import LoadPoints
+
+
+class Points(NamedTuple):
+    """Points of a cycle, arrays of one length, at the shaft behind the reducer.
+
+    α (rad/s²), S (Nm) where it drives the load and where the load drives it (0 elsewhere), and the speed (rad/s).
+    """
+
+    acceleration: Array
+    driving: Array
+    driven: Array
+    speed: Array
+
+
+class Squares(NamedTuple):
+    """⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ where S drives the load, and where the load drives it."""
+
+    own: float
+    mixed: float
+    mixed_back: float
+    behind: float
+    behind_back: float
+
+
+@dataclass(frozen=True)
+class PointLoad:
+    """A load at its points; its largest speed (rad/s) and torque (Nm) at the shaft, and its inertia there (kg m²)."""
+
+    load: LoadPoints
+    speed: float
+    torque: float
+    inertia: float
+
+    @cached_property
+    def points(self) -> Points:
+        """The points; of a brake that holds the motor no torque reaches it."""
+        load = self.load
+        torque = np.where(load.braked, 0.0, load.behind)
+        back = gives_back(torque, load.direction, 0.0) & (load.train.method == "physical")
+        found = load.turning, np.where(back, 0.0, torque), np.where(back, torque, 0.0), np.abs(load.speed)
+        return Points(*(one.ravel() for one in found))
+
+    @cached_property
+    def squares(self) -> Squares:
+        """Means over the cycle."""
+        alpha, drives, back, _ = self.points
+        share = self.load.share.ravel()
+        each = (alpha**2, alpha * drives, alpha * back, drives**2, back**2)
+        return Squares(*(float(share @ one) for one in each))
+
+    def rms(self, some: Gears) -> Array:
+        """Return the RMS torque of motors (Nm)."""
+        own, mixed, mixed_back, behind, behind_back = self.squares
+        turned = some.inertia * some.ratio
+        out, back = 1.0 / (some.efficiency * some.ratio), some.efficiency / some.ratio
+        crossed = 2.0 * turned * (mixed * out + mixed_back * back)
+        square = turned**2 * own + crossed + behind * out**2 + behind_back * back**2
+        return np.sqrt(np.maximum(square, 0.0))
+
+    def torques(self, some: Gears) -> Array:
+        """Return the torque of motors at the points (Nm): motors down, points across."""
+        at = self.points
+        turned = (some.inertia * some.ratio)[:, None] * at.acceleration
+        driving = at.driving / (some.efficiency * some.ratio)[:, None]
+        return np.asarray(turned + driving + at.driven * (some.efficiency / some.ratio)[:, None])
+
+    def peak(self, some: Gears) -> Array:
+        """Return the largest torque of motors at the points (Nm)."""
+        parts = some.parts(self.points.speed.size)
+        return np.concatenate([np.abs(self.torques(one)).max(axis=1) for one in parts])

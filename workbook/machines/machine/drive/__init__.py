@@ -1,0 +1,1 @@
+"""The sheet of a drive: entries, results, and one table of its torque and speed at points of the cycle."""

@@ -1,0 +1,52 @@
+"""The mechanisms whose ratio depends on the position, as they are entered; what is wrong with their sizes."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from engine.mechanisms.crank_slider import crank_slider
+from engine.mechanisms.linkage import Linkage
+from engine.mechanisms.rocker import rocker
+from engine.mechanisms.table import PositionTable
+from workbook.book.sentence import figure
+from workbook.entries.units import DEGREE, MM, si
+from workbook.machines.machine.chain import MechanismEntry, TablePoint
+
+
+def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
+    """Return the mechanism that is entered, of an axis in a unit. Raises ValueError for sizes that cannot be."""
+    if given.kind == "table":
+        return PositionTable([(si(one.angle, DEGREE), si(one.position, unit)) for one in given.points])
+    offset = si(given.offset or 0.0, MM)
+    if given.kind == "rocker":
+        lever, link, angle = si(given.lever or 0.0, MM), si(given.link or 0.0, MM), si(given.angle or 0.0, DEGREE)
+        return rocker(lever, link, offset, angle, given.slide != "behind", -1 if given.direction == "backward" else 1)
+    crank, rod, position = (si(one or 0.0, MM) for one in (given.crank, given.rod, given.position))
+    return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", position)
+
+
+FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
+APART = {
+    "crank-slider": "the rod is not longer than crank and offset: the crank cannot turn round",
+    "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
+}
+
+
+def apart(given: MechanismEntry, unit: str) -> str:
+    """Return what is wrong with sizes that do not go together; nothing where they do."""
+    if given.kind == "table":
+        return unlike_table(given.points, unit)
+    try:
+        linkage_of(given, MM)
+    except ValueError:
+        return APART[given.kind]
+    return ""
+
+
+def unlike_table(points: list[TablePoint], unit: str) -> str:
+    """Return which point of a table does not rise, or between which the table bends too sharply; nothing if none."""
+    for row, (one, other) in enumerate(pairwise(points), 2):
+        if other.angle <= one.angle or other.position <= one.position:
+            (angle, position), (low, lowest) = ((figure(p.angle), figure(p.position)) for p in (other, one))
+            return FALLS.format(row, angle, position, unit, low, lowest, unit)
+    return ""

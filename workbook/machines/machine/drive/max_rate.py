@@ -1,0 +1,126 @@
+"""The highest rate of a drive in cells: what stands at any rate, what grows with its square, and where limits are met.
+
+With T_0 the torque without motion and I = T − T_0, a rate √x times the present one asks for T_0 + x I.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from engine.machine.max_rate import Share, squares
+from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.sentence import Said, bound
+from workbook.entries.units import RPM, shown
+from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
+
+NO_LIMIT = "–"
+NOTE = "exact at the rate that is entered; elsewhere to about 1 %"
+ABOUT = (
+    "Without motion a torque T_0 stands; I = T − T_0 grows with the square of the rate. At √x times the rate the torque "
+    "is T_0 + x I: of each limit, 1/x is the share of the square of the rate that is used."
+)
+SPEEDS = ("motor speed", "reducer input speed")
+USES = {
+    "RMS torque": "IF(OR(@speed=0,[stands]>=[limit]),0,@grow/(SQRT(@mixed^2+@grow*(@motor_rated^2-@stand))-@mixed))",
+    "peak torque": "MAX([@pt.up])",
+    "motor speed": "(@speed/[limit])^2",
+    "reducer input speed": "IF([limit]=0,0,(@speed/[limit])^2)",
+    "reducer peak torque": "MAX([@pt.us])",
+    "reducer mean torque": "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))",
+    "torque below the curve": "MAX([@pt.uc])^2",
+}
+LIMITS = {
+    "RMS torque": "@motor_rated", "peak torque": "@motor_peak", "motor speed": "@motor_nmax",
+    "reducer input speed": "@reducer_nmax", "reducer peak torque": "@reducer_peak",
+    "reducer mean torque": "@reducer_mean", "torque below the curve": "@corner",
+}  # fmt: skip
+STANDS = {
+    "RMS torque": "SQRT(@stand)",
+    "peak torque": "MAX(MAX([@pt.T0]),0-MIN([@pt.T0]))",
+    "motor speed": "0",
+    "reducer input speed": "0",
+    "reducer peak torque": "MAX(MAX([@pt.S0]),0-MIN([@pt.S0]))",
+    "reducer mean torque": "@smean0",
+    "torque below the curve": "MAX(MAX([@pt.T0]),0-MIN([@pt.T0]))",
+}
+
+
+def names(view: DriveView) -> list[str]:
+    """Return the names of the limits that the sheet knows."""
+    return list(LIMITS) if view.knows_falling else list(LIMITS)[:-1]
+
+
+def share_of(view: DriveView, name: str) -> Share:
+    """Return the share of a limit; of a curve that does not fall none is used."""
+    none = view.shares["peak torque"]._replace(limit=0.0, use=0.0)
+    return view.shares.get(name, none)
+
+
+def rates_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the means that the highest rate hangs on, and up to which rate each limit is held."""
+    points, size = view.points, view.scales.torque**2
+    own, mixed, growing = squares(points)
+    sheet.heading("Workings: the highest rate", ABOUT)
+    sheet.rows(
+        calc("@stand", "Mean of T_0²", "A", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
+        calc("@mixed", "Mean of T_0 I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T])-@stand", mixed,
+             scale=size),
+        calc("@grow", "Mean of I²", "C", "Nm²", "=@rms^2-2*@mixed-@stand", growing, scale=size),
+        calc("@smean0", "Mean torque behind the reducer at no speed", "", "Nm", f"={cubic('S0')}",
+             points.cubic_mean(view.load.standing_behind), scale=view.scales.behind),
+    )  # fmt: skip
+    each = names(view)
+    found = [share_of(view, name) for name in each]
+    sheet.row += 1
+    sheet.table(
+        "@held", "Up to which rate each limit is held", len(each),
+        constant("name", "limit", "", "", each, align="left"),
+        calc("limit", "limit", "", "Nm or rpm", [f"={LIMITS[name]}+0" for name in each],
+             [in_units(name, 0.0 if math.isinf(one.limit) else one.limit) for name, one in zip(each, found, strict=True)],
+             source="0: none"),
+        calc("stands", "at no speed", "", "", [f"={STANDS[name]}" for name in each],
+             [in_units(name, one.standing) for name, one in zip(each, found, strict=True)], scale=view.scales.torque),
+        calc("use", "share of the square of the rate", "1/x", "", [f"={USES[name]}" for name in each],
+             [one.use for one in found], scale=1.0),
+        calc("rate", "held up to", "n", "cycles/min",
+             f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,IF([use]<=0,"{NO_LIMIT}",@rate/SQRT([use]))))',
+             [rate(view, one) for one in found], align="right", source="n/√(share)"),
+    )  # fmt: skip
+
+
+def in_units(name: str, value: float) -> float:
+    """Return a limit as it is shown: torques in Nm, speeds in rpm."""
+    return shown(value, RPM) if name in SPEEDS else value
+
+
+def rate(view: DriveView, one: Share) -> float | str:
+    """Return the rate up to which a limit is held, or a dash."""
+    if not one.limit:
+        return NO_LIMIT
+    found = one.highest(view.rate)
+    return NO_LIMIT if math.isinf(found) else found
+
+
+def cubic(column: str) -> str:
+    """Return the formula of the cubic mean of a torque behind the reducer, weighted by the motor's speed: |n| is (n²)^½."""
+    return f"IF(@mean>0,(SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5,([@pt.{column}]^2)^1.5)/@mean)^(1/3),0)"
+
+
+def highest(view: DriveView) -> Sequence[Quantity]:
+    """Return the results: the highest rate, and the limit that binds there."""
+    most, name, _ = view.highest
+    rates = "[@held.rate]"
+    return [
+        result("@highest", "Highest rate at which it holds all limits", "n_max", "cycles/min",
+               f'=IF(COUNT({rates})=0,"{NONE_BINDS}",MIN({rates}))', most, align="right", source=NOTE),
+        result("@binds", "limiting factor", "", "",
+               f'=IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@held.name],MATCH(MIN({rates}),{rates},0)))', name,
+               align="right"),
+    ]  # fmt: skip
+
+
+def mending(view: DriveView) -> Said:
+    """Return what would mend a limit that is not held: the rate up to which all are."""
+    most = view.highest.rate
+    return bound("@highest", most if isinstance(most, float) else 0.0, "; the drive holds all up to ", " cycles/min")

@@ -1,0 +1,99 @@
+"""A lever that drives a slide through a link in cells: its angle at a position of the slide, and its ratio.
+
+A lever r on a shaft in the origin drives by a link l a slide at x on a line at the distance e. ψ is the angle of the
+lever: that of the line from shaft to slide, and beside it the triangle's angle by the law of cosines.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.mechanisms.linkage import Linkage, near_end
+from engine.mechanisms.rocker import farther
+from engine.mechanisms.slide import SlideLinkage, lever_angle, slopes
+from workbook.book.declare import Quantity, Sheet, calc
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.mechanisms.column import Column
+
+AREA = "SQRT(MAX(0,(@l+@r-{d})*(@l-@r+{d})*({d}+@r-@l)*({d}+@r+@l)))"
+"""4 times the area of the triangle of shaft, lever's end and slide, by Heron's formula"""
+ANGLE = "ATAN2({x},@e)+@side*ATAN2({d}^2+@r^2-@l^2,{k})"
+"""of the lever, by the area and the law of cosines"""
+
+
+def far(one: SlideLinkage) -> float:
+    """Return what is farther than any slide (m)."""
+    return farther(one.lever, one.link, one.offset)
+
+
+def begun(one: SlideLinkage) -> list[Quantity]:
+    """Return the rows of the lever where the motion begins, and of what is an end of the reach."""
+    d = float(np.hypot(one.zero, one.offset))
+    return [
+        calc("@d0", "Slide to the shaft, where the motion begins", "d_0", "m", "=SQRT(@x0^2+@e^2)", d),
+        calc("@k0", "Four areas of the triangle there", "K_0", "m²", f"={AREA.format(d='@d0')}", area(one, d),
+             scale=one.link**2, source="Heron"),
+        calc("@psi0", "Angle of the lever where the motion begins", "ψ_0", "rad",
+             f"={ANGLE.format(x='@x0', d='@d0', k='@k0')}", one.start, source="from the direction of the slide's line"),
+        calc("@near_end", "So near to an end counts as in it", "", "m", "=check_zero*(@high-@low)", near_end(one),
+             format="0E+00", source="in a dead centre the shaft may go on either way"),
+    ]  # fmt: skip
+
+
+def area(one: SlideLinkage, d: Array | float) -> Any:
+    """Return four areas of the triangle where the slide is at d from the shaft (m²), by its sides."""
+    r, rod = one.lever, one.link
+    return np.sqrt(np.maximum(0.0, (rod + r - d) * (rod - r + d) * (d + r - rod) * (d + r + rod)))
+
+
+def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
+    """Declare no table of entries: what is entered are single cells."""
+
+
+def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
+    """Return the columns of φ' and φ'' at the position in the column ``y``."""
+    one = slide_of(driven.linkage)
+    x = one.zero + one.direction * position
+    psi = lever_angle(one.lever, one.link, one.offset, one.side, x)
+    along, height = one.lever * np.cos(psi), one.lever * np.sin(psi)
+    first, second = slopes(one.lever, one.offset, psi, x)
+    _, ratio, change = one.shaft(position)
+    d = np.hypot(x, one.offset)
+    lean = (height - one.offset) / (x - along)
+    return [
+        calc("X", "slide from the shaft", "x", "m", "=@x0+@sense*[y]", of(x), scale=one.link, source="x_0 ± y"),
+        calc("d", "to the shaft", "d", "m", "=SQRT([X]^2+@e^2)", of(d), scale=one.link, source="√(x² + e²)"),
+        calc("K", "four areas of the triangle", "K", "m²", f"={AREA.format(d='[d]')}", of(area(one, d)),
+             scale=one.link**2, source="Heron"),
+        calc("psi", "angle of the lever", "ψ", "rad", f"={ANGLE.format(x='[X]', d='[d]', k='[K]')}", of(psi),
+             scale=1.0),
+        calc("c", "lever's end along the line", "c", "m", "=@r*COS([psi])", of(along), scale=one.lever,
+             source="r cos ψ"),
+        calc("above", "and above it", "s", "m", "=@r*SIN([psi])", of(height), scale=one.lever, source="r sin ψ"),
+        calc("tan", "slope of the link", "tan β", "", "=([above]-@e)/([X]-[c])", of(lean), scale=1.0,
+             source="(s − e)/(x − c)"),
+        calc("dx", "travel by angle", "dx/dψ", "m", "=0-[above]-[tan]*[c]", of(first), scale=one.lever,
+             source="−(s + c tan β)"),
+        calc("ddx", "its change", "d²x/dψ²", "m", "=[tan]*[above]-[c]-([c]+[tan]*[c]*[tan])*[c]/([X]-[c])",
+             of(second), scale=one.lever, source="s tan β − c − c² (1 + tan² β)/(x − c)"),
+        calc("g", "ratio", "φ'", "rad/m", "=1/ABS([dx])", of(ratio), source="1/|dx/dψ|"),
+        calc("h", "its change", "φ''", "rad/m²", "=0-@sense*[ddx]/ABS([dx])^3", of(change),
+             scale=float(np.abs(change).max()), source="dφ'/dy"),
+    ]  # fmt: skip
+
+
+def angle(driven: Driven, position: Array, of: Column) -> Quantity:
+    """Return the column of the shaft's angle at positions."""
+    return calc("phi", "angle of the shaft", "φ", "rad", "=@sense*SIGN([dx])*([psi]-@psi0)",
+                of(slide_of(driven.linkage).shaft(position).angle), scale=1.0,
+                source="from where the motion begins")  # fmt: skip
+
+
+def slide_of(linkage: Linkage | None) -> SlideLinkage:
+    """Return a linkage of lever and link as what it is."""
+    if not isinstance(linkage, SlideLinkage):
+        raise TypeError(f"{linkage} is no lever and link")
+    return linkage

@@ -1,0 +1,216 @@
+"""A table of positions in cells: its points, and the curve of fifth degree through them, φ over y.
+
+At each point φ' and φ'' are those of the parabola y(φ) through the point and its neighbours; where the points bend so
+sharply that the curve might fall, φ'' is 0 and φ' is held near the flatter chord.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.mechanisms.linkage import Linkage, near_end
+from engine.mechanisms.table import PositionTable
+from workbook.book.declare import Quantity, Sheet, calc, constant, given
+from workbook.book.rows import filled
+from workbook.book.sentence import quoted
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.linkages import FALLS
+from workbook.machines.machine.drive.mechanisms.column import Column
+
+SIZED = "@count>=2"
+FITS = "SUM([@curve.falls])=0"
+HOLDS = "angle and position rise from point to point"
+WITHIN = "within its table"
+
+
+def wrong(driven: Driven) -> str:
+    """Return the formula of what is said of points that do not rise."""
+    row = "MATCH(1,[@curve.falls],0)"
+    words = FALLS.partition(" {}")[0]
+    return f"{quoted(words + ' ')}&{row}&{quoted(' does not rise in angle and position')}"
+
+
+def entries(driven: Driven, key: str) -> list[Quantity]:
+    """Return no rows: what is entered is a table."""
+    return []
+
+
+def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
+    """Declare the points."""
+    e, key, unit = driven.given.points, f"axes.{driven.number - 1}.mechanism.points.*", driven.entered.unit
+    sheet.row += 1
+    sheet.table(
+        "@points", "Points of the table: leave spare rows empty", rows,
+        constant("k", "point", "k", "", list(range(1, rows + 1))),
+        given("angle", "angle of the shaft", "φ", "°", filled([p.angle for p in e], rows, None), f"{key}.angle",
+              format="0.0##", source="rises strictly"),
+        given("position", "position of the load", "y", unit, filled([p.position for p in e], rows, None),
+              f"{key}.position", format="0.0##", source="rises strictly"),
+    )  # fmt: skip
+
+
+def sizes(driven: Driven) -> list[Quantity]:
+    """Return the rows of where the mechanism can bring its load to."""
+    one = table_of(driven.linkage)
+    low, high, *_ = one.reach
+    base = driven.axis.base
+    return [
+        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(driven.given.points), format="0"),
+        calc("@low", "Lowest position that is reached", "", base, "=INDEX([@curve.y],1)", low, scale=high - low),
+        calc("@high", "Highest position", "", base, "=INDEX([@curve.y],MAX(1,@count))", high, scale=high - low),
+        calc("@near_end", "So near to an end counts as beyond it", "", base, "=0-check_zero*(@high-@low)",
+             near_end(one), format="0E+00", source="below 0: so far beyond counts as at it"),
+    ]  # fmt: skip
+
+
+def end(which: str) -> str:
+    """Return the formula of the name of an end of the reach, ``low`` or ``high``."""
+    return quoted("begin of the table" if which == "low" else "end of the table")
+
+
+def table(sheet: Sheet, driven: Driven, rows: int) -> None:
+    """Declare the curve between the points."""
+    sheet.table(
+        "@curve", "The curve through the points", rows,
+        constant("k", "point", "k", "", list(range(1, rows + 1))),
+        *points(driven, rows),
+        *slopes(driven, rows),
+        *powers(driven, rows),
+    )  # fmt: skip
+
+
+def at(name: str, place: str) -> str:
+    """Return the formula of a figure of another point."""
+    return f"INDEX([@curve.{name}],{place})"
+
+
+AFTER, BEFORE = "MIN([k]+1,MAX(2,@count))", "MAX([k]-1,1)"
+
+
+def points(driven: Driven, rows: int) -> list[Quantity]:
+    """Return the columns of the points in rad and SI, and of the chords between them."""
+    one = table_of(driven.linkage)
+    angle, y, *_ = one.columns
+    metres, base = ("{}/1000", "m") if driven.travels else ("RADIANS({})", "rad")
+    own = "INDEX([@points.{}],[k])"
+
+    def of(values: Array) -> list[Any]:
+        return filled(values, rows)
+
+    width, chord = np.diff(y), np.diff(angle) / np.diff(y)
+    entry = f"COUNT({own.format('angle')},{own.format('position')})=2"
+    return [
+        calc("on", "is used", "", "", f"=IF({entry},1,0)", of(np.ones(y.size)), format="0"),
+        calc("phi", "angle", "φ", "rad", f"=RADIANS({own.format('angle')})", of(angle)),
+        calc("y", "position", "y", base, f"={metres.format(own.format('position'))}", of(y)),
+        calc("w", "to the next", "Δy", base, f"=IF([k]<@count,{at('y', AFTER)}-[y],0)", of(width)),
+        calc("chord", "slope to the next", "Δφ/Δy", "", f"=IF([k]<@count,({at('phi', AFTER)}-[phi])/[w],0)",
+             of(chord)),
+        calc("falls", "does not rise", "", "",
+             f"=IF(AND([k]>1,[on]=1),IF(MIN([phi]-{at('phi', BEFORE)},[y]-{at('y', BEFORE)})<=0,1,0),0)", 0,
+             format="0;;"),
+    ]  # fmt: skip
+
+
+def slopes(driven: Driven, rows: int) -> list[Quantity]:
+    """Return the columns of φ' and φ'' at the points: of the parabola, and as they are used."""
+    one = table_of(driven.linkage)
+    found = one.parabolas
+    before, middle, after = (at("phi", place) for place in ("[m]-1", "[m]", "[m]+1"))
+    left, right = at("chord", "[m]-1"), at("chord", "[m]")
+    about = np.maximum(2, np.minimum(np.arange(1, len(found.slope) + 1), len(found.slope) - 1))
+
+    def of(values: Any, spare: float = 0.0) -> list[Any]:
+        return filled(np.asarray(values) + 0.0, rows, spare)
+
+    def used(formula: str) -> str:
+        return f"=IF([on]=1,{formula},0)"
+
+    sides = [at(name, place) for name in ("w", "chord") for place in (BEFORE, "MIN([k],MAX(1,@count-1))")]
+    return [
+        calc("m", "parabola about point", "", "", used("MAX(2,MIN([k],@count-1))"), of(about), format="0"),
+        calc("bend", "curvature of the parabola", "y''", "",
+             f"=IF(AND([on]=1,@count>2),2*(1/{right}-1/{left})/({after}-{before}),0)", of(found.bend),
+             scale=float(np.abs(found.bend).max()) or 1.0, source="through three points"),
+        calc("slope", "its slope", "y'", "",
+             used(f"1/{left}+[bend]/2*(2*[phi]-{middle}-{before})"), of(found.slope), source="there"),
+        calc("h0", "to the point before", "", "", used(sides[0]), of(found.widths[0])),
+        calc("h1", "to the next", "", "", used(sides[1]), of(found.widths[1])),
+        calc("flat", "flatter chord beside it", "", "", used(f"MIN({sides[2]},{sides[3]})"), of(found.flat)),
+        calc("b", "φ'' of the parabola", "", "", used("IF([slope]>0,0-[bend]/[slope]^3,0)"), of(found.second),
+             scale=float(np.abs(found.second).max()) or 1.0, source="−y''/y'³"),
+        calc("calm", "the curve rises", "", "",
+             used(f"IF(AND([slope]>0,4/[slope]+MIN([h1]*[b],0-[h0]*[b])>0,{tests(sides)}),1,0)"), of(found.calm),
+             format="0", source="1: the parabola's slope and curvature are used"),
+        calc("g", "φ' there", "φ'", "", "=IF([on]=0,0,IF([calm]=1,1/[slope],1/MAX(0.8/[flat],MIN(4/[flat],[slope]))))",
+             of(one.columns[2])),
+        calc("h", "φ'' there", "φ''", "", "=[calm]*[b]", of(one.columns[3]),
+             scale=float(np.abs(found.second).max()) or 1.0),
+    ]  # fmt: skip
+
+
+def tests(sides: Sequence[str]) -> str:
+    """Return the conditions that Bernstein's coefficients rise in the middle of both parts beside a point."""
+    return f"8/[slope]+[h1]*[b]<10*{sides[3]},8/[slope]-[h0]*[b]<10*{sides[2]}"
+
+
+def powers(driven: Driven, rows: int) -> list[Quantity]:
+    """Return the coefficients of φ over the share t of each part: φ = φ_k + d1 t + d2 t² + … + d5 t⁵."""
+    one = table_of(driven.linkage)
+    found = np.vstack([one.powers[:, 1:], np.zeros((rows - len(one.powers), 5))]).T
+    angle, y, first, second = one.columns
+    d1, d2 = first[:-1] * one.widths, second[:-1] * one.widths**2 / 2.0
+    more = {
+        "e0": ("angle beyond these two", f"{at('phi', AFTER)}-[phi]-[d1]-[d2]", np.diff(angle) - d1 - d2),
+        "e1": ("slope beyond them", f"{at('g', AFTER)}*[w]-[d1]-2*[d2]", first[1:] * one.widths - d1 - 2.0 * d2),
+        "e2": ("curvature beyond them", f"{at('h', AFTER)}*[w]^2-2*[d2]", second[1:] * one.widths**2 - 2.0 * d2),
+    }
+    formulas = ("[g]*[w]", "[h]*[w]^2/2", "10*[e0]-4*[e1]+[e2]/2", "7*[e1]-15*[e0]-[e2]", "6*[e0]-3*[e1]+[e2]/2")
+    words = "t", "t²", "t³", "t⁴", "t⁵"
+    size = float(np.abs(one.powers).max())
+    return [
+        *(calc(f"d{n}", f"coefficient of {word}", f"d{n}", "rad", f"=IF([k]<@count,{formula},0)", values, scale=size)
+          for n, (word, formula, values) in enumerate(zip(words, formulas, found, strict=True), 1)),
+        *(calc(name, label, "", "rad", f"=IF([k]<@count,{formula},0)", filled(values, rows), scale=size,
+               source="at the next point")
+          for name, (label, formula, values) in more.items()),
+    ]  # fmt: skip
+
+
+def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
+    """Return the columns of φ' and φ'' at the position in the column ``y``."""
+    one = table_of(driven.linkage)
+    part = one.part(position)
+    share = (position - one.columns[1][part]) / one.widths[part]
+    _, first, second = one.shaft(position)
+    d = [f"INDEX([@curve.d{n}],[part])" for n in range(1, 6)]
+    width = "INDEX([@curve.w],[part])"
+    slope = f"{d[0]}+[t]*(2*{d[1]}+[t]*(3*{d[2]}+[t]*(4*{d[3]}+[t]*5*{d[4]})))"
+    change = f"2*{d[1]}+[t]*(6*{d[2]}+[t]*(12*{d[3]}+[t]*20*{d[4]}))"
+    return [
+        calc("part", "part of the table", "", "",
+             "=MAX(1,MIN(@count-1,SUMPRODUCT([@curve.on]*([@curve.y]<=[y]))))", of(part + 1.0), format="0"),
+        calc("t", "share of the part", "t", "", f"=([y]-INDEX([@curve.y],[part]))/{width}", of(share), scale=1.0),
+        calc("g", "ratio", "φ'", "", f"=({slope})/{width}", of(first), source="dφ/dy"),
+        calc("h", "its change", "φ''", "", f"=({change})/{width}^2", of(second),
+             scale=float(np.abs(second).max()) or 1.0, source="d²φ/dy²"),
+    ]  # fmt: skip
+
+
+def angle(driven: Driven, position: Array, of: Column) -> Quantity:
+    """Return the column of the shaft's angle at positions."""
+    d = [f"INDEX([@curve.d{n}],[part])" for n in range(1, 6)]
+    text = f"[t]*({d[0]}+[t]*({d[1]}+[t]*({d[2]}+[t]*({d[3]}+[t]*{d[4]}))))"
+    return calc("phi", "angle of the shaft", "φ", "rad", f"=INDEX([@curve.phi],[part])+{text}",
+                of(table_of(driven.linkage).shaft(position).angle), scale=1.0)  # fmt: skip
+
+
+def table_of(linkage: Linkage | None) -> PositionTable:
+    """Return a linkage of points as what it is."""
+    if not isinstance(linkage, PositionTable):
+        raise TypeError(f"{linkage} is no table")
+    return linkage

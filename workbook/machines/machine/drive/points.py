@@ -1,0 +1,276 @@
+"""The table of a drive: at points of each interval, from the motion to the motor, a column a quantity.
+
+The points are those of the rule of Gauss and Lobatto: both ends and seven between, each with what it counts in a mean.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.machine.max_rate import falling_use, growing_use
+from engine.machine.quadrature import COUNT, DrivePoints, LoadPoints
+from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.entries.units import DEGREE, KW, RPM, shown
+from workbook.machines.machine.cycle import CYCLES
+from workbook.machines.machine.drive.mechanisms import registry
+from workbook.machines.machine.drive.mechanisms.column import Column
+from workbook.machines.machine.drive.view import DriveView
+
+SHARES = (0.0, 0.0501210022942699, 0.161406860244631, 0.318441268086911, 0.5,
+          0.681558731913089, 0.838593139755369, 0.94987899770573, 1.0)  # fmt: skip
+WEIGHTS = (0.0138888888888889, 0.0827476807804028, 0.137269356250081, 0.173214255486523, 0.185759637188209,
+           0.173214255486523, 0.137269356250081, 0.0827476807804028, 0.0138888888888889)  # fmt: skip
+"""of points of an interval, and of what they count. Source: Abramowitz and Stegun, 25.4.32"""
+POWERS = ("p0", "u", "u2", "u3", "u4", "u5", "u6", "u7")
+LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
+LOSS1 = "IF({0}*[dir]<0,@back1,1/@eta1)*{0}/@i1"
+BRAKED = 'AND([dir]=0,@holding="brake")'
+
+
+class Ratio(NamedTuple):
+    """The formulas of the mechanism's ratio φ', and of the acceleration of its shaft."""
+
+    ratio: str
+    acceleration: str
+
+
+def ratio_of(view: DriveView, a: str) -> Ratio:
+    """Return them for an acceleration of the load."""
+    if view.varies:
+        return Ratio("[g]", "[al]")
+    return Ratio("@i2", "[al]" if asks(view) else f"@i2*{a}")
+
+
+def asks(view: DriveView) -> bool:
+    """Return whether the book has a sheet Selection, which reads the acceleration of the mechanism's shaft."""
+    return view.one.machine.machine.selection.axis is not None
+
+
+def shaft(view: DriveView, load: LoadPoints, of: Column) -> Quantity:
+    """Return the column of the acceleration of the mechanism's shaft."""
+    formula = "=[h]*[v]^2+[g]*[a]" if view.varies else "=@i2*[a]"
+    return calc("al", "acceleration of the shaft", "φ̈", "rad/s²", formula, of(load.turning),
+                scale=max(float(np.abs(view.load.turning).max()), 1e-9),
+                source="φ'' ẏ² + φ' ÿ" if view.varies else "i_2 ÿ")  # fmt: skip
+
+
+def points_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the drive at the points of each interval."""
+    rows = range(1, view.rows + 1)
+    load, points, size = view.load, view.points, view.scales
+    turning = ratio_of(view, "[a]")
+    of = view.by_point
+    sheet.table(
+        "@pt", "The drive at nine points of each interval", view.rows * COUNT,
+        constant("k", "point", "k", "", list(range(1, view.rows * COUNT + 1))),
+        constant("iv", "interval", "", "", [k for k in rows for _ in SHARES]),
+        constant("s", "share of it", "", "", list(SHARES) * view.rows),
+        constant("w", "counts", "", "", list(WEIGHTS) * view.rows),
+        *motion(view),
+        *([position(view)] if view.varies else []),
+        calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX([@iv.dir],[iv]))", of(load.direction),
+             format="0"),
+        calc("R", "resisting force", "F_r", force_unit(view),
+             "=INDEX([@iv.steady],[iv])+[dir]*INDEX([@iv.friction],[iv])", of(load.resisting), scale=size.force,
+             source="without inertia"),
+        *(registry.linkage_page(view.driven).ratios(view.driven, load.position, of) if view.varies else ()),
+        *([shaft(view, load, of)] if view.varies or asks(view) else ()),
+        calc("F", "force at the load", "F", force_unit(view), f"=[R]+@m*[a]{viscous(view, '[v]')}", of(load.force),
+             scale=size.force, source="F_r + m ÿ"),
+        *torques(view, load, turning, of),
+        result("n", "speed of the motor", "n", "rpm", f"=@i1*{turning.ratio}*[v]*30/PI()", of(shown(points.speed, RPM)),
+               scale=size.rpm, source="i_1 φ' ẏ"),
+        result("P", "power of the motor", "P", "kW", "=[T]*[n]*PI()/30000", of(shown(points.power, KW)),
+               scale=size.power, source="T ω"),
+        calc("share", "share of the cycle", "", "",
+             "=[w]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/360", of(load.share, 0.0), scale=1.0,
+             source="what it counts in a mean"),
+        *standing(view, turning.ratio),
+        blank="[share]=0",
+    )  # fmt: skip
+
+
+def force_unit(view: DriveView) -> str:
+    """Return the unit of forces at the load."""
+    return "N" if view.driven.travels else "Nm"
+
+
+def viscous(view: DriveView, v: str) -> str:
+    """Return what viscous friction adds to a force, as a formula."""
+    return "" if view.driven.entered.load.viscous is None else f"+@viscous*{v}"
+
+
+def motion(view: DriveView) -> list[Quantity]:
+    """Return the columns of the motion: place, powers of u, velocity and acceleration of the load."""
+    rows, load, axis = view.one.pieces, view.load, view.driven.axis
+    of, table = view.by_point, f"axis{view.driven.number}_pieces"
+    numbers = np.array([one.piece for one in view.cycle.intervals])[:, None]
+    local, base = view.local, axis.base
+    powers = POWERS[: rows.powers if view.varies else rows.powers - 1]
+    waves = [_wave(rows.sines, order, table) for order in (1, 2)]
+    sines = np.array([one.sines for one in view.cycle.pieces])[numbers[:, 0]]
+    angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.sines))]
+    return [
+        calc("theta", "angle of its phases", "θ", "°",
+             "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))",
+             of(shown(load.place, DEGREE)), scale=360.0, format="0.0##"),
+        calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])", of(numbers + 1.0), format="0"),
+        constant("p0", "power of u", "1", "", 1),
+        calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX([{table}.begin],[q]))", of(local)),
+        *(calc(name, "power of u", f"u{'²³⁴⁵⁶⁷'[n]}", "", f"=[u]^{n + 2}", of(local ** (n + 2)))
+          for n, name in enumerate(powers[2:])),
+        *(calc(f"x{one.mark}", "argument of the sine", f"x{one.mark}", "rad",
+               f"=INDEX([{table}.om{one.mark}],[q])*[u]+INDEX([{table}.ph{one.mark}],[q])", of(angle),
+               source="ωu + φ")
+          for one, angle in zip(rows.sines, angles, strict=True)),
+        *(_sines(view, waves, angles) if len(rows.sines) > 1 else ()),
+        calc("v", "velocity", "ẏ", f"{base}/s", f"=@omega*({_sum(table, 'dy', powers, rows.powers - 1)}+{waves[0]})"
+             if len(rows.sines) < 2 else f"=@omega*({_sum(table, 'dy', powers, rows.powers - 1)}+[sv])",
+             of(load.velocity), scale=max(axis.fastest, 1e-9), source="y' ω"),
+        calc("a", "acceleration", "ÿ", f"{base}/s²",
+             f"=@omega^2*({_sum(table, 'ddy', powers, rows.powers - 2)}-{waves[1]})"
+             if len(rows.sines) < 2 else f"=@omega^2*({_sum(table, 'ddy', powers, rows.powers - 2)}-[sa])",
+             of(load.acceleration), scale=max(axis.hardest, 1e-9), source="y'' ω²"),
+    ]  # fmt: skip
+
+
+def _sum(table: str, block: str, powers: Sequence[str], count: int) -> str:
+    """Return the formula of a polynomial by its block of coefficients."""
+    last = f"{block}{count - 1}"
+    return f"SUMPRODUCT(INDEX([{table}.{block}0:{last}],[q],0),[p0:{powers[count - 1]}])"
+
+
+def _wave(sines: Sequence[object], order: int, table: str) -> str:
+    """Return the formula of the first sine in a derivative, without its sign."""
+    function, power = ("COS([x])", "") if order == 1 else ("SIN([x])", "^2")
+    return f"INDEX([{table}.A],[q])*INDEX([{table}.om],[q]){power}*{function}"
+
+
+def _sines(view: DriveView, waves: Sequence[str], angles: Sequence[Array]) -> list[Quantity]:
+    """Return the columns of both sines in y' and y'', in books that have a law with two."""
+    pieces = [view.cycle.pieces[one.piece] for one in view.cycle.intervals]
+    table = f"axis{view.driven.number}_pieces"
+    size = np.array([[a for a, _, _ in one.sines] for one in pieces])
+    turn = np.array([[w for _, w, _ in one.sines] for one in pieces])
+    found = []
+    for name, order, wave in (("sv", 1, waves[0]), ("sa", 2, waves[1])):
+        wrap = np.cos if order == 1 else np.sin
+        value = sum(size[:, k, None] * turn[:, k, None] ** order * wrap(angle) for k, angle in enumerate(angles))
+        second = _wave((), order, table).replace(".A]", ".A2]").replace(".om]", ".om2]").replace("[x]", "[x2]")
+        found.append(calc(name, f"sines of y{chr(39) * order}", "", "", f"={wave}+{second}",
+                          view.by_point(np.asarray(value)), scale=view.driven.axis.motion.size(order)))  # fmt: skip
+    return found
+
+
+def position(view: DriveView) -> Quantity:
+    """Return the column of the load's position."""
+    table, rows = f"axis{view.driven.number}_pieces", view.one.pieces
+    waves = "".join(f"+INDEX([{table}.A{one.mark}],[q])*SIN([x{one.mark}])" for one in rows.sines)
+    return calc("y", "position", "y", view.driven.axis.base, f"={_sum(table, 'c', POWERS, rows.powers)}{waves}",
+                view.by_point(view.load.position), scale=view.driven.axis.motion.size(0))  # fmt: skip
+
+
+def torques(view: DriveView, load: LoadPoints, turning: Ratio, of: Column) -> list[Quantity]:
+    """Return the columns of the torque behind the reducer and of the motor's, at places of the motion."""
+    size = view.scales
+    inner = "@i2" if not view.varies else "[g]"
+    return [
+        calc("S", "torque behind the reducer", "T_1", "Nm",
+             f"={LOSS2.format('[F]')}/{inner}+@j1*{turning.acceleration}", of(load.behind), scale=size.behind,
+             source="F/(η_2 φ') + J_1 φ̈"),
+        result("T", "torque of the motor", "T", "Nm",
+               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*@i1*{turning.acceleration})", of(DrivePoints(load).torque),
+               scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈"),
+    ]  # fmt: skip
+
+
+def standing(view: DriveView, ratio: str) -> list[Quantity]:
+    """Return the columns for the highest rate: torques without motion, and what grows with the rate of each limit."""
+    driven, points, load, size, of = view.driven, view.points, view.load, view.scales, view.by_point
+    reducer, peak = driven.reducer.limits.peak_torque, driven.motor.peak_torque
+    geared = growing_use(load.behind, load.standing_behind, reducer) if np.isfinite(reducer) else 0.0 * load.place
+
+    def use(torque: str, none: str, limit: str) -> str:
+        return f"ABS([{torque}]-[{none}])/({limit}-SIGN([{torque}]-[{none}])*[{none}])"
+
+    columns = [
+        calc("S0", "behind the reducer, at no speed", "T_1,0", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
+             of(load.standing_behind), scale=size.behind, source="F_r/(η_2 φ')"),
+        calc("T0", "of the motor, at no speed", "T_0", "Nm", f"=IF({BRAKED},0,{LOSS1.format('[S0]')})",
+             of(points.standing), scale=size.torque, source="T_1,0/(η_1 i_1)"),
+        calc("up", "share of the peak torque", "", "", f"={use('T', 'T0', '@motor_peak')}",
+             of(growing_use(points.torque, points.standing, peak)), scale=1.0,
+             source="|T − T_0| of what T_0 leaves"),
+        calc("us", "share of the reducer's", "", "", f"=IF(@reducer_peak=0,0,{use('S', 'S0', '@reducer_peak')})",
+             of(geared), scale=1.0, source="0: it has no limit"),
+    ]  # fmt: skip
+    return [*columns, *(curve(view) if view.knows_falling else ())]
+
+
+def curve(view: DriveView) -> list[Quantity]:
+    """Return the columns of the motor's curve: what is left below it, and what grows with the rate of it."""
+    driven, points = view.driven, view.points
+    grows, left = "ABS([T]-[T0])", "(@corner-SIGN([T]-[T0])*[T0])"
+    falls = driven.falling.fall > 0.0
+    shares = falling_use(points, driven.motor.peak_torque, driven.falling) if falls else 0.0 * points.torque
+    return [
+        calc("left", "left below the motor's curve", "", "Nm",
+             "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
+             view.by_point(driven.falling.reserve(driven.motor.peak_torque, points.torque, points.speed)),
+             scale=view.scales.torque, source="T_max − f (n − n_1) − |T|"),
+        calc("uc", "share of the curve", "", "",
+             f"=IF(@fall=0,0,(@fall*ABS([n])+SQRT((@fall*[n])^2+4*{grows}*{left}))/2/{left})",
+             view.by_point(shares), scale=1.0, source="of the rate itself"),
+    ]  # fmt: skip
+
+
+def samples_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the drive at the samples of the cycle: for its charts and for the sheet Power."""
+    i, load, size = view.driven.number, view.samples, view.scales
+    drive = DrivePoints(load)
+    v, a = f"@faster*INDEX([cycle.t{i}],[k]+1)", f"@faster^2*INDEX([cycle.tt{i}],[k]+1)"
+    turning = Ratio("[g]", "[al]") if view.varies else Ratio("@i2", f"@i2*{a}")
+    reached = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
+    speed, hardest = ("[v]", "[a]") if view.varies else (v, a)
+
+    def of(values: Array) -> list[float]:
+        return np.asarray(values).tolist()
+
+    sheet.heading("Table over the cycle")
+    sheet.table(
+        "@cycle", "The drive over the cycle", len(load.place),
+        result("torque", "torque of the motor", "T", "Nm", "=[T]+0", of(drive.torque), scale=size.torque),
+        result("power", "power of the motor", "P", "kW", f"=[T]*@i1*{turning.ratio}*{speed}/1000",
+               of(shown(drive.power, KW)), scale=size.power, source="T ω"),
+        *(linked(view, (v, a), of) if view.varies else ()),
+        constant("k", "sample", "k", "", list(range(len(load.place)))),
+        calc("iv", "interval", "", "", f"=MATCH({reached},[@iv.begin],1)", view.sampled, format="0"),
+        calc("dir", "direction", "", "", f"=IF(ABS({speed})>@still,SIGN({speed}),INDEX([@iv.dir],[iv]))",
+             of(load.direction), format="0"),
+        calc("F", "force at the load", "F", force_unit(view),
+             f"=INDEX([@iv.steady],[iv])+[dir]*INDEX([@iv.friction],[iv])+@m*{hardest}{viscous(view, speed)}",
+             of(load.force), scale=size.force, source="F_r + m ÿ"),
+        *torques(view, load, turning, of),
+    )  # fmt: skip
+
+
+def linked(view: DriveView, rates: tuple[str, str], of: Column) -> list[Quantity]:
+    """Return the columns of a mechanism whose ratio changes: its angle at samples, and what leads there."""
+    i, driven, load = view.driven.number, view.driven, view.samples
+    page, base = registry.linkage_page(driven), driven.axis.base
+    begun = CYCLES.format("INDEX([cycle.theta],[k]+1)", i, f"INDEX([cycle.p{i}],[k]+1)")
+    y = f"(INDEX([cycle.y{i}],[k]+1)-{begun}*[axes.travel.{i}])"
+    return [
+        page.angle(driven, load.position, of),
+        calc("y", "position", "y", base, f"={y}/1000" if driven.travels else f"=RADIANS({y})", of(load.position),
+             scale=driven.axis.motion.size(0)),
+        calc("v", "velocity", "ẏ", f"{base}/s", f"={rates[0]}", of(load.velocity), scale=driven.axis.fastest),
+        calc("a", "acceleration", "ÿ", f"{base}/s²", f"={rates[1]}", of(load.acceleration),
+             scale=driven.axis.hardest),
+        *page.ratios(driven, load.position, of),
+        shaft(view, load, of),
+    ]  # fmt: skip

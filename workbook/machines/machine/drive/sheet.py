@@ -1,0 +1,360 @@
+"""The sheet of a drive: entries, results, checks, and the table of points from which all results come."""
+
+from __future__ import annotations
+
+from engine.drivetrain.loads import GRAVITY
+from engine.drivetrain.losses import held_factor
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.sentence import Said, amount, exceeding
+from workbook.drive.motor import falling_table, limit_checks, limits_table, plane, rms_point
+from workbook.entries.abscissa import Abscissa
+from workbook.entries.titles import sheet_title
+from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
+from workbook.machines.machine import chosen
+from workbook.machines.machine.chain import BELTED, SCREWS, UNSIZED
+from workbook.machines.machine.drive import max_rate
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.intervals import cuts_table, intervals_table
+from workbook.machines.machine.drive.loads import loads
+from workbook.machines.machine.drive.mechanisms import registry
+from workbook.machines.machine.drive.parts import parts_table
+from workbook.machines.machine.drive.peaks import peaks_table, top
+from workbook.machines.machine.drive.points import points_table, samples_table
+from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
+from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive.windows import windows_check, windows_table
+from workbook.machines.machine.selecting import behind
+from workbook.machines.machine.view import kind_name
+
+CHART_COLUMN = 10
+MACHINES, OWN = "the machine's rate", "a rate of its own"
+LISTED = "COUNT(INDEX([motors.end],MAX(1,@motor_row)))"
+DROP = "MAX(0,@motor_peak-INDEX([motors.end],MAX(1,@motor_row)))"
+LEVEL = (
+    "its peak torque falls beyond a speed, and this book knows none that does: give it to the description, and build"
+)
+PEAKS = "to 0.5 %; exact at a constant ratio without viscous friction"
+
+
+def drive_sheet(book: Book, view: DriveView) -> None:
+    """Declare the sheet."""
+    driven, sizes = view.driven, view.one.machine.machine.sizes
+    page = registry.page(driven)
+    sheet = begun(book, driven)
+    with sheet.scoped(f"drive{driven.number}_"):
+        entries(sheet, driven, page.entries(driven, f"axes.{driven.number - 1}"))
+        outcome(sheet, view)
+        sheet.checks(*checks(view), *windows_check(view), *(linkage_checks(view) if view.varies else ()))
+        charts(sheet, view)
+        page.entered(sheet, driven, sizes.positions)
+        tables(sheet, view)
+        sheet.not_printed_below()
+        sheet.heading("Motor and reducer in use")
+        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer, driven.left), *curve_rows(view))
+        workings(sheet, view, page.sizes(driven))
+        page.table(sheet, driven, sizes.positions)
+        if view.varies:
+            reach_table(sheet, view)
+        peaks_table(sheet, view)
+        max_rate.rates_table(sheet, view)
+        behind.means(sheet, view)
+        sheet.heading("Workings: the motor's limits in the chart")
+        corners_table(sheet, view)
+        rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
+        sheet.heading("Workings: the cycle in intervals and points")
+        cuts_table(sheet, view)
+        intervals_table(sheet, view)
+        points_table(sheet, view)
+        samples_table(sheet, view)
+    sheet.print_columns = 18
+
+
+def begun(book: Book, driven: Driven) -> Sheet:
+    """Return the sheet, called by the name that the axis had when the book was built."""
+    title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
+    sheet.called = driven.called
+    return sheet
+
+
+def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
+    """Declare what is entered of this mechanism, its load, reducer and motor.
+
+    They are watched by two checks: the sentence of one would be too long for a cell.
+    """
+    m, key = driven.given, f"axes.{driven.number - 1}"
+    sheet.heading("Enter")
+    sheet.rows(
+        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left",
+             source="its sheet keeps the name that it was built with"),
+        constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
+        given("@own_rate", "Rate that it is sized at, if not the machine's", "n", "cycles/min", driven.entered.rate,
+              f"{key}.rate", format="0.0##", source="empty: the machine's"),
+        *size,
+        given("@eta2", "Efficiency of the mechanism", "η_2", "",
+              m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
+        given("@eta2_back", "Efficiency where the load drives it", "η_2\'", "", m.back_efficiency,
+              f"{key}.mechanism.back_efficiency", format="0.0##",
+              source=f"empty: {'2 − 1/η_2, of its friction' if m.kind in SCREWS else 'η_2'}; 0 or less: self-locking"),
+        given("@method", "Losses", "", "", m.method, f"{key}.mechanism.method",
+              source="physical: by the flow of power; document: over η always, as S4"),
+        *loads(driven, key),
+    )  # fmt: skip
+    sheet.rows(*chosen.entries(driven.entered, key))
+
+
+def tables(sheet: Sheet, view: DriveView) -> None:
+    """Declare what is entered row by row: rotating parts, process forces."""
+    sheet.heading("Enter: parts and process forces")
+    parts_table(sheet, view.driven, view.one.machine.machine.sizes.rotors)
+    windows_table(sheet, f"axes.{view.driven.number - 1}", view)
+
+
+def outcome(sheet: Sheet, view: DriveView) -> None:
+    """Declare what the cycle asks of the motor, and the highest rate."""
+    driven, points, size = view.driven, view.points, view.scales
+    motor, reducer, own = view.reserve, view.reducer_checks, driven.entered.rate
+    driving, returned = view.energy
+    torque = points.torque
+    sheet.heading("Results")
+    sheet.rows(
+        calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
+             OWN if own else MACHINES, align="right"),
+        calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
+        result("@jtot", "Inertia at the motor, without it" + (", largest over the stroke" if view.varies else ""),
+               "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000", shown(view.inertia, KG_CM2),
+               source="Σ J/i², load and parts"),
+        result("@inertias", "Inertia ratio", "", "",
+               "=IF(@jm>0,@jtot/10000/@jm,0)", view.inertia_ratio, source="load at the motor's shaft / motor"),
+        result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", points.top(torque),
+               scale=size.torque, source=PEAKS),
+        result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -points.top(-torque),
+               scale=size.torque),
+        result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
+               points.rms_torque, scale=size.torque, source="√(Σ share T²), to 0.1 %"),
+        result("@speed", "Motor speed, largest", "n", "rpm", speed_of(view), shown(view.speed, RPM), scale=size.rpm,
+               source="i_1 φ' ẏ" if view.varies else "C_v h/t, through the ratio"),
+        result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
+               shown(points.mean_speed, RPM), scale=size.rpm, source="of |n| over the cycle; with T_rms the RMS point"),
+        result("@res_rms", "Reserve of RMS torque", "", "",
+               "=IF(@rms>0,@motor_rated/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
+        result("@res_peak", "Reserve of peak torque", "", "",
+               "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
+        result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
+        *curve_reserve(view),
+        result("@smax", "Output torque of the reducer, peak", "", "Nm", f"=MAX({top('S')},0-{top('S', 'low')})",
+               reducer[0].value, scale=size.behind),
+        result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}",
+               reducer[1].value, scale=size.behind, source="³√(∫|n||T_1|³ dt/∫|n| dt)"),
+        result("@energy", "Energy that the motor drives with", "E", "J",
+               "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving, scale=size.work,
+               source="at its shaft, a cycle; to 3 %"),
+        result("@returned", "Energy that comes back to it", "", "J",
+               "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned, scale=size.work),
+        result("@power", "Mean power at its shaft", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
+               shown((driving - returned) / driven.course.time, KW), scale=size.power),
+        result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
+               shown(max(0.0, points.top(points.power)), KW), scale=size.power),
+        result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
+               shown(min(0.0, -points.top(-points.power)), KW), scale=size.power, source="what comes back"),
+        *max_rate.highest(view),
+    )  # fmt: skip
+
+
+def speed_of(view: DriveView) -> str:
+    """Return the formula of the largest speed of the motor (rpm)."""
+    if view.varies:
+        return f"=MAX({top('n')},0-{top('n', 'low')})"
+    return "=ABS(@i)*@vmax*@omega*60/(2*PI())"
+
+
+def curve_reserve(view: DriveView) -> list[Quantity]:
+    """Return the result of what is left below the motor's curve, in books that know one that falls."""
+    if not view.knows_falling:
+        return []
+    return [result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])", view.spare,
+                   scale=view.scales.torque, source="at its points")]  # fmt: skip
+
+
+def curve_rows(view: DriveView) -> list[Quantity]:
+    """Return the rows of the curve of the motor in use."""
+    if not view.knows_falling:
+        return []
+    falling, peak = view.driven.falling, view.driven.motor.peak_torque
+    corner = falling.corner(peak) if falling.fall else 0.0
+    return [
+        calc("@knee", "Motor: its peak torque holds up to", "n_1", "rpm",
+             "=IF(@motor_row=0,0,INDEX([motors.knee],MAX(1,@motor_row))+0)", shown(falling.knee, RPM),
+             source="0: up to its largest speed"),
+        calc("@fall", "Motor: fall of its peak torque beyond", "f", "Nm/rpm",
+             f"=IF(@motor_row=0,0,IF({LISTED}=0,0,{DROP}/(@motor_nmax-@knee)))", shown(falling.fall, PER_RPM)),
+        calc("@corner", "Motor: the falling line at no speed", "", "Nm", "=IF(@fall=0,0,@motor_peak+@fall*@knee)",
+             corner, source="T_max + f n_1; 0: it does not fall"),
+    ]  # fmt: skip
+
+
+def corners_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the limits of the motor as the chart draws them."""
+    motor, falling = view.driven.motor, view.driven.falling
+    lowest, backward = min(0.0, float(view.cycle.direction.min())), "MIN([@iv.dir])<0"
+    if view.knows_falling:
+        falling_table(sheet, motor.falling_corners(lowest, *falling), backward)
+    else:
+        limits_table(sheet, motor.corners(lowest), backward)
+
+
+def checks(view: DriveView) -> list[Quantity]:
+    """Return the checks against the limits of motor and reducer."""
+    driven, mends = view.driven, max_rate.mending(view)
+    return [
+        *limit_checks(view.reserve, driven.called, mends=mends),
+        *reducer_checks(view, mends),
+        chosen.told(driven.number, driven.called),
+        chosen.cool(driven.number, driven.called),
+        curve_check(view, mends),
+    ]
+
+
+def curve_check(view: DriveView, mends: Said) -> Quantity:
+    """Return the check that the torque stays below the curve; that the curve is level where the book knows no other."""
+    called = view.driven.called
+    if not view.knows_falling:
+        return check("@ok_curve", f"{called}: the motor's peak torque holds up to its largest speed",
+                     f"IF(@motor_row=0,0,IF({LISTED}=0,0,{DROP}))=0", not view.driven.catalogued_falling.fall,
+                     says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
+    says = amount("0-@spare", -view.spare, "", " Nm more than the motor has at its speed")
+    return check("@ok_curve", f"{called}: torque below the motor's curve", "OR(@fall=0,@spare>=0)",
+                 not view.driven.falling.fall or view.spare >= 0.0, says=says.then(mends))  # fmt: skip
+
+
+def linkage_checks(view: DriveView) -> list[Quantity]:
+    """Return the checks of a mechanism whose ratio changes: its sizes, and where it can bring its load to."""
+    driven, i = view.driven, view.driven.number
+    return [
+        check("@ok_sized", f"{driven.called}: the mechanism has its sizes", registry.linkage_page(driven).SIZED, True,
+              rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
+        *registry.checks(driven),
+        reach_check(view),
+        back_check(view),
+    ]  # fmt: skip
+
+
+def reducer_checks(view: DriveView, mends: Said) -> list[Quantity]:
+    """Return the checks of the reducer's limits."""
+    driven = view.driven
+    label, (torque, mean, speed) = f"{driven.called}: ", view.reducer_checks
+    fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
+    return [
+        check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_peak=0,@smax<=@reducer_peak)",
+              torque.ok, says=exceeding("@smax", "@reducer_peak", "Nm", torque.value, driven.reducer.peak_torque)
+              .then(mends)),
+        check("@ok_reducer_mean", f"{label}mean torque within the reducer's",
+              "OR(@reducer_mean=0,@smean<=@reducer_mean)", mean.ok,
+              says=exceeding("@smean", "@reducer_mean", "Nm", mean.value, driven.reducer.mean_torque)
+              .then(mends)),
+        check("@ok_reducer_speed", f"{label}speed within the reducer's", "OR(@reducer_nmax=0,@speed<=@reducer_nmax)",
+              speed.ok, says=exceeding("@speed", "@reducer_nmax", "rpm", fastest, limit).then(mends)),
+    ]  # fmt: skip
+
+
+def charts(sheet: Sheet, view: DriveView) -> None:
+    """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
+    over = view.one.machine.over
+    sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
+    sheet.chart(over_cycle(over), column=CHART_COLUMN, row=28, width=8, height=14)
+    if view.varies:
+        sheet.chart(angles(over), column=CHART_COLUMN, row=43, width=8, height=14)
+
+
+def over_cycle(over: Abscissa) -> Chart:
+    """Return the chart of the motor's torque over the cycle."""
+    lines = (Series("torque", over.column, "[@cycle.torque]"),)
+    return Chart("Torque of the motor over the cycle", over.title, "T [Nm]", lines,
+                 f"Torque of the motor over {over.cycle}", over.axis(60))  # fmt: skip
+
+
+def angles(over: Abscissa) -> Chart:
+    """Return the chart of the mechanism's shaft over the cycle."""
+    lines = (Series("angle", over.column, "[@cycle.phi]"),)
+    return Chart("Angle of the mechanism's shaft", over.title, "φ [rad]", lines,
+                 f"Angle of the mechanism's shaft over {over.cycle}", over.axis(60))  # fmt: skip
+
+
+def back_default(kind: str) -> str:
+    """Return the formula of the efficiency backward where none is entered."""
+    return "2-1/@eta2" if kind in SCREWS else "@eta2"
+
+
+def losses(view: DriveView) -> list[Quantity]:
+    """Return the rows of the factors of losses: where the load drives, and at rest."""
+    driven = view.driven
+    reducer, mechanism = driven.mechanism.stages
+    document = driven.given.method == "document"
+    back = [1.0 / stage.efficiency if document else float(stage.back_efficiency or 0.0) for stage in (mechanism,)]
+    held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
+    return [
+        calc("@back1", "Factor of the reducer, load driving", "f_1", "", '=IF(@method="document",1/@eta1,@eta1)',
+             1.0 / reducer.efficiency if document else reducer.efficiency,
+             source="η; by S4 1/η, as where it is driven"),
+        calc("@back2", "Factor of the mechanism, load driving", "f_2", "",
+             f'=IF(@method="document",1/@eta2,IF(@eta2_back="",{back_default(driven.given.kind)},@eta2_back))',
+             back[0], scale=1.0, source="0 or less: it locks itself, and must be driven"),
+        calc("@hold2", "Factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
+             source="0: it holds its load by itself"),
+    ]  # fmt: skip
+
+
+def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
+    """Declare ratios, inertias and what resists, in S1's terms."""
+    driven, one = view.driven, view.one
+    m, load, size = driven.mechanism, driven.load, view.scales
+    travels = driven.travels
+    steady = "=@force+@mass*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
+    rubbing = "=@friction*@mass*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
+    moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia/10000"
+    gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
+    base, force = ("kg", "N") if travels else ("kg m²", "Nm")
+    ratio = "MIN([@pt.g])" if view.varies else "@i2"
+    first = float(view.load.first.min())
+    shaft = m.on_shaft(1) + m.on_shaft(m.last) / first**2
+
+    def on(shaft: str) -> str:
+        return f'SUMPRODUCT(([@parts.shaft]="{shaft}")*[@parts.all])/10000'
+
+    sheet.heading(
+        "Workings: the chain",
+        "S1: C_m = J_m/τ ω̇ + τ (C_r + J_tot ω̇), τ = 1/i_1 and ω̇ of the mechanism's shaft; with losses τ over η_1.",
+    )
+    sheet.rows(
+        constant("@built", "Axis, named when the book was built", "", "", driven.entered.called, align="left",
+                 source="its sheet and its checks keep this name"),
+        *gravity,
+        calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
+             shown(driven.axis.speed, one.axis.speed)),
+        calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=timing_omega*@faster",
+             driven.axis.speed),
+        calc("@m", "Moved mass" if travels else "Moved inertia", "m" if travels else "J", base, moved,
+             m.on_shaft(m.last)),
+        *sizes,
+        calc("@tau", "Ratio of the reducer as S1 has it", "τ", "", "=1/@i1", 1.0 / m.stages[0].ratio,
+             source="mechanism over motor"),
+        calc("@j0", "Inertia on the motor's shaft, with it", "J_m", "kg m²",
+             f"=@jm+@j_reducer+{on('motor')}", driven.at_motor, source="motor, reducer, parts"),
+        calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²", f"={on('mechanism')}", m.on_shaft(1)),
+        calc("@j_shaft", "Inertia at the mechanism's shaft", "J_tot", "kg m²", f"=@j1+@m/{ratio}^2", shaft,
+             source="J_p + m/φ'²"),
+        *losses(view),
+        calc("@steady", "Constant load force", "", force, steady, load.torque, scale=size.force,
+             source="F + m g sin θ" if travels else ""),
+        calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady/{ratio}",
+             load.torque / first, scale=size.behind, source="F_r/φ', F_r R of rollers"),
+        calc("@rub", "Friction", "", force, rubbing, load.friction, scale=size.force,
+             source="μ m g cos θ" if travels else ""),
+        calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
+             driven.fastest),
+        calc("@amax", "Greatest acceleration", "ÿ", "m/s²" if travels else "rad/s²",
+             f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
+        calc("@still", "Speed taken as standstill, up to", "", "m/s" if travels else "rad/s",
+             "=check_zero*@vmax*@omega", view.cycle.still, format="0E+00", scale=max(view.cycle.still, 1e-12)),
+    )  # fmt: skip

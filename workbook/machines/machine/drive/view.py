@@ -1,0 +1,248 @@
+"""The engine's view of a drive at the points of its cycle, in the order of its sheet."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from engine.drivetrain.motor import LimitCheck, Reserve, reserve
+from engine.laws.base import Array
+from engine.machine.limits import Judged, Limits
+from engine.machine.max_rate import Share, shares
+from engine.machine.quadrature import COUNT, Cycle, DrivePoints, Interval, LoadPoints
+from engine.machine.rate import highest_rate
+from engine.timing import shaft_speed
+from workbook.book.rows import filled
+from workbook.drive.in_short import Highest
+from workbook.entries.turn import TURN
+from workbook.entries.units import DEGREE, KW, PER_MINUTE, RPM, shown, si
+from workbook.machines.machine.chain import WINDOWS
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.view import MovingAxis
+
+NONE_BINDS = "none"
+SETTLING, NEAR = 8, 1e-6
+"""how often a highest rate is entered and read again, and by how little it changes where it has settled"""
+LEAST = 1e-3
+"""of torques and powers: what is smaller is next to nothing"""
+
+
+class Scales(NamedTuple):
+    """How large quantities of a drive grow: what deviations are measured by, in the units of its sheet."""
+
+    force: float
+    behind: float
+    torque: float
+    rpm: float
+    power: float
+    work: float
+
+
+class DriveView:
+    """A drive over its axis' motion, by intervals and points."""
+
+    def __init__(self, one: AxisRows, driven: Driven) -> None:
+        self.one, self.driven = one, driven
+        self.room = one.machine.room
+
+    @property
+    def rows(self) -> int:
+        """Rows of the table of intervals: one for each piece of the motion, two for each process force."""
+        return self.room + 2 * WINDOWS
+
+    @property
+    def varies(self) -> bool:
+        """Whether its ratio depends on the position."""
+        return self.driven.linkage is not None
+
+    @property
+    def knows_falling(self) -> bool:
+        """Whether the book's sheets of drives know motors whose peak torque falls."""
+        return self.one.machine.machine.selection.knows_falling
+
+    @cached_property
+    def cycle(self) -> Cycle:
+        """Its intervals."""
+        return Cycle(self.driven.course, list(self.one.pieces.pieces), self.one.axis.motion.tolerance)
+
+    @cached_property
+    def load(self) -> LoadPoints:
+        """The load at the points."""
+        return self.cycle.points()
+
+    @cached_property
+    def points(self) -> DrivePoints:
+        """Motor and reducer there."""
+        return DrivePoints(self.load)
+
+    @cached_property
+    def samples(self) -> LoadPoints:
+        """The load at the samples of the sheet Cycle."""
+        told = self.driven.axis.told(self.one.machine.samples).x
+        begins = np.array([one.begin for one in self.cycle.intervals])
+        near = self.cycle.near
+        reached = np.minimum(told + near, self.cycle.course.told.total - near)
+        number = np.searchsorted(begins, reached, side="right") - 1
+        return self.cycle.at(number, told)
+
+    @property
+    def sampled(self) -> list[int]:
+        """The interval, from 1, of each sample."""
+        told = self.driven.axis.told(self.one.machine.samples).x
+        begins = np.array([one.begin for one in self.cycle.intervals])
+        near = self.cycle.near
+        reached = np.minimum(told + near, self.cycle.course.told.total - near)
+        return (np.searchsorted(begins, reached, side="right")).tolist()
+
+    def of_intervals(self, figure: Any, spare: Any = None) -> list[Any]:
+        """Return a figure of each interval; spare rows have that of the last, or another."""
+        found = [figure(one) for one in self.cycle.intervals]
+        return filled(found, self.rows, found[-1] if spare is None else spare)
+
+    def by_interval(self, values: Array) -> list[float]:
+        """Return values of the intervals; spare rows have that of the last."""
+        return filled(values, self.rows, float(values[-1]))
+
+    def by_point(self, values: Array, spare: float | None = None) -> list[float]:
+        """Return values of the points, interval by interval; spare rows have that of the last point, or another."""
+        flat = np.broadcast_to(values, self.load.place.shape).ravel()
+        return filled(flat, self.rows * COUNT, float(flat[-1]) if spare is None else spare)
+
+    def origin(self, one: Interval) -> float:
+        """Return where the piece of an interval begins (rad)."""
+        return self.cycle.pieces[one.piece].begin
+
+    @cached_property
+    def local(self) -> Array:
+        """How far each point is from the begin of its piece (rad)."""
+        origins = np.array([self.origin(one) for one in self.cycle.intervals])
+        return np.asarray(self.load.place - origins[:, None])
+
+    @property
+    def edges(self) -> list[float]:
+        """The edges of process forces in degrees of the motion as its phases tell it; spare ones at the end."""
+        near, total = self.cycle.near, self.cycle.course.told.total
+        late = self.driven.axis.shifted.shift
+        edges = [(edge - late + near) % total - near for w in self.driven.windows for edge in (w.begin, w.end)]
+        return filled([shown(edge, DEGREE) for edge in edges], 2 * WINDOWS, TURN)
+
+    @cached_property
+    def speed(self) -> float:
+        """The largest speed of the motor (rad/s): of a constant ratio by the laws' own peaks, else by points."""
+        if self.varies:
+            return self.points.size(self.points.speed)
+        return abs(self.driven.mechanism.ratio) * self.driven.fastest * self.driven.axis.speed
+
+    @cached_property
+    def shares(self) -> dict[str, Share]:
+        """The share of each limit, by its name."""
+        motor = self.driven.motor
+        limits = motor.rated_torque, motor.peak_torque, motor.max_speed
+        return shares(self.points, self.speed, limits, self.driven.reducer.limits, self.driven.falling)
+
+    @property
+    def rate(self) -> float:
+        """The rate that it is sized at (cycles/min)."""
+        own = self.driven.entered.rate
+        return self.one.machine.machine.per_minute if own is None else own
+
+    @property
+    def inertia(self) -> float:
+        """Inertia at the motor, without it, the largest over the cycle (kg m²)."""
+        if not self.varies:
+            return self.driven.inertia
+        m = self.driven.mechanism
+        fixed = sum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
+        return float(fixed + m.on_shaft(m.last) / (m.stages[0].ratio * self.load.first.min()) ** 2)
+
+    @property
+    def inertia_ratio(self) -> float:
+        """The same over the motor's; 0 of a motor without inertia."""
+        own = self.driven.motor_used.inertia
+        return self.inertia / own if own else 0.0
+
+    @property
+    def reserve(self) -> Reserve:
+        """What a cycle asks of the motor against its limits."""
+        points = self.points
+        return reserve(self.driven.motor, points.rms_torque, points.size(points.torque), self.speed)
+
+    @property
+    def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
+        """The peak and the mean torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
+        limits, points, behind = self.driven.reducer.limits, self.points, self.load.behind
+        found = (("peak torque", points.size(behind), limits.peak_torque),
+                 ("mean torque", points.cubic_mean(behind), limits.mean_torque),
+                 ("input speed", self.speed, limits.input_speed))  # fmt: skip
+        peak, mean, speed = (LimitCheck(name, value, limit, value <= limit) for name, value, limit in found)
+        return peak, mean, speed
+
+    @property
+    def highest(self) -> Highest:
+        """The highest rate of the sheet, and the limit that binds there."""
+        each = {name: one.highest(self.rate) for name, one in self.shares.items()}
+        least = min(each.values())
+        name = next(name for name, one in each.items() if one == least)
+        own = self.driven.entered.rate
+        return Highest(least, name, own) if math.isfinite(least) else Highest(NONE_BINDS, NONE_BINDS, own)
+
+    def exact_highest(self) -> tuple[float, str]:
+        """Return the exact highest rate (cycles/min) and the limit that binds there."""
+        limits = Limits(self.driven.motor, self.driven.curve, self.driven.reducer.limits)
+        found = highest_rate({self.driven.called: Judged(self.driven.course, limits)})
+        return shown(found.speed / (2.0 * math.pi), PER_MINUTE), found.limit
+
+    @property
+    def spare(self) -> float:
+        """The least that is left below the motor's curve (Nm)."""
+        motor, points = self.driven.motor, self.points
+        return float(self.driven.falling.reserve(motor.peak_torque, points.torque, points.speed).min())
+
+    @cached_property
+    def scales(self) -> Scales:
+        """How large its quantities grow."""
+        load, points = self.load, self.points
+        torque = max(float(np.abs(points.torque).max()), LEAST)
+        rpm = max(shown(self.speed, RPM), LEAST)
+        power = max(shown(torque * max(self.speed, LEAST), KW), LEAST)
+        behind = max(float(np.abs(load.behind).max()), LEAST)
+        force = max(float(np.abs(load.force).max()), LEAST)
+        return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.driven.course.time, LEAST))
+
+    @property
+    def energy(self) -> tuple[float, float]:
+        """What the motor drives with over a cycle, and what comes back to it (J)."""
+        power, time = self.points.power, self.driven.course.time
+        return tuple(self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))  # type: ignore[return-value]
+
+
+def with_motor(view: DriveView, driven: Driven) -> DriveView:
+    """Return a view of the same load with another motor or reducer."""
+    other = DriveView(view.one, driven)
+    other.cycle = Cycle(driven.course, view.cycle.pieces, view.cycle.near)
+    other.load = replace(view.load, train=driven.train)
+    return other
+
+
+def at_rate(view: DriveView, rate: float) -> DriveView:
+    """Return a drive at another rate (cycles/min)."""
+    axis = view.driven.axis
+    given, speed = axis.given.model_copy(update={"rate": rate}), shaft_speed(si(rate, PER_MINUTE))
+    moved = MovingAxis(given, axis.number, axis.library, speed, axis.typed, axis.over)
+    return DriveView(view.one, Driven(moved, view.driven.products))
+
+
+def settled_highest(view: DriveView) -> Highest:
+    """Return the highest rate of a drive where it is entered and read again, until it stays."""
+    one = view
+    for _ in range(SETTLING):
+        found = one.highest
+        if not isinstance(found.rate, float) or found.rate <= 0.0 or abs(found.rate - one.rate) <= NEAR * one.rate:
+            break
+        one = at_rate(one, found.rate)
+    return found._replace(own=view.driven.entered.rate)
