@@ -170,9 +170,9 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
     def drawn(row: int, number: int) -> str:
         return f"=[power.bus.{row}]*{loss.format(p=f'INDEX([drive{number}_cycle.power],[k]+1)')}"
 
-    time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle.time],[k]+1)", machine.times,
+    time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle1.time],[k]+1)", machine.times,
                 format=over.format) if over.measured else \
-        calc("theta", over.angle, "θ", "°", "=INDEX([cycle.theta],[k]+1)", machine.angles, format="0.0##")  # fmt: skip
+        calc("theta", over.angle, "θ", "°", "=INDEX([cycle1.theta],[k]+1)", machine.angles, format="0.0##")  # fmt: skip
     sheet.heading("Power over the cycle")
     sheet.table(
         "bus", "The common DC bus at the samples of the cycle", rows,

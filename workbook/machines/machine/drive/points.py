@@ -5,7 +5,6 @@ The points are those of the rule of Gauss and Lobatto: both ends and seven betwe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,17 +14,17 @@ from engine.machine.max_rate import falling_use, growing_use
 from engine.machine.quadrature import COUNT, DrivePoints, LoadPoints
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.entries.units import DEGREE, KW, RPM, shown
-from workbook.machines.machine.cycle import CYCLES
 from workbook.machines.machine.drive.mechanisms import registry
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.drive.view import DriveView
+from workbook.motion.cells import RAISED
+from workbook.motion.sampled import sampled
 
 SHARES = (0.0, 0.0501210022942699, 0.161406860244631, 0.318441268086911, 0.5,
           0.681558731913089, 0.838593139755369, 0.94987899770573, 1.0)  # fmt: skip
 WEIGHTS = (0.0138888888888889, 0.0827476807804028, 0.137269356250081, 0.173214255486523, 0.185759637188209,
            0.173214255486523, 0.137269356250081, 0.0827476807804028, 0.0138888888888889)  # fmt: skip
 """of points of an interval, and of what they count. Source: Abramowitz and Stegun, 25.4.32"""
-POWERS = ("p0", "u", "u2", "u3", "u4", "u5", "u6", "u7")
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@back1,1/@eta1)*{0}/@i1"
 BRAKED = 'AND([dir]=0,@holding="brake")'
@@ -110,8 +109,6 @@ def motion(view: DriveView) -> list[Quantity]:
     of, table = view.by_point, f"axis{view.driven.number}_pieces"
     numbers = np.array([one.piece for one in view.cycle.intervals])[:, None]
     local, base = view.local, axis.base
-    powers = POWERS[: rows.powers if view.varies else rows.powers - 1]
-    waves = [_wave(rows.sines, order, table) for order in (1, 2)]
     sines = np.array([one.sines for one in view.cycle.pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.sines))]
     return [
@@ -119,58 +116,24 @@ def motion(view: DriveView) -> list[Quantity]:
              "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))",
              of(shown(load.place, DEGREE)), scale=360.0, format="0.0##"),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])", of(numbers + 1.0), format="0"),
-        constant("p0", "power of u", "1", "", 1),
+        constant("u0", "u⁰", "", "", 1),
         calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX([{table}.begin],[q]))", of(local)),
-        *(calc(name, "power of u", f"u{'²³⁴⁵⁶⁷'[n]}", "", f"=[u]^{n + 2}", of(local ** (n + 2)))
-          for n, name in enumerate(powers[2:])),
+        *(calc(f"u{n}", f"u{RAISED[n]}", f"u{RAISED[n]}", f"rad{RAISED[n]}", f"=[u]^{n}", of(local**n))
+          for n in range(2, rows.powers if view.varies else rows.powers - 1)),
         *(calc(f"x{one.mark}", "argument of the sine", f"x{one.mark}", "rad",
                f"=INDEX([{table}.om{one.mark}],[q])*[u]+INDEX([{table}.ph{one.mark}],[q])", of(angle),
                source="ωu + φ")
           for one, angle in zip(rows.sines, angles, strict=True)),
-        *(_sines(view, waves, angles) if len(rows.sines) > 1 else ()),
-        calc("v", "velocity", "ẏ", f"{base}/s", f"=@omega*({_sum(table, 'dy', powers, rows.powers - 1)}+{waves[0]})"
-             if len(rows.sines) < 2 else f"=@omega*({_sum(table, 'dy', powers, rows.powers - 1)}+[sv])",
-             of(load.velocity), scale=max(axis.fastest, 1e-9), source="y' ω"),
-        calc("a", "acceleration", "ÿ", f"{base}/s²",
-             f"=@omega^2*({_sum(table, 'ddy', powers, rows.powers - 2)}-{waves[1]})"
-             if len(rows.sines) < 2 else f"=@omega^2*({_sum(table, 'ddy', powers, rows.powers - 2)}-[sa])",
-             of(load.acceleration), scale=max(axis.hardest, 1e-9), source="y'' ω²"),
+        calc("v", "velocity", "ẏ", f"{base}/s", f"=@omega*({sampled(rows, 1)})", of(load.velocity),
+             scale=max(axis.fastest, 1e-9), source="y' ω"),
+        calc("a", "acceleration", "ÿ", f"{base}/s²", f"=@omega^2*({sampled(rows, 2)})", of(load.acceleration),
+             scale=max(axis.hardest, 1e-9), source="y'' ω²"),
     ]  # fmt: skip
-
-
-def _sum(table: str, block: str, powers: Sequence[str], count: int) -> str:
-    """Return the formula of a polynomial by its block of coefficients."""
-    last = f"{block}{count - 1}"
-    return f"SUMPRODUCT(INDEX([{table}.{block}0:{last}],[q],0),[p0:{powers[count - 1]}])"
-
-
-def _wave(sines: Sequence[object], order: int, table: str) -> str:
-    """Return the formula of the first sine in a derivative, without its sign."""
-    function, power = ("COS([x])", "") if order == 1 else ("SIN([x])", "^2")
-    return f"INDEX([{table}.A],[q])*INDEX([{table}.om],[q]){power}*{function}"
-
-
-def _sines(view: DriveView, waves: Sequence[str], angles: Sequence[Array]) -> list[Quantity]:
-    """Return the columns of both sines in y' and y'', in books that have a law with two."""
-    pieces = [view.cycle.pieces[one.piece] for one in view.cycle.intervals]
-    table = f"axis{view.driven.number}_pieces"
-    size = np.array([[a for a, _, _ in one.sines] for one in pieces])
-    turn = np.array([[w for _, w, _ in one.sines] for one in pieces])
-    found = []
-    for name, order, wave in (("sv", 1, waves[0]), ("sa", 2, waves[1])):
-        wrap = np.cos if order == 1 else np.sin
-        value = sum(size[:, k, None] * turn[:, k, None] ** order * wrap(angle) for k, angle in enumerate(angles))
-        second = _wave((), order, table).replace(".A]", ".A2]").replace(".om]", ".om2]").replace("[x]", "[x2]")
-        found.append(calc(name, f"sines of y{chr(39) * order}", "", "", f"={wave}+{second}",
-                          view.by_point(np.asarray(value)), scale=view.driven.axis.motion.size(order)))  # fmt: skip
-    return found
 
 
 def position(view: DriveView) -> Quantity:
     """Return the column of the load's position."""
-    table, rows = f"axis{view.driven.number}_pieces", view.one.pieces
-    waves = "".join(f"+INDEX([{table}.A{one.mark}],[q])*SIN([x{one.mark}])" for one in rows.sines)
-    return calc("y", "position", "y", view.driven.axis.base, f"={_sum(table, 'c', POWERS, rows.powers)}{waves}",
+    return calc("y", "position", "y", view.driven.axis.base, f"={sampled(view.one.pieces, 0)}",
                 view.by_point(view.load.position), scale=view.driven.axis.motion.size(0))  # fmt: skip
 
 
@@ -232,9 +195,9 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive at the samples of the cycle: for its charts and for the sheet Power."""
     i, load, size = view.driven.number, view.samples, view.scales
     drive = DrivePoints(load)
-    v, a = f"@faster*INDEX([cycle.t{i}],[k]+1)", f"@faster^2*INDEX([cycle.tt{i}],[k]+1)"
+    v, a = f"@faster*INDEX([cycle{i}.v],[k]+1)", f"@faster^2*INDEX([cycle{i}.a],[k]+1)"
     turning = Ratio("[g]", "[al]") if view.varies else Ratio("@i2", f"@i2*{a}")
-    reached = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
+    reached = f"MIN(INDEX([cycle{i}.p],[k]+1)+timing_eps,360-timing_eps)"
     speed, hardest = ("[v]", "[a]") if view.varies else (v, a)
 
     def of(values: Array) -> list[float]:
@@ -262,8 +225,7 @@ def linked(view: DriveView, rates: tuple[str, str], of: Column) -> list[Quantity
     """Return the columns of a mechanism whose ratio changes: its angle at samples, and what leads there."""
     i, driven, load = view.driven.number, view.driven, view.samples
     page, base = registry.linkage_page(driven), driven.axis.base
-    begun = CYCLES.format("INDEX([cycle.theta],[k]+1)", i, f"INDEX([cycle.p{i}],[k]+1)")
-    y = f"(INDEX([cycle.y{i}],[k]+1)-{begun}*[axes.travel.{i}])"
+    y = f"(INDEX([cycle{i}.y],[k]+1)-INDEX([cycle{i}.n],[k]+1)*[axes.travel.{i}])"
     return [
         page.angle(driven, load.position, of),
         calc("y", "position", "y", base, f"={y}/1000" if driven.travels else f"=RADIANS({y})", of(load.position),

@@ -8,7 +8,6 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount, exceeding
 from workbook.drive.motor import falling_table, limit_checks, limits_table, plane, rms_point
-from workbook.entries.abscissa import Abscissa
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine import chosen
@@ -260,23 +259,29 @@ def reducer_checks(view: DriveView, mends: Said) -> list[Quantity]:
 
 def charts(sheet: Sheet, view: DriveView) -> None:
     """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
-    over = view.one.machine.over
     sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
-    sheet.chart(over_cycle(over), column=CHART_COLUMN, row=28, width=8, height=14)
+    sheet.chart(over_cycle(view), column=CHART_COLUMN, row=28, width=8, height=14)
     if view.varies:
-        sheet.chart(angles(over), column=CHART_COLUMN, row=43, width=8, height=14)
+        sheet.chart(angles(view), column=CHART_COLUMN, row=43, width=8, height=14)
 
 
-def over_cycle(over: Abscissa) -> Chart:
+def x_of(view: DriveView) -> str:
+    """Return the column that charts over the cycle are drawn over."""
+    return f"[cycle{view.driven.number}.{view.one.machine.over.column}]"
+
+
+def over_cycle(view: DriveView) -> Chart:
     """Return the chart of the motor's torque over the cycle."""
-    lines = (Series("torque", over.column, "[@cycle.torque]"),)
+    over = view.one.machine.over
+    lines = (Series("torque", x_of(view), "[@cycle.torque]"),)
     return Chart("Torque of the motor over the cycle", over.title, "T [Nm]", lines,
                  f"Torque of the motor over {over.cycle}", over.axis(60))  # fmt: skip
 
 
-def angles(over: Abscissa) -> Chart:
+def angles(view: DriveView) -> Chart:
     """Return the chart of the mechanism's shaft over the cycle."""
-    lines = (Series("angle", over.column, "[@cycle.phi]"),)
+    over = view.one.machine.over
+    lines = (Series("angle", x_of(view), "[@cycle.phi]"),)
     return Chart("Angle of the mechanism's shaft", over.title, "φ [rad]", lines,
                  f"Angle of the mechanism's shaft over {over.cycle}", over.axis(60))  # fmt: skip
 

@@ -171,7 +171,7 @@ class Choosing:
         speed = shown(d.reducer.ratio * self.load.speed, RPM)
         motor = d.motor_used
         margin = shares_of(np.array(motor.rated_torque), np.array(rms))
-        return Figures(rms, float(margin), peak, speed, self.view.inertia_ratio, self.view.spare)
+        return Figures(rms, float(margin), peak, speed, self.view.inertia_ratio, spare_of(self.view))
 
     def spread(self, table: NDArray[Any], spare: Any) -> list[list[Any]]:
         """Return a table of the pairs by columns, ``spare`` where a row or a column of the sheet is."""
@@ -193,6 +193,11 @@ def figures_of(view: DriveView) -> list[tuple[float, float]]:
         (d.at_motor, 0.0), (d.motor_used.inertia, 0.0), (d.reducer.ratio, 0.0), (d.reducer.efficiency, 0.0),
         (d.motor_used.rated_torque, 0.0), (d.motor_used.peak_torque, 0.0),
         (view.reserve.peak_torque.value, view.scales.torque),
-        (view.spare, view.scales.torque), (d.motor_used.max_speed, 0.0),
+        (spare_of(view), view.scales.torque), (d.motor_used.max_speed, 0.0),
         (d.motor_used.row, 0.0), (d.reducer.row, 0.0),
     ]  # fmt: skip
+
+
+def spare_of(view: DriveView) -> float:
+    """Return what a drive leaves below its motor's curve (Nm); of a book that knows none that falls, of its peak."""
+    return view.spare if view.knows_falling else view.driven.motor.peak_torque - view.reserve.peak_torque.value
