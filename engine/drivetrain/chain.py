@@ -18,8 +18,8 @@ from engine.laws.base import Array, require_finite
 class Stage:
     """A transmission: speed before it over speed behind it, and its efficiency.
 
-    Where it turns rotation into travel, ``ratio`` is in rad/m (lead screw: 2πP; roller: 1/R). ``back_efficiency`` is the
-    efficiency where the load drives, the same by default; at 0 or less the stage locks itself.
+    Where it turns rotation into travel, ``ratio`` is in rad/m (lead screw: 2πP; roller: 1/R).
+    ``back_efficiency`` is that where the load drives, the same by default; at 0 or less the stage locks itself.
     Raises ValueError unless the ratio is above 0, the efficiency above 0 and at most 1, and backward at most 1.
     """
 

@@ -71,8 +71,8 @@ class Works(NamedTuple):
 class Lines(NamedTuple):
     """Every part at every rate, cut where a torque turns round: arrays of parts, rates, and what lies between cuts.
 
-    From ``low`` to ``high`` S = ``mass`` α + ``level``; ``back`` where it is driven by the load, ``held`` (1 or 0) where
-    it reaches the motor: no brake holds the motor's shaft.
+    From ``low`` to ``high`` S = ``mass`` α + ``level``; ``back`` where it is driven by the load, ``held`` 1 where it
+    reaches the motor, 0 where a brake holds the motor's shaft.
     """
 
     low: Array
@@ -216,7 +216,7 @@ class Geared:
     def _moments(self, some: slice) -> Moments:
         """Return the integrals at some of the rates."""
         low, high, mass, level = (values[:, some, :, None] for values in self.lines[:4])
-        back, held = (values[:, some, :, None] for values in self.lines[4:])
+        back, held = self.lines.back[:, some, :, None], self.lines.held[:, some, :, None]
         speed = self.speeds[some, None, None]
         grid, weights = rule(NODES)
         u, rows = low + (high - low) * grid, self.rows.over(4)

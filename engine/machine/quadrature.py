@@ -150,7 +150,7 @@ class LoadPoints:
     @property
     def braked(self) -> NDArray[np.bool_]:
         """Where a brake holds the motor's shaft."""
-        return (self.direction == 0.0) & (self.train.drive.holding == "brake")
+        return np.asarray((self.direction == 0.0) & (self.train.drive.holding == "brake"))
 
 
 @dataclass(frozen=True)

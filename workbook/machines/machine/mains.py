@@ -78,9 +78,9 @@ class Mains:
         found[[0, -1]] /= 2.0
         return found
 
-    def others(self, figures: Sequence[float]) -> Array:
+    def others(self, figures: Array) -> Array:
         """Return of each drive the sum of a figure of the other drives on the bus."""
-        own = self.on_bus * np.array(figures)
+        own = self.on_bus * figures
         return np.asarray(own.sum() - own)
 
     @cached_property

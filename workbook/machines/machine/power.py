@@ -96,7 +96,8 @@ def common(bus: Mains) -> list[Quantity]:
     sampled = "SUMPRODUCT([bus.w],[bus.sum],([bus.sum]>0)*1)"
     return [
         result("bus_alone", "Peak power from the mains without the bus", "", "kW",
-               "=MAX(MAX([bus.alone]),SUMPRODUCT(MAX([power.bus]*[power.peak])))", shown(bus.apart_peak, KW), scale=size),
+               "=MAX(MAX([bus.alone]),SUMPRODUCT(MAX([power.bus]*[power.peak])))", shown(bus.apart_peak, KW),
+               scale=size),
         result("bus_mains_peak", "Peak power from the mains", "P_max", "kW",
                "=MAX(0,MAX([bus.sum]),MAX([power.proves]))", shown(bus.peak, KW), scale=size,
                source="of the samples, and what one drive's peak proves"),
@@ -177,7 +178,8 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
     sheet.table(
         "bus", "The common DC bus at the samples of the cycle", rows,
         time,
-        result("sum", "on a common bus", "P", "kW", f"=SUM([{columns[0]}:{columns[-1]}])", shown(bus.sum, KW), scale=size),
+        result("sum", "on a common bus", "P", "kW", f"=SUM([{columns[0]}:{columns[-1]}])", shown(bus.sum, KW),
+               scale=size),
         result("alone", "each drive alone, from the mains", "P", "kW",
                f"=SUMPRODUCT([{columns[0]}:{columns[-1]}],([{columns[0]}:{columns[-1]}]>0)*1)", shown(bus.apart, KW),
                scale=size),

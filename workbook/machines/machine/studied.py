@@ -18,8 +18,8 @@ from workbook.laws.family import COEFFICIENTS
 from workbook.laws.library import laws, named
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.apart import Apart
-from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told

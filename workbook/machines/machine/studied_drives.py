@@ -181,7 +181,8 @@ class Studied:
     @cached_property
     def views(self) -> dict[tuple[int, int, int], DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
-        rows, loads, found = self.rows(), {}, {}
+        rows, found = self.rows(), {}
+        loads: dict[int, DriveView] = {}
         for one, drive in self.drives.items():
             base = loads.setdefault(one[2], DriveView(rows, drive))
             found[one] = with_motor(base, drive)

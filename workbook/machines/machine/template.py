@@ -19,8 +19,8 @@ from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheets, exportable
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.points import asks
+from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.judged import judge_axes
@@ -122,7 +122,9 @@ def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list
     least = min(known, default=NONE_BINDS)
     binding = next((k for k, one in enumerate(rates) if one.rate == least), 0)
     first = f"MATCH(about_highest,{column},0)" if axes > 1 else ""
-    told = [f"INDEX([axes_short.{name}],{first})" if axes > 1 else f"[axes_short.{name}.1]" for name in ("axis", "binds")]
+    told = [
+        f"INDEX([axes_short.{name}],{first})" if axes > 1 else f"[axes_short.{name}.1]" for name in ("axis", "binds")
+    ]
     shortest_of = [shortest(least)] if over.measured else []
     said = f"{views[binding].driven.axis.given.name}: {rates[binding].limit}" if known else NONE_BINDS
     return [

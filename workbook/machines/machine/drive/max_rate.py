@@ -17,8 +17,8 @@ from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 NO_LIMIT = "–"
 NOTE = "exact at the rate that is entered; elsewhere to about 1 %"
 ABOUT = (
-    "Without motion a torque T_0 stands; I = T − T_0 grows with the square of the rate. At √x times the rate the torque "
-    "is T_0 + x I: of each limit, 1/x is the share of the square of the rate that is used."
+    "Without motion a torque T_0 stands; I = T − T_0 grows with the square of the rate. At √x times the rate "
+    "the torque is T_0 + x I: of each limit, 1/x is the share of the square of the rate that is used."
 )
 SPEEDS = ("motor speed", "reducer input speed")
 USES = {
@@ -72,12 +72,13 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
     )  # fmt: skip
     each = names(view)
     found = [share_of(view, name) for name in each]
+    limits = [0.0 if math.isinf(one.limit) else one.limit for one in found]
     sheet.row += 1
     sheet.table(
         "@held", "Up to which rate each limit is held", len(each),
         constant("name", "limit", "", "", each, align="left"),
         calc("limit", "limit", "", "Nm or rpm", [f"={LIMITS[name]}+0" for name in each],
-             [in_units(name, 0.0 if math.isinf(one.limit) else one.limit) for name, one in zip(each, found, strict=True)],
+             [in_units(name, limit) for name, limit in zip(each, limits, strict=True)],
              source="0: none"),
         calc("stands", "at no speed", "", "", [f"={STANDS[name]}" for name in each],
              [in_units(name, one.standing) for name, one in zip(each, found, strict=True)], scale=view.scales.torque),
@@ -103,7 +104,7 @@ def rate(view: DriveView, one: Share) -> float | str:
 
 
 def cubic(column: str) -> str:
-    """Return the formula of the cubic mean of a torque behind the reducer, weighted by the motor's speed: |n| is (n²)^½."""
+    """Return the formula of the cubic mean of a torque behind the reducer, weighted by |n|, which is (n²)^½."""
     return f"IF(@mean>0,(SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5,([@pt.{column}]^2)^1.5)/@mean)^(1/3),0)"
 
 

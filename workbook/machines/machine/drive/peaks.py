@@ -54,7 +54,7 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     last = view.rows * COUNT
     size = max(one.scale for one, _ in each)
 
-    def of(column: str, formula: str) -> list[str]:
+    def of(formula: str) -> list[str]:
         return [formula.replace("{y}", f"[@pt.{one.column}]") for one, _ in each]
 
     signs = [sign for _, sign in each]
@@ -67,14 +67,14 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         constant("what", "quantity", "", "", [f"{one.words}, {'highest' if s > 0 else 'lowest'}" for one, s in each],
                  align="left"),
         constant("sign", "highest (1), lowest (−1)", "", "", signs, format="0"),
-        calc("most", "largest at a point", "", "", of("most", "=IF([sign]=1,MAX({y}),0-MIN({y}))"),
+        calc("most", "largest at a point", "", "", of("=IF([sign]=1,MAX({y}),0-MIN({y}))"),
              [float((sign * one.values).max()) for one, sign in each], scale=size),
         calc("at", "the first such point", "", "",
-             of("at", f"={last + 1}-SUMPRODUCT(MAX(([sign]*{{y}}>=[most]-check_zero*{size_of})*({last + 1}-[@pt.k])))"),
+             of(f"={last + 1}-SUMPRODUCT(MAX(([sign]*{{y}}>=[most]-check_zero*{size_of})*({last + 1}-[@pt.k])))"),
              [one.at + 1 for one in found], format="0", source="to a rounding"),
-        calc("y0", "before it", "y_0", "", of("y0", "=INDEX({y},MAX([at]-1,1))"), [n[0] for n in neighbours], scale=size),
-        calc("y", "there", "y", "", of("y", "=INDEX({y},[at])"), [n[1] for n in neighbours], scale=size),
-        calc("y1", "after it", "y_1", "", of("y1", f"=INDEX({{y}},MIN([at]+1,{last}))"), [n[2] for n in neighbours],
+        calc("y0", "before it", "y_0", "", of("=INDEX({y},MAX([at]-1,1))"), [n[0] for n in neighbours], scale=size),
+        calc("y", "there", "y", "", of("=INDEX({y},[at])"), [n[1] for n in neighbours], scale=size),
+        calc("y1", "after it", "y_1", "", of(f"=INDEX({{y}},MIN([at]+1,{last}))"), [n[2] for n in neighbours],
              scale=size),
         calc("a", "to the point before", "a", "°",
              f"=IF({inner},INDEX([@pt.theta],[at])-INDEX([@pt.theta],[at]-1),0)", [one.before for one in found],

@@ -201,7 +201,7 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
     speed, hardest = ("[v]", "[a]") if view.varies else (v, a)
 
     def of(values: Array) -> list[float]:
-        return np.asarray(values).tolist()
+        return [float(value) for value in values]
 
     sheet.heading("Table over the cycle")
     sheet.table(

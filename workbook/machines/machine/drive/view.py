@@ -97,7 +97,7 @@ class DriveView:
         begins = np.array([one.begin for one in self.cycle.intervals])
         near = self.cycle.near
         reached = np.minimum(told + near, self.cycle.course.told.total - near)
-        return (np.searchsorted(begins, reached, side="right")).tolist()
+        return [int(number) for number in np.searchsorted(begins, reached, side="right")]
 
     def of_intervals(self, figure: Any, spare: Any = None) -> list[Any]:
         """Return a figure of each interval; spare rows have that of the last, or another."""

@@ -16,9 +16,9 @@ from workbook.book.declare import Sheet, calc
 from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.view import DriveView
 
-DRIVES = "(([@pt.S]*[@pt.dir]>=0)+(@method=\"document\")>0)"
-BACK = "([@pt.S]*[@pt.dir]<0)*(@method=\"physical\")"
-FREE = "(1-([@pt.dir]=0)*(@holding=\"brake\"))"
+DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
+BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
+FREE = '(1-([@pt.dir]=0)*(@holding="brake"))'
 """0 where a brake holds the motor's shaft"""
 
 

@@ -29,6 +29,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
     """Declare the list of the best pairs."""
     pairs, found = view.ranked[:BEST], view.listed
     torque = max([view.own.peak, *(one.peak for one in found), 1e-3])
+
     def of(figure: str) -> list[float]:
         return filled([getattr(one, figure) for one in found], BEST)
 
@@ -94,7 +95,9 @@ def figures(view: Choosing) -> list[Quantity]:
         return there(f"INDEX([@motors.{name}],MAX(1,[m]))")
 
     speed = "[i]/@held_i*[@points.n]"
-    spare = f"[tp]-SUMPRODUCT(MAX((({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*({speed}-[knee])*({speed}>[knee])))"
+    spare = (
+        f"[tp]-SUMPRODUCT(MAX((({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*({speed}-[knee])*({speed}>[knee])))"
+    )
     return [
         calc("j", "inertia with the motor", "J", "kg m²",
              there("INDEX([@motors.jm],MAX(1,[m]))+INDEX([@reducers.jt],MAX(1,[r]))"), of([one[0] for one in each])),

@@ -130,13 +130,24 @@ def named(
     if len(names) == 1:
         return [calc(column, label, symbol, unit, f"={whole.format(names[0])}+0", chosen, **more)]
     if len(names) <= GROUP:
-        return [calc(column, label, symbol, unit, f"={whole.format(f'CHOOSE(@no,{chr(44).join(names)})')}", chosen, **more)]
+        return [
+            calc(column, label, symbol, unit, f"={whole.format(f'CHOOSE(@no,{chr(44).join(names)})')}", chosen, **more)
+        ]
     found = []
     for first in range(0, len(names), GROUP):
         group = names[first : first + GROUP]
         within = f"AND(@no>{first},@no<={first + len(group)})"
         here = first <= view.number < first + len(group)
-        found.append(calc(f"{column}{first + 1}", f"{label}, drives {first + 1} to {first + len(group)}", symbol, unit,
-                          f"=IF({within},{whole.format(f'CHOOSE(@no-{first},{chr(44).join(group)})')},0)", chosen if here else 0.0, **more))
+        found.append(
+            calc(
+                f"{column}{first + 1}",
+                f"{label}, drives {first + 1} to {first + len(group)}",
+                symbol,
+                unit,
+                f"=IF({within},{whole.format(f'CHOOSE(@no-{first},{chr(44).join(group)})')},0)",
+                chosen if here else 0.0,
+                **more,
+            )
+        )
     parts = "+".join(f"[{one.name}]" for one in found)
     return [*found, calc(column, label, symbol, unit, f"={parts}", chosen, **more)]

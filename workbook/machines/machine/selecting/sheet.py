@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
 from workbook.machines.machine.choice import UNCHOSEN, Choice
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.selecting.best import best_table, order_table
 from workbook.machines.machine.selecting.charts import chart, uses
 from workbook.machines.machine.selecting.drives import chosen, drives_table, known, points_table
 from workbook.machines.machine.selecting.formulas import rms_of, whole
 from workbook.machines.machine.selecting.pairs import grids, products
 from workbook.machines.machine.selecting.view import Choosing
-from workbook.machines.machine.drive.view import DriveView
 from workbook.selection.entries import SelectionSizes
 
 TITLE = "Selection"

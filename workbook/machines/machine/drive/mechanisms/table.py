@@ -98,7 +98,7 @@ def points(driven: Driven, rows: int) -> list[Quantity]:
     metres, base = ("{}/1000", "m") if driven.travels else ("RADIANS({})", "rad")
     own = "INDEX([@points.{}],[k])"
 
-    def of(values: Array) -> list[Any]:
+    def of(values: Any) -> list[Any]:
         return filled(values, rows)
 
     width, chord = np.diff(y), np.diff(angle) / np.diff(y)
@@ -162,7 +162,7 @@ def powers(driven: Driven, rows: int) -> list[Quantity]:
     """Return the coefficients of φ over the share t of each part: φ = φ_k + d1 t + d2 t² + … + d5 t⁵."""
     one = table_of(driven.linkage)
     found = np.vstack([one.powers[:, 1:], np.zeros((rows - len(one.powers), 5))]).T
-    angle, y, first, second = one.columns
+    angle, _, first, second = one.columns
     d1, d2 = first[:-1] * one.widths, second[:-1] * one.widths**2 / 2.0
     more = {
         "e0": ("angle beyond these two", f"{at('phi', AFTER)}-[phi]-[d1]-[d2]", np.diff(angle) - d1 - d2),
@@ -175,7 +175,7 @@ def powers(driven: Driven, rows: int) -> list[Quantity]:
     return [
         *(calc(f"d{n}", f"coefficient of {word}", f"d{n}", "rad", f"=IF([k]<@count,{formula},0)", values, scale=size)
           for n, (word, formula, values) in enumerate(zip(words, formulas, found, strict=True), 1)),
-        *(calc(name, label, "", "rad", f"=IF([k]<@count,{formula},0)", filled(values, rows), scale=size,
+        *(calc(name, label, "", "rad", f"=IF([k]<@count,{formula},0)", filled(np.asarray(values), rows), scale=size,
                source="at the next point")
           for name, (label, formula, values) in more.items()),
     ]  # fmt: skip
