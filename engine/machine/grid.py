@@ -195,10 +195,11 @@ class Grid:
         """
         rated = self.motors.rated_torque
         share = self.rms / rated[:, None]
+        used = share / (1.0 + share)
         if rank == "smallest motor":
-            return self.smaller[:, None] + share / (1.0 + share)
+            return self.smaller[:, None] + used
         if rank == "margin":
-            return np.asarray(share)
+            return np.asarray(used)
         if rank == "inertia match":
             x = np.broadcast_to(self.balance, share.shape) / self.inertias
             return np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0)

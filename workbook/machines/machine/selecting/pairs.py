@@ -13,7 +13,6 @@ from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.machine.selecting.formulas import peak_of, rms_of
 from workbook.machines.machine.selecting.view import Choosing
 
-WHOLE = '0;-0;"–"'
 DASH = '0.0##;-0.0##;"–"'
 NOTE = (
     "What a pair fails first: reducer (its torque or speed), speed, peak or RMS torque of the motor, large (beyond the "
@@ -27,11 +26,13 @@ def grids(sheet: Sheet, view: Choosing) -> None:
     sheet.not_printed_below()
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
     torque = max(float(g.peak.max()), 1e-3)
-    grid(sheet, view, "word", "Which pairs can do it", verdict, view.spread(g.verdicts, "–"), align="center")
-    grid(sheet, view, "wanted", "What is wanted of a pair", within, wanted(view), align="center")
-    grid(sheet, view, "rms", "RMS torque of the motor [Nm]", lambda c: if_on(c, rms_of(*pair(c))),
+    grid(sheet, view, "word", "Which pairs can do it", ("on", "nmax", "peak"), verdict, view.spread(g.verdicts, "–"),
+         align="center")  # fmt: skip
+    grid(sheet, view, "wanted", "What is wanted of a pair", ("on", "rated", "jm"), within, wanted(view),
+         align="center")  # fmt: skip
+    grid(sheet, view, "rms", "RMS torque of the motor [Nm]", ("on", "jm"), lambda c: if_on(c, rms_of(*pair(c))),
          view.spread(g.rms, 0.0), format=DASH, scale=torque)  # fmt: skip
-    grid(sheet, view, "peak", "Peak torque of the motor [Nm]", lambda c: if_on(c, peak_of(*pair(c))),
+    grid(sheet, view, "peak", "Peak torque of the motor [Nm]", ("on", "jm"), lambda c: if_on(c, peak_of(*pair(c))),
          view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
 
 
@@ -41,15 +42,21 @@ def wanted(view: Choosing) -> list[list[Any]]:
 
 
 def grid(
-    sheet: Sheet, view: Choosing, name: str, title: str, formula: Any, values: list[list[Any]], **more: Any
-) -> None:
-    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above."""
+    sheet: Sheet, view: Choosing, name: str, title: str, figures: tuple[str, ...], formula: Any,
+    values: list[list[Any]], **more: Any,
+) -> None:  # fmt: skip
+    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above.
+
+    ``figures`` are the motor's that the formulas of its row need, beside its name.
+    """
     (down, across), r = view.rooms, view.reducers
     names, reductions = filled(r.names, across, ""), filled(r.reduction, across)
+    known = motor_figures(view)
     sheet.row += 1
     heads = sheet.table(
         f"@{name}_heads", "Reducers: name, reduction", 2,
         constant("what", "", "", "", ["name", "reduction"]), constant("k", "", "", "", [1, 2], format="0"),
+        *(constant(f"gap{i}", "", "", "", ["", ""]) for i, _ in enumerate(figures)),
     )  # fmt: skip
     for c in range(1, across + 1):
         told = [f'=[reducers.name.{c}]&""', f"=[@reducers.i.{c}]+0"]
@@ -61,6 +68,8 @@ def grid(
         result("motor", "motor", "", "", '=INDEX([motors.name],[k])&""', filled(view.motors.names, down, ""),
                align="left"),
         constant("k", "number", "k", "", list(range(1, down + 1))),
+        *(calc(one, known[one][0], "", known[one][1], f"=INDEX([@motors.{one}],[k])", known[one][2])
+          for one in figures),
     )  # fmt: skip
     for c in range(1, across + 1):
         each = result("v", f"reducer {c}", "", "", f"={formula(c)}", values[c - 1], **more)
@@ -69,87 +78,113 @@ def grid(
 
 def pair(c: int) -> tuple[str, str, str]:
     """Return J, i and η of the motor of a row with a reducer, as formulas."""
-    inertia = f"(INDEX([@motors.jm],[k])+[@reducers.jt.{c}])"
-    return inertia, f"[@reducers.i.{c}]", f"[@reducers.eta.{c}]"
+    return f"([jm]+[@reducers.jt.{c}])", f"[@reducers.i.{c}]", f"[@reducers.eta.{c}]"
 
 
 def if_on(c: int, formula: str) -> str:
     """Return a formula where both are in use."""
-    return f"IF(INDEX([@motors.on],[k])*[@reducers.on.{c}]=0,0,{formula})"
+    return f"IF([on]*[@reducers.on.{c}]=0,0,{formula})"
 
 
 def within(c: int) -> str:
     """Return the formula of what a pair fails of what is wanted of it, or that it is usable."""
-    rms, rated = f"INDEX([@rms{c}.v],[k])", "INDEX([@motors.rated],[k])"
-    large = f'IF([@reducers.j.{c}]>@inertia_ratio*INDEX([@motors.jm],[k]),"inertia","yes")'
-    margins = f'IF({rms}*@least>{rated},"RMS",IF({rms}*@greatest<{rated},"large",{large}))'
-    return f'IF(INDEX([@motors.on],[k])*[@reducers.on.{c}]=0,"–",{margins})'
+    rms = f"INDEX([@rms{c}.v],[k])"
+    large = f'IF([@reducers.j.{c}]>@inertia_ratio*[jm],"inertia","yes")'
+    margins = f'IF({rms}*@least>[rated],"RMS",IF({rms}*@greatest<[rated],"large",{large}))'
+    return f'IF([on]*[@reducers.on.{c}]=0,"–",{margins})'
 
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: reducer, speed, peak torque, or what is wanted of it."""
-    peak = f'IF(INDEX([@peak{c}.v],[k])>INDEX([@motors.peak],[k]),"peak",INDEX([@wanted{c}.v],[k]))'
-    speed = f'IF([@reducers.n.{c}]>INDEX([@motors.nmax],[k]),"speed",{peak})'
-    return f'IF(INDEX([@motors.on],[k])*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{speed}))'
+    peak = f'IF(INDEX([@peak{c}.v],[k])>[peak],"peak",INDEX([@wanted{c}.v],[k]))'
+    speed = f'IF([@reducers.n.{c}]>[nmax],"speed",{peak})'
+    return f'IF([on]*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{speed}))'
 
 
 def products(sheet: Sheet, view: Choosing) -> None:
     """Declare what the catalogue says of motors and reducers, what each makes of the axis, and what pairs sort by."""
     sheet.heading("Workings: motors, reducers, and what pairs are sorted by")
-    numbers = "0"
-    for n, one in reversed(list(enumerate(RANKS, 1))):
-        numbers = f'IF(@rank="{one}",{n},{numbers})'
-    sheet.rows(calc("@rank_no", "Number of what they are ranked by", "", "", f"={numbers}", view.rank, format="0"))
+    names = ",".join(f'(@rank="{one}")*{n}' for n, one in enumerate(RANKS, 1))
+    sheet.rows(calc("@rank_no", "Number of what they are ranked by", "", "", f"=MAX({names})", view.rank, format="0"))
     sheet.row += 1
     motors(sheet, view)
     reducers(sheet, view)
+    scores = np.nan_to_num(view.grid.scores(view.given.rank), nan=0.0)
+    grid(sheet, view, "score", "What pairs are ranked by, the lowest first",
+         ("on", "rated", "jm", "smaller", "weight"), score, view.spread(scores, 0.0), format="General",
+         scale=max(1.0, float(np.abs(scores).max())))  # fmt: skip
     keys = view.spread(np.where(np.isfinite(view.keys), view.keys, -1.0), -1.0)
     told = [["–" if key < 0.0 else key for key in column] for column in keys]
-    grid(
-        sheet,
-        view,
-        "key",
-        "What pairs are sorted by: score, then place",
-        lambda c: key(view, c),
-        told,
-        format="General",
-    )
+    grid(sheet, view, "key", "What pairs are sorted by: score, then place", ("known",), lambda c: key(view, c), told,
+         format="General")  # fmt: skip
+
+
+def score(c: int) -> str:
+    """Return the formula of what a pair is ranked by: 0 of one that is not in use, or lacks the figure."""
+    share = f"INDEX([@rms{c}.v],[k])/[rated]"
+    balance, inertia = f"[@reducers.balance.{c}]", f"([jm]+[@reducers.jt.{c}])"
+    match = f"IF({balance}>0,MAX({balance}/{inertia},{inertia}/{balance})^0.5,1)"
+    used = f"[smaller]*(@rank_no=1)+1-1/(1+{share})"
+    ranked = f"IF(@rank_no<3,{used},IF(@rank_no=3,{match},[weight]+[@reducers.weight.{c}]))"
+    return f"IF([on]*[@reducers.on.{c}]=0,0,{ranked})"
 
 
 def key(view: Choosing, c: int) -> str:
     """Return the formula of what a pair is sorted by."""
-    share = f"INDEX([@rms{c}.v],[k])/INDEX([@motors.rated],[k])"
-    match = f"[@reducers.balance.{c}]/{pair(c)[0]}"
-    sums = [f"INDEX([@motors.{one}],[k])+[@reducers.{one}.{c}]" for one in ("mass", "cost")]
-    lone = f"EXP(ABS(LN({match}))/2)"
-    score = (
-        f"CHOOSE(@rank_no,INDEX([@motors.smaller],[k])+{share}/(1+{share}),{share},"
-        f"IF([@reducers.balance.{c}]>0,{lone},1),{sums[0]},{sums[1]})"
-    )
-    known = f"IF(@rank_no<4,1,IF(@rank_no=4,INDEX([@motors.weighs],[k])*[@reducers.weighs.{c}],"
-    known += f"INDEX([@motors.costs],[k])*[@reducers.costs.{c}]))=1"
     place = f"([k]-1)*{view.rooms[1]}+{c - 1}"
-    return f'IF(INDEX([@word{c}.v],[k])="yes",IF({known},ROUND({score}*{PARTS},0)*{view.pairs}+{place},"–"),"–")'
+    score = f"ROUND(INDEX([@score{c}.v],[k])*{PARTS},0)"
+    usable = f'AND(INDEX([@word{c}.v],[k])="yes",[known]*[@reducers.known.{c}]=1)'
+    return f'IF({usable},{score}*{view.pairs}+{place},"–")'
+
+
+MOTOR_COLUMNS = (
+    ("jm", "inertia", "kg m²", "inertia"),
+    ("rated", "rated torque", "Nm", "rated"),
+    ("peak", "peak torque", "Nm", "peak"),
+    ("nmax", "largest speed", "rpm", "nmax"),
+)
+"""figures of a motor: column here, words, unit, column of the catalogue"""
+
+
+def motor_figures(view: Choosing) -> dict[str, tuple[str, str, list[Any]]]:
+    """Return the figures of the motors of the catalogue, 0 in spare rows: words, unit and values of each column."""
+    m, n = view.motors, view.rooms[0]
+    values = (m.inertia, m.rated_torque, m.peak_torque, shown(m.max_speed, RPM))
+    found = {name: (label, unit, filled(one, n))
+             for (name, label, unit, _), one in zip(MOTOR_COLUMNS, values, strict=True)}  # fmt: skip
+    known, weight = weights(view, m.size, m.cost)
+    return found | {
+        "on": ("in use", "", filled(filled([], len(m.names), 1), n, 0)),
+        "smaller": ("smaller motors", "", filled(view.grid.smaller, n, 0)),
+        "known": ("has what it is ranked by", "", filled(known, n, 1 if view.rank <= MASSLESS else 0)),
+        "weight": ("mass or cost", "", filled(weight, n)),
+    }
+
+
+MASSLESS = 3
+"""ranks that need neither mass nor cost"""
+
+
+def weights(view: Choosing, mass: Any, cost: Any) -> tuple[Any, Any]:
+    """Return whether products have the figure that pairs are ranked by, and that figure: 0 where there is none."""
+    if view.rank <= MASSLESS:
+        return np.ones(len(mass), dtype=int), np.zeros(len(mass))
+    one = mass if RANKS[view.rank - 1] == "mass" else cost
+    return np.isfinite(one).astype(int), np.nan_to_num(one)
 
 
 def motors(sheet: Sheet, view: Choosing) -> None:
     """Declare the motors of the catalogue, 0 in spare rows."""
-    m, n = view.motors, view.rooms[0]
-    count = len(m.names)
-    columns = (("jm", "inertia", "kg m²", "inertia", m.inertia),
-               ("rated", "rated torque", "Nm", "rated", m.rated_torque),
-               ("peak", "peak torque", "Nm", "peak", m.peak_torque),
-               ("nmax", "largest speed", "rpm", "nmax", shown(m.max_speed, RPM)))  # fmt: skip
+    m, n, known = view.motors, view.rooms[0], motor_figures(view)
     made = {"jm": "/10000", "rated": "*@left"}
-    known = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for _, _, _, column, _ in columns)
+    given = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for *_, column in MOTOR_COLUMNS)
     sheet.table(
         "@motors", "Motors of the catalogue", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
-        calc("on", "in use", "", "", f"=IF({known}=1,1,0)",
-             filled(filled([], count, 1), n, 0), format="0"),
+        calc("on", "in use", "", "", f"=IF({given}=1,1,0)", known["on"][2], format="0"),
         *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){made.get(name, '')},0)",
-               filled(values, n))
-          for name, label, unit, column, values in columns),
+               known[name][2])
+          for name, label, unit, column in MOTOR_COLUMNS),
         calc("knee", "peak torque holds to", "", "rpm",
              "=IF([on]=1,IF(COUNT(INDEX([motors.knee],[k]))=1,INDEX([motors.knee],[k]),[nmax]),0)",
              filled(shown(m.knee, RPM), n)),
@@ -157,27 +192,25 @@ def motors(sheet: Sheet, view: Choosing) -> None:
              "=IF([nmax]>[knee],MAX(0,[peak]-INDEX([motors.end],[k]))/([nmax]-[knee]),0)",
              filled(np.maximum(0.0, -shown(m.slope, PER_RPM)), n)),
         calc("smaller", "smaller motors", "", "", "=IF([on]=1,SUMPRODUCT(([@motors.rated]<[rated])*[@motors.on]),0)",
-             filled(view.grid.smaller, n, 0), format="0"),
-        *weighed("motors", m.size, m.cost, n),
+             known["smaller"][2], format="0"),
+        *weighed("motors", known["known"][2], known["weight"][2]),
     )  # fmt: skip
 
 
-def weighed(table: str, mass: Any, cost: Any, rows: int) -> list[Quantity]:
-    """Return mass and cost of products, and whether they are given."""
-    found = []
-    for name, known, values in (("mass", "weighs", mass), ("cost", "costs", cost)):
-        unit = "kg" if name == "mass" else ""
-        found += [
-            calc(known, f"{name} is given", "", "", f"=COUNT(INDEX([{table}.{name}],[k]))",
-                 filled(np.isfinite(values).astype(int), rows, 0), format="0"),
-            calc(name, name, "", unit, f"=INDEX([{table}.{name}],[k])+0", filled(np.nan_to_num(values), rows)),
-        ]  # fmt: skip
-    return found
+def weighed(table: str, known: list[Any], weight: list[Any]) -> list[Quantity]:
+    """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given."""
+    mass, cost = (f"INDEX([{table}.{name}],[k])" for name in ("mass", "cost"))
+    return [
+        calc("known", "has what it is ranked by", "", "", f"=CHOOSE(@rank_no,1,1,1,COUNT({mass}),COUNT({cost}))",
+             known, format="0"),
+        calc("weight", "mass or cost", "", "kg or price", f"=CHOOSE(@rank_no,0,0,0,{mass}+0,{cost}+0)", weight),
+    ]  # fmt: skip
 
 
 def reducers(sheet: Sheet, view: Choosing) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     r, g, n = view.reducers, view.grid, view.rooms[1]
+    known, weight = weights(view, r.size, r.cost)
     limits = [np.where(np.isfinite(one), one, 0.0) for one in (shown(r.max_input_speed, RPM), r.max_output_torque)]
     sheet.table(
         "@reducers", "Reducers of the catalogue, and what each makes of the axis", n,
@@ -198,5 +231,5 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(α_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
-        *weighed("reducers", r.size, r.cost, n),
+        *weighed("reducers", filled(known, n, 1 if view.rank <= MASSLESS else 0), filled(weight, n)),
     )  # fmt: skip

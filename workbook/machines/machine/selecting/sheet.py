@@ -136,15 +136,15 @@ def own_pair(view: Choosing) -> list[Quantity]:
 MESSAGE = (
     '=IF(SUM([@best.holds])>0,"the first of the list that stays below its motor\'s curve",'
     'IF(@count>0,"none of the best pairs stays below its motor\'s curve",'
-    'IF(@usable>0,"no usable pair has the figures to rank it by","no pair of the catalogue can do it")))'
+    'IF(@usable>0,"no usable pair has what it is ranked by","no pair can do it")))'
 )
 
 
 def message(view: Choosing) -> str:
     """Return in words what came out."""
     if view.proposed is not None:
-        return "the first of the list that stays below its motor's curve"
+        return "the first below its motor's curve"
     if view.ranked:
-        return "none of the best pairs stays below its motor's curve"
+        return "none of the best is below its motor's curve"
     usable = bool((view.grid.verdicts == "yes").any())
-    return "no usable pair has the figures to rank it by" if usable else "no pair of the catalogue can do it"
+    return "no usable pair has what it is ranked by" if usable else "no pair can do it"
