@@ -126,7 +126,7 @@ def score(c: int) -> str:
     match = f"IF({balance}>0,MAX({balance}/{inertia},{inertia}/{balance})^0.5,1)"
     used = f"[smaller]*(@rank_no=1)+1-1/(1+{share})"
     ranked = f"IF(@rank_no<3,{used},IF(@rank_no=3,{match},[weight]+[@reducers.weight.{c}]))"
-    return f"IF([on]*[@reducers.on.{c}]=0,0,{ranked})"
+    return f"IF([on]*[@reducers.on.{c}],{ranked},0)"
 
 
 def key(view: Choosing, c: int) -> str:

@@ -134,8 +134,8 @@ def own_pair(view: Choosing) -> list[Quantity]:
 
 
 MESSAGE = (
-    '=IF(SUM([@best.holds])>0,"the first of the list that stays below its motor\'s curve",'
-    'IF(@count>0,"none of the best pairs stays below its motor\'s curve",'
+    '=IF(SUM([@best.holds])>0,"the first below its motor\'s curve",'
+    'IF(@count>0,"none of the best is below its motor\'s curve",'
     'IF(@usable>0,"no usable pair has what it is ranked by","no pair can do it")))'
 )
 

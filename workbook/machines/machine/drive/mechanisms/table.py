@@ -193,7 +193,8 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     change = f"2*{d[1]}+[t]*(6*{d[2]}+[t]*(12*{d[3]}+[t]*20*{d[4]}))"
     return [
         calc("part", "part of the table", "", "",
-             "=MAX(1,MIN(@count-1,SUMPRODUCT([@curve.on]*([@curve.y]<=[y]))))", of(np.asarray(part, dtype=np.float64) + 1.0), format="0"),
+             "=MAX(1,MIN(@count-1,SUMPRODUCT([@curve.on]*([@curve.y]<=[y]))))",
+             of(np.asarray(part, dtype=np.float64) + 1.0), format="0"),
         calc("t", "share of the part", "t", "", f"=([y]-INDEX([@curve.y],[part]))/{width}", of(share), scale=1.0),
         calc("g", "ratio", "φ'", "", f"=({slope})/{width}", of(first), source="dφ/dy"),
         calc("h", "its change", "φ''", "", f"=({change})/{width}^2", of(second),
