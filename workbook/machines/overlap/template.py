@@ -34,7 +34,7 @@ def declare(given: IndexingOverlap) -> Book:
     overlap_sheet(book, view, shelf.stack)
     picture_sheet(book, view, shelf.stack)
     cycle_sheets(book, view, shelf.stack)
-    inverse_sheet(book, view, shelf.rows, shelf.stack.second_sine)
+    inverse_sheet(book, view, shelf.stack)
     shelf.sheets(book)
     export_sheet(book, given, exportable(view, shelf.stack))
     return finish(book, "Overlap of motions", ("S2", "S1", "S3"))

@@ -143,7 +143,7 @@ def verdicts(sheet: Sheet, station: Station) -> None:
 def checks(station: Station) -> tuple[Quantity, ...]:
     """Return the checks of the tool."""
     found, margin = station.clearance, station.given.passage.margin
-    nearly = "check_zero*MAX(@clearance,@stroke)"
+    nearly = "inverse_bound*MAX(@clearance,@stroke)"
     return (
         check("@ok_collide", "The parts do not collide", f"@least>=0-{nearly}", not found.collides,
               "least clearance at least 0", says=amount("@least", station.least, "least clearance ", " mm")),
