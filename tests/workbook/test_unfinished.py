@@ -277,8 +277,8 @@ def test_an_overlap_of_one_axis_leaves_the_others_and_the_laws(tmp_path):
     blocks = {block for block, _ in unfinished}
     others = {f"axis{i}{of}" for i in (1, 3) for of in ("", "_pieces")}
     assert not blocks & (others | {"drive1_cycle", "drive1_rms", "laws", "MTP_samples"})
-    assert ("cycle", "y1") not in unfinished
-    assert ("cycle", "y2") in unfinished
+    assert ("cycle1", "y") not in unfinished
+    assert ("cycle2", "y") in unfinished
 
 
 @pytest.mark.parametrize(

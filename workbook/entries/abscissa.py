@@ -56,8 +56,8 @@ class Abscissa:
     speed: str = "Master shaft"
     """what goes at ω"""
     entered_of: str = "of the master shaft"
-    column: str = "[cycle.theta]"
-    """of the table over the cycle: what charts are drawn over"""
+    column: str = "theta"
+    """of the tables over the cycle: what charts are drawn over"""
     format: str = "0.0##"
     length: float = TURN
 
@@ -149,7 +149,7 @@ class Measured(Abscissa):
     angle: str = "angle of a turn a cycle"
     speed: str = "A turn a cycle"
     entered_of: str = "of the cycle"
-    column: str = "[cycle.time]"
+    column: str = "time"
     format: str = "0.0####"
 
     @property

@@ -9,6 +9,8 @@ from functools import cached_property
 from itertools import accumulate
 from typing import Any, NamedTuple, Protocol
 
+import numpy as np
+
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion
@@ -102,11 +104,11 @@ class Part(Protocol):
 
 
 class Found(NamedTuple):
-    """Where samples lie: row of the piece (from 1), u from its origin, and the argument of its sine."""
+    """Where samples lie: row of the piece (from 1), u from its origin, and the arguments of its sines."""
 
     row: Array
     u: Array
-    angle: Array
+    angles: list[Array]
 
 
 @dataclass(frozen=True)
@@ -160,7 +162,9 @@ class PieceRows:
     def found(self, x: Array) -> Found:
         """Return where samples of the abscissa lie."""
         place = located(self.pieces, x, self.begin, self.end)
-        return Found((place.piece + 1).astype(float), place.u, place.angle)
+        omegas, phases = np.array([[sine[1:] for sine in piece.sines] for piece in self.pieces]).T
+        angles = [om[place.piece] * place.u + phi[place.piece] for om, phi in zip(omegas, phases, strict=True)]
+        return Found((place.piece + 1).astype(float), place.u, angles)
 
 
 def number_of(stack: Pieces, law: Law) -> int:

@@ -16,7 +16,7 @@ from workbook.book.declare import Book, Quantity, calc, constant, result
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.exported import Exporting, named
 from workbook.motion.cells import PieceRows
-from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.sampled import POSITION, finding, sampled
 
 TITLE = "Export"
 
@@ -89,7 +89,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     told_as = (
         ("y", "position", "y", POSITION), ("y1", "velocity", "y'", "dy/dx"), ("y2", "acceleration", "y''", "d²y/dx²"),
     )  # fmt: skip
-    found_by = [f"({derivative(rows, order)}){axis.turned}{per[order]}" for order in range(len(told_as))]
+    found_by = [f"({sampled(rows, order)}){axis.turned}{per[order]}" for order in range(len(told_as))]
     found_by[0] += f"+[n]*{later.travel}" if later and later.travel else ""
     return [
         calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", x * axis.unit[0],

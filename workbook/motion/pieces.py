@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from math import perm
 
 from engine.motion.pieces import MotionPiece
@@ -10,7 +11,7 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, shown
-from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.cells import RAISED, Cells, PieceRows
 from workbook.motion.room import CROWDED, rule_of
 from workbook.motion.stack import FIRST, Sine, last_before, of_law
 
@@ -132,21 +133,32 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
 
 
 def derivative(rows: PieceRows, order: int, of: Column, sizes: Sizes) -> list[Quantity]:
-    """Return the coefficients of a derivative of the polynomial, from the lowest power: the block of that derivative."""
+    """Return the block of coefficients of a derivative of the polynomial, from the lowest power."""
     name, symbol = DERIVATIVES[order - 1]
 
     def value(k: int) -> list[float]:
         return of(lambda piece: perm(k + order, order) * piece.c[k + order])
 
     return [
-        calc(f"{name}{k}", f"{NAMES[k]} of {symbol}", "", rows.at.unit(order), f"={perm(k + order, order)}*[c{k + order}]",
-             value(k), scale=sizes(order))
+        calc(f"{name}{k}", f"{NAMES[k]} of {symbol}", "", rows.at.unit(order),
+             f"={perm(k + order, order)}*[c{k + order}]", value(k), scale=sizes(order))
         for k in range(rows.powers - order)
     ]  # fmt: skip
 
 
-def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, Quantity, Quantity]:
-    """Return amplitude, frequency and phase of a sine."""
+def turned(order: int, k: int, piece: MotionPiece) -> float:
+    """Return the amplitude of a piece's sine in a derivative."""
+    a, omega, _ = piece.sines[k]
+    return a * omega**order
+
+
+def amplitude(order: int, mark: str) -> str:
+    """Return the name of the column of a sine's amplitude in y, or in a derivative."""
+    return f"{'d' * order}A{mark}"
+
+
+def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, ...]:
+    """Return amplitude, frequency and phase of a sine, and its amplitude in each derivative."""
     h, per, words = at.lift, at.of_phase("rate"), " of the second sine" if one.mark else ""
 
     def of_a_sine(formula: str) -> str:
@@ -159,4 +171,8 @@ def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quanti
              of_a_sine(f"{of_law(one.omega)}*{per}"), of(lambda piece: piece.sines[k][1]), source="ω/δ"),
         calc(f"ph{one.mark}", f"phase{words}", f"φ{one.mark}", "rad",
              of_a_sine(of_law(one.phi)), of(lambda piece: piece.sines[k][2])),
+        *(calc(amplitude(order, one.mark), f"amplitude of {symbol}{words}", "", at.unit(order),
+               f"=[{amplitude(order - 1, one.mark)}]*[om{one.mark}]",
+               of(partial(turned, order, k)), scale=sizes(order), source=f"A{one.mark} ω{RAISED[order]}")
+          for order, (_, symbol) in enumerate(DERIVATIVES, 1)),
     )  # fmt: skip

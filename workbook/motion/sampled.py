@@ -5,12 +5,17 @@ from __future__ import annotations
 from math import perm
 
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, calc
-from workbook.motion.cells import Cells, PieceRows
+from workbook.book.declare import Quantity, calc, constant
+from workbook.motion.cells import RAISED, Cells, PieceRows
+from workbook.motion.pieces import DERIVATIVES, amplitude
 
 POSITION = "c0 + c1 u + … + A sin x"
 TURNED = ("+{A}*SIN({x})", "+{A}*{om}*COS({x})", "-{A}*{om}^2*SIN({x})", "-{A}*{om}^3*COS({x})")
 """a sine A sin(ωu + φ) and its derivatives by u"""
+SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"
+"""the same by the amplitude of each derivative"""
+BLOCKS = ("c", *(name for name, _ in DERIVATIVES))
+"""what the columns of coefficients of each derivative begin with"""
 
 
 def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
@@ -24,11 +29,31 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
     return [
         calc(q, f"{of}piece", "q", "",
              f"={at.piece(x)}", found.row, format="0", source="last start at or below"),
+        constant(f"u0{suffix}", f"{of}u⁰", "", "", [1] * len(found.u)),
         calc(f"u{suffix}", f"{of}within piece", "u", at.x,
              f"=RADIANS({local})" if at.degrees else f"={local}", found.u, source="from its start"),
-        calc(f"x{suffix}", f"{of}sine argument", "x", "rad",
-             f"={at.of_piece('om', q)}*[u{suffix}]+{at.of_piece('ph', q)}", found.angle, source="ωu + φ"),
+        *(calc(f"u{i}{suffix}", f"{of}u{RAISED[i]}", f"u{RAISED[i]}", f"{at.x}{RAISED[i]}" if at.x else "",
+               f"=[{_power(i - 1, suffix)}]*[u{suffix}]", found.u**i) for i in range(2, rows.powers)),
+        *(calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "x", "rad",
+               f"={at.of_piece(f'om{mark}', q)}*[u{suffix}]+{at.of_piece(f'ph{mark}', q)}", found.angles[k],
+               source="ωu + φ")
+          for k, ((*_, mark), which) in enumerate(zip(rows.sines, ("", "second "), strict=False))),
     ]  # fmt: skip
+
+
+def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
+    """Return the formula, without its =, of a derivative at a sample: coefficients times powers of u, and sines."""
+    at, q, last = rows.at, f"q{suffix}", rows.powers - order - 1
+    block = f"INDEX([{at.pieces}.{BLOCKS[order]}0:{BLOCKS[order]}{last}],[{q}],0)"
+    text = f"SUMPRODUCT({block},[{_power(0, suffix)}:{_power(last, suffix)}])" if last >= 0 else ""
+    for *_, mark in rows.sines:
+        text += SINES[order].format(at.of_piece(amplitude(order, mark), q), f"[x{mark}{suffix}]")
+    return text.removeprefix("+")
+
+
+def _power(i: int, suffix: str) -> str:
+    """Return the name of the column of a power of u."""
+    return f"u{'' if i == 1 else i}{suffix}"
 
 
 def derivative(rows: PieceRows, order: int, suffix: str = "", place: str = "") -> str:

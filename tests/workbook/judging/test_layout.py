@@ -30,7 +30,7 @@ TABLES = [
     *(pytest.param(*case, marks=NIGHT) for case in (
         ("cutting-machine", "OWN_pieces"), ("cutting-machine", "axis2"),
         ("cutting-machine", "axis1"), ("cutting-machine", "axis3"), ("cutting-machine", "drive1_parts"),
-        ("cutting-machine", "motors"), ("cutting-machine", "reducers"), ("cutting-machine", "cycle"),
+        ("cutting-machine", "motors"), ("cutting-machine", "reducers"), ("cutting-machine", "cycle1"),
         ("motion-composer", "OWN_pieces"), ("indexing-overlap", "own_pieces"),
         ("indexing-overlap-stations", "OWN_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
         ("flying-cutter-saw", "OWN_pieces"), ("actuator-sizing", "axis1"), ("actuator-sizing", "drive1_parts"),
@@ -229,7 +229,7 @@ def test_part_of_a_table_cut_and_pasted_to_another_sheet_is_one_finding(books, t
 
 def test_a_column_that_a_chart_draws_is_put_back_with_the_chart(books, tmp_path):
     path = books("cutting-machine")
-    sheet, top, bottom, *_ = place(path, "cycle")
+    sheet, top, bottom, *_ = place(path, "cycle1")
     report = verify(edited(path, tmp_path, excel.Cut(sheet, f"C{top}:F{bottom}", 0, 45)))
     one(report, sheet, f"C{top}:F{bottom}", "cut, and pasted to")
 

@@ -236,7 +236,7 @@ def test_labels_and_symbols_that_changed_places_are_found(role, column, edit):
 
 
 def test_heads_of_columns_that_changed_places_are_found(edit):
-    place = edit.known.place("cycle")
+    place = edit.known.place("cycle1")
     sheet = edit.workbook[place.sheet]
     row = next(r for r in range(place.row - 1, 0, -1) if sheet.cell(r, place.column + 1).value == "y" or
                str(sheet.cell(r, place.column + 1).value).startswith("y "))  # fmt: skip
@@ -479,7 +479,7 @@ def shorter(chart):
 
 
 def other_sheet(chart):
-    chart.series[0].yVal.numRef.f = chart.series[0].yVal.numRef.f.replace("Cycle", "Drive MC01")
+    chart.series[0].yVal.numRef.f = chart.series[0].yVal.numRef.f.replace("Cycle 1", "Drive MC01")
 
 
 def other_x(chart):

@@ -62,15 +62,15 @@ def test_more_axes_than_24_are_refused():
 def test_an_axis_rests_between_its_phases():
     told = described([axis(1, (0, 90, 0.0, "DWL"), (90, 135, 20.0, "MTP"), (135, 360, 0.0, "DWL"))], cycle=72)
     left = described([axis(1, (90, 135, 20.0, "MTP"))], cycle=72)
-    for column in ("y1", "gg1", "tt1"):
-        assert computed(TEMPLATE, told)("cycle", column) == computed(TEMPLATE, left)("cycle", column)
+    for column in ("y", "gg", "a"):
+        assert computed(TEMPLATE, told)("cycle1", column) == computed(TEMPLATE, left)("cycle1", column)
 
 
 def test_a_shift_tells_the_motion_later_and_nothing_else():
     phases = ((30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))
     still, late = (described([axis(1, *phases, shift=shift)], cycle=24) for shift in (0.0, 45.0 - 720.0))
     one, other = computed(TEMPLATE, still), computed(TEMPLATE, late)
-    y, moved = one("cycle", "y1"), other("cycle", "y1")
+    y, moved = one("cycle1", "y"), other("cycle1", "y")
     assert moved == pytest.approx([*y[21:24], *y[:22]], abs=1e-12)  # 45° are three samples
     for column in ("v", "a", "travel", "low", "high"):
         assert one("axes", column) == other("axes", column)
@@ -78,10 +78,10 @@ def test_a_shift_tells_the_motion_later_and_nothing_else():
 
 def test_a_feed_goes_on_from_where_its_cycle_ends():
     value = computed(TEMPLATE, described([axis(1, (0, 120, 300.0, "CIC"), closes="feed", shift=-60.0)], cycle=12))
-    y = value("cycle", "y1")
+    y = value("cycle1", "y")
     assert (y[0], y[6], y[-1]) == pytest.approx((150.0, 300.0, 450.0))
-    assert min(value("cycle", "lane1")) >= 0.0
-    assert max(value("cycle", "lane1")) <= 0.8 + 1e-12
+    assert min(value("cycle1", "lane")) >= 0.0
+    assert max(value("cycle1", "lane")) <= 0.8 + 1e-12
 
 
 def test_cic_at_200_a_minute_reaches_its_acceleration():

@@ -53,8 +53,8 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases():
     assert value("overall") == "OK"
     kinds = list(zip(value("axis1", "begins"), value("axis1", "ends"), strict=True))
     assert kinds == [("R", "G"), ("G", "G"), ("G", "R"), *[("", "")] * 3]
-    assert value("cycle", "y1")[9:14] == pytest.approx([30.0, 35.0, 40.0, 45.0, 50.0], rel=1e-12)  # every 10°
-    assert value("cycle", "g1")[9:13] == pytest.approx([0.02 / math.radians(40)] * 4, rel=1e-12)
+    assert value("cycle1", "y")[9:14] == pytest.approx([30.0, 35.0, 40.0, 45.0, 50.0], rel=1e-12)  # every 10°
+    assert value("cycle1", "g")[9:13] == pytest.approx([0.02 / math.radians(40)] * 4, rel=1e-12)
     assert (value("axis2", "begins")[:3], value("axis2", "ends")[:3]) == (["G", "G", "R"], ["G", "R", "G"])
 
 

@@ -68,7 +68,7 @@ def test_speed_and_torque_against_differentiated_angles():
     value = computed(TEMPLATE, small(linked(), cycle=720))
     time, r, rod, e = 0.3 / 720, 0.05, 0.2, 0.01
     inner = math.sqrt((rod - r) ** 2 - e**2) + 0.015
-    x = [inner + y / 1000 for y in value("cycle", "y1")]
+    x = [inner + y / 1000 for y in value("cycle1", "y")]
     angle = [
         math.atan2(e, s) + math.acos((r**2 + s**2 + e**2 - rod**2) / (2 * r * math.hypot(s, e))) for s in x
     ]  # fmt: skip

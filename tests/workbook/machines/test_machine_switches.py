@@ -54,7 +54,7 @@ def test_a_bar_stands_where_a_switch_is_on_and_one_past_the_end_is_two():
     assert lane(value, 4) == [(0.0, 360.0)]
     floors = [min(value("switch_lanes", f"y{i}")) for i in (1, 2, 3, 4)]
     assert floors == [3.0, 2.0, 1.0, 0.0]
-    assert min(value("cycle", "lane1")) == pytest.approx(4.0)
+    assert min(value("cycle1", "lane")) == pytest.approx(4.0)
 
 
 def test_without_switches_there_is_no_sheet():

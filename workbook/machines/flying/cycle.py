@@ -8,7 +8,7 @@ from workbook.laws.sampling import Pieces
 from workbook.machines.flying.motion import motion_tables
 from workbook.machines.flying.view import Flying
 from workbook.motion.cells import PieceRows
-from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.sampled import POSITION, finding, sampled
 
 
 def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
@@ -21,13 +21,13 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
         "cycle", f"Tool, shaft and load at {len(t) - 1} equal steps", len(t),
         calc("t", "time", "t", "s", "=[k]*fly_tc/[cycle.k.last]", t, format="0.0000", scale=cut.cycle_time),
         result("s", "position of the tool", "s", "mm",
-               f"=({derivative(rows, 0)})*1000", shown(at.position, MM), scale=mm, source=POSITION),
+               f"=({sampled(rows, 0)})*1000", shown(at.position, MM), scale=mm, source=POSITION),
         result("v", "its speed", "v", "m/s",
-               f"={derivative(rows, 1)}", at.speed, scale=scale.speed, source="ds/dt"),
+               f"={sampled(rows, 1)}", at.speed, scale=scale.speed, source="ds/dt"),
         result("a", "its acceleration", "a", "m/s²",
-               f"={derivative(rows, 2)}", at.acceleration, scale=scale.acceleration, source="d²s/dt²"),
+               f"={sampled(rows, 2)}", at.acceleration, scale=scale.acceleration, source="d²s/dt²"),
         result("j", "its jerk", "j", "m/s³",
-               f"={derivative(rows, 3)}", at.jerk, scale=cut.size(3), source="d³s/dt³, between jumps"),
+               f"={sampled(rows, 3)}", at.jerk, scale=cut.size(3), source="d³s/dt³, between jumps"),
         result("n", "speed of the shaft", "n", "rpm",
                "=[w]*60/(2*PI())", shown(shaft.speed, RPM), scale=shown(scale.angular_speed, RPM)),
         result("w", "speed of the shaft", "ω_L", "rad/s",

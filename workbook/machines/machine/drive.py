@@ -313,26 +313,26 @@ def cycle(sheet: Sheet, view: Stretched) -> None:
     one, driven = view.one, view.driven
     i, at, near = driven.number, one.machine.samples, one.axis.motion.tolerance
     going, angles = view.going(at), np.minimum(at + near, one.axis.motion.total - near)
-    reached = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
+    reached = f"MIN(INDEX([cycle{i}.p],[k]+1)+timing_eps,360-timing_eps)"
     speed, torque, behind, force = driven.samples(one.axis.told(at).x, going, angles)
-    acts = ACTS.format(x="MIN(INDEX([cycle.theta],[k]+1)+timing_eps,360-timing_eps)")
+    acts = ACTS.format(x=f"MIN(INDEX([cycle{i}.theta],[k]+1)+timing_eps,360-timing_eps)")
     sheet.heading("Table over the cycle")
     sheet.table(
         "@cycle", "Speed and torque of the motor over the cycle", len(going),
-        result("rpm", "motor speed", "n", "rpm", f"=@i*@faster*INDEX([cycle.t{i}],[k]+1)*60/(2*PI())",
+        result("rpm", "motor speed", "n", "rpm", f"=@i*@faster*INDEX([cycle{i}.v],[k]+1)*60/(2*PI())",
                shown(speed, RPM)),
         result("torque", "motor torque", "T", "Nm",
                '=IF(AND([dir]=0,@holding="brake"),0,IF([behind]*[dir]<0,@back1,1/@eta1)*[behind]/@i1'
-               f"+@j0*@i*@faster^2*INDEX([cycle.tt{i}],[k]+1))",
+               f"+@j0*@i*@faster^2*INDEX([cycle{i}.a],[k]+1))",
                torque, scale=driven.sizes.torque, source="f T_1/i_1 + J_0 i ÿ"),
         calc("dir", "direction", "", "",
              f"=INDEX([@st.dir],MATCH({reached},[@st.b],1))", going, format="0", source="of the stretch"),
         calc("force", "at the load", "F", "",
              f"=@steady+[dir]*@rub+SUMPRODUCT({acts}*([@windows.always]+[dir]*[@windows.moving]))"
-             f"+@m*@faster^2*INDEX([cycle.tt{i}],[k]+1)", force, scale=driven.sizes.force,
+             f"+@m*@faster^2*INDEX([cycle{i}.a],[k]+1)", force, scale=driven.sizes.force,
              source="with process forces"),
         calc("behind", "torque of the mechanism's shaft", "T_1", "Nm",
-             f"=IF([force]*[dir]<0,@back2,1/@eta2)*[force]/@i2+@j1*@i2*@faster^2*INDEX([cycle.tt{i}],[k]+1)", behind,
+             f"=IF([force]*[dir]<0,@back2,1/@eta2)*[force]/@i2+@j1*@i2*@faster^2*INDEX([cycle{i}.a],[k]+1)", behind,
              scale=driven.sizes.behind, source="f F/i_2 + J_1 i_2 ÿ"),
         constant("k", "sample", "k", "", list(range(len(going)))),
     )  # fmt: skip

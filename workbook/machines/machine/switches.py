@@ -166,7 +166,7 @@ def corners(sheet: Sheet, machine: Whole) -> None:
 
 def angles(i: int, over: Abscissa) -> list[str]:
     """Return the formulas of the corners' places of a switch."""
-    first, last = (over.column.replace("]", f".{end}]") for end in ("first", "last"))
+    first, last = (f"[cycle1.{over.column}.{end}]" for end in ("first", "last"))
     found = [f"={first}"]
     for t in NUMBERS:
         start, span = over.in_degrees(f"[switches.start{t}.{i}]"), f"[switches.span{t}.{i}]"
@@ -180,9 +180,9 @@ def angles(i: int, over: Abscissa) -> list[str]:
 def heights(i: int, floor: int, over: Abscissa) -> list[str]:
     """Return the formulas of the corners' heights: on the floor of the lane, or on top of a bar that has a width."""
     line = "={}+[up]*IF({}>timing_eps,timing_lane,0)"
-    found = [line.format(floor, "[cycle.theta.last]")]
+    found = [line.format(floor, "[cycle1.theta.last]")]
     for t in NUMBERS:
         start, span = over.in_degrees(f"[switches.start{t}.{i}]"), f"[switches.span{t}.{i}]"
         widths = f"MIN({span},360-{start})", f"({start}+{span}-360)"
         found += [line.format(floor, width) for width in widths for _ in UPS]
-    return [*found, line.format(floor, "[cycle.theta.last]")]
+    return [*found, line.format(floor, "[cycle1.theta.last]")]

@@ -21,7 +21,7 @@ from workbook.machines.machine.bussed import Bus
 from workbook.machines.machine.check import check
 from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.clearances import clearances_sheet
-from workbook.machines.machine.cycle import cycle_sheet, exportable
+from workbook.machines.machine.cycle import cycle_sheets, exportable
 from workbook.machines.machine.drive import drive_sheet
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.judged import judge_axes
@@ -84,7 +84,7 @@ def declare(given: AnyMachine) -> Book:
     catalogue_sheet(book, given)
     printed_sheets(book, drives.values())
     shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
-    cycle_sheet(book, machine, rows)
+    cycle_sheets(book, machine, rows)
     pieces_sheet(book, rows, bool(drives or apart))
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
@@ -151,7 +151,7 @@ TEMPLATE = Template(
     declare,
     variants,
     LAW_SIZES
-    | {"cycle": ("cycle", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
+    | {"cycle": ("cycle1", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
     | {"rotors": ("drive#_parts", 0), "positions": ("drive#_points", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,

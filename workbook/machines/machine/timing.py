@@ -146,7 +146,7 @@ def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
     n = len(machine.axes) + len(machine.lanes)
     over = machine.over
-    lines = [Series(f"=axis{a.number}_name", over.column, f"[cycle.lane{a.number}]") for a in machine.axes]
+    lines = [sampled(a, over.column, "lane") for a in machine.axes]
     lines += [
         Series(f"={named(one.number)}", f"[switch_lanes.x{one.number}]", f"[switch_lanes.y{one.number}]")
         for one in machine.lanes
@@ -163,6 +163,12 @@ def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
     sheet.row += height
 
 
+def sampled(axis: MovingAxis, x: str, column: str) -> Series:
+    """Return a line of an axis over the cycle, by the columns of its samples."""
+    i = axis.number
+    return Series(f"=axis{i}_name", f"[cycle{i}.{x}]", f"[cycle{i}.{column}]")
+
+
 def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the charts of position, velocity and acceleration of all axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
@@ -170,13 +176,12 @@ def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     _, y1, y2, _ = over.symbols
     kinds = (
         ("y", f"y [{positions(machine)}]", "Position"),
-        ("t", f"{y1} [{rates(machine, 1)}]", "Velocity"),
-        ("tt", f"{y2} [{rates(machine, 2)}]", "Acceleration"),
+        ("v", f"{y1} [{rates(machine, 1)}]", "Velocity"),
+        ("a", f"{y2} [{rates(machine, 2)}]", "Acceleration"),
     )
     sheet.chart_row(
         *(Chart(title, over.title, label,
-                tuple(Series(f"=axis{a.number}_name", over.column, f"[cycle.{column}{a.number}]")
-                      for a in machine.axes),
+                tuple(sampled(a, over.column, column) for a in machine.axes),
                 f"{title} of each axis over the {over.name}", over.axis(60))
           for column, label, title in kinds),
         width=(columns + 2) // 3, height=18,

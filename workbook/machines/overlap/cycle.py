@@ -19,7 +19,7 @@ from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, ROOM, phase_columns, pieces_in_all, pieces_table
-from workbook.motion.sampled import POSITION, derivative, finding
+from workbook.motion.sampled import POSITION, finding, sampled
 from workbook.motion.smooth import Asked, Joints
 
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
@@ -55,7 +55,7 @@ class AtAngles:
         since, there = self.plan.since(self.angle), f"[@schedules.there.{self.row}]"
         return [
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
-                 f"=({derivative(self.rows, 0, suffix)})*1000", shown(self.travel, MM), source=POSITION),
+                 f"=({sampled(self.rows, 0, suffix)})*1000", shown(self.travel, MM), source=POSITION),
             calc(f"since{suffix}", "angle since its arrival", "", "°",
                  f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_tolerance)", shown(since, DEGREE), scale=TURN),
             *finding(self.rows, f"since{suffix}", since, suffix=suffix),
@@ -69,7 +69,7 @@ class AtAngles:
     def rate(self, order: int, name: str, what: str, symbol: str, unit: str, suffix: str) -> Quantity:
         """Return the column of a derivative in time."""
         label = f"{what}, {SCHEDULES[suffix][1]}"
-        formula = f"=({derivative(self.rows, order, suffix)})*overlap_w^{order}"
+        formula = f"=({sampled(self.rows, order, suffix)})*overlap_w^{order}"
         return result(f"{name}{suffix}", label, symbol, unit, formula, self.rates[order - 1])
 
 
@@ -123,7 +123,7 @@ def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list
     angle, rows = si(theta, DEGREE), transfer_rows(machine, pieces)
     return [
         result("yt", "travel of the transfer", "y_t", "mm",
-               f"=({derivative(rows, 0, 't')})*1000", shown(machine.transfer.travel(angle), MM),
+               f"=({sampled(rows, 0, 't')})*1000", shown(machine.transfer.travel(angle), MM),
                source=POSITION),
         *finding(rows, "theta", angle, suffix="t"),
     ]  # fmt: skip

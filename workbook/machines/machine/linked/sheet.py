@@ -64,7 +64,9 @@ def placed_sheet(book: Book, view: PlacedWork) -> None:
         )
         sheet.chart(plane("@cycle", "T"), column=drive.CHART_COLUMN, row=5, width=8, height=22)
         if view.varies:
-            sheet.chart(angles(one.machine.over), column=drive.CHART_COLUMN, row=28, width=8, height=18)
+            sheet.chart(
+                angles(one.axis.number, one.machine.over), column=drive.CHART_COLUMN, row=28, width=8, height=18
+            )
         kinds.of(driven).entered(sheet, driven, one.machine.machine.sizes.positions)
         drive.tables(sheet, view)
         sheet.not_printed_below()
@@ -130,8 +132,8 @@ def cycle(sheet: Sheet, view: PlacedWork) -> None:
     i, driven, samples = view.driven.number, view.driven, stacked(view.samples)
     within = np.array([view.helds[number - 1].within for number in view.sampled])
     told = view.driven.axis.told(view.one.machine.samples)
-    near = f"MIN(INDEX([cycle.p{i}],[k]+1)+timing_eps,360-timing_eps)"
-    v, a = (f"({power}*INDEX([cycle.{name}{i}],[k]+1))" for power, name in (("@faster", "t"), ("@faster^2", "tt")))
+    near = f"MIN(INDEX([cycle{i}.p],[k]+1)+timing_eps,360-timing_eps)"
+    v, a = (f"({power}*INDEX([cycle{i}.{name}],[k]+1))" for power, name in (("@faster", "v"), ("@faster^2", "a")))
     angle, place = cycled(view, samples, within) if view.varies else ([], [])
     sheet.heading("Table over the cycle")
     sheet.table(
@@ -150,17 +152,17 @@ def cycle(sheet: Sheet, view: PlacedWork) -> None:
 def cycled(view: PlacedWork, samples: Worked, within: Array) -> tuple[list[Quantity], list[Quantity]]:
     """Return the columns of the angle of the mechanism's shaft at samples, and of the load's position."""
     i, driven = view.driven.number, view.driven
-    begun = CYCLES.format("INDEX([cycle.theta],[k]+1)", i, f"INDEX([cycle.p{i}],[k]+1)")
-    y = f"INDEX([cycle.y{i}],[k]+1)-{begun}*[axes.travel.{i}]"
+    begun = CYCLES.format(f"INDEX([cycle{i}.theta],[k]+1)", i, f"INDEX([cycle{i}.p],[k]+1)")
+    y = f"INDEX([cycle{i}.y],[k]+1)-{begun}*[axes.travel.{i}]"
     return [kinds.of(driven).angle(driven, samples.y, within)], [
         calc("p", "position", "y", view.base, f"=({y})/1000" if driven.travels else f"=RADIANS({y})", samples.y,
              scale=driven.axis.motion.size(0)),
     ]  # fmt: skip
 
 
-def angles(over: Abscissa) -> Chart:
+def angles(number: int, over: Abscissa) -> Chart:
     """Return the chart of the mechanism's shaft over the cycle."""
-    lines = (Series("angle", over.column, "[@cycle.phi]"),)
+    lines = (Series("angle", f"[cycle{number}.{over.column}]", "[@cycle.phi]"),)
     return Chart(
         "Angle of the mechanism's shaft", over.title, "φ [rad]", lines,
         f"Angle of the mechanism's shaft over {over.cycle}", over.axis(60),
