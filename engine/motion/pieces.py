@@ -111,7 +111,9 @@ def placed(law: Law, whole: bool = False) -> list[Placed]:
 
 
 def pieces_of(scaled: Scaled, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of one phase, as :func:`placed` has them: with s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
+    """Return the pieces of one phase, as :func:`placed` has them.
+
+    With s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
 
     y(u) = y + drift (x_k − x + u) + h [s_k + v_k u/δ + Σ c_i (u/δ)^(i+2)/((i+1)(i+2))
            + P/ω² (sin φ + ωu/δ cos φ − sin(ωu/δ + φ))],      u from x_k = x + ξ_k δ
