@@ -19,7 +19,7 @@ class Sizes(Model):
     """How large the tables are built: intervals of a cycle, a law, an exported axis; points of an own law; rows."""
 
     cycle: Annotated[int, Field(ge=4, le=7200)] = 360
-    law: Annotated[int, Field(ge=4, le=1000)] = 100
+    law: Annotated[int, Field(ge=4, le=1000)] = 60
     own_law: Annotated[int, Field(ge=4, le=1000), AfterValidator(lambda n: max(n, LEAST_POINTS))] = 120
     export: Annotated[int, Field(ge=1, le=7200)] = 360
     phases: Annotated[int, Field(ge=2, le=60)] = 8

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from engine.laws.base import BREAK_TOLERANCE
+from engine.laws.piece import POWERS
 from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.motion.handover import way
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
@@ -39,6 +40,8 @@ def laws_sheet(
                  source="as a share of the rise; a stage is none, or lasts so long"),
     )  # fmt: skip
     stack(sheet, rows, stacked.second_sine)
+    sheet.row += 1
+    blocks(sheet, rows)
 
 
 def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
@@ -115,11 +118,19 @@ GAINED = (
     "-[pv]*(COS([omega]*[d]+[phi])-COS([phi]))"
 )
 TURNED2 = "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))"
-SWUNG2 = "-[ps2]*(SIN([omega2]*[d]+[phi2])-SIN([phi2]))"
 TRAVELLED = (
-    "=[d]*([v]+[pv]*COS([phi]){0}+[d]*([c0]/2+[d]*([c1]/6+[d]*([c2]/12+[d]*([c3]/20+[d]*([c4]/30+[d]*[c5]/42))))))"
-    "-[ps]*(SIN([omega]*[d]+[phi])-SIN([phi]))"
+    "=[s0]+[d]*([s1]+[d]*([c0]/2+[d]*([c1]/6+[d]*([c2]/12+[d]*([c3]/20+[d]*([c4]/30+[d]*[c5]/42))))))"
+    "-[ps]*SIN([omega]*[d]+[phi])-[s]"
 )
+SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
+CURVES = {
+    "s": ("position", ("piece_s0", "piece_s1", *(f"piece_c{i}" for i in range(POWERS)))),
+    "v": ("velocity", ("piece_s1", *(f"piece_c{i}" for i in range(POWERS)))),
+    "j": ("jerk", tuple(f"piece_c{i}" for i in range(1, POWERS))),
+}
+"""the blocks of coefficients besides that of a: what each coefficient is a share, or a multiple, of"""
+FACTORS = {"s": ("", "", "/2", "/6", "/12", "/20", "/30", "/42"), "v": ("", "", "/2", "/3", "/4", "/5", "/6"),
+           "j": ("", "*2", "*3", "*4", "*5")}  # fmt: skip
 
 
 def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
@@ -173,8 +184,8 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         calc("s", "position carried", "s_k", "",
              "=IF([k]=1,0,[s-1]+[ds-1])", column("s"), source="s + ∫v of the piece before"),
         calc("ds", "gain of position", "Δs", "",
-             both(TRAVELLED.format("+[pv2]*COS([phi2])" if second else ""), SWUNG2),
-             column("ds"), source="∫v over the piece"),
+             both(TRAVELLED, SWUNG2),
+             column("ds"), scale=RISE, source="∫v over the piece"),
         calc("s0", "constant of position", "S0", "",
              both("=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])"), column("s0"), source="s_k + P/ω² sin φ"),
         calc("s1", "slope of position", "S1", "",
@@ -189,4 +200,18 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         piece_P="P", piece_omega="omega", piece_phi="phi", piece_xi="xi",
         piece_ps="ps", piece_pv="pv", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
         piece_s0="s0", piece_s1="s1", piece_key="key", **(SECOND if second else {}),
+    )  # fmt: skip
+
+
+def blocks(sheet: Sheet, rows: list[Row]) -> None:
+    """Declare the coefficients of position, velocity and jerk of each piece, a block each."""
+    found = [row.curves for row in rows]
+    sheet.table(
+        "curves_of", "The same pieces: coefficients of position, velocity and jerk, from the lowest power", len(rows),
+        constant("r", "row", "r", "", list(range(1, len(rows) + 1))),
+        calc("law", "law", "", "", "=INDEX(piece_law,[r])", [row.law for row in rows]),
+        *(calc(f"{d}{k}", f"{words}, u^{k}", f"{d.upper()}{k}", "", f"=INDEX({name},[r]){factor}",
+               [one[d][k] for one in found])
+          for d, (words, names) in CURVES.items()
+          for k, (name, factor) in enumerate(zip(names, FACTORS[d], strict=True))),
     )  # fmt: skip
