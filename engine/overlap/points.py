@@ -62,6 +62,8 @@ class Between(NamedTuple):
     """that point"""
     high: Points
     """and the next"""
+    over: Array
+    """of the height over that of the lower point"""
     acceleration: Array
     """as if it were constant from one to the other"""
     near: Array
@@ -98,7 +100,7 @@ def between(law: Law, heights: Array) -> Between:
     found = law.evaluate(near)
     moving = np.minimum(low.v, high.v) > REST
     correction = np.divide(heights - found.s, found.v, out=np.zeros_like(over), where=moving)
-    return Between(heights, (k + 1).astype(float), low, high, a, near, found.s, found.v, correction)
+    return Between(heights, (k + 1).astype(float), low, high, over, a, near, found.s, found.v, correction)
 
 
 def inverse_by_points(law: Law, heights: Array) -> Array:

@@ -28,8 +28,8 @@ ABOUT = (
     "velocity there. Within 1e-6 of the rise; within 0.01 % of the time, nearer than 0.001 % to an end 0.2 %."
 )
 NEAR = (
-    "=IF([s]<=[s0]+break_tolerance,[x0],IF([s]>=[s1]-break_tolerance,[x1],"
-    "[x0]+2*([s]-[s0])/([v0]+SQRT([v0]^2+2*[a]*([s]-[s0])))))"
+    "=IF([ds]<=break_tolerance,[x0],IF([wanted]>=[s1]-break_tolerance,[x1],"
+    "[x0]+2*[ds]/([v0]+SQRT([v0]^2+2*[acc]*[ds]))))"
 )
 
 
@@ -195,23 +195,24 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
     sheet.table(
         wanted.name, wanted.title, len(wanted.s),
         *wanted.head,
-        calc("s", "height wanted", "s", "", wanted.formula, wanted.s),
-        result("xi", "share of time", "ξ", "", "=IF([s]<=0,0,IF([s]>=1,1,[near]+[more]))", found.xi,
+        calc("wanted", "height wanted", "s", "", wanted.formula, wanted.s),
+        result("xi", "share of time", "ξ", "", "=IF([wanted]<=0,0,IF([wanted]>=1,1,[near]+[more]))", found.xi,
                source="s(ξ) = s", format="0.00000000"),
-        calc("k0", "point below", "", "", f"=MATCH(MIN([s]+break_tolerance,1-break_tolerance),[points{i}.s],1)",
+        calc("k0", "point below", "", "", f"=MATCH(MIN([wanted]+break_tolerance,1-break_tolerance),[points{i}.s],1)",
              found.point, format="0", source="last not above s"),
         calc("x0", "its share of time", "ξ", "", at("xi", "[k0]"), low.xi),
         calc("x1", "that of the next", "ξ", "", at("xi", "[k0]+1"), high.xi),
         calc("s0", "its height", "s", "", at("s", "[k0]"), low.s),
         calc("s1", "that of the next", "s", "", at("s", "[k0]+1"), high.s),
+        calc("ds", "from the point to the height", "Δs", "", "=[wanted]-[s0]", found.over),
         calc("v0", "its velocity", "v", "", at("v", "[k0]"), low.v),
         calc("v1", "that of the next", "v", "", at("v", "[k0]+1"), high.v),
-        calc("a", "acceleration between", "a", "", "=2*([s1]-[s0]-[v0]*([x1]-[x0]))/([x1]-[x0])^2",
+        calc("acc", "acceleration between", "a", "", "=2*([s1]-[s0]-[v0]*([x1]-[x0]))/([x1]-[x0])^2",
              found.acceleration, source="as if constant: 2(Δs − vΔξ)/Δξ²"),
         calc("near", "share of time by it", "ξ", "", NEAR, found.near, source="2Δs/(v + √(v² + 2aΔs)) after the point"),
-        *pieces.finding(f"[used.no.{i}]", "near", pieces.locate(number, found.near), "n"),
-        *pieces.columns({"s": found.s, "v": found.v}, "sv", "n"),
-        calc("more", "correction", "Δξ", "", "=IF(MIN([v0],[v1])>inverse_slow,([s]-[sn])/[vn],0)",
+        *pieces.finding(f"[used.no.{i}]", "near", pieces.locate(number, found.near)),
+        *pieces.columns({"s": found.s, "v": found.v}, "sv"),
+        calc("more", "correction", "Δξ", "", "=IF(MIN([v0],[v1])>inverse_slow,([wanted]-[s])/[v],0)",
              found.correction, source="what is missing of s, over the velocity"),
     )  # fmt: skip
     sheet.row += 1
@@ -221,7 +222,7 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         calc("xi", "share of time", "ξ", "", f"=INDEX([{wanted.name}.xi],[k]+1)", found.xi),
         *pieces.finding(f"[used.no.{i}]", "xi", pieces.locate(number, found.xi)),
         *pieces.columns({"s": law.s(found.xi)}, "s"),
-        calc("residual", "residual", "s(ξ) − s", "", f"=[s]-INDEX([{wanted.name}.s],[k]+1)", wanted.residual,
+        calc("residual", "residual", "s(ξ) − s", "", f"=[s]-INDEX([{wanted.name}.wanted],[k]+1)", wanted.residual,
              format="0.0E+00", source="how far the law is from the height wanted"),
     )  # fmt: skip
     sheet.row += 1
