@@ -23,7 +23,8 @@ Inverse = Callable[[Law, Array], Array]
 class Transfer:
     """The first motion: a law over ``stroke`` (m) in ``angle`` (rad), once a cycle, beginning at 0.
 
-    ``inverted`` says when its law has reached a height. Raises ValueError unless the stroke is above 0 and the angle between 0 and 2π.
+    ``inverted`` says when its law has reached a height.
+    Raises ValueError unless the stroke is above 0 and the angle between 0 and 2π.
     """
 
     law: Law

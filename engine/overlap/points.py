@@ -25,7 +25,7 @@ REST = 1e-5
 class Points(NamedTuple):
     """Points of a law: arrays of the length INTERVALS + 1; spare ones are its end."""
 
-    count: int
+    n: int
     """intervals on each piece"""
     piece: Array
     """number of the piece, from 1"""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
 from engine.laws.base import Array
@@ -140,6 +139,8 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         sheet = book.sheet(title, f"{what} over one turn of the master shaft, one after the other and with overlap.")
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
+        if station.number == 1:
+            transfer_motion(sheet, machine, pieces)
         sheet.heading("Workings: the motions as pieces", ABOUT)
         if station.number == 1:
             sheet.rows(lane_height())
@@ -184,19 +185,22 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     before, after = (AtAngles(station, schedule, theta, pieces) for schedule in SCHEDULES)
     first, *work_b = before.columns("b")
     second, *work_a = after.columns("a")
-    moved, lane_t, work_t = transfer_over_cycle(station, theta, pieces)
+    at, moved = si(theta, DEGREE), station.machine.transfer
+    heights = lane(0, moved.travel(at), moved.stroke)
     found, h, i = station.clearance, station.tool.stroke, station.number
     sheet.table(
         "@motions", "Travel, acceleration and clearance over the master angle", len(theta),
         calc("theta", "master angle", "θ", "°", "=[k]*360/[@motions.k.last]", theta, format="0.0##"),
-        moved, first, second,
+        result("yt", "travel of the transfer", "y_t", "mm", "=INDEX([transfer_motion.yt],[k]+1)",
+               shown(moved.travel(at), MM), source="as worked out beside the first tool"),
+        first, second,
         result("limit", "travel allowed to the tool", "", "mm",
                ALLOWED, shown(found.allowed, MM), source="c while the transfer is in the way, else h"),
         result("free", "free with overlap", "", "mm", "=[limit]-[ya]", shown(found.free, MM),
                source="below 0: collision"),
         before.rate(2, "acc", "acceleration", "a", "m/s²", "b"),
         after.rate(2, "acc", "acceleration", "a", "m/s²", "a"),
-        *lane_t,
+        calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights),
         calc("lane_b", "tool, one after the other", "", "",
              f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel, h)),
         calc("lane_a", "tool, with overlap", "", "",
@@ -204,21 +208,20 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         constant("k", "sample", "k", "", list(range(len(theta)))),
         after.rate(1, "vel", "velocity", "v", "m/s", "a"),
         after.rate(3, "jerk", "jerk", "j", "m/s³", "a"),
-        *work_t, *work_b, *work_a,
+        *work_b, *work_a,
     )  # fmt: skip
 
 
-def transfer_over_cycle(
-    station: Station, theta: Array, pieces: Pieces
-) -> tuple[Quantity, list[Quantity], list[Quantity]]:
-    """Return travel, lane in the diagrams and workings of the transfer; the first tool's table has them for all."""
-    machine = station.machine
-    moved, *work = transfer_columns(machine, theta, pieces)
-    if station.number > 1:
-        return replace(moved, formula="=INDEX([tool1_motions.yt],[k]+1)", source="as beside the first tool"), [], []
-    heights = lane(0, machine.transfer.travel(si(theta, DEGREE)), machine.transfer.stroke)
-    drawn = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
-    return moved, [drawn], work
+def transfer_motion(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
+    """Declare the travel of the transfer over the cycle, for all tools."""
+    theta = machine.angles
+    sheet.row += 1
+    sheet.table(
+        "transfer_motion", "Travel of the transfer over the master angle", len(theta),
+        constant("k", "sample", "k", "", list(range(len(theta)))),
+        calc("theta", "master angle", "θ", "°", "=[k]*360/[transfer_motion.k.last]", theta, format="0.0##"),
+        *transfer_columns(machine, theta, pieces),
+    )  # fmt: skip
 
 
 def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:

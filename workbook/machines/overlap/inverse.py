@@ -25,7 +25,7 @@ from workbook.motion.stack import FIRST, last_before
 
 ABOUT = (
     "Between two points of a law as if its acceleration were constant, then corrected once by what is missing at the "
-    "velocity there. Within 1e-6 of the rise; within 0.01 % of the time, nearer than 0.001 % to an end 0.2 %."
+    "velocity there. Within 1e-6 of the rise; within 0.01 % of the time, nearer than 0.001 % to an end 1 %."
 )
 NEAR = (
     "=IF([ds]<=break_tolerance,[x0],IF([wanted]>=[s1]-break_tolerance,[x1],"
@@ -154,7 +154,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         calc("count", "pieces", "", "", f"={last_before('[no]', '1')}-[first]+1",
              [len(placed(law)) for law in laws], format="0", source="that begin before its end"),
         calc("n", "intervals on each piece", "n", "", "=INT(inverse_intervals/[count])",
-             [points_of(law).count for law in laws], format="0"),
+             [points_of(law).n for law in laws], format="0"),
         calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])",
              [extremes_of(law.as_pieces(), law.start.v).v[0] for law in laws]),
         calc("ca", "acceleration coefficient", "C_a", "",

@@ -99,7 +99,9 @@ class Station:
         self.law_rows, self.blocked_rows = (row, row + 1), (row - 1, row)
         self.transfer = machine.transfer
         dwell, allowance = si(tool.dwell, DEGREE), si(p.allowance, DEGREE)
-        self.tool = Tool(library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out], machine.transfer.inverted)
+        self.tool = Tool(
+            library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out], machine.transfer.inverted
+        )
         self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
 
     @cached_property
@@ -119,6 +121,11 @@ class Station:
         way_in = found.way_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
         way_out = found.way_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
         return replace(found, way_in=way_in, way_out=way_out)
+
+    @property
+    def shorter_way(self) -> float:
+        """What is left to the shorter way, one after the other, less the allowance (rad)."""
+        return min(self.before.way_in, self.before.way_out) - self.passage.allowance
 
     @property
     def schedules(self) -> tuple[Schedule, Schedule, Schedule]:
