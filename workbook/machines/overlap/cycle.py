@@ -188,6 +188,7 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     at, moved = si(theta, DEGREE), station.machine.transfer
     heights = lane(0, moved.travel(at), moved.stroke)
     found, h, i = station.clearance, station.tool.stroke, station.number
+    lane_t = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
     sheet.table(
         "@motions", "Travel, acceleration and clearance over the master angle", len(theta),
         calc("theta", "master angle", "θ", "°", "=[k]*360/[@motions.k.last]", theta, format="0.0##"),
@@ -200,7 +201,7 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
                source="below 0: collision"),
         before.rate(2, "acc", "acceleration", "a", "m/s²", "b"),
         after.rate(2, "acc", "acceleration", "a", "m/s²", "a"),
-        calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights),
+        *([lane_t] if i == 1 else []),
         calc("lane_b", "tool, one after the other", "", "",
              f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel, h)),
         calc("lane_a", "tool, with overlap", "", "",
