@@ -234,10 +234,11 @@ def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
     )  # fmt: skip
     joints = of_transfer(machine, pieces)
-    sheet.rows(joints.order())
+    sheet.rows(*joints.order())
     sheet.row += 1
-    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts),
-                 *joints.columns(machine.room))  # fmt: skip
+    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
+    sheet.row += 1
+    joints.table(sheet, "What jumps where each piece of the transfer begins", machine.room)
 
 
 def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -> None:
@@ -253,13 +254,14 @@ def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -
         angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
         begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
     )  # fmt: skip
-    room, columns = station.machine.room, []
+    room = station.machine.room
+    pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts))
     if schedule == "a":
         joints = of_tool(station, pieces)
-        columns = joints.columns(room)
-        sheet.rows(joints.order())
         sheet.row += 1
-    pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts), *columns)
+        sheet.rows(*joints.order())
+        sheet.row += 1
+        joints.table(sheet, "What jumps where each piece of the tool begins", room)
 
 
 def phases(
