@@ -15,7 +15,7 @@ from engine.halving import middles, newton_step
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import inverse
-from engine.laws.piece_extremes import extremes_of
+from engine.laws.points import slowest
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount
@@ -173,7 +173,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, rows: list[Row]) -> None:
         calc("skip", "rows before its pieces", "", "", "=MATCH([no],piece_number,0)-1", skipped, format="0"),
         calc("count", "pieces", "", "", "=COUNTIF(piece_number,[no])", [len(p) for p in pieces], format="0"),
         calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])",
-             [extremes_of(machine.library[c].as_pieces(), machine.library[c].start.v).v[0] for c in codes]),
+             [slowest(machine.library[c]) for c in codes]),
         calc("ca", "acceleration coefficient", "C_a", "",
              "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))",
              [machine.library[c].coefficients.ca for c in codes], source="max |a|"),
