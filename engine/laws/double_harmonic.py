@@ -81,7 +81,7 @@ class DoubleHarmonic(Law):
     def monotone_pieces(self) -> tuple[Piece, ...]:
         """Return two pieces, which meet where the acceleration at the end at rest is largest: cos πξ = ¼."""
         peak = math.acos(0.25) / math.pi
-        return tuple(cut(*self.as_pieces(), [peak if self.reversal == "end" else 1.0 - peak]))
+        return tuple(cut(self.as_pieces()[0], [peak if self.reversal == "end" else 1.0 - peak]))
 
     def shapes(self) -> None:
         """Return None: its stages are of no simple shape."""

@@ -43,6 +43,11 @@ class Carried:
         return _over(p.amplitude, p.omega), _over(p.amplitude2, p.omega2)
 
     @property
+    def jerk_cosines(self) -> tuple[float, float]:
+        """P ω of either sine, the amplitudes of the jerk's cosines."""
+        return self.piece.amplitude * self.piece.omega, self.piece.amplitude2 * self.piece.omega2
+
+    @property
     def position_constant(self) -> float:
         """S0 = s_k + P/ω² sin φ, with that of both sines."""
         one, other = self.position_sines

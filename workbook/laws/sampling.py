@@ -31,7 +31,7 @@ SINES = {
     "s": "-INDEX(piece_ps{0},[q])*SIN([{1}])",
     "v": "-INDEX(piece_pv{0},[q])*COS([{1}])",
     "a": "+INDEX(piece_P{0},[q])*SIN([{1}])",
-    "j": "+INDEX(piece_P{0},[q])*INDEX(piece_omega{0},[q])*COS([{1}])",
+    "j": "+INDEX(piece_pj{0},[q])*COS([{1}])",
 }
 """what a sine adds"""
 SPELLED = {

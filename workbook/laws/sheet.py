@@ -7,7 +7,7 @@ from typing import Any
 
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece import POWERS
-from engine.laws.piece_extremes import extremes_of, reach_of
+from engine.laws.points import reach, slowest
 from engine.motion.handover import way
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.machine import Sizes
@@ -77,7 +77,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
              [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
         calc("v_low", "lowest velocity", "", "",
              [one.own(one.page.lowest) for one in laws],
-             [extremes_of(one.law.as_pieces(), one.law.start.v).v[0] for one in laws], scale=1.0),
+             [slowest(one.law) for one in laws], scale=1.0),
         calc("wrong", "step of v the wrong way", "", "",
              [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
         end("s", "position", "first"),
@@ -88,7 +88,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         end("a", "acceleration", "last"),
         *(calc(name, f"{word} position", f"s_{end.lower()}", "",
                [one.own(one.page.reached(end)) for one in laws],
-               [reach_of(one.law.as_pieces(), one.law.start.v)[i] for one in laws], scale=1.0)
+               [reach(one.law)[i] for one in laws], scale=1.0)
           for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
         *ends,
     )  # fmt: skip
@@ -111,7 +111,8 @@ def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
     ]  # fmt: skip
 
 
-SECOND = {"piece_P2": "P2", "piece_omega2": "omega2", "piece_phi2": "phi2", "piece_ps2": "ps2", "piece_pv2": "pv2"}
+SECOND = {"piece_P2": "P2", "piece_omega2": "omega2", "piece_phi2": "phi2", "piece_ps2": "ps2", "piece_pv2": "pv2",
+          "piece_pj2": "pj2"}  # fmt: skip
 """names of the columns of a second sine"""
 GAINED = (
     "=[d]*([c0]+[d]*([c1]/2+[d]*([c2]/3+[d]*([c3]/4+[d]*([c4]/5+[d]*[c5]/6)))))"
@@ -174,7 +175,9 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", column("xi")),
         calc("ps", "sine of position", "P/ω²", "", "=IF([omega]>0,[P]/[omega]^2,0)", column("ps")),
         calc("pv", "cosine of velocity", "P/ω", "", "=IF([omega]>0,[P]/[omega],0)", column("pv")),
+        calc("pj", "cosine of jerk", "P ω", "", "=[P]*[omega]", column("pj")),
         *only(
+            calc("pj2", "second cosine of jerk", "P₂ ω₂", "", "=[P2]*[omega2]", column("pj2")),
             calc("ps2", "second sine of position", "P₂/ω₂²", "", "=IF([omega2]>0,[P2]/[omega2]^2,0)", column("ps2")),
             calc("pv2", "second cosine of velocity", "P₂/ω₂", "", "=IF([omega2]>0,[P2]/[omega2],0)", column("pv2")),
         ),
@@ -198,7 +201,7 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         "pieces", piece_law="law", piece_number="number", piece_k="k", piece_d="d",
         piece_c0="c0", piece_c1="c1", piece_c2="c2", piece_c3="c3", piece_c4="c4", piece_c5="c5",
         piece_P="P", piece_omega="omega", piece_phi="phi", piece_xi="xi",
-        piece_ps="ps", piece_pv="pv", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
+        piece_ps="ps", piece_pv="pv", piece_pj="pj", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
         piece_s0="s0", piece_s1="s1", piece_key="key", **(SECOND if second else {}),
     )  # fmt: skip
 

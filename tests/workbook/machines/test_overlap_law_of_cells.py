@@ -16,11 +16,8 @@ BOOKS = {
     "flying-cutter": ("flying-cutter", r"Cutter|Lengths|Cycle|Turning"),
     "flying-cutter-saw": ("flying-cutter", r"Cutter|Lengths|Cycle|Turning"),
 }
-ELSEWHERE = re.compile(
-    r"\w+_(entries|says)"  # limits of entries, and sentences: workbook/book
-    r"|from|of|n|[vaj]1|d[vaj]|order|fault|size"  # joints of a motion's pieces: workbook/motion
-)
-"""quantities of shared rooms, which have tests of their own"""
+ELSEWHERE = re.compile(r"\w+_(entries|says)|jump")
+"""limits of entries, and sentences: they belong to workbook/book, and to workbook/motion"""
 
 
 def blocks_of(book):
@@ -65,9 +62,8 @@ def test_no_formula_nests_deeper_than_four_functions(book):
 
 
 def test_no_table_is_wider_than_forty_columns(book):
-    """Of the tables of pieces, those of the joints are left out: they belong to workbook/motion."""
-    wide = {b.name: 1 + max(b.columns.values()) - b.column for b in blocks_of(book) if not b.name.endswith("_pieces")}
-    assert {name: width for name, width in wide.items() if width + 1 > WIDEST} == {}
+    widths = {block.name: max(block.columns.values()) for block in blocks_of(book)}
+    assert {name: width for name, width in widths.items() if width > WIDEST} == {}
 
 
 def test_numbers_are_as_a_person_writes_them(book):

@@ -21,7 +21,7 @@ PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],p
 BLOCKS = {"a": "[pieces.c0:c5]", "j": "[curves_of.j0:j4]"}
 SINES = {
     "a": "+INDEX(piece_P{n},[q])*SIN({x})",
-    "j": "+INDEX(piece_P{n},[q])*INDEX(piece_omega{n},[q])*COS({x})",
+    "j": "+INDEX(piece_pj{n},[q])*COS({x})",
 }
 ORDERED = (
     "=IF(ABS([dv])>check_zero*INDEX(law_cv,[no]),0,IF(ABS([da])>check_zero*[ca],1,IF(ABS([dj])>check_zero*[ca],2,3)))"

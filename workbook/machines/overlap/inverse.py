@@ -13,7 +13,7 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import Array
-from engine.laws.piece_extremes import extremes_of
+from engine.laws.points import slowest
 from engine.motion.pieces import placed
 from engine.overlap import HEIGHT, INTERVALS, REST, between, points_of
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
@@ -156,7 +156,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         calc("n", "intervals on each piece", "n", "", "=INT(inverse_intervals/[count])",
              [points_of(law).n for law in laws], format="0"),
         calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])",
-             [extremes_of(law.as_pieces(), law.start.v).v[0] for law in laws]),
+             [slowest(law) for law in laws]),
         calc("ca", "acceleration coefficient", "C_a", "",
              "=MAX(INDEX(law_ca_max,[no]),0-INDEX(law_ca_min,[no]))",
              [law.coefficients.ca for law in laws], source="max |a|"),
