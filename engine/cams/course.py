@@ -112,7 +112,7 @@ def course_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: floa
 
 def course_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> Course:
     """Return a motion as a course in other units, x and y of them a unit of its own."""
-    return course_of(motion_pieces(motion), float(motion.edges[-1]), x, y)
+    return course_of(motion_pieces(motion, whole=True), float(motion.edges[-1]), x, y)
 
 
 def in_units(values: MotionValues[V], x: float, y: float) -> MotionValues[V]:

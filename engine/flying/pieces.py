@@ -32,21 +32,22 @@ class Stretch(NamedTuple):
         """1 over the duration of the law; 0 of none."""
         return self.scaled.rate
 
-    def pieces(self, number: int) -> list[MotionPiece]:
+    def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
         """Return its pieces, as those of the stretch of a number."""
-        found = pieces_of(self.scaled, number)[self.first : self.first + self.taken] if self.taken else []
+        found = pieces_of(self.scaled, number, whole)[self.first : self.first + self.taken] if self.taken else []
         return [replace(piece, begin=max(piece.begin, self.opens)) for piece in found]
 
 
-def stretches(cut: Cut) -> tuple[Stretch, Stretch, Stretch, Stretch]:
+def stretches(cut: Cut, whole: bool = False) -> tuple[Stretch, Stretch, Stretch, Stretch]:
     """Return the parts of a cycle: it moves by its law up to the wait, waits, moves on, and works at line speed.
 
     The law that a wait interrupts goes on in the middle of a piece, later by the wait. Without a wait the first part
     has all pieces of the law, the second and the third none; without a time to work, neither has the fourth.
+    ``whole`` pieces are not cut where the acceleration is largest.
     """
     v, t, h, wait = cut.line_speed, cut.moving_time, cut.superimposed, cut.waiting_time
     begin, end = cut.wait
-    begins = [piece.begin / t for piece in pieces_of(Scaled(cut.law, 1.0, t))]
+    begins = [piece.begin / t for piece in pieces_of(Scaled(cut.law, 1.0, t), whole=whole)]
     peak = cut.fastest if cut.waits else 1.0
     before = sum(xi < peak - BREAK_TOLERANCE for xi in begins)
     again = sum(xi <= min(peak + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE) for xi in begins) - 1
@@ -82,6 +83,7 @@ def rates_of(cut: Cut) -> Rates:
     return Rates(max(abs(v) for v in cut.speed_range), hardest, hardest / cut.moving_time)
 
 
-def cut_pieces(cut: Cut) -> list[MotionPiece]:
-    """Return the pieces of the tool's motion over the cycle, in m and s."""
-    return [piece for number, stretch in enumerate(stretches(cut)) for piece in stretch.pieces(number)]
+def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
+    """Return the pieces of the tool's motion over the cycle, in m and s; ``whole`` as :func:`stretches` has it."""
+    parts = enumerate(stretches(cut, whole))
+    return [piece for number, part in parts for piece in part.pieces(number, whole)]

@@ -132,6 +132,14 @@ class Law(ABC):
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the law as pieces, each a polynomial and a sine: what the cells of its page must hold."""
 
+    def monotone_pieces(self) -> tuple[Piece, ...]:
+        """Return the pieces cut where the acceleration is largest or lowest: it is monotone on each.
+
+        Sines are cut at their quarters, polynomials at their peaks. What is entered piece by piece, and a polynomial
+        between prescribed ends, stays as it is.
+        """
+        return self.as_pieces()
+
     @abstractmethod
     def shapes(self) -> Shapes | None:
         """Return the shares of its time on stages of each shape; None for a law of other stages."""

@@ -11,7 +11,7 @@ import numpy as np
 from engine.laws.base import Array, Coefficients, Law
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.piece import Piece
-from engine.laws.piece_rules import reversed_pieces
+from engine.laws.piece_rules import cut, reversed_pieces
 
 HALF_PI = math.pi / 2.0
 FROM_REST = Piece(
@@ -77,6 +77,11 @@ class DoubleHarmonic(Law):
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one piece of two sines."""
         return (FROM_REST,) if self.reversal == "end" else reversed_pieces((FROM_REST,))
+
+    def monotone_pieces(self) -> tuple[Piece, ...]:
+        """Return two pieces, which meet where the acceleration at the end at rest is largest: cos πξ = ¼."""
+        peak = math.acos(0.25) / math.pi
+        return tuple(cut(self.as_pieces()[0], [peak if self.reversal == "end" else 1.0 - peak]))
 
     def shapes(self) -> None:
         """Return None: its stages are of no simple shape."""

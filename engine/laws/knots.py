@@ -71,10 +71,19 @@ class Interval(NamedTuple):
     @property
     def powers(self) -> tuple[float, float]:
         """The lowest and the largest v·a."""
-        found = [self.v * self.a, self.v1 * self.a1]
-        root = math.sqrt(max(0.0, self.w) / 3.0)
-        found += [-self.w * a / (3.0 * self.j) for a in (root, -root) if self.j and (self.a - a) * (self.a1 - a) < 0.0]
+        found = self.v * self.a, self.v1 * self.a1, self.power_at(1.0), self.power_at(-1.0)
         return min(found), max(found)
+
+    @property
+    def third(self) -> float:
+        """√(W/3): the size of a where v·a is stationary; 0 where it nowhere is."""
+        return math.sqrt(max(0.0, self.w) / 3.0)
+
+    def power_at(self, sign: float) -> float:
+        """Return v·a where a = ±√(W/3); where that is not inside, v·a at the begin."""
+        a = sign * self.third
+        inside = self.j and (self.a - a) * (self.a1 - a) < 0.0
+        return -self.w * a / (3.0 * self.j) if inside else self.v * self.a
 
     def rises(self, still: float) -> float:
         """Return u at which v rises through 0; 0 where it does not by more than ``still``."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -25,6 +26,24 @@ def stretched(piece: Piece, height: float, time: float) -> Piece:
         amplitude2=height * piece.amplitude2,
         omega2=piece.omega2 / time,
     )
+
+
+def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
+    """Return the parts of a piece between these shares of its duration, each with its own u::
+
+    c'_i = Σ_{k ≥ i} c_k C(k, i) u₀ᵏ⁻ⁱ, φ' = φ + ω u₀ from the begin u₀ of a part.
+    """
+    edges = [0.0, *(share * piece.duration for share in shares), piece.duration]
+    return [
+        replace(
+            piece,
+            duration=end - begin,
+            c=tuple(_shifted(piece.c, i, begin) for i in range(len(piece.c))),
+            phase=piece.phase + piece.omega * begin,
+            phase2=piece.phase2 + piece.omega2 * begin,
+        )
+        for begin, end in itertools.pairwise(edges)
+    ]
 
 
 def backwards(piece: Piece) -> Piece:

@@ -58,6 +58,12 @@ class PolynomialPulse(Pulse):
         """One polynomial."""
         return (Piece(1.0, self.c + (0.0,) * (4 - len(self.c))),)
 
+    @cached_property
+    def peaks(self) -> tuple[float, ...]:
+        """Where P is largest; nowhere inside, of a constant and of a straight line."""
+        flat = zeros(self._acceleration.derivative(), 1.0) if len(self.c) > 2 else []
+        return (max(flat, key=self._acceleration),) if flat else ()
+
     @property
     def turned(self) -> PolynomialPulse:
         """Σ c_i (1 − x)ⁱ, in powers of x."""

@@ -77,6 +77,11 @@ class Pulse(ABC):
         """The pulse piece by piece from its outer end; a stage without length is among them."""
 
     @property
+    def peaks(self) -> tuple[float, ...]:
+        """The shares of its time at which a pulse of one piece is at its peak inside; none of a pulse of edges."""
+        return ()
+
+    @property
     @abstractmethod
     def turned(self) -> Pulse:
         """The pulse told from its inner end: p(1 − x)."""
@@ -195,6 +200,11 @@ class HalfSine(SineEdged):
 
     def __init__(self) -> None:
         super().__init__(0.5, 0.0, 0.5)
+
+    @property
+    def peaks(self) -> tuple[float, ...]:
+        """The middle."""
+        return (0.5,)
 
     @property
     def turned(self) -> HalfSine:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
+from collections.abc import Sequence
 from functools import cached_property
 from itertools import accumulate
 from typing import ClassVar, NamedTuple, TypeVar
@@ -12,7 +13,7 @@ from engine.laws.base import Array, Coefficients, Shapes
 from engine.laws.ends import EndedLaw
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import power_extremes
-from engine.laws.piece_rules import stretched
+from engine.laws.piece_rules import cut, stretched
 from engine.laws.pulse import Pulse
 from engine.laws.stages import Staged, carried
 
@@ -92,9 +93,10 @@ class PulseLaw(EndedLaw):
 
     @property
     def early(self) -> int:
-        """How many of its pieces are of the first pulse."""
-        pieces = len(self.course.rise.pieces)
-        return pieces if self.STAGES is None else sum(k < pieces for k in self.STAGES)
+        """How many of its monotone pieces are of the first pulse."""
+        rise = self.course.rise
+        stages = range(len(rise.pieces)) if self.STAGES is None else self.STAGES
+        return sum(k < len(rise.pieces) for k in stages) + len(rise.peaks)
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -106,10 +108,19 @@ class PulseLaw(EndedLaw):
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
+        return tuple(part for piece in self._stages((), ()) for part in piece)
+
+    def monotone_pieces(self) -> tuple[Piece, ...]:
+        """Return the same, each pulse cut at its peak: at shares of its time, so between prescribed ends too."""
         c = self.course
-        rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
-        fall = [stretched(piece, -self.deceleration, c.fall_time) for piece in c.fall.turned.pieces]
-        return self._taken((*rise, Piece(c.cruise), *fall))
+        return tuple(part for piece in self._stages(c.rise.peaks, c.fall.turned.peaks) for part in piece)
+
+    def _stages(self, rising: Sequence[float], falling: Sequence[float]) -> tuple[list[Piece], ...]:
+        """Return the pieces of each stage, cut at these shares of the pulses."""
+        c = self.course
+        rise = [cut(stretched(piece, self.acceleration, c.rise_time), rising) for piece in c.rise.pieces]
+        fall = [cut(stretched(piece, -self.deceleration, c.fall_time), falling) for piece in c.fall.turned.pieces]
+        return self._taken((*rise, [Piece(c.cruise)], *fall))
 
     def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
         return stages if self.STAGES is None else tuple(stages[k] for k in self.STAGES)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
-from engine.laws.piece_extremes import reach_of
+from engine.laws.points import reach
 from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues, numbered_phase, scaled
 
 EDGE_TOLERANCE = BREAK_TOLERANCE
@@ -106,7 +106,7 @@ class Motion:
         """The lowest and the highest position of each phase."""
         found = []
         for phase, y in zip(self.phases, self._begins.tolist(), strict=True):
-            ends = [y + phase.scale * s for s in reach_of(phase.law.as_pieces(), phase.law.start.v)]
+            ends = [y + phase.scale * s for s in reach(phase.law)]
             found.append((min(ends), max(ends)))
         return tuple(found)
 

@@ -100,20 +100,25 @@ class Placed(NamedTuple):
     begin: float
 
 
-def placed(law: Law) -> list[Placed]:
-    """Return the pieces of a law that begin before its end, those of no duration between them too."""
-    pieces = law.as_pieces()
+def placed(law: Law, whole: bool = False) -> list[Placed]:
+    """Return the monotone pieces of a law that begin before its end, those of no duration between them too.
+
+    ``whole`` ones are not cut where the acceleration is largest.
+    """
+    pieces = law.as_pieces() if whole else law.monotone_pieces()
     found = [Placed(*both) for both in zip(pieces, begins(pieces), strict=True)]
     return [one for one in found if one.begin <= 1.0 - BREAK_TOLERANCE]
 
 
-def pieces_of(scaled: Scaled, phase: int = 0) -> list[MotionPiece]:
-    """Return the pieces of one phase: with s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
+def pieces_of(scaled: Scaled, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
+    """Return the pieces of one phase, as :func:`placed` has them.
+
+    With s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
 
     y(u) = y + drift (x_k − x + u) + h [s_k + v_k u/δ + Σ c_i (u/δ)^(i+2)/((i+1)(i+2))
            + P/ω² (sin φ + ωu/δ cos φ − sin(ωu/δ + φ))],      u from x_k = x + ξ_k δ
     """
-    return [_piece(scaled, phase, number, one) for number, one in enumerate(placed(scaled.law))]
+    return [_piece(scaled, phase, number, one) for number, one in enumerate(placed(scaled.law, whole))]
 
 
 def _piece(of: Scaled, phase: int, number: int, one: Placed) -> MotionPiece:
@@ -132,11 +137,12 @@ def _piece(of: Scaled, phase: int, number: int, one: Placed) -> MotionPiece:
     return MotionPiece(phase, number, begin, piece.duration * of.duration, tuple(c), tuple(sines), begin)
 
 
-def motion_pieces(motion: Motion) -> list[MotionPiece]:
-    """Return the pieces of a motion, phase by phase, in the order of the abscissa."""
+def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
+    """Return the pieces of a motion, phase by phase, in the order of the abscissa; ``whole`` as in :func:`placed`."""
     found: list[MotionPiece] = []
     for k, (phase, at) in enumerate(zip(motion.phases, motion.ends, strict=True)):
-        found += pieces_of(Scaled(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y), k)
+        scaled = Scaled(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y)
+        found += pieces_of(scaled, k, whole)
     return found
 
 

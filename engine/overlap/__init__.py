@@ -9,26 +9,35 @@ from engine.overlap.clearance import Clearance, Corners, clearance, colliding, c
 from engine.overlap.margins import MarginSweep, sweep_margin
 from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.plan import Room, blocked, one_after_the_other, overlap, rests, room
+from engine.overlap.points import HEIGHT, INTERVALS, REST, Between, Points, between, inverse_by_points, points_of
 from engine.overlap.schedule import ANGLE_TOLERANCE, Rates, Schedule, movement_time
 
 __all__ = [
     "ANGLE_TOLERANCE",
+    "HEIGHT",
+    "INTERVALS",
+    "REST",
+    "Between",
     "Clearance",
     "Corners",
     "MarginSweep",
     "Passage",
+    "Points",
     "Rates",
     "Room",
     "Schedule",
     "Tool",
     "Transfer",
+    "between",
     "blocked",
     "clearance",
     "colliding",
     "corners",
+    "inverse_by_points",
     "movement_time",
     "one_after_the_other",
     "overlap",
+    "points_of",
     "rests",
     "room",
     "sweep_margin",

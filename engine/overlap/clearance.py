@@ -10,11 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from engine.laws.base import Array
 from engine.overlap.parts import Passage
 from engine.overlap.plan import blocked
+from engine.overlap.points import HEIGHT
 from engine.overlap.schedule import ANGLE_TOLERANCE, Schedule, turned
 from engine.timing import FULL_TURN
 
-ROUNDING = 1e-9
-"""of the clearance or the stroke: what is less below 0 is no collision"""
+NOUGHT = HEIGHT
+"""of the clearance or the stroke: what is less below 0 is no collision, as heights are met by points of a law"""
 
 
 class Corners(NamedTuple):
@@ -62,7 +63,7 @@ def clearance(schedule: Schedule, passage: Passage, angle: ArrayLike) -> Clearan
     at = np.asarray(angle, dtype=np.float64)
     allowed = allowed_travel(schedule, passage, at)
     minimum = float(corners(schedule, passage).free.min())
-    tolerance = ROUNDING * max(passage.clearance, schedule.tool.stroke)
+    tolerance = NOUGHT * max(passage.clearance, schedule.tool.stroke)
     free = allowed - schedule.travel(at)
     return Clearance(allowed, free, minimum, minimum < -tolerance, minimum >= passage.margin - tolerance)
 
@@ -77,4 +78,4 @@ def allowed_travel(schedule: Schedule, passage: Passage, angle: Array) -> Array:
 
 def colliding(free: Array, stroke: Array) -> NDArray[np.bool_]:
     """Return where tools of these strokes (m) collide, by what is free (m)."""
-    return free < -ROUNDING * stroke
+    return free < -NOUGHT * stroke

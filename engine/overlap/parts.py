@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,20 +11,26 @@ from numpy.typing import ArrayLike
 
 from engine.laws import Dwell, Law
 from engine.laws.base import Array, require_finite
+from engine.laws.inverse import inverse
 from engine.motion.pieces import Scaled
 from engine.timing import FULL_TURN
+
+Inverse = Callable[[Law, Array], Array]
+"""the shares of time at which a law reaches heights: exactly, or as a table of points gives them"""
 
 
 @dataclass(frozen=True)
 class Transfer:
     """The first motion: a law over ``stroke`` (m) in ``angle`` (rad), once a cycle, beginning at 0.
 
+    ``inverted`` says when its law has reached a height.
     Raises ValueError unless the stroke is above 0 and the angle between 0 and 2π.
     """
 
     law: Law
     stroke: float
     angle: float
+    inverted: Inverse = inverse
 
     def __post_init__(self) -> None:
         require_positive(transfer_stroke=self.stroke, transfer_angle=self.angle)
@@ -53,14 +60,15 @@ class Transfer:
 class Tool:
     """The second motion: in over ``stroke`` (m), at the part for the angle ``dwell`` (rad), out again.
 
-    ``law_out`` is the law of the way out, that of the way in if None.
-    Raises ValueError unless the stroke is above 0 and the dwell at least 0.
+    ``law_out`` is the law of the way out, that of the way in if None; ``inverted`` says when they have
+    reached a height. Raises ValueError unless the stroke is above 0 and the dwell at least 0.
     """
 
     law: Law
     stroke: float
     dwell: float
     law_out: Law | None = None
+    inverted: Inverse = inverse
 
     def __post_init__(self) -> None:
         require_positive(tool_stroke=self.stroke)

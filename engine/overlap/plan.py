@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.laws.inverse import inverse
 from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.schedule import Limit, Schedule
 from engine.timing import FULL_TURN
@@ -31,7 +30,7 @@ def blocked(transfer: Transfer, passage: Passage) -> tuple[float, float]:
 
     Their difference is S2's effective angle: 150° − 2 · 15° = 120°.
     """
-    begin, end = inverse(transfer.law, np.array(passage.shares)) * transfer.angle
+    begin, end = transfer.inverted(transfer.law, np.array(passage.shares)) * transfer.angle
     return float(begin), float(end)
 
 
@@ -67,7 +66,7 @@ def rests(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
     Source: S2, 'Cycloid Cam Profile Analysis', 1 − 44 % = 56 %; the way out is the same in reverse.
     """
     gone = passage.gone(tool.stroke, margin)
-    return 1.0 - inverse(tool.law, gone), inverse(tool.out, 1.0 - gone)
+    return 1.0 - tool.inverted(tool.law, gone), tool.inverted(tool.out, 1.0 - gone)
 
 
 def ways(left: Room, tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:

@@ -136,9 +136,9 @@ def lasting(angle: float) -> float:
     return angle if angle > ANGLE_TOLERANCE else 0.0
 
 
-def pieces_of_parts(parts: Sequence[Scaled]) -> list[MotionPiece]:
-    """Return the pieces of the parts that last."""
-    return [piece for k, part in enumerate(parts) if part.duration for piece in pieces_of(part, k)]
+def pieces_of_parts(parts: Sequence[Scaled], whole: bool = False) -> list[MotionPiece]:
+    """Return the pieces of the parts that last; ``whole`` ones are not cut where the acceleration is largest."""
+    return [piece for k, part in enumerate(parts) if part.duration for piece in pieces_of(part, k, whole)]
 
 
 def size_of_parts(parts: Sequence[Scaled]) -> Callable[[int], float]:

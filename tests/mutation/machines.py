@@ -8,7 +8,7 @@ import random
 from importlib import import_module
 from typing import Any
 
-from tests.laws import PAGED, blended, told
+from tests.laws import PAGED, blended
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.reading.descriptions import checked
@@ -45,7 +45,7 @@ def vary_laws(laws: dict[str, Any], drawn: random.Random, room: int) -> None:
     low, high = sorted((drawn.uniform(0.02, 0.98), drawn.uniform(0.02, 0.98)))
     laws["TVP"].update(rise_end=low, fall_start=drawn.choice((low, high)))
     laws["MTP"]["durations"] = stages(drawn)
-    laws["OWN"].update(name=f"Law {drawn.randrange(1000)}", pieces=told(lambda: own_pieces(drawn, room)))
+    laws["OWN"].update(name=f"Law {drawn.randrange(1000)}", pieces=own_pieces(drawn, room))
 
 
 def shares(drawn: random.Random, count: int) -> list[float]:

@@ -53,6 +53,8 @@ SINE_IN = Form("quarter sine inside", "@k", "@k^2", "1/2", "PI()/2", COSINE, SIN
 LINE_OUT = Form("straight from the dwell", "1/2", "1/6", "1/3", "1", UP, DOWN)
 LINE_IN = Form("straight inside", "1/2", "1/3", "1/3", "1", DOWN, UP)
 HALF_SINE = Form("half sine", "@k", "@k/2", "1/2", "PI()", WAVE, WAVE)
+"""cut at its peak into two quarters: its second is :data:`CREST`"""
+CREST = {"P": "H", "omega": "PI()/D", "phi": "PI()/2", "equation": "a = H cos(πu / D)"}
 
 
 class Stage(NamedTuple):
@@ -95,17 +97,24 @@ class Stages:
 
     def rows(self) -> tuple[PieceRow, ...]:
         """Return the pieces, in the order of time."""
-        return tuple(self.row(k, *self.stages[k]) for k in sorted(self.stages))
+        return tuple(row for k in sorted(self.stages) for row in self.pieces(k, self.stages[k].form))
 
-    def row(self, k: int, form: Form | None, duration: str) -> PieceRow:
-        """Return the piece of a stage."""
+    def pieces(self, k: int, form: Form | None) -> list[PieceRow]:
+        """Return the pieces of a stage: two of a half sine, else one."""
         if form is None:
-            return PieceRow(f"{k} · uniform velocity", "a = 0", f"=@d{k}")
-        entries = dict(form.early if k < CRUISE else form.late)
+            return [PieceRow(f"{k} · uniform velocity", "a = 0", f"=@d{k}")]
+        if form is HALF_SINE:
+            rises, falls = ("rises", "falls") if k < CRUISE else ("falls", "rises")
+            return [self.row(k, rises, f"=@d{k}/2", WAVE), self.row(k, falls, f"=@d{k}/2", CREST)]
+        return [self.row(k, form.word, f"=@d{k}", form.early if k < CRUISE else form.late)]
+
+    def row(self, k: int, word: str, duration: str, stated: Mapping[str, str]) -> PieceRow:
+        """Return a piece of a stage by what is stated of its entries and its equation."""
+        entries = dict(stated)
         height, sign = ("@ca_max", "A") if k < CRUISE else ("@ca_min", "−B")
         equation = entries.pop("equation").replace("H", sign).replace("D", f"d{k}")
         formulas = {name: f"={text.replace('D', f'@d{k}').replace('H', height)}" for name, text in entries.items()}
-        return PieceRow(f"{k} · {form.word}", equation, f"=@d{k}", **formulas)
+        return PieceRow(f"{k} · {word}", equation, duration, **formulas)
 
     def coefficients(self) -> dict[str, tuple[str, str]]:
         """Return the formula of each coefficient."""
@@ -211,7 +220,7 @@ def edged(stages: Stages, **stated: Any) -> Page:
     """Return the page of a family by its stages; ``stated`` is what else a page states."""
     return Page(
         pieces=stages.rows(), workings=stages.workings, coefficients=stages.coefficients(), fastest=stages.fastest,
-        early=len(stages.forms(RISE)), **{"way": "=1", **stated},
+        early=len([row for k, form in stages.forms(RISE) for row in stages.pieces(k, form)]), **{"way": "=1", **stated},
     )  # fmt: skip
 
 

@@ -218,7 +218,7 @@ class Page:
         """Return the rows of the stack for a law of the family."""
         return [
             Stacked(piece, {name: self._entry(name, k) for name in ENTRIES})
-            for k, piece in enumerate(law.as_pieces(), 1)
+            for k, piece in enumerate(law.monotone_pieces(), 1)
         ]
 
     def _entry(self, name: str, k: int) -> str:
@@ -242,8 +242,8 @@ class Page:
         """Raise IncompleteError, naming the law and what its page leaves out or has too much of."""
         examples = entry.examples
         wrong = [name for name, *_ in COEFFICIENTS if name not in self.coefficients]
-        if any(len(law.as_pieces()) != len(self.pieces) for law in examples):
-            wrong.append(f"pieces as many as the engine's {len(examples[0].as_pieces())}")
+        if any(len(law.monotone_pieces()) != len(self.pieces) for law in examples):
+            wrong.append(f"pieces as many as the engine's {len(examples[0].monotone_pieces())}")
         if any((way(law), early_of(law)) not in self._meets() for law in examples):
             wrong.append("how it meets its neighbours, as the engine has it")
         wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]

@@ -13,12 +13,10 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.laws.family import BEHIND
 
-ROOT, THIRD = "SQRT([w])", "SQRT(MAX(0,[w])/3)"
+ROOT = "SQRT([w])"
 SPEEDS = "={0}([v],[v1],IF([a]*[a1]<0,[v]+[a]^2*[d]/(2*([a]-[a1])),[v]))"
-POWERS = (
-    f"={{0}}([v]*[a],[v1]*[a1],IF(([a]-{THIRD})*([a1]-{THIRD})<0,0-[w]*{THIRD}/(3*[j]),[v]*[a]),"
-    f"IF(([a]+{THIRD})*([a1]+{THIRD})<0,[w]*{THIRD}/(3*[j]),[v]*[a]))"
-)
+POWER_AT = "=IF(([a]{0}[third])*([a1]{0}[third])<0,{1}[w]*[third]/(3*[j]),[v]*[a])"
+POWERS = "={0}([v]*[a],[v1]*[a1],[va_plus],[va_minus])"
 RISES = (
     "=IF(OR(AND([v]<0-@still,[v_high]>@still),AND([v1]>@still,[v_low]<0-@still)),"
     f"IF([a]<0,({ROOT}-[a])/[j],0-2*[v]/({ROOT}+[a])),0)"
@@ -42,17 +40,17 @@ UNIT = 1.0  # rise and time: what rounding of accelerations is measured by
 def worked_out() -> dict[str, tuple[str, str]]:
     """Return the formula of each coefficient."""
     return {
-        "cv": ("=MAX(@v_most,0-MIN([@solved.v_low]))", "at a point, or where a = 0"),
-        "ca_max": ("=MAX([@solved.a])", "at a point: a is linear between two"),
-        "ca_min": ("=MIN([@solved.a])", "at a point"),
-        "ca_rms": ("=SQRT(SUM([@solved.square]))", "√∫a² of the intervals"),
+        "cv": ("=MAX(@v_most,0-MIN([@intervals.v_low]))", "at a point, or where a = 0"),
+        "ca_max": ("=MAX([@intervals.a])", "at a point: a is linear between two"),
+        "ca_min": ("=MIN([@intervals.a])", "at a point"),
+        "ca_rms": ("=SQRT(SUM([@intervals.square]))", "√∫a² of the intervals"),
         "cj": (
-            '=IF(MAX(ABS([@solved.a.first]),ABS([@solved.a.last]))>check_zero*MAX(@ca_max,0-@ca_min),"∞",'
-            "MAX(MAX([@solved.j]),0-MIN([@solved.j])))",
+            '=IF(MAX(ABS([@intervals.a.first]),ABS([@intervals.a.last]))>check_zero*MAX(@ca_max,0-@ca_min),"∞",'
+            "MAX(MAX([@intervals.j]),0-MIN([@intervals.j])))",
             "∞ where the acceleration jumps at an end",
         ),
-        "va_max": ("=MAX([@solved.va_high])", "at a point, or where a² = W/3"),
-        "va_min": ("=MIN([@solved.va_low])", "at a point, or where a² = W/3"),
+        "va_max": ("=MAX([@intervals.va_high])", "at a point, or where a² = W/3"),
+        "va_min": ("=MIN([@intervals.va_low])", "at a point, or where a² = W/3"),
     }
 
 
@@ -60,8 +58,8 @@ def solution(at: Knots) -> list[Quantity]:
     """Return the rows that the table of points refers to."""
     first, last = at.slopes
     free = at.law.natural
-    count = "@used-1"
-    end = f"=INDEX([@solved.m],{count})+INDEX([@solved.d],{count})*(INDEX([@solved.a],{count})+2*[@solved.a.last])/6"
+    moments = "(INDEX([@intervals.a],@used-1)+2*[@intervals.a.last])"
+    end = f"=INDEX([@solved.m],@used-1)+INDEX([@solved.d],@used-1)*{moments}/6"
     natural = '=IF(AND(@{0}_slope="",OR(@natural="{1}",@natural="both")),1,0)'
     return [
         calc("@used", "Points", "", "", "=COUNT([@points.xi])", at.used, format="0"),
@@ -72,21 +70,29 @@ def solution(at: Knots) -> list[Quantity]:
         calc("@free1", "Its end is natural", "", "", natural.format("last", "end"), int(free[1]), format="0"),
         calc("@v_end", "Velocity at its end", "v(1)", "", end, at.law.end.v, source="m + d(a_k + 2a_{k+1})/6"),
         calc("@still", "A velocity below this is none", "", "", "=check_zero*@cv", at.still, format="0E+00"),
-        calc("@v_most", "Largest velocity", "", "", "=MAX([@solved.v_high])", at.speeds[1]),
-        calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@solved.fast])", at.peak),
+        calc("@v_most", "Largest velocity", "", "", "=MAX([@intervals.v_high])", at.speeds[1]),
+        calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@intervals.fast])", at.peak),
     ]  # fmt: skip
 
 
 def points_table(sheet: Sheet, at: Knots, entered: Sequence[Quantity]) -> None:
-    """Declare the table of points: what is entered; beside it the solution, and what comes of each interval."""
+    """Declare the table of points: what is entered, and beside it the solution."""
     points = sheet.table(
         "@points", "Fill one row each, in order; from (0, 0) to (1, 1); leave spare rows empty", at.rows,
         constant("k", "point", "k", "", list(range(1, at.rows + 1))),
         *entered,
     )  # fmt: skip
-    sheet.workings(
-        points, "@solved", "Workings: the spline's moments, and its intervals", BEHIND, *elimination(at), *intervals(at)
-    )
+    sheet.workings(points, "@solved", "Workings: the spline's moments", BEHIND, *elimination(at))
+
+
+def intervals_table(sheet: Sheet, at: Knots) -> None:
+    """Declare the table of the intervals: rates at both ends, and extremes."""
+    sheet.heading("Table of the intervals, each from a point to the next")
+    sheet.table(
+        "@intervals", "On each a is linear, and W = a² − 2jv the same everywhere", at.rows,
+        constant("k", "interval", "k", "", list(range(1, at.rows + 1))),
+        *intervals(at),
+    )  # fmt: skip
 
 
 def elimination(at: Knots) -> list[Quantity]:
@@ -132,10 +138,12 @@ def intervals(at: Knots) -> list[Quantity]:
         return role(name, label, symbol, "", formula, [value(one) for one in found], source=source, scale=scale)
 
     return [
+        column("xi", "begins at", "ξ_k", "=IF([k]<@used,INDEX([@points.xi],[k]),1)", lambda one: one.xi),
+        column("d", "duration", "d", "=INDEX([@solved.d],[k])", lambda one: one.d),
         column("a", "acceleration", "a", f"={moment.format('+1')}", lambda one: one.a, "the moment", UNIT, result),
         column("a1", "and at its end", "", f"={moment.format('')}", lambda one: one.a1, "", UNIT),
         column("j", "jerk", "j", "=IF([d]>0,([a1]-[a])/[d],0)", lambda one: one.j, "Δa/d", UNIT, result),
-        column("v", "velocity", "v", "=IF([d]>0,[m]-[d]*(2*[a]+[a1])/6,@v_end)", lambda one: one.v,
+        column("v", "velocity", "v", "=IF([d]>0,INDEX([@solved.m],[k])-[d]*(2*[a]+[a1])/6,@v_end)", lambda one: one.v,
                "m − d(2a_k + a_{k+1})/6", UNIT, result),
         column("v1", "and at its end", "", "=[v]+[d]*([a]+[a1])/2", lambda one: one.v1, "", UNIT),
         column("y", "position", "", f"={place.format('')}", lambda one: one.s),
@@ -144,6 +152,12 @@ def intervals(at: Knots) -> list[Quantity]:
         column("v_low", "lowest v", "", SPEEDS.format("MIN"), lambda one: one.speeds[0], "", UNIT),
         column("v_high", "largest v", "", SPEEDS.format("MAX"), lambda one: one.speeds[1], "at an end, or where a = 0",
                UNIT),
+        column("third", "|a| where v·a is stationary", "√(W/3)", "=SQRT(MAX(0,[w])/3)", lambda one: one.third, "",
+               UNIT),
+        column("va_plus", "v·a where a is that", "", POWER_AT.format("-", "0-"), lambda one: one.power_at(1.0),
+               "or at the begin", UNIT),
+        column("va_minus", "and where a is less that", "", POWER_AT.format("+", ""), lambda one: one.power_at(-1.0),
+               "or at the begin", UNIT),
         column("va_low", "lowest v·a", "", POWERS.format("MIN"), lambda one: one.powers[0], "", UNIT),
         column("va_high", "largest v·a", "", POWERS.format("MAX"), lambda one: one.powers[1],
                "at an end, or where a² = W/3", UNIT),

@@ -39,7 +39,7 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
         calc("@v_down", "Velocity that they lose", "V⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_v])", found.v2),
         calc("@under", "Determinant", "", "", "=@s_up*@v_down-@s_down*@v_up", found.under, source="S⁺V⁻ − S⁻V⁺"),
     )  # fmt: skip
-    row, d = "@first+[k]-1", "INDEX([@pieces.d],[k])"
+    row = "@first+[k]-1"
 
     def scaled(name: str, label: str, symbol: str, values: Sequence[float]) -> Quantity:
         formula = f"=[factor]*INDEX([@pieces.{name}],[k])"
@@ -56,9 +56,10 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
              f"=INDEX(piece_ds,{row})-INDEX(piece_v,{row})*INDEX(piece_d,{row})"
              f"+[gain_v]*(SUM([@pieces.d])-INDEX(piece_xi,{row})-INDEX(piece_d,{row}))",
              [s for s, _ in found.gained], source="∬a over it, and ∫a over the time that follows"),
+        calc("d", "duration", "d", "", "=INDEX([@pieces.d],[k])", [piece.duration for piece in pieces]),
         calc("size", "size", "", "",
-             f"={d}*(ABS(INDEX([@pieces.c0],[k]))+{d}*(ABS(INDEX([@pieces.c1],[k]))+{d}*(ABS(INDEX([@pieces.c2],[k]))"
-             f"+{d}*ABS(INDEX([@pieces.c3],[k]))))+ABS(INDEX([@pieces.P],[k])))", found.sizes),
+             "=[d]*(ABS(INDEX([@pieces.c0],[k]))+[d]*(ABS(INDEX([@pieces.c1],[k]))+[d]*(ABS(INDEX([@pieces.c2],[k]))"
+             "+[d]*ABS(INDEX([@pieces.c3],[k]))))+ABS(INDEX([@pieces.P],[k])))", found.sizes),
         calc("slow", "loses velocity", "", "",
              "=IF([gain_v]<0-@least,1,0)", [float(slow) for slow in found.slows], format="0"),
         blank='INDEX([@pieces.d],[k])=""',

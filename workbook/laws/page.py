@@ -117,7 +117,7 @@ def risen(sheet: Sheet, one: NamedLaw, rise: Rise) -> None:
 
 def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
     """Declare the law's pieces, a textbook equation beside each."""
-    rows, pieces = page.pieces, law.as_pieces()
+    rows, pieces = page.pieces, law.monotone_pieces()
     labels = {
         "c0": ("constant", "c0", [piece.c[0] for piece in pieces]),
         "c1": ("slope", "c1", [piece.c[1] for piece in pieces]),

@@ -1,13 +1,13 @@
-"""A law evaluated in cells: find the piece by one MATCH on the stacked pieces, then a short formula each.
+"""A law evaluated in cells: find the piece by one MATCH on the stacked pieces, then coefficients times powers.
 
-Every sampled table of the book uses these columns. The pieces stand on the Laws sheet; a piece is found by its
-key, twice the law's number plus the ξ at which it begins. A sample within ``break_tolerance`` of a break counts
-as on it, so that rounding never decides which side of a jump is shown; ξ = 1 belongs to the last piece.
+Every sampled table of the book uses these columns. The pieces stand on the Laws sheet, with the coefficients of s, v, a
+and j as blocks; a piece is found by its key, twice the law's number plus the ξ at which it begins. A sample within
+``break_tolerance`` of a break counts as on it, so that rounding never decides which side of a jump is shown; ξ = 1
+belongs to the last piece.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any
 
@@ -15,45 +15,32 @@ import numpy as np
 
 from engine.laws import Law, Piece
 from engine.laws.base import Array
-from engine.laws.table import located
-from workbook.book.declare import Quantity, calc
+from engine.laws.piece import POWERS
+from engine.laws.table import located, powers
+from workbook.book.declare import Quantity, calc, constant
 
 FIND = "=MATCH(2*{law}+MIN([{xi}]+break_tolerance,1-break_tolerance),piece_key,1)"
-LOCAL = "=[{xi}]-INDEX(piece_xi,[{q}])"
-ARGUMENT = "=INDEX(piece_omega,[{q}])*[{u}]+INDEX(piece_phi,[{q}])"
-ARGUMENT2 = "=INDEX(piece_omega2,[{q}])*[{u}]+INDEX(piece_phi2,[{q}])"
-POSITION = (
-    "=INDEX(piece_s0,[{q}])+[{u}]*(INDEX(piece_s1,[{q}])+[{u}]*(INDEX(piece_c0,[{q}])/2+[{u}]*(INDEX(piece_c1,[{q}])/6"
-    "+[{u}]*(INDEX(piece_c2,[{q}])/12+[{u}]*(INDEX(piece_c3,[{q}])/20+[{u}]*(INDEX(piece_c4,[{q}])/30"
-    "+[{u}]*INDEX(piece_c5,[{q}])/42))))))-INDEX(piece_ps,[{q}])*SIN([{x}])"
+ARGUMENTS = (
+    ("x", "sine argument", "x", "=INDEX(piece_omega,[q])*[u]+INDEX(piece_phi,[q])", "ωu + φ"),
+    ("z", "second sine's argument", "z", "=INDEX(piece_omega2,[q])*[u]+INDEX(piece_phi2,[q])", "ω₂u + φ₂"),
 )
-VELOCITY = (
-    "=INDEX(piece_s1,[{q}])+[{u}]*(INDEX(piece_c0,[{q}])+[{u}]*(INDEX(piece_c1,[{q}])/2+[{u}]*(INDEX(piece_c2,[{q}])/3"
-    "+[{u}]*(INDEX(piece_c3,[{q}])/4+[{u}]*(INDEX(piece_c4,[{q}])/5+[{u}]*INDEX(piece_c5,[{q}])/6)))))"
-    "-INDEX(piece_pv,[{q}])*COS([{x}])"
-)
-ACCELERATION = (
-    "=INDEX(piece_c0,[{q}])+[{u}]*(INDEX(piece_c1,[{q}])+[{u}]*(INDEX(piece_c2,[{q}])+[{u}]*(INDEX(piece_c3,[{q}])"
-    "+[{u}]*(INDEX(piece_c4,[{q}])+[{u}]*INDEX(piece_c5,[{q}])))))+INDEX(piece_P,[{q}])*SIN([{x}])"
-)
-JERK = (
-    "=INDEX(piece_c1,[{q}])+[{u}]*(2*INDEX(piece_c2,[{q}])+[{u}]*(3*INDEX(piece_c3,[{q}])"
-    "+[{u}]*(4*INDEX(piece_c4,[{q}])+[{u}]*5*INDEX(piece_c5,[{q}]))))"
-    "+INDEX(piece_P,[{q}])*INDEX(piece_omega,[{q}])*COS([{x}])"
-)
-SECOND = {
-    "s": "-INDEX(piece_ps2,[{q}])*SIN([{z}])",
-    "v": "-INDEX(piece_pv2,[{q}])*COS([{z}])",
-    "a": "+INDEX(piece_P2,[{q}])*SIN([{z}])",
-    "j": "+INDEX(piece_P2,[{q}])*INDEX(piece_omega2,[{q}])*COS([{z}])",
+HIGHEST = POWERS + 1
+"""the highest power of u in a position"""
+RAISED = ("1", "u", "u²", "u³", "u⁴", "u⁵", "u⁶", "u⁷")
+SINES = {
+    "s": "-INDEX(piece_ps{0},[q])*SIN([{1}])",
+    "v": "-INDEX(piece_pv{0},[q])*COS([{1}])",
+    "a": "+INDEX(piece_P{0},[q])*SIN([{1}])",
+    "j": "+INDEX(piece_pj{0},[q])*COS([{1}])",
 }
-"""what a second sine adds, in a book that has a law with one"""
+"""what a sine adds"""
 SPELLED = {
-    "s": ("position", POSITION, "s_k + ∬a"),
-    "v": ("velocity", VELOCITY, "v_k + ∫a"),
-    "a": ("acceleration", ACCELERATION, "c0 + c1u + … + P sin x"),
-    "j": ("jerk", JERK, "da/dξ"),
+    "s": ("position", "[curves_of.s0:s7]", "S0 + S1 u + … − P/ω² sin x"),
+    "v": ("velocity", "[curves_of.v0:v6]", "V0 + V1 u + … − P/ω cos x"),
+    "a": ("acceleration", "[pieces.c0:c5]", "c0 + c1 u + … + P sin x"),
+    "j": ("jerk", "[curves_of.j0:j4]", "da/dξ"),
 }
+"""of each derivative: what it is called, its block of coefficients, and its equation"""
 
 
 class Pieces:
@@ -67,11 +54,6 @@ class Pieces:
         before = accumulate((len(rows) for rows in pieces.values()), initial=1)
         self.first = dict(zip(pieces, before, strict=False))
 
-    @property
-    def width(self) -> int:
-        """The number of rows that :meth:`locate` returns."""
-        return 4 if self.second_sine else 3
-
     def number(self, law: Law) -> int:
         """Return the number of one of the book's laws."""
         return self._numbers[id(law)]
@@ -83,48 +65,40 @@ class Pieces:
         angles = (place.angle, place.angle2) if self.second_sine else (place.angle,)
         return np.array([row, place.u, *angles])
 
-    def finding(self, law: str, xi: str, at: Array, suffix: str = "") -> list[Quantity]:
-        """Return the workings that find the piece of each sample: row, local abscissa, argument of each sine."""
-        names = {"law": law, "xi": xi} | columns_of(suffix)
-        found = [
-            ("q", "piece row", "q", "", FIND, "last key not above the sample's"),
-            ("u", "within piece", "u", "", LOCAL, "ξ − ξ_k"),
-            ("x", "sine argument", "x", "rad", ARGUMENT, "ωu + φ"),
-            ("z", "second sine's argument", "z", "rad", ARGUMENT2, "ω₂u + φ₂"),
-        ]
+    def finding(self, law: str, xi: str, at: Array) -> list[Quantity]:
+        """Return the workings of each sample: row of its piece, powers of u in it, the argument of each sine."""
+        row, *local = at
+        find = FIND.format(law=law, xi=xi)
         return [
-            calc(names[name], label, symbol, unit, formula.format(**names), values,
-                 format="0" if name == "q" else "", source=source)
-            for (name, label, symbol, unit, formula, source), values in zip(found, at, strict=False)
+            calc("q", "piece row", "q", "", find, row, format="0", source="last key not above the sample's"),
+            *self.within(f"=[{xi}]-INDEX(piece_xi,[q])", "ξ − ξ_k", *local),
+        ]
+
+    def within(self, formula: str, words: str, u: Array, *angles: Any) -> list[Quantity]:
+        """Return the powers of u, by its formula, and the argument of each sine, of points whose piece is known."""
+        raised = powers(u, HIGHEST)
+        return [
+            constant("u0", "power 0", "1", "", raised[0]),
+            calc("u", "within piece", "u", "", formula, u, source=words),
+            *(calc(f"u{k}", f"power {k}", RAISED[k], "", f"=[u]^{k}", raised[k]) for k in range(2, HIGHEST + 1)),
+            *(calc(name, label, symbol, "rad", formula, values, source=source)
+              for (name, label, symbol, formula, source), values in zip(ARGUMENTS, angles, strict=False)),
         ]  # fmt: skip
 
-    def arguments(self, angles: Sequence[Any]) -> list[Quantity]:
-        """Return the columns of the sines' arguments at points whose piece and local abscissa are known."""
-        found = [("x", "sine argument", ARGUMENT, "ωu + φ"), ("z", "second sine's argument", ARGUMENT2, "ω₂u + φ₂")]
-        names = columns_of("")
-        return [
-            calc(name, label, name, "rad", formula.format(**names), values, source=source)
-            for (name, label, formula, source), values in zip(found[: self.width - 2], angles, strict=False)
-        ]
-
-    def shape(
-        self, law: Law, xi: Array, derivatives: str = "svaj", suffix: str = "", role: Any = calc
-    ) -> list[Quantity]:
+    def shape(self, law: Law, xi: Array, derivatives: str = "svaj", role: Any = calc) -> list[Quantity]:
         """Return the columns s, v, a, j of one law at samples found by :meth:`finding`."""
-        return self.columns(dict(zip("svaj", law.evaluate(xi), strict=True)), derivatives, suffix, role)
+        return self.columns(dict(zip("svaj", law.evaluate(xi), strict=True)), derivatives, role)
 
-    def columns(
-        self, values: dict[str, Array], derivatives: str, suffix: str = "", role: Any = calc
-    ) -> list[Quantity]:  # fmt: skip
+    def columns(self, values: dict[str, Array], derivatives: str, role: Any = calc) -> list[Quantity]:
         """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values."""
-        names, made = columns_of(suffix), []
+        made = []
         for d in derivatives:
-            label, formula, source = SPELLED[d]
-            formula += SECOND[d] if self.second_sine else ""
-            made.append(role(d + suffix, label, d, "", formula.format(**names), values[d], source=source))
+            label, block, source = SPELLED[d]
+            formula = f"=SUMPRODUCT(INDEX({block},[q],0),[u0:u{block[-2]}])" + self.turned(d)
+            made.append(role(d, label, d, "", formula, values[d], source=source))
         return made
 
-
-def columns_of(suffix: str) -> dict[str, str]:
-    """Return the names of the columns that find a sample's piece."""
-    return {name: name + suffix for name in "quxz"}
+    def turned(self, derivative: str) -> str:
+        """Return what the sines add to a derivative."""
+        both = (("", "x"), ("2", "z")) if self.second_sine else (("", "x"),)
+        return "".join(SINES[derivative].format(*one) for one in both)

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.piece_extremes import extremes_of, reach_of
+from engine.laws.piece import POWERS
+from engine.laws.points import reach, slowest
 from engine.motion.handover import way
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.entries.machine import Sizes
@@ -39,6 +40,8 @@ def laws_sheet(
                  source="as a share of the rise; a stage is none, or lasts so long"),
     )  # fmt: skip
     stack(sheet, rows, stacked.second_sine)
+    sheet.row += 1
+    blocks(sheet, rows)
 
 
 def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
@@ -74,7 +77,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
              [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
         calc("v_low", "lowest velocity", "", "",
              [one.own(one.page.lowest) for one in laws],
-             [extremes_of(one.law.as_pieces(), one.law.start.v).v[0] for one in laws], scale=1.0),
+             [slowest(one.law) for one in laws], scale=1.0),
         calc("wrong", "step of v the wrong way", "", "",
              [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
         end("s", "position", "first"),
@@ -85,7 +88,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         end("a", "acceleration", "last"),
         *(calc(name, f"{word} position", f"s_{end.lower()}", "",
                [one.own(one.page.reached(end)) for one in laws],
-               [reach_of(one.law.as_pieces(), one.law.start.v)[i] for one in laws], scale=1.0)
+               [reach(one.law)[i] for one in laws], scale=1.0)
           for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
         *ends,
     )  # fmt: skip
@@ -108,18 +111,27 @@ def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
     ]  # fmt: skip
 
 
-SECOND = {"piece_P2": "P2", "piece_omega2": "omega2", "piece_phi2": "phi2", "piece_ps2": "ps2", "piece_pv2": "pv2"}
+SECOND = {"piece_P2": "P2", "piece_omega2": "omega2", "piece_phi2": "phi2", "piece_ps2": "ps2", "piece_pv2": "pv2",
+          "piece_pj2": "pj2"}  # fmt: skip
 """names of the columns of a second sine"""
 GAINED = (
     "=[d]*([c0]+[d]*([c1]/2+[d]*([c2]/3+[d]*([c3]/4+[d]*([c4]/5+[d]*[c5]/6)))))"
     "-[pv]*(COS([omega]*[d]+[phi])-COS([phi]))"
 )
 TURNED2 = "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))"
-SWUNG2 = "-[ps2]*(SIN([omega2]*[d]+[phi2])-SIN([phi2]))"
 TRAVELLED = (
-    "=[d]*([v]+[pv]*COS([phi]){0}+[d]*([c0]/2+[d]*([c1]/6+[d]*([c2]/12+[d]*([c3]/20+[d]*([c4]/30+[d]*[c5]/42))))))"
-    "-[ps]*(SIN([omega]*[d]+[phi])-SIN([phi]))"
+    "=[s0]+[d]*([s1]+[d]*([c0]/2+[d]*([c1]/6+[d]*([c2]/12+[d]*([c3]/20+[d]*([c4]/30+[d]*[c5]/42))))))"
+    "-[ps]*SIN([omega]*[d]+[phi])-[s]"
 )
+SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
+CURVES = {
+    "s": ("position", ("piece_s0", "piece_s1", *(f"piece_c{i}" for i in range(POWERS)))),
+    "v": ("velocity", ("piece_s1", *(f"piece_c{i}" for i in range(POWERS)))),
+    "j": ("jerk", tuple(f"piece_c{i}" for i in range(1, POWERS))),
+}
+"""the blocks of coefficients besides that of a: what each coefficient is a share, or a multiple, of"""
+FACTORS = {"s": ("", "", "/2", "/6", "/12", "/20", "/30", "/42"), "v": ("", "", "/2", "/3", "/4", "/5", "/6"),
+           "j": ("", "*2", "*3", "*4", "*5")}  # fmt: skip
 
 
 def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
@@ -163,7 +175,9 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", column("xi")),
         calc("ps", "sine of position", "P/ω²", "", "=IF([omega]>0,[P]/[omega]^2,0)", column("ps")),
         calc("pv", "cosine of velocity", "P/ω", "", "=IF([omega]>0,[P]/[omega],0)", column("pv")),
+        calc("pj", "cosine of jerk", "P ω", "", "=[P]*[omega]", column("pj")),
         *only(
+            calc("pj2", "second cosine of jerk", "P₂ ω₂", "", "=[P2]*[omega2]", column("pj2")),
             calc("ps2", "second sine of position", "P₂/ω₂²", "", "=IF([omega2]>0,[P2]/[omega2]^2,0)", column("ps2")),
             calc("pv2", "second cosine of velocity", "P₂/ω₂", "", "=IF([omega2]>0,[P2]/[omega2],0)", column("pv2")),
         ),
@@ -173,8 +187,8 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         calc("s", "position carried", "s_k", "",
              "=IF([k]=1,0,[s-1]+[ds-1])", column("s"), source="s + ∫v of the piece before"),
         calc("ds", "gain of position", "Δs", "",
-             both(TRAVELLED.format("+[pv2]*COS([phi2])" if second else ""), SWUNG2),
-             column("ds"), source="∫v over the piece"),
+             both(TRAVELLED, SWUNG2),
+             column("ds"), scale=RISE, source="∫v over the piece"),
         calc("s0", "constant of position", "S0", "",
              both("=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])"), column("s0"), source="s_k + P/ω² sin φ"),
         calc("s1", "slope of position", "S1", "",
@@ -187,6 +201,20 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         "pieces", piece_law="law", piece_number="number", piece_k="k", piece_d="d",
         piece_c0="c0", piece_c1="c1", piece_c2="c2", piece_c3="c3", piece_c4="c4", piece_c5="c5",
         piece_P="P", piece_omega="omega", piece_phi="phi", piece_xi="xi",
-        piece_ps="ps", piece_pv="pv", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
+        piece_ps="ps", piece_pv="pv", piece_pj="pj", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
         piece_s0="s0", piece_s1="s1", piece_key="key", **(SECOND if second else {}),
+    )  # fmt: skip
+
+
+def blocks(sheet: Sheet, rows: list[Row]) -> None:
+    """Declare the coefficients of position, velocity and jerk of each piece, a block each."""
+    found = [row.curves for row in rows]
+    sheet.table(
+        "curves_of", "The same pieces: coefficients of position, velocity and jerk, from the lowest power", len(rows),
+        constant("r", "row", "r", "", list(range(1, len(rows) + 1))),
+        calc("law", "law", "", "", "=INDEX(piece_law,[r])", [row.law for row in rows]),
+        *(calc(f"{d}{k}", f"{words}, u^{k}", f"{d.upper()}{k}", "", f"=INDEX({name},[r]){factor}",
+               [one[d][k] for one in found])
+          for d, (words, names) in CURVES.items()
+          for k, (name, factor) in enumerate(zip(names, FACTORS[d], strict=True))),
     )  # fmt: skip

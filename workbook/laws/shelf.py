@@ -15,7 +15,7 @@ from workbook.laws.stack import locator, stacked
 
 PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
 LAW_SIZES = {
-    "law": (f"{PAGED[0]}_samples", 1), "own_law": ("OWN_points", 1), "pieces": ("OWN_pieces", 0),
+    "law": (f"{PAGED[0]}_samples", 1), "pieces": ("OWN_pieces", 0),
     "points": ("SPL#_points", 0), "export": ("export", 1),
 }  # fmt: skip
 

@@ -23,7 +23,7 @@ ABOUT = (
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
 DERIVATIVES = (("dy", "y'"), ("ddy", "y''"), ("dddy", "y'''"))
 """the blocks of coefficients of the derivatives: what their columns' names begin with, and their symbols"""
-ROOM = "sizes.motion_pieces in the description says how many there may be"
+ROOM = "as many as sizes.motion_pieces in the description says"
 Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]
 """of the n-th derivative of the motion: what deviations are measured by at least"""

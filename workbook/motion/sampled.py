@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import perm
 
 from engine.laws.base import Array
+from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, calc, constant
 from workbook.motion.cells import RAISED, Cells, PieceRows
 from workbook.motion.pieces import DERIVATIVES, amplitude
@@ -43,11 +45,47 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
 
 def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
     """Return the formula, without its =, of a derivative at a sample: coefficients times powers of u, and sines."""
-    at, q, last = rows.at, f"q{suffix}", rows.powers - order - 1
-    block = f"INDEX([{at.pieces}.{BLOCKS[order]}0:{BLOCKS[order]}{last}],[{q}],0)"
+    return at_place(rows, order, suffix, f"[q{suffix}]")
+
+
+def place_columns(
+    rows: PieceRows, suffix: str, of: str, formula: str, u: Array, q: str, pieces: Sequence[MotionPiece]
+) -> list[Quantity]:  # fmt: skip
+    """Return the columns of a place in each piece: u, its powers, and the arguments of the sines.
+
+    ``formula`` gives u, ``q`` names the row of the piece.
+    """
+    at = rows.at
+    return [
+        constant(f"u0{suffix}", f"{of}: u⁰", "", "", [1] * len(u)),
+        calc(f"u{suffix}", f"{of}: u", "u", at.x, formula, u, scale=rows.end),
+        *(calc(f"u{i}{suffix}", f"{of}: u{RAISED[i]}", f"u{RAISED[i]}", f"{at.x}{RAISED[i]}" if at.x else "",
+               f"=[{_power(i - 1, suffix)}]*[u{suffix}]", u**i, scale=rows.end**i) for i in range(2, rows.powers - 1)),
+        *(calc(f"x{mark}{suffix}", f"{of}: argument of the {which}sine", "x", "rad",
+               f"=INDEX([{at.pieces}.om{mark}],{q})*[u{suffix}]+INDEX([{at.pieces}.ph{mark}],{q})",
+               [one.sines[k][1] * place + one.sines[k][2] for one, place in zip(pieces, u, strict=True)],
+               source="ωu + φ")
+          for k, ((*_, mark), which) in enumerate(zip(rows.sines, ("", "second "), strict=False))),
+    ]  # fmt: skip
+
+
+def at_place(rows: PieceRows, order: int, suffix: str, q: str) -> str:
+    """Return the formula, without its =, of a derivative at a place of :func:`place_columns`."""
+    last, table = rows.powers - order - 1, rows.at.pieces
+    block = f"INDEX([{table}.{BLOCKS[order]}0:{BLOCKS[order]}{last}],{q},0)"
     text = f"SUMPRODUCT({block},[{_power(0, suffix)}:{_power(last, suffix)}])" if last >= 0 else ""
     for *_, mark in rows.sines:
-        text += SINES[order].format(at.of_piece(amplitude(order, mark), q), f"[x{mark}{suffix}]")
+        text += SINES[order].format(f"INDEX([{table}.{amplitude(order, mark)}],{q})", f"[x{mark}{suffix}]")
+    return text.removeprefix("+")
+
+
+def at_begin(rows: PieceRows, order: int, q: str) -> str:
+    """Return the formula, without its =, of a derivative where a piece begins."""
+    table = rows.at.pieces
+    text = f"INDEX([{table}.{BLOCKS[order]}0],{q})" if rows.powers > order else ""
+    for *_, mark in rows.sines:
+        a, ph = (f"INDEX([{table}.{name}],{q})" for name in (amplitude(order, mark), f"ph{mark}"))
+        text += SINES[order].format(a, ph)
     return text.removeprefix("+")
 
 

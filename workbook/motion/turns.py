@@ -195,15 +195,22 @@ class Turns:
         return self.motion.phases[self.in_row[piece.phase]]
 
     @cached_property
-    def leaps(self) -> list[int]:
-        """Whether y'' jumps at the begin of each piece from what is before it in its phase, or from 0."""
+    def earlier(self) -> list[float]:
+        """What y'' is before each piece that lasts, in its phase; 0 of the first."""
         before, found = [0.0] * len(self.rows.firsts), []
         for piece in self.rows.pieces:
-            begin, end = piece.at(both(piece)).y2.tolist()
-            peak = self.phase_of(piece).y2_max
             lasts = piece.duration > 0.0
-            found.append(int(lasts and abs(begin - before[piece.phase]) > LOST * peak))
-            before[piece.phase] = end if lasts else before[piece.phase]
+            found.append(before[piece.phase] if lasts else 0.0)
+            before[piece.phase] = piece.at(both(piece)).y2.tolist()[1] if lasts else before[piece.phase]
+        return found
+
+    @cached_property
+    def leaps(self) -> list[int]:
+        """Whether y'' jumps at the begin of each piece from what is before it in its phase, or from 0."""
+        found = []
+        for piece, before in zip(self.rows.pieces, self.earlier, strict=True):
+            jump = abs(piece.at(both(piece)).y2.tolist()[0] - before)
+            found.append(int(piece.duration > 0.0 and jump > LOST * self.phase_of(piece).y2_max))
         return found
 
     def of_pieces(self, room: int) -> list[Quantity]:
@@ -221,11 +228,15 @@ class Turns:
         last = float(pieces[-1].at(np.zeros(1)).y[0])
         squares = [square_of(piece) for piece in pieces]
         u = "([d]*(1+[gauss.x])/2)"
-        before = f"IF(OR([n]=1,[from]<>[p]),0,INDEX([{at.pieces}.a1],MAX([r]-1,1)))"
+        joints = at.pieces.replace("_pieces", "_joints")
+        first = f"OR(INDEX([{joints}.n],[r])=1,INDEX([{joints}.from],[r])<>[p])"
         return [
+            calc("before", "y'' before it in its phase", "", at.unit(2),
+                 f"=IF({first},0,INDEX([{joints}.a1],MAX([r]-1,1)))", of(self.earlier), scale=self.motion.size(2),
+                 source="0 of the first"),
             calc("leap", "y'' jumps within its phase", "", "",
-                 (f"=IF([d]>0,IF(ABS({in_piece(self.rows, 2, '')}-{before})"
-                  f">check_zero*INDEX([{at.phases}.{at.peaks[1]}],[p]),1,0),0)"), of(self.leaps), format="0",
+                 f"=IF([d]>0,IF(ABS(INDEX([{joints}.a0],[r])-[before])>"
+                 f"check_zero*INDEX([{at.phases}.{at.peaks[1]}],[p]),1,0),0)", of(self.leaps), format="0",
                  source="or begins with one"),
             calc("jerk", "greater jerk of its ends", "", at.unit(3),
                  (f"=IF([d]>0,MAX(ABS({in_piece(self.rows, 3, '')}),"

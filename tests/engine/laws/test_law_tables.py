@@ -5,11 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from engine.laws import Piece, PieceLaw
+from engine.laws import Piece
 from engine.laws.edges import inner_edges
 from engine.laws.piece import gains
-from engine.laws.piece_integrals import ends, squares
-from engine.laws.pieces import MIXED
+from engine.laws.piece_integrals import ends
 from engine.laws.polynomial_pulse import PolynomialPulse
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw
@@ -70,20 +69,6 @@ def test_a_rise_in_its_own_units(law):
     assert a == pytest.approx(-7.5 * at.a)
     assert (rise.velocity, rise.acceleration) == pytest.approx((1.5 * k.cv, 7.5 * max(k.ca_max, -k.ca_min)))
     assert rise.acceleration_rms == pytest.approx(7.5 * k.ca_rms)
-
-
-@pytest.mark.parametrize("piece", [*MIXED, Piece(0.8, (1.0, -2.0, 3.0, -4.0), 5.0, 300.0, 0.7)], ids=str)
-def test_the_parts_of_the_square_of_a_piece_against_fine_samples(piece):
-    u = (np.arange(200_000) + 0.5) / 200_000 * piece.duration
-    p = np.polyval(piece.c[::-1], u)
-    q = piece.amplitude * np.sin(piece.omega * u + piece.phase)
-    wanted = [np.mean(one) * piece.duration for one in (p * p, 2 * p * q, q * q)]
-    assert squares(piece) == pytest.approx(wanted, rel=1e-7, abs=1e-8)
-
-
-def test_the_parts_of_the_squares_of_all_pieces_make_the_rms():
-    total = sum(sum(squares(piece)) for piece in MIXED)
-    assert math.sqrt(total) == pytest.approx(PieceLaw(MIXED).coefficients.ca_rms, rel=1e-13)
 
 
 def test_accelerations_at_the_ends_of_pieces_pass_over_those_of_no_duration():

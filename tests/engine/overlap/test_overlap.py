@@ -8,8 +8,10 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.laws.inverse import inverse
 from engine.motion.pieces import evaluated, located
 from engine.overlap import (
+    HEIGHT,
     Passage,
     Schedule,
     Tool,
@@ -18,6 +20,7 @@ from engine.overlap import (
     clearance,
     colliding,
     corners,
+    inverse_by_points,
     movement_time,
     one_after_the_other,
     overlap,
@@ -277,3 +280,30 @@ def test_a_larger_margin_never_gains(one, other):
     assume(one < other)
     sweep = sweep_margin(*mill_and_die(), Passage(0.01, 0.02), [one, other], 0.5)
     assert sweep.acceleration[0] <= sweep.acceleration[1] * (1 + 1e-12)
+
+
+@given(laws, st.lists(st.floats(0, 1), min_size=1, max_size=20))
+@settings(max_examples=200)
+def test_points_of_a_law_give_its_inverse_within_what_is_stated(law, heights):
+    wanted = np.array(heights)
+    found, exact = inverse_by_points(law, wanted), inverse(law, wanted)
+    assert np.abs(law.s(found) - wanted).max() <= HEIGHT
+    away = np.minimum(wanted, 1.0 - wanted) > 1e-5
+    assert (np.abs(found - exact) <= np.where(away, 1e-4, 1e-2)).all()
+
+
+@given(laws, laws, st.floats(0, 0.3), st.floats(0.002, 0.02), st.floats(0, 1))
+def test_schedules_by_points_keep_the_margin_within_what_is_stated(law, law_in, remaining, gap, share):
+    passage = Passage(remaining, clearance=gap, margin=share * gap)
+    by_points, exact = (
+        overlap(Transfer(law, 0.1, radians(200), how), Tool(law_in, 0.05, radians(60), None, how), passage)
+        for how in (inverse_by_points, inverse)
+    )
+    found = clearance(by_points, passage, 0.0)
+    assert found.keeps_margin
+    assert found.minimum == pytest.approx(clearance(exact, passage, 0.0).minimum, abs=2 * HEIGHT * 0.05)
+    assert by_points.way_in == pytest.approx(exact.way_in, rel=0.01)
+
+
+def test_heights_of_0_and_1_are_met_at_the_ends():
+    assert inverse_by_points(Cycloidal(), np.array([0.0, 1.0])).tolist() == [0.0, 1.0]

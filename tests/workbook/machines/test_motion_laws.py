@@ -85,9 +85,9 @@ def test_the_curves_are_those_chosen_and_a_spare_one_lies_under_the_first():
     value = computed(TEMPLATE, described(curves=[{"law": "CUB"}, {"law": "Straight line"}]))
     assert [value(f"curve{i}_name") for i in range(1, 5)] == ["CUB", "Straight line", "", ""]
     cubic = [3 * x**2 - 2 * x**3 for x in (0, 0.25, 0.5, 0.75, 1)]
-    assert value("samples", "s1") == pytest.approx(cubic, abs=1e-15)
-    assert value("samples", "s2") == pytest.approx([0, 0.25, 0.5, 0.75, 1], abs=1e-15)
-    assert value("samples", "s3") == value("samples", "s4") == value("samples", "s1")
+    assert value("samples1", "s") == pytest.approx(cubic, abs=1e-15)
+    assert value("samples2", "s") == pytest.approx([0, 0.25, 0.5, 0.75, 1], abs=1e-15)
+    assert value("samples3", "s") == value("samples4", "s") == value("samples1", "s")
 
 
 def test_names_elsewhere_are_each_of_one_family_but_for_the_trapezoid():

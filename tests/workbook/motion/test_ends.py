@@ -111,7 +111,7 @@ def along(law, seed):
 def test_a_curve_that_goes_straight_on_is_a_straight_line(law, seed):
     value = of(along(law, seed))
     assert [value("axis1", column)[1] for column in ("a", "j")] == [0.0, 0.0]
-    assert value("axis1_pieces", "order")[1:3] == [0, 0]  # from the first line to it, and on to the next one
+    assert value("axis1_joints", "order")[1:3] == [0, 0]  # from the first line to it, and on to the next one
 
 
 @pytest.mark.parametrize("law", ["OWN", "shifted"])

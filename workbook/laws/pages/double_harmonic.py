@@ -15,6 +15,8 @@ class Reversed(LawSheet):
 
 
 ENDS = 'IF(@reversal="end",{0},{1})'
+PEAK = "ATAN2(1,SQRT(15))/PI()"
+"""where the acceleration at the end at rest is largest: cos πξ = ¼"""
 POWER = "675*SQRT(15)*PI()^3/8192"
 
 PAGE = Page(
@@ -26,9 +28,14 @@ PAGE = Page(
     variations=({"reversal": "start"}, {"reversal": "end"}),
     pieces=(
         PieceRow(
-            "two sines", "sin⁴(πξ/2), or mirrored", "=1",
+            "two sines", "sin⁴(πξ/2), or mirrored", f"={ENDS.format(PEAK, f'1-{PEAK}')}",
             P="=PI()^2/2", omega="=PI()", phi=f"={ENDS.format('PI()/2', '0-3*PI()/2')}",
             P2="=0-PI()^2/2", omega2="=2*PI()", phi2=f"={ENDS.format('PI()/2', '0-5*PI()/2')}",
+        ),
+        PieceRow(
+            "the same", "from where cos πξ = ¼, or mirrored", f"={ENDS.format(f'1-{PEAK}', PEAK)}",
+            P="=PI()^2/2", omega="=PI()", phi="=[phi-1]+[omega-1]*[d-1]",
+            P2="=0-PI()^2/2", omega2="=2*PI()", phi2="=[phi2-1]+[omega2-1]*[d-1]",
         ),
     ),
     coefficients={

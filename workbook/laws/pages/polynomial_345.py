@@ -13,10 +13,14 @@ PAGE = Page(
     parameters=(SHARE,),
     variations=SHARES,
     pieces=(
-        PieceRow("first half", "s = 2λ S(ξ/2λ), S = 10x³ − 15x⁴ + 6x⁵", "=@share",
+        PieceRow("a rises", "s = 2λ S(ξ/2λ), S = 10x³ − 15x⁴ + 6x⁵", "=@share*(1-1/SQRT(3))",
                  c1="=15/@share^2", c2="=0-45/(2*@share^3)", c3="=15/(2*@share^4)"),
-        PieceRow("second half", "s = 1 − 2μ S((1 − ξ)/2μ), μ = 1 − λ", "=1-@share",
+        PieceRow("a falls", "the same from its peak, x = (3 − √3)/6", "=@share/SQRT(3)",
+                 c0="=5/(SQRT(3)*@share)", c2="=0-15*SQRT(3)/(2*@share^3)", c3="=15/(2*@share^4)"),
+        PieceRow("−a rises", "s = 1 − 2μ S((1 − ξ)/2μ), μ = 1 − λ", "=(1-@share)/SQRT(3)",
                  c1="=0-15/(2*(1-@share)^2)", c3="=15/(2*(1-@share)^4)"),
+        PieceRow("−a falls", "the same from its peak", "=(1-@share)*(1-1/SQRT(3))",
+                 c0="=0-5/(SQRT(3)*(1-@share))", c2="=15*SQRT(3)/(2*(1-@share)^3)", c3="=15/(2*(1-@share)^4)"),
     ),
     coefficients={
         "cv": ("=15/8", "S' = 30x²(1 − x)² at x = ½"),

@@ -13,10 +13,16 @@ PAGE = Page(
     parameters=(SHARE,),
     variations=SHARES,
     pieces=(
-        PieceRow("first half", "s = 2λ S(ξ/2λ), S = 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷", "=@share",
+        PieceRow("a rises", "s = 2λ S(ξ/2λ), S = 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷", "=@share*(1-1/SQRT(5))",
                  c2="=105/(2*@share^3)", c3="=0-105/@share^4", c4="=525/(8*@share^5)", c5="=0-105/(8*@share^6)"),
-        PieceRow("second half", "s = 1 − 2μ S((1 − ξ)/2μ), μ = 1 − λ", "=1-@share",
+        PieceRow("a falls", "the same from its peak, x = (5 − √5)/10", "=@share/SQRT(5)",
+                 c0="=42/(5*SQRT(5)*@share)", c2="=0-21*SQRT(5)/(2*@share^3)", c4="=105*SQRT(5)/(8*@share^5)",
+                 c5="=0-105/(8*@share^6)"),
+        PieceRow("−a rises", "s = 1 − 2μ S((1 − ξ)/2μ), μ = 1 − λ", "=(1-@share)/SQRT(5)",
                  c1="=0-105/(8*(1-@share)^2)", c3="=105/(4*(1-@share)^4)", c5="=0-105/(8*(1-@share)^6)"),
+        PieceRow("−a falls", "the same from its peak", "=(1-@share)*(1-1/SQRT(5))",
+                 c0="=0-42/(5*SQRT(5)*(1-@share))", c2="=21*SQRT(5)/(2*(1-@share)^3)",
+                 c4="=0-105*SQRT(5)/(8*(1-@share)^5)", c5="=0-105/(8*(1-@share)^6)"),
     ),
     coefficients={
         "cv": ("=35/16", "S' = 140x³(1 − x)³ at x = ½"),

@@ -16,7 +16,7 @@ from workbook.book.declare import Quantity, Sheet, check, given
 from workbook.book.sentence import Said, figure, figure_of
 from workbook.entries.types import DesignError, Model, Number, Share
 from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
-from workbook.laws.knots import points_table, solution, worked_out
+from workbook.laws.knots import intervals_table, points_table, solution, worked_out
 
 ENDS = ("begin", "end")
 
@@ -104,13 +104,13 @@ class SplinePage(Page):
 
     def reached(self, end: str) -> str:
         """Return the formula of the lowest or the highest s: of its extremes."""
-        return {"MIN": "=MIN([@solved.s_low])", "MAX": "=MAX([@solved.s_high])"}[end]
+        return {"MIN": "=MIN([@intervals.s_low])", "MAX": "=MAX([@intervals.s_high])"}[end]
 
     def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack: an interval each, spare ones and all."""
         pieces = law.as_pieces()
         rows = range(1, sizes.points)
-        shown = {"d": "=[@solved.d.{}]", "c0": "=[@solved.a.{}]", "c1": "=[@solved.j.{}]"}
+        shown = {"d": "=[@intervals.d.{}]", "c0": "=[@intervals.a.{}]", "c1": "=[@intervals.j.{}]"}
         return [
             Stacked(
                 pieces[k - 1] if k <= len(pieces) else Piece(0.0, _after(law)),
@@ -146,6 +146,10 @@ class SplinePage(Page):
         """Declare what the table of points is worked out from."""
         sheet.heading("Workings")
         sheet.rows(*solution(Knots(one.law, sizes.points)))
+
+    def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+        """Declare the table of the intervals."""
+        intervals_table(sheet, Knots(one.law, sizes.points))
 
     def stepping(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way, interval by interval."""
@@ -190,9 +194,9 @@ PAGE = SplinePage(
     pieces=(),
     coefficients=worked_out(),
     fastest="=@v_at",
-    lowest="=MIN([@solved.v_low])",
-    start="=[@solved.v.1]",
-    wrong="=MAX([@solved.wrong])",
+    lowest="=MIN([@intervals.v_low])",
+    start="=[@intervals.v.1]",
+    wrong="=MAX([@intervals.wrong])",
     way="=2",
     rests=False,
     single=False,

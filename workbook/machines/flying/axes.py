@@ -14,7 +14,7 @@ from workbook.machines.flying.view import Flying
 def axes(machine: FlyingCutter) -> list[CamAxis]:
     """Return the tool along its path, and the shaft that drives it; both go on from where a cycle ends."""
     found = Flying(machine, laws(machine.laws))
-    pieces, end = cut_pieces(found.cut), found.cut.cycle_time
+    pieces, end = cut_pieces(found.cut, whole=True), found.cut.cycle_time
     shaft = shown(found.tool.angle(1.0), DEGREE)
     return [
         CamAxis("tool", course_of(pieces, end, y=shown(1.0, MM)), "s", "mm"),

@@ -27,7 +27,9 @@ def joints_of(machine: Flying, rows: PieceRows) -> Joints:
     smooth, cut = machine.given.smoothness, machine.cut
     largest = ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
     units = tuple((f'"{unit}"', unit) for unit in ("m/s", "m/s²", "m/s³"))
-    asked = Asked(smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS)
+    asked = Asked(
+        smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS, quickest=f"[{AT.phases}.rate.1]"
+    )
     found = cut_joints(cut, smooth)
     return Joints(rows, asked, found, rates_of(cut), not any(joint.order for joint in found))
 
@@ -39,10 +41,11 @@ def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces)
     standing(sheet, machine, stack)
     parts_table(sheet, machine, stretches(machine.cut), rows)
     joints = joints_of(machine, rows)
-    sheet.rows(pieces_in_all(rows), joints.order())
+    sheet.rows(pieces_in_all(rows), *joints.order())
     sheet.row += 1
-    columns = joints.columns(machine.room)
-    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size, *columns)
+    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
+    sheet.row += 1
+    joints.table(sheet, "What jumps where each piece begins", machine.room)
 
 
 def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from engine.flying import LONGER, SAME_LENGTH, Beyond
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
-from workbook.book.sentence import exceeding
+from workbook.book.sentence import amount
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
@@ -179,20 +179,20 @@ def verdicts(sheet: Sheet, machine: Flying, joints: Joints) -> None:
     holds, cut, limits = machine.holds, machine.cut, machine.given.limits
     stroke = 0.0 if machine.is_drum else shown(cut.stroke, MM)
     near = "*(1+check_zero)"
-    rests = ",".join(f"ABS(INDEX(law_{end},fly_no))<check_zero" for end in ("v0", "v1"))
     law = (
         "AND(INDEX(law_wrong,fly_no)<check_zero,INDEX(law_v_low,fly_no)>=0-check_zero,"
-        f"{rests},ABS(INDEX(law_s1,fly_no)-1)<check_zero,fly_cv>=fly_least_cv)"
+        "MAX(fly_ends,fly_misses)<check_zero,fly_cv>=fly_least_cv)"
     )
     sheet.checks(
         check("fly_ok_speed", "The shaft's speed is allowed", f"fly_n<=fly_rpm_max{near}", holds["speed"],
-              says=exceeding("fly_n", "fly_rpm_max", "rpm", shown(cut.max_angular_speed, RPM), limits.speed)),
+              says=amount("fly_n-fly_rpm_max", shown(cut.max_angular_speed, RPM) - limits.speed, "", " rpm too much")),
         check("fly_ok_acceleration", "The shaft's acceleration is allowed", f"fly_dw<=fly_dw_max{near}",
               holds["acceleration"],
-              says=exceeding("fly_dw", "fly_dw_max", "rad/s²", cut.max_angular_acceleration, limits.acceleration)),
+              says=amount("fly_dw-fly_dw_max", cut.max_angular_acceleration - limits.acceleration, "",
+                          " rad/s² too much")),
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
               f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none",
-              says=exceeding("fly_stroke", "fly_room", "mm", stroke, machine.given.saw.stroke)),
+              says=amount("fly_stroke-fly_room", stroke - machine.given.saw.stroke, "", " mm too much")),
         joints.check("fly_ok_smooth", "The tool moves as smoothly as asked"),
         check("fly_ok_length", "The products leave time to re-position",
               "MIN(fly_length,fly_short)>=fly_lt*fly_longer*(1-check_zero)", True, "L_p > L_T", ":length",
@@ -279,6 +279,11 @@ def workings(sheet: Sheet, machine: Flying) -> None:
         calc("fly_j", "Inertia of the load at the shaft", "J_L", "kg m²",
              "=fly_inertia/10000+fly_mass*(fly_r/1000)^2", machine.load.inertia, source="J + m R_t²"),
         calc("fly_no", "Number of the law", "", "", "=MATCH(fly_law,law_code,0)", number, format="0"),
+        calc("fly_ends", "Velocity of the law at its ends", "", "",
+             "=MAX(ABS(INDEX(law_v0,fly_no)),ABS(INDEX(law_v1,fly_no)))",
+             max(abs(machine.law.start.v), abs(machine.law.end.v)), scale=1.0, source="0: from rest to rest"),
+        calc("fly_misses", "How far the law's end is from 1", "", "",
+             "=ABS(INDEX(law_s1,fly_no)-1)", abs(machine.law.end.s - 1.0), scale=1.0),
         calc("fly_cv", "Coefficient of velocity", "C_v", "", "=INDEX(law_cv,fly_no)", law.cv),
         calc("fly_ca", "Coefficient of acceleration", "C_a", "",
              "=MAX(INDEX(law_ca_max,fly_no),0-INDEX(law_ca_min,fly_no))", law.ca),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from engine.flying import SAME_LENGTH
 from engine.halving import velocity_halvings
-from engine.laws.sections import velocity_peak
+from engine.laws.points import fastest
 from workbook.book.declare import Book, Sheet, calc, constant
 from workbook.entries.units import MM, shown
 from workbook.laws import sampling
@@ -34,7 +34,7 @@ def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
              [f"=INDEX(law_code,{one.number})" for one in laws], [one.name for one in laws]),
         calc("at", "abscissa", "ξ_v", "",
              [one.own(one.page.fastest) for one in laws],
-             [velocity_peak(one.law) if one.family.entry.rises else 0.0 for one in laws]),
+             [fastest(one.law) if one.family.entry.rises else 0.0 for one in laws]),
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from engine.flying import Beyond, Cut, ShaftMotion, Sizes, Tool, ToolMotion, fly
 from engine.flying import sizes as sizes_of
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
-from engine.laws.sections import velocity_peak
+from engine.laws.points import fastest
 from engine.motion import Phase
 from workbook.entries.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_MINUTE, RPM, shown, si
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
@@ -50,7 +50,7 @@ class Flying:
         self.line = si(self.given.line_speed, PER_MINUTE)
         load = self.given.load
         self.load = Load(self.tool.load_inertia(si(load.inertia, KG_CM2), load.mass), load.torque)
-        self.peak = velocity_peak(self.law)
+        self.peak = fastest(self.law)
         self.cut = self.of(self.given.product_length)
 
     @property

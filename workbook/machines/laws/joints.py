@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from engine.laws.piece import POWERS
 from workbook.book.declare import Quantity, Sheet, calc, constant
+from workbook.laws.sampling import RAISED
 from workbook.machines.laws.view import Compared, Joined
 
 RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
@@ -16,18 +18,14 @@ ORDER = (
 """the least order of a law's joints: between its pieces, or, of codes that are 4 more, at its ends"""
 PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],piece_number,0)+[k]-1)"
 """behind the last piece the dwell's, law 1"""
-POLYNOMIALS = {
-    "a": "INDEX(piece_c0,[q])+{u}*(INDEX(piece_c1,[q])+{u}*(INDEX(piece_c2,[q])+{u}*(INDEX(piece_c3,[q])"
-    "+{u}*(INDEX(piece_c4,[q])+{u}*INDEX(piece_c5,[q])))))",
-    "j": "INDEX(piece_c1,[q])+{u}*(2*INDEX(piece_c2,[q])+{u}*(3*INDEX(piece_c3,[q])"
-    "+{u}*(4*INDEX(piece_c4,[q])+{u}*5*INDEX(piece_c5,[q]))))",
-}
+BLOCKS = {"a": "[pieces.c0:c5]", "j": "[curves_of.j0:j4]"}
 SINES = {
     "a": "+INDEX(piece_P{n},[q])*SIN({x})",
-    "j": "+INDEX(piece_P{n},[q])*INDEX(piece_omega{n},[q])*COS({x})",
+    "j": "+INDEX(piece_pj{n},[q])*COS({x})",
 }
-CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
-SIZE = "IF(ABS([dv])>check_zero*INDEX(law_cv,[no]),0,IF(ABS([da])>check_zero*{ca},1,IF(ABS([dj])>check_zero*{ca},2,3)))"
+ORDERED = (
+    "=IF(ABS([dv])>check_zero*INDEX(law_cv,[no]),0,IF(ABS([da])>check_zero*[ca],1,IF(ABS([dj])>check_zero*[ca],2,3)))"
+)
 
 
 def joints_table(sheet: Sheet, view: Compared) -> None:
@@ -50,7 +48,13 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         constant("no", "number", "", "", of(lambda row: row.one.number), format="0"),
         constant("k", "piece", "k", "", of(lambda row: row.k), format="0"),
         calc("q", "piece row", "q", "", PIECE, of(view.row_of), format="0", source="on the sheet Laws"),
+        constant("d0", "power 0", "1", "", of(lambda row: row.at.powers[0])),
         calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", of(lambda row: row.at.duration)),
+        *(calc(f"d{k}", f"power {k}", f"d{RAISED[k][1:]}", "", f"=[d]^{k}", of(lambda row, k=k: row.at.powers[k]))  # type: ignore[misc]
+          for k in range(2, POWERS)),
+        *(calc(f"x{n}", f"argument of sine{words} at its end", "", "rad",
+               f"=INDEX(piece_omega{n},[q])*[d]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
+          for i, (n, words) in enumerate((("", ""), ("2", " 2"))[: 1 + view.stack.second_sine])),
         *(rate(name, i, at_end) for at_end in (False, True) for i, name in enumerate(RATES)),
         calc("p", "last before it that lasts", "", "",
              "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", of(lambda row: row.at.before), format="0", source="0: rest"),
@@ -58,8 +62,10 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
                f"=IF([d]>0,[{name}0]-IF([p]=0,0,INDEX([joints.{name}1],[first]+[p]-1)),0)",
                [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
           for i, (name, words) in enumerate(RATES.items())),
+        calc("ca", "largest |a| of its law", "C_a", "",
+             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", of(lambda row: row.one.law.coefficients.ca)),
         calc("order", "highest continuous derivative", "", "",
-             f"={SIZE.format(ca=CA)}", of(lambda row: row.at.order), format="0", source="0 s, 1 v, 2 a, 3 j"),
+             ORDERED, of(lambda row: row.at.order), format="0", source="0 s, 1 v, 2 a, 3 j"),
         calc("outer", "is an end of the law", "", "",
              "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)", of(lambda row: int(row.at.outer)),
              format="0"),
@@ -75,8 +81,8 @@ def at_place(name: str, at_end: bool, second: bool) -> str:
     """Return the formula of v, a or j at the begin of a piece, or at its end."""
     if name == "v":
         return "=INDEX(piece_v,[q])" + ("+INDEX(piece_dv,[q])" if at_end else "")
-    text = POLYNOMIALS[name].format(u="[d]") if at_end else f"INDEX(piece_c{'01'[name == 'j']},[q])"
+    block = BLOCKS[name]
+    text = f"SUMPRODUCT(INDEX({block},[q],0),[d0:d{block[-2]}])" if at_end else f"INDEX({block},[q],1)"
     for n in ("", "2") if second else ("",):
-        turned = f"INDEX(piece_omega{n},[q])*[d]+INDEX(piece_phi{n},[q])" if at_end else f"INDEX(piece_phi{n},[q])"
-        text += SINES[name].format(n=n, x=turned)
+        text += SINES[name].format(n=n, x=f"[x{n}]" if at_end else f"INDEX(piece_phi{n},[q])")
     return f"={text}"

@@ -81,7 +81,7 @@ def draw(sheet: Sheet) -> None:
 
 def curves(d: str) -> Chart:
     """Return the chart of one derivative of the laws drawn."""
-    lines = tuple(Series(f"=curve{i}_name", "[samples.xi]", f"[samples.{d}{i}]") for i in CURVES)
+    lines = tuple(Series(f"=curve{i}_name", f"[samples{i}.xi]", f"[samples{i}.{d}]") for i in CURVES)
     title = f"{NAMES[d]} {d}(ξ)"
     return Chart(title, "ξ = t / t_a", d, lines, f"{title} of the laws drawn, for unit rise and unit time", (0, 1, 0.1))
 
@@ -157,15 +157,15 @@ def names_sheet(book: Book, view: Compared) -> None:
 
 
 def samples(sheet: Sheet, view: Compared) -> None:
-    """Declare the sampled curves, then how each finds its piece."""
+    """Declare the sampled curves, a table each."""
     n, stack = view.sizes.cycle, view.stack
-    values = [dict(zip("svaj", each, strict=True)) for each in view.samples]
-    sheet.table(
-        "samples", "The laws drawn, over ξ = t / t_a", n + 1,
-        constant("k", "sample", "k", "", list(range(n + 1))),
-        calc("xi", "abscissa", "ξ", "", "=[k]/[samples.k.last]", view.xi, source="k / N", format="0.0000"),
-        *(column for d in "svaj" for i, found in zip(CURVES, values, strict=True)
-          for column in stack.columns(found, d, str(i), result)),
-        *(column for i, one in zip(CURVES, view.curves, strict=True)
-          for column in stack.finding(f"curve{i}_no", "xi", stack.locate(one.number, view.xi), str(i))),
-    )  # fmt: skip
+    for i, one, found in zip(CURVES, view.curves, view.samples, strict=True):
+        values = dict(zip("svaj", found, strict=True))
+        sheet.table(
+            f"samples{i}", f"Curve {i} over ξ = t / t_a", n + 1,
+            constant("k", "sample", "k", "", list(range(n + 1))),
+            calc("xi", "abscissa", "ξ", "", f"=[k]/[samples{i}.k.last]", view.xi, source="k / N", format="0.0000"),
+            *stack.columns(values, "svaj", result),
+            *stack.finding(f"curve{i}_no", "xi", stack.locate(one.number, view.xi)),
+        )  # fmt: skip
+        sheet.row += 1

@@ -36,4 +36,4 @@ def declare(given: MotionLaws) -> Book:
     return finish(book, "Motion laws", ("S1", "S3"))
 
 
-TEMPLATE = Template("motion-laws", MotionLaws, declare, variants, LAW_SIZES | {"cycle": ("samples", 1)})
+TEMPLATE = Template("motion-laws", MotionLaws, declare, variants, LAW_SIZES | {"cycle": ("samples1", 1)})

@@ -77,14 +77,15 @@ def pieces_sheet(book: Book, axes: list[AxisRows], apart: bool) -> None:
     sheet.unprinted = True
     for one in axes:
         sheet.heading(f"Axis {one.axis.number}", ABOUT)
-        sheet.rows(pieces_in_all(one.pieces), one.joints.order())
+        sheet.rows(pieces_in_all(one.pieces), *one.joints.order())
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
-        columns, taken = one.joints.columns(room), ends.taken(room) if ends else []
-        columns += ends.turns.of_pieces(room) if ends else []
+        taken = ends.taken(room) if ends else []
+        columns = ends.turns.of_pieces(room) if ends else []
         columns += ends.rests_of_pieces(room) if ends and one.axis.given.motor else []
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
                      *columns, taken=taken)  # fmt: skip
+        one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     ends_tables(sheet, [(f"axis {one.axis.number}", one.ends) for one in axes if one.ends])
     if apart and not any(one.ends for one in axes):

@@ -160,16 +160,17 @@ def used(one: AxisRows) -> list[Quantity]:
 
 def faults(one: AxisRows) -> list[Quantity]:
     """Return what is wrong with each phase, and the rest before it."""
-    over, lacking = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
+    over, lacking, last = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))", "MAX([start],[stop])"
+    later = f'=IF(OR([stop]="",{over.in_degrees(last)}-360<=check_zero),"",{going_beyond(last, over)})'
     if one.ends:
         lacking = doubled(one.ends.other(lacking, "0"))
     return [
         calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
-        calc("backwards", "runs backwards", "", "",
-             '=IF([stop]="",0,IF([stop]>[start],0,1))', 0, format="0;;", source="1 where it does"),
-        calc("early", "begins too early", "", "",
-             '=IF([stop]="",0,IF([gap]<0-check_zero,1,0))', 0, format="0;;", source="1 where it does"),
-        *([beyond('[stop]=""', over)] if over.measured else []),
+        calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source="empty where it does not"),
+        calc("early", "begins too early", "", "", EARLY.format(over.after, over.told("0-[gap]")), "",
+             source="empty where it does not"),
+        *([calc("beyond", "goes beyond the cycle", "", "", later, "", source="empty where it does not")]
+          if over.measured else []),
         calc("lack", "jump of y", "Δy", one.axis.base, lacking,
              filled([p.lack for p in one.axis.phases], one.machine.machine.sizes.phases),
              source="at its end: the law's lack"),
@@ -195,8 +196,13 @@ def beyond(empty: str, over: Abscissa, ends: tuple[str, str] = ("[start]", "[sto
 
 def goes_beyond(name: str, row: str, last: str, over: Abscissa) -> str:
     """Return the formula of the sentence on what goes on beyond the cycle: by the formulas of its name and row."""
+    return f'{name}&{row}&" "&{going_beyond(last, over)}'
+
+
+def going_beyond(last: str, over: Abscissa) -> str:
+    """Return the formula of how far something goes on beyond the cycle."""
     at, by = (f"ROUND({x},9)" for x in (last, f"{last}-{over.told('360')}"))
-    return f'{name}&{row}&" goes to "&{at}&"{over.after}, "&{by}&"{over.after} beyond the cycle"'
+    return f'"goes to "&{at}&"{over.after}, "&{by}&"{over.after} beyond the cycle"'
 
 
 def gaps(one: AxisRows) -> list[float]:
@@ -206,17 +212,25 @@ def gaps(one: AxisRows) -> list[float]:
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 
-ENDS = "ROUND(INDEX([{0}.stop],{1}),9)"
-SHORT = "ROUND(INDEX([{0}.start],{1})-INDEX([{0}.stop],{1}),9)"
-BACKWARDS = f'" ends at "&{ENDS}&"{{2}}, "&{SHORT}&"{{2}} before it begins"'
-EARLY = '" begins at "&ROUND(INDEX([{0}.start],{1}),9)&"{2}, "&ROUND({3},9)&"{2} before row "&({1}-1)&" ends"'
+BACKWARDS = (
+    '=IF([stop]="","",IF([stop]>[start],"",'
+    '"ends at "&ROUND([stop],9)&"{0}, "&ROUND([start]-[stop],9)&"{0} before it begins"))'
+)
+EARLY = (
+    '=IF([stop]="","",IF([gap]<0-check_zero,'
+    '"begins at "&ROUND([start],9)&"{0}, "&ROUND({1},9)&"{0} before row "&([k]-1)&" ends",""))'
+)
 
 
-def in_row(one: AxisRows, column: str, says: str) -> str:
-    """Return the formula of a sentence on the first phase of an axis in which ``column`` is 1."""
-    row, over = f"MATCH(1,[{one.name}.{column}],0)", one.machine.over
-    early = over.told(f"0-INDEX([{one.name}.gap],{row})")
-    return f'[axes.name.{one.axis.number}]&" row "&{row}&{says.format(one.name, row, over.after, early)}'
+def none_in(one: AxisRows, column: str) -> str:
+    """Return the condition that no row of an axis has a message in a column."""
+    return f'COUNTIF([{one.name}.{column}],"?*")=0'
+
+
+def in_row(one: AxisRows, column: str) -> str:
+    """Return the formula of a sentence: the first message in a column of an axis, and its row."""
+    row = f'MATCH("?*",[{one.name}.{column}],0)'
+    return f'[axes.name.{one.axis.number}]&" row "&{row}&" "&INDEX([{one.name}.{column}],{row})'
 
 
 def within_check(one: AxisRows) -> list[Quantity]:
@@ -224,11 +238,8 @@ def within_check(one: AxisRows) -> list[Quantity]:
     over, t, i = one.machine.over, one.name, one.axis.number
     if not over.measured:
         return []
-    row = f"MATCH(1,[{t}.beyond],0)"
-    last = f"MAX(INDEX([{t}.start],{row}),INDEX([{t}.stop],{row}))"
-    return [check(f"{t}_within", f"Axis {i}: no phase goes on beyond the cycle", f"SUM([{t}.beyond])=0", True,
-                  rule=over.rule("axes", i, "within"),
-                  says=goes_beyond(f'[axes.name.{i}]&" row "', row, last, over))]  # fmt: skip
+    return [check(f"{t}_within", f"Axis {i}: no phase goes on beyond the cycle", none_in(one, "beyond"), True,
+                  rule=over.rule("axes", i, "within"), says=in_row(one, "beyond"))]  # fmt: skip
 
 
 def repeats(one: AxisRows) -> list[Quantity]:
@@ -245,29 +256,21 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
     """Declare the checks of one axis; each calls it by its number, as it may get another name."""
     axis, t, i = one.axis, one.name, one.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", one.machine.over
-    greatest = f"MAX(MAX([{t}.h]),-MIN([{t}.h]))"
-    lack = f"MAX(MAX([{t}.lack]),-MIN([{t}.lack]))"
-    last = over.in_degrees(f"MAX([{t}.stop])")
-    ends = f"IF(360-{last}>check_zero,0,INDEX([{t}.lack],COUNT([{t}.stop])))"
-    gap = f"SUM([{t}.h])-{ends}"
-
-    def outward(formula: str) -> str:
-        return f"({formula})*1000" if unit == "mm" else f"DEGREES({formula})"
-
+    lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
     sheet.checks(
-        check(f"{t}_forward", f"{label}: every phase runs forward", f"SUM([{t}.backwards])=0", True,
-              rule=over.rule("axes", i, "forward"), says=in_row(one, "backwards", BACKWARDS)),
-        check(f"{t}_follows", f"{label}: no phase begins before the one above ends", f"SUM([{t}.early])=0", True,
-              rule=over.rule("axes", i, "follows"), says=in_row(one, "early", EARLY)),
+        check(f"{t}_forward", f"{label}: every phase runs forward", none_in(one, "backwards"), True,
+              rule=over.rule("axes", i, "forward"), says=in_row(one, "backwards")),
+        check(f"{t}_follows", f"{label}: no phase begins before the one above ends", none_in(one, "early"), True,
+              rule=over.rule("axes", i, "follows"), says=in_row(one, "early")),
         *within_check(one),
-        check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{greatest}", motion.complete,
-              says=amount(outward(lack), shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
+        check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{lift}", motion.complete,
+              says=amount(lack, shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
         room_check(f"{t}_room", one.at, i, label),
         *(one.ends.checks(t, f"{label}: ") if one.ends else []),
         one.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         check(f"{t}_closes", f"{label}: the cycle closes",
-              f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{greatest})', axis.axis.closes,
+              f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{lift})', axis.axis.closes,
               "in position, or, as a feed, in velocity, or is open",
-              says=amount(outward(gap), shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")),
+              says=amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")),
         *repeats(one),
     )  # fmt: skip

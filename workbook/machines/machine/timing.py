@@ -129,7 +129,30 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
              [a.given.shift for a in axes], format="0.0##"),
         calc("y0", "begin, as taken", "y_0", ", ".join(dict.fromkeys(a.base for a in axes)),
              [f"={inward(a, '[position]')}" for a in axes], [a.begin for a in axes], source="conversion"),
+        *gaps(machine),
     )  # fmt: skip
+
+
+def gaps(machine: Whole) -> list[Quantity]:
+    """Return the columns of each axis' greatest lift, what a law leaves of one, and where the cycle ends."""
+    axes, last, unit = machine.axes, machine.over.in_degrees("MAX([{0}.stop])"), positions(machine)
+    lift = "MAX(MAX([{0}.h]),0-MIN([{0}.h]))"
+    lack = "MAX(MAX([{0}.lack]),0-MIN([{0}.lack]))"
+    gap = f"SUM([{{0}}.h])-IF(360-{last}>check_zero,0,INDEX([{{0}}.lack],COUNT([{{0}}.stop])))"
+
+    def each(formula: str) -> list[str]:
+        named = [formula.format(f"axis{axis.number}") for axis in axes]
+        return [f"={outward(axis, f'({text})')}" for axis, text in zip(axes, named, strict=True)]
+
+    lifts = [max(abs(phase.lift) for phase in a.motion.phases) for a in axes]
+    most = [shown(one, a.unit) for one, a in zip(lifts, axes, strict=True)]
+    return [
+        calc("lift", "greatest lift", "h", unit, each(lift), most),
+        calc("lack", "largest jump of y", "Δy", unit, each(lack), [shown(a.lack, a.unit) for a in axes],
+             scale=max(most) or 1.0),
+        calc("gap", "ends from its begin", "", unit, each(gap), [shown(a.motion.gap, a.unit) for a in axes],
+             scale=max(most) or 1.0),
+    ]  # fmt: skip
 
 
 def outward(axis: MovingAxis, formula: str) -> str:

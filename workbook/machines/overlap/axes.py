@@ -16,7 +16,7 @@ def axes(machine: IndexingOverlap) -> list[CamAxis]:
     """Return the transfer, which goes on every turn, and each tool as it is set."""
     found = Overlapping(machine, laws(machine.laws))
     x, y = shown(1.0, DEGREE), shown(1.0, MM)
-    transfer = course_of(pieces_of_parts(found.transfer.parts), FULL_TURN, x, y)
+    transfer = course_of(pieces_of_parts(found.transfer.parts, whole=True), FULL_TURN, x, y)
     tools = [CamAxis(one.given.name, _set(one), "°", "mm") for one in found.stations]
     return [CamAxis("transfer", transfer, "°", "mm"), *tools]
 
@@ -24,5 +24,5 @@ def axes(machine: IndexingOverlap) -> list[CamAxis]:
 def _set(station: Station) -> Course:
     """Return a tool's course as the master shaft sees it."""
     schedule = station.as_set
-    told = course_of(schedule.pieces, FULL_TURN, shown(1.0, DEGREE), shown(1.0, MM))
+    told = course_of(pieces_of_parts(schedule.parts, whole=True), FULL_TURN, shown(1.0, DEGREE), shown(1.0, MM))
     return turned(told, shown(schedule.arrival, DEGREE))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cached_property
 
 from engine.laws.base import Array
@@ -140,6 +139,8 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         sheet = book.sheet(title, f"{what} over one turn of the master shaft, one after the other and with overlap.")
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
+        if station.number == 1:
+            transfer_motion(sheet, machine, pieces)
         sheet.heading("Workings: the motions as pieces", ABOUT)
         if station.number == 1:
             sheet.rows(lane_height())
@@ -184,19 +185,23 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     before, after = (AtAngles(station, schedule, theta, pieces) for schedule in SCHEDULES)
     first, *work_b = before.columns("b")
     second, *work_a = after.columns("a")
-    moved, lane_t, work_t = transfer_over_cycle(station, theta, pieces)
+    at, moved = si(theta, DEGREE), station.machine.transfer
+    heights = lane(0, moved.travel(at), moved.stroke)
     found, h, i = station.clearance, station.tool.stroke, station.number
+    lane_t = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
     sheet.table(
         "@motions", "Travel, acceleration and clearance over the master angle", len(theta),
         calc("theta", "master angle", "θ", "°", "=[k]*360/[@motions.k.last]", theta, format="0.0##"),
-        moved, first, second,
+        result("yt", "travel of the transfer", "y_t", "mm", "=INDEX([transfer_motion.yt],[k]+1)",
+               shown(moved.travel(at), MM), source="as worked out beside the first tool"),
+        first, second,
         result("limit", "travel allowed to the tool", "", "mm",
                ALLOWED, shown(found.allowed, MM), source="c while the transfer is in the way, else h"),
         result("free", "free with overlap", "", "mm", "=[limit]-[ya]", shown(found.free, MM),
                source="below 0: collision"),
         before.rate(2, "acc", "acceleration", "a", "m/s²", "b"),
         after.rate(2, "acc", "acceleration", "a", "m/s²", "a"),
-        *lane_t,
+        *([lane_t] if i == 1 else []),
         calc("lane_b", "tool, one after the other", "", "",
              f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel, h)),
         calc("lane_a", "tool, with overlap", "", "",
@@ -204,21 +209,20 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         constant("k", "sample", "k", "", list(range(len(theta)))),
         after.rate(1, "vel", "velocity", "v", "m/s", "a"),
         after.rate(3, "jerk", "jerk", "j", "m/s³", "a"),
-        *work_t, *work_b, *work_a,
+        *work_b, *work_a,
     )  # fmt: skip
 
 
-def transfer_over_cycle(
-    station: Station, theta: Array, pieces: Pieces
-) -> tuple[Quantity, list[Quantity], list[Quantity]]:
-    """Return travel, lane in the diagrams and workings of the transfer; the first tool's table has them for all."""
-    machine = station.machine
-    moved, *work = transfer_columns(machine, theta, pieces)
-    if station.number > 1:
-        return replace(moved, formula="=INDEX([tool1_motions.yt],[k]+1)", source="as beside the first tool"), [], []
-    heights = lane(0, machine.transfer.travel(si(theta, DEGREE)), machine.transfer.stroke)
-    drawn = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
-    return moved, [drawn], work
+def transfer_motion(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
+    """Declare the travel of the transfer over the cycle, for all tools."""
+    theta = machine.angles
+    sheet.row += 1
+    sheet.table(
+        "transfer_motion", "Travel of the transfer over the master angle", len(theta),
+        constant("k", "sample", "k", "", list(range(len(theta)))),
+        calc("theta", "master angle", "θ", "°", "=[k]*360/[transfer_motion.k.last]", theta, format="0.0##"),
+        *transfer_columns(machine, theta, pieces),
+    )  # fmt: skip
 
 
 def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
@@ -230,10 +234,11 @@ def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
     )  # fmt: skip
     joints = of_transfer(machine, pieces)
-    sheet.rows(joints.order())
+    sheet.rows(*joints.order())
     sheet.row += 1
-    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts),
-                 *joints.columns(machine.room))  # fmt: skip
+    pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
+    sheet.row += 1
+    joints.table(sheet, "What jumps where each piece of the transfer begins", machine.room)
 
 
 def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -> None:
@@ -249,13 +254,14 @@ def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -
         angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
         begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
     )  # fmt: skip
-    room, columns = station.machine.room, []
+    room = station.machine.room
+    pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts))
     if schedule == "a":
         joints = of_tool(station, pieces)
-        columns = joints.columns(room)
-        sheet.rows(joints.order())
         sheet.row += 1
-    pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts), *columns)
+        sheet.rows(*joints.order())
+        sheet.row += 1
+        joints.table(sheet, "What jumps where each piece of the tool begins", room)
 
 
 def phases(

@@ -15,7 +15,7 @@ from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.places import each
 from workbook.machines.overlap.view import Overlapping, Station
 
-SAYS = '=IF([free]<0-check_zero*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
+SAYS = '=IF([free]<0-inverse_bound*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
 ACROSS = (
     "=[places.x.{0}]+MAX(0-overlap_pitch,MIN(overlap_pitch,[view.yt]+overlap_pitch*([wall]+[side])"
     "+[places.open.{0}]*(1/2-[side])))"

@@ -19,6 +19,9 @@ from workbook.machines.overlap.view import Overlapping, laid_out
 from workbook.motion.exported import export_sheet
 from workbook.template import Template, finish
 
+PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s² at 125°, without an allowance", "S2: 5.17 at 125°, without an allowance")
+"""what S2 prints beside the first sheet's results"""
+
 
 def declare(given: IndexingOverlap) -> Book:
     """Declare the book."""
@@ -34,7 +37,7 @@ def declare(given: IndexingOverlap) -> Book:
     overlap_sheet(book, view, shelf.stack)
     picture_sheet(book, view, shelf.stack)
     cycle_sheets(book, view, shelf.stack)
-    inverse_sheet(book, view, shelf.rows, shelf.stack.second_sine)
+    inverse_sheet(book, view, shelf.stack)
     shelf.sheets(book)
     export_sheet(book, given, exportable(view, shelf.stack))
     return finish(book, "Overlap of motions", ("S2", "S1", "S3"))
@@ -43,11 +46,18 @@ def declare(given: IndexingOverlap) -> Book:
 def in_short(view: Overlapping) -> list[Quantity]:
     """Return the results of the first sheet: those of the tool, or the worst of several."""
     which, of = ("Peak", "tool1") if view.alone else ("Largest peak", "overlap")
+    before, after, lower = PRINTED if view.alone else ("", "", "")
+    first = view.stations[0]
+    ratio = result("about_ratio", "The acceleration falls by a factor of", "", "", "=tool1_ratio",
+                   first.as_set.times_lower(first.before), source=lower)  # fmt: skip
     return [
-        result("about_a0", f"{which} acceleration one after the other", "a_max", "m/s²", f"={of}_a0", view.peaks[0]),
-        result("about_a1", f"{which} acceleration with overlap", "a_max", "m/s²", f"={of}_a1", view.peaks[1]),
+        result("about_a0", f"{which} acceleration one after the other", "a_max", "m/s²", f"={of}_a0", view.peaks[0],
+               source=before),
+        result("about_a1", f"{which} acceleration with overlap", "a_max", "m/s²", f"={of}_a1", view.peaks[1],
+               source=after),
+        *([ratio] if view.alone else []),
         result("about_least", "Least clearance over the cycle", "", "mm", f"={of}_least", view.least),
-    ]
+    ]  # fmt: skip
 
 
 TEMPLATE = Template(

@@ -23,7 +23,6 @@ from workbook.motion.asked import ABOUT as CONTINUOUS
 
 BELOW_CHARTS = 38
 CAPPED = "OR(@room*@split*@rest_in<@free_in,@room*(1-@split)*@rest_out<@free_out)"
-LEFT = "((360-overlap_angle-@dwell)*MIN(@split,1-@split)-@allowance)"
 TAKEN = "([@schedules.in.3]+@dwell+[@schedules.out.3])"
 CORNERS = (
     "transfer gets in the way",
@@ -143,15 +142,15 @@ def verdicts(sheet: Sheet, station: Station) -> None:
 def checks(station: Station) -> tuple[Quantity, ...]:
     """Return the checks of the tool."""
     found, margin = station.clearance, station.given.passage.margin
-    nearly = "check_zero*MAX(@clearance,@stroke)"
+    nearly = "inverse_bound*MAX(@clearance,@stroke)"
     return (
         check("@ok_collide", "The parts do not collide", f"@least>=0-{nearly}", not found.collides,
               "least clearance at least 0", says=amount("@least", station.least, "least clearance ", " mm")),
         check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin,
               says=amount("@margin-@least", margin - station.least, "", " mm too little stay free")),
         check("@ok_angle", "The cycle leaves the tool an angle",
-              f"{LEFT}>=@least_way", True, "of both ways the shorter", f"overlap:angle{station.number}",
-              f'ROUND({LEFT},9)&"° are left to a way; expected at least "&ROUND(@least_way,9)&"°"'),
+              "@least_left>=@least_way", True, "of both ways the shorter", f"overlap:angle{station.number}",
+              'ROUND(@least_left,9)&"° are left to a way; expected at least "&ROUND(@least_way,9)&"°"'),
         check("@ok_turn", "Way in, dwell and way out fit into the turn",
               f"{TAKEN}<=360+check_zero", True, "", f":turn{station.number}",
               f'"way in, dwell and way out take "&ROUND({TAKEN},9)&"°; expected at most 360°"'),
@@ -252,6 +251,8 @@ def steps(sheet: Sheet, station: Station) -> None:
         calc("@rest_out", "Way out done when the transfer leaves", "1 − ξ", "",
              "=[@inverse_out.xi.1]", float(rest_out), source="the same in reverse"),
         calc("@room", "Angle for both ways at most", "", "°", "=360-@dwell", both, source="the cycle"),
+        calc("@least_left", "Left to the shorter way, one after the other", "", "°",
+             "=@free0*MIN(@split,1-@split)-@allowance", shown(station.shorter_way, DEGREE), scale=TURN),
         constant("@least_way", "Least angle of a way", "", "°", LEAST, format="0.00", source="no cam moves in less"),
     ))  # fmt: skip
 

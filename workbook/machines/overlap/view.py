@@ -22,11 +22,13 @@ from engine.overlap import (
     Transfer,
     clearance,
     corners,
+    inverse_by_points,
     one_after_the_other,
     overlap,
     room,
     sweep_margin,
 )
+from engine.overlap.parts import Inverse
 from engine.overlap.picture import Scene
 from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
 from workbook.machines.overlap.entries import MOST_TOOLS, TURN, IndexingOverlap, ToolEntry
@@ -35,12 +37,17 @@ SCOPE = "tool{}_"  # of the names of a tool's cells
 
 
 class Overlapping:
-    """The engine's view: the transfer, and a station for each tool."""
+    """The engine's view: the transfer, and a station for each tool.
 
-    def __init__(self, machine: IndexingOverlap, library: dict[str, Law]) -> None:
+    Laws are inverted by their points, as the sheet Inverse does it; the truth is the same with the exact ``inverse``.
+    """
+
+    def __init__(
+        self, machine: IndexingOverlap, library: dict[str, Law], inverted: Inverse = inverse_by_points
+    ) -> None:
         self.given, self.sizes, self.library = machine.overlap, machine.sizes, library
         moved = machine.overlap.transfer
-        self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE))
+        self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE), inverted)
         self.rate = si(machine.overlap.rate, PER_HOUR)
         rows = count(2, 2)
         self.stations = [Station(self, i, tool, next(rows)) for i, tool in enumerate(machine.overlap.tools)]
@@ -92,7 +99,9 @@ class Station:
         self.law_rows, self.blocked_rows = (row, row + 1), (row - 1, row)
         self.transfer = machine.transfer
         dwell, allowance = si(tool.dwell, DEGREE), si(p.allowance, DEGREE)
-        self.tool = Tool(library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out])
+        self.tool = Tool(
+            library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out], machine.transfer.inverted
+        )
         self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
 
     @cached_property
@@ -112,6 +121,11 @@ class Station:
         way_in = found.way_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
         way_out = found.way_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
         return replace(found, way_in=way_in, way_out=way_out)
+
+    @property
+    def shorter_way(self) -> float:
+        """What is left to the shorter way, one after the other, less the allowance (rad)."""
+        return min(self.before.way_in, self.before.way_out) - self.passage.allowance
 
     @property
     def schedules(self) -> tuple[Schedule, Schedule, Schedule]:
