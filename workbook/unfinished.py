@@ -15,7 +15,7 @@ from workbook.book.checks import settled
 from workbook.book.declare import Book, Quantity
 from workbook.book.depends import Dependence
 from workbook.book.formats import number_format, sample
-from workbook.book.limits import EMPTY, EXPECTED, MESSAGE, MESSAGES, USED, Guard, in_row, in_use
+from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_row, in_use, is_full
 from workbook.book.quantity import HOLDS, SAYS
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
@@ -109,6 +109,9 @@ class Unfinished:
             for name, values in columns.items()
             for at, value in zip(self._column(f"{block.name}.{name}", guard.rows), values, strict=True)
         }
+        if USED in columns:
+            name = f"{guard.table}{FULL}"
+            known |= dict.fromkeys(self._column(f"{name}.{name}", 1), is_full(columns[USED]))
         above = self._key(guard.entries[0][0].key.partition(".*")[0])
         return known, EMPTY if any(self._faults(above, "")) else said
 

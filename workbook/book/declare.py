@@ -29,7 +29,19 @@ from typing import Any, NamedTuple
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.chart import Chart, in_scope
-from workbook.book.limits import MESSAGES, SPARE, Guard, Limit, RowRule, all_empty, beside, of_cells, of_rows
+from workbook.book.limits import (
+    MESSAGES,
+    SPARE,
+    USED,
+    Guard,
+    Limit,
+    RowRule,
+    all_empty,
+    beside,
+    full,
+    of_cells,
+    of_rows,
+)
 from workbook.book.quantity import Quantity, calc, check, constant, given, result, sentence
 from workbook.book.rows import as_rows
 
@@ -305,6 +317,10 @@ class Sheet:
         columns, verdict = of_rows(guard, label, inputs, rows is not None and rows.required)
         self.book.guards.append(guard)
         self.messages.append((block, tuple(columns)))
+        if columns[0].name == USED:
+            room = full(guard, as_rows(columns[0].value, block.size, USED))
+            under = block.columns[inputs[0].name]
+            self._place(Block(room.name, self, block.row + block.size, under, (room,), 1, is_table=False))
         self.checks(verdict)
         self.row += 1
 
@@ -317,7 +333,10 @@ class Sheet:
             )
 
     def _free(self, block: Block, wide: int, runs: int) -> int:
-        """Return the first column right of a table from which on so many are free, ``runs`` left for its texts."""
+        """Return the first column right of a table from which on so many are free, ``runs`` left for its texts.
+
+        It is one that is not printed, if the sheet has such.
+        """
         rows = set(range(block.row - 4, block.row + block.size))
         taken = {
             column
@@ -328,8 +347,9 @@ class Sheet:
             for _, row, left, width, height in self.charts if rows & set(range(row, row + height))
             for column in range(left, left + width)
         }  # fmt: skip
-        first = max(block.columns.values()) + 1 + runs
-        return next(c for c in range(first, max(taken) + 2 + runs) if not taken & set(range(c, c + wide)))
+        behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
+        free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
+        return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])
 
     def _table(self, name: str, title: str, size: int, blank: str, *quantities: Quantity) -> Block:
         if size > LONG and not self.print_rows:

@@ -17,6 +17,8 @@ MESSAGES, MESSAGE, USED = "_messages", "message", "used"
 EXPECTED = "_expected"
 """behind the name of a single cell: the message beside it"""
 EMPTY = "no row is filled"
+FULL, IS_FULL = "_full", "the table is full"
+"""behind a table's name the cell under its last row, and what that says where every row has entries"""
 FAULT = "*; expected*"
 """what a message beside a single cell looks like, and no note does"""
 SPARE = 1
@@ -168,6 +170,20 @@ def used(guard: Guard, inputs: Sequence[Quantity]) -> Iterator[Quantity]:
                    source="1 where anything is entered")  # fmt: skip
 
 
+def full(guard: Guard, rows: Sequence[int]) -> Quantity:
+    """Return the cell under the last row of a table, which says that it is full; by whether each row is in use."""
+    used = f"[{guard.table}{MESSAGES}.{USED}]"
+    formula = f'=IF(SUM({used})=COUNT({used}),{quoted(IS_FULL)},"")'
+    return Quantity(
+        f"{guard.table}{FULL}", "Room in the table", "", "", "sentence", formula, is_full(rows), align="left"
+    )
+
+
+def is_full(rows: Sequence[int]) -> str:
+    """Return what stands under a table by whether each of its rows is in use."""
+    return IS_FULL if all(rows) else ""
+
+
 def in_use(rows: int, inputs: Sequence[Quantity]) -> list[int]:
     """Return for each row of a table whether anything is entered."""
     held = [q.value if isinstance(q.value, list | tuple) else [q.value for _ in range(rows)] for q in inputs]
@@ -185,7 +201,7 @@ def messages(guard: Guard) -> Iterator[Quantity]:
         yield told(column_of(run[0][0].name), ", ".join(q.label for q, _ in run), f"={says}")
     for rule in guard.rules:
         says = f"{quoted(f'{rule.words}: ')}&{shows(f'[{rule.column}]')}" if rule.column else quoted(rule.words)
-        yield told(column_of(rule.rule), rule.words, f'=IF({rule.condition},"",{says})')
+        yield told(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')
 
 
 def first_of(guard: Guard) -> Quantity:

@@ -116,7 +116,7 @@ def audited(book, folder):
 def folded(found, book):
     """Whether what is found hidden are workings beside tables, which are folded by declaration."""
     titles = [sheet.title for sheet in book.sheets if sheet.folded]
-    hidden = [re.match(r"Hidden columns \w+ to \w+ on (.*) feed ", text) for text in found["evidence"]]
+    hidden = [re.match(r"Hidden columns [\w, ]+ on (.*) feed ", text) for text in found["evidence"]]
     return found["rule_id"] == "HIDDEN_STRUCTURE_IN_TOTAL" and all(one and one[1] in titles for one in hidden)
 
 
