@@ -127,6 +127,7 @@ def inputs(path: Path) -> tuple[Machine, list[str]]:
     entries = Entries(file, agreed, put_back)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
+    notes += entries.beyond
     notes += not_carried(file, entries.template.declare(machine), entries.template.name)
     machine.laws.built_as({})
     machine.built_as({})

@@ -15,9 +15,9 @@ from workbook.book.checks import settled
 from workbook.book.declare import Book, Quantity
 from workbook.book.depends import Dependence
 from workbook.book.formats import number_format, sample
-from workbook.book.limits import COLUMN, EMPTY, Guard
+from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_row, in_use, is_full
 from workbook.book.quantity import HOLDS, SAYS
-from workbook.book.rows import as_rows, filled
+from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.entries.machine import Design, Fault, Machine
 from workbook.laws.entries import key_of
@@ -71,9 +71,8 @@ class Unfinished:
         """Return what the checks of the entries say, and the columns that they read."""
         known: dict[Address, Any] = {}
         for guard in self.book.guards:
-            codes, said = self._guarded(guard)
-            known |= zip(self._column(f"{guard.table}.{COLUMN}", len(codes)), codes, strict=True) if codes else ()
-            known |= self._verdict(guard.check, said)
+            messages, said = self._in_rows(guard) if guard.table else self._beside(guard)
+            known |= messages | self._verdict(guard.check, said)
         for _, q in self.book.checks:
             where, _, rule = q.rule.partition(":")
             if rule:
@@ -81,26 +80,61 @@ class Unfinished:
                 known |= {} if told is None else self._verdict(q.name, told)
         return known
 
-    def _guarded(self, guard: Guard) -> tuple[list[int], str]:
-        """Return the number of the first entry beyond its limits in each row of a table, and the sentence, if any."""
-        found: list[tuple[int, int, Any]] = []
+    def _beside(self, guard: Guard) -> tuple[dict[Address, Any], str]:
+        """Return the messages beside single cells, and the first of them, if any."""
+        found: dict[Address, Any] = {}
+        said = ""
+        for place, (q, _) in enumerate(guard.entries):
+            name = f"{q.name}{EXPECTED}"
+            (at,) = self._column(f"{name}.{name}", 1)
+            faults = list(self._faults(self._key(q.key), ""))
+            found[at] = guard.message(place, faults[0].value) if faults else q.source
+            said = said or (found[at] if faults else "")
+        return found, said
+
+    def _in_rows(self, guard: Guard) -> tuple[dict[Address, Any], str]:
+        """Return the messages of a table, and the sentence on the first of them, if any."""
+        block = self.book.blocks[f"{guard.table}{MESSAGES}"]
+        columns = {name: as_rows("", guard.rows, name) for name in (*guard.columns, MESSAGE)}
+        for place, i, value in self._beyond(guard):
+            column = columns[guard.column(place)]
+            column[i] = column[i] or guard.message(place, value)
+        for i in range(guard.rows):
+            columns[MESSAGE][i] = next((columns[name][i] for name in guard.columns if columns[name][i]), "")
+        if USED in block.columns:
+            columns[USED] = in_use(guard.rows, [self._as_entered(guard.table, q) for q in self._inputs(guard.table)])
+        said = next((in_row(i, message) for i, message in enumerate(columns[MESSAGE], 1) if message), "")
+        known = {
+            at: value
+            for name, values in columns.items()
+            for at, value in zip(self._column(f"{block.name}.{name}", guard.rows), values, strict=True)
+        }
+        if USED in columns:
+            name = f"{guard.table}{FULL}"
+            known |= dict.fromkeys(self._column(f"{name}.{name}", 1), is_full(columns[USED]))
+        above = self._key(guard.entries[0][0].key.partition(".*")[0])
+        return known, EMPTY if any(self._faults(above, "")) else said
+
+    def _beyond(self, guard: Guard) -> Iterator[tuple[int, int, Any]]:
+        """Yield what breaks limits and rules in a table: its place among those that are watched, row and value."""
         for place, (q, _) in enumerate(guard.entries):
             for i in range(guard.rows):
-                key = self._key(q.key, i)
-                found += [(place, i, fault.value) for fault in self._faults(key, "")]
+                yield from ((place, i, fault.value) for fault in self._faults(self._key(q.key, i), ""))
         above = self._key(guard.entries[0][0].key.partition(".*")[0])
         for place, rule in enumerate(guard.rules, len(guard.entries)):
-            column = next(q.key for q in self.book.blocks[guard.table].quantities if q.name == rule.column)
+            column = next((q.key for q in self._inputs(guard.table) if q.name == rule.column), "")
             for i in range(guard.rows):
                 if any(self._faults(f"{above}.{i}", rule.rule)):
-                    found.append((place, i, self._held(self._key(column, i))))
-        if guard.table and any(self._faults(above, "")):
-            return filled([], guard.rows, 0), EMPTY
-        first = {i: place for place, i, _ in sorted(found, key=lambda each: each[:2], reverse=True)}
-        told = min(((place, i) for i, place in first.items()), default=None)
-        value = next((value for place, i, value in found if (place, i) == told), None)
-        codes = [first.get(i, -1) + 1 for i in range(guard.rows)] if guard.table else []
-        return codes, guard.says(*told, value) if told else ""
+                    yield place, i, self._held(self._key(column, i))
+
+    def _inputs(self, table: str) -> list[Quantity]:
+        return [q for q in self.book.blocks[table].quantities if q.role == "input"]
+
+    def _as_entered(self, table: str, q: Quantity) -> Quantity:
+        """Return an input of a table with what was entered."""
+        block = self.book.blocks[table]
+        put = self.values.get((table, block.columns[q.name] - block.column))
+        return q if put is None else replace(q, value=put)
 
     def _told(self, q: Quantity, where: str, rule: str, turns: dict[Address, int]) -> str | None:
         """Return what a rule's check says: nothing where it holds, None where the entries do not tell."""

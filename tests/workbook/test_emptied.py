@@ -78,7 +78,7 @@ def test_a_coefficient_without_a_duration_makes_no_rise_of_two(tmp_path):
     book.save(tmp_path / "edited.xlsx")
     report = verify(tmp_path / "edited.xlsx")
     assert report.findings == []
-    assert any("duration, row 2: empty" in c.says for c in report.failing)
+    assert any("row 2, duration: empty" in c.says for c in report.failing)
 
 
 BETWEEN = [("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("actuator-sizing", "axis1"),

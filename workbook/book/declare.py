@@ -19,16 +19,29 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.chart import Chart, in_scope
-from workbook.book.limits import COLUMN, Guard, Limit, RowRule, all_empty, of_cells, of_rows
+from workbook.book.limits import (
+    MESSAGES,
+    SPARE,
+    USED,
+    Guard,
+    Limit,
+    RowRule,
+    all_empty,
+    beside,
+    full,
+    of_cells,
+    of_rows,
+)
 from workbook.book.quantity import Quantity, calc, check, constant, given, result, sentence
 from workbook.book.rows import as_rows
 
@@ -103,8 +116,8 @@ class Block:
 
     @property
     def blanked(self) -> tuple[Quantity, ...]:
-        """The columns that show nothing in a row that is not used: neither inputs, nor what is wrong with these."""
-        return tuple(q for q in self.quantities if self.blank and q.role != "input" and q.name != COLUMN)
+        """The columns that show nothing in a row that is not used: all but the inputs."""
+        return tuple(q for q in self.quantities if self.blank and q.role != "input")
 
     def unused(self, row: int) -> str:
         """Return the condition of :attr:`blank` in a row of the sheet, as a formula."""
@@ -155,6 +168,8 @@ TITLES = 3
 """rows of a sheet's title, purpose and overall verdict"""
 DEEPEST = 14
 """a table that begins farther down than this is not alone on its sheet"""
+MOST_COLUMNS = 40
+"""of a sheet"""
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 
 
@@ -180,6 +195,8 @@ class Sheet:
     widths: dict[int, float] = field(default_factory=dict)
     """of columns that differ from those of other sheets"""
     scope: str = ""
+    messages: list[tuple[Block, tuple[Quantity, ...]]] = field(default_factory=list)
+    """of tables of inputs: what is expected of each entry"""
     section: int = 0
     """row of the heading above"""
     called: str = ""
@@ -219,10 +236,13 @@ class Sheet:
         self.row += 1
 
     def rows(self, *quantities: Quantity) -> None:
-        """Place quantities one below the other: label, symbol, value, unit, source; below inputs their check."""
+        """Place quantities one below the other: label, symbol, value, unit, source.
+
+        Beside an input with limits stands what is expected where it is beyond them, and below all a check.
+        """
         own = self._own(quantities)
-        self._rows(own)
         watched = self._limited(own)
+        self._rows(own, {q.name: beside(q, limit) for q, limit in watched})
         if watched:
             name = f"{watched[0][0].name}_entries"
             guard, verdict = of_cells(name, f"{self.called or self.title}: entries within limits", watched)
@@ -234,17 +254,21 @@ class Sheet:
         inputs = [(q, self.book.limit(q.key)) for q in quantities if q.role == "input"]
         return [(q, limit) for q, limit in inputs if limit is not None]
 
-    def _rows(self, quantities: Sequence[Quantity]) -> None:
+    def _rows(self, quantities: Sequence[Quantity], messages: Mapping[str, Quantity] = MappingProxyType({})) -> None:
+        """Place quantities one below the other, beside some a message in place of their source."""
         for q in quantities:
+            message = messages.get(q.name)
             for column, text, style in (
                 (FIRST, q.label, "label"),
                 (FIRST + 1, q.symbol, "symbol"),
                 (FIRST + 3, q.unit, "unit"),
-                (FIRST + 4, q.source, "note"),
+                (FIRST + 4, "" if message else q.source, "note"),
             ):
                 if text:
                     self.texts.append(Text(self.row, column, text, style))
             self._place(Block(q.name, self, self.row, FIRST + 2, (q,), 1, is_table=False))
+            if message:
+                self._place(Block(message.name, self, self.row, FIRST + 4, (message,), 1, is_table=False))
             self.row += 1
 
     def checks(self, *quantities: Quantity) -> None:
@@ -270,26 +294,62 @@ class Sheet:
     ) -> Block:  # fmt: skip
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
 
-        A table of inputs gets a column, and a check below, that tell which entries are beyond their limits or
-        break one of ``rules``. A row without any entry shows nothing, of other tables one for which ``blank`` holds.
+        A table of inputs gets messages to its right, and a check below that counts them: which entries are beyond their
+        limits or break one of ``rules``. A row without any entry shows nothing, of other tables one for which ``blank``
+        holds.
         """
         inputs = [q for q in quantities if q.role == "input"]
         blank = blank or all_empty(inputs)
+        block = self._table(name, title, size, blank, *quantities)
         watched = self._limited(quantities)
-        if not watched:
-            return self._table(name, title, size, blank, *quantities)
-        named = re.split(r"[:;(]", title)[0].strip()
+        if watched:
+            last = max(block.columns.values()) + len(watched) + len(rules) + 2
+            each = 1 if last <= MOST_COLUMNS else 2
+            guard = Guard(f"{block.name}_entries", tuple(watched), tuple(rules), block.name, size, each)
+            self._guard(block, guard, inputs)
+        return block
+
+    def _guard(self, block: Block, guard: Guard, inputs: Sequence[Quantity]) -> None:
+        """Place the check of a table of inputs, and keep its messages until all of the sheet is placed."""
+        named = re.split(r"[:;(]", block.title)[0].strip()
         label = f"{self.called or self.title}, {named}: entries within limits"
         rows = self.book.limit(inputs[0].key.partition(".*")[0])
-        filled = rows is not None and rows.required
-        guard, column, verdict = of_rows(in_scope(name, self.scope), size, label, inputs, watched, rules, filled)
-        runs = int(quantities[-1].align == "left")  # over the empty cells behind the table
-        last = len(quantities) - runs
-        block = self._table(name, title, size, blank, *quantities[:last], column, *quantities[last:])
+        columns, verdict = of_rows(guard, label, inputs, rows is not None and rows.required)
         self.book.guards.append(guard)
+        self.messages.append((block, tuple(columns)))
+        if columns[0].name == USED:
+            room = full(guard, as_rows(columns[0].value, block.size, USED))
+            under = block.columns[inputs[0].name]
+            self._place(Block(room.name, self, block.row + block.size, under, (room,), 1, is_table=False))
         self.checks(verdict)
         self.row += 1
-        return block
+
+    def place_messages(self) -> None:
+        """Place the messages of tables of inputs: to the right of each, where its rows are free."""
+        for block, columns in self.messages:
+            runs = SPARE if block.quantities[-1].align == "left" else 0
+            self.workings(
+                block, f"{block.name}{MESSAGES}", "What is expected", self._free(block, len(columns), runs), *columns
+            )
+
+    def _free(self, block: Block, wide: int, runs: int) -> int:
+        """Return the first column right of a table from which on so many are free, ``runs`` left for its texts.
+
+        It is one that is not printed, if the sheet has such.
+        """
+        rows = set(range(block.row - 4, block.row + block.size))
+        taken = {
+            column
+            for other in self.blocks if rows & set(range(other.row - 4, other.row + other.size))
+            for column in other.columns.values()
+        } | {
+            column
+            for _, row, left, width, height in self.charts if rows & set(range(row, row + height))
+            for column in range(left, left + width)
+        }  # fmt: skip
+        behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
+        free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
+        return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])
 
     def _table(self, name: str, title: str, size: int, blank: str, *quantities: Quantity) -> Block:
         if size > LONG and not self.print_rows:
@@ -320,10 +380,11 @@ class Sheet:
         self.row = block.row - (4 if explained else 3)
         self._heads(title, column, explained, quantities)
         self.row, own = after, self._own(quantities)
-        block.workings = self._place(
+        placed = self._place(
             Block(in_scope(name, self.scope), self, block.row, column, own, block.size, title,
                   blank=block.blank, lead=block)
         )  # fmt: skip
+        block.workings = block.workings or placed
 
     def beside(self, block: Block, name: str, quantity: Quantity) -> None:
         """Place a table of one column beside a table without equations: where a size tells how many columns there are.

@@ -1,21 +1,28 @@
-"""The limits of entries in cells: each block of inputs has a check that says which entry is beyond them, and how far.
+"""The limits of entries in cells: each entry has a message, and each block of inputs a check that counts messages.
 
+A message says what was found and what is expected; it is empty, or the entry's note, where the entry is fine.
 Programs enforce validations on what is typed alone: what is pasted, or written by a script, passes them by.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from workbook.book.quantity import Quantity, calc, check
-from workbook.book.sentence import Sentence, figure, figure_of, quoted
+from workbook.book.sentence import Sentence, entered, quoted
 
-COLUMN = "entries"
-"""of a table of inputs: the number of the first entry of a row that is beyond its limits, or 0"""
-
-
+MESSAGES, MESSAGE, USED = "_messages", "message", "used"
+"""behind a table's name the block of its messages; in it the first of each row, and whether a row has any entry"""
+EXPECTED = "_expected"
+"""behind the name of a single cell: the message beside it"""
 EMPTY = "no row is filled"
+FULL, IS_FULL = "_full", "the table is full"
+"""behind a table's name the cell under its last row, and what that says where every row has entries"""
+FAULT = "*; expected*"
+"""what a message beside a single cell looks like, and no note does"""
+SPARE = 1
+"""columns over which the texts of a table's last column may run"""
 
 
 class Limit(NamedTuple):
@@ -24,17 +31,27 @@ class Limit(NamedTuple):
     required: bool
     bounds: tuple[tuple[str, float], ...]
     expected: str
+    number: bool = True
 
-    def holds(self, cell: str) -> str:
-        """Return the condition that a cell obeys."""
-        if not self.bounds:
+    def holds(self, cell: str, short: bool = False) -> str:
+        """Return the condition that a cell obeys; a text is greater than any number, and so beyond an upper bound.
+
+        ``short`` takes a text where there is only a lower bound.
+        """
+        if not self.number:
             return f'{cell}<>""'
-        within = ",".join([f"ISNUMBER({cell})", *(f"{cell}{sign}{bound!r}" for sign, bound in self.bounds)])
-        return f"AND({within})" if self.required else f'OR({cell}="",AND({within}))'
+        parts = [f"{cell}{sign}{bound:.12g}" for sign, bound in self.bounds]
+        if self.required or (not short and all(sign.startswith(">") for sign, _ in self.bounds)):
+            parts.insert(0, f"ISNUMBER({cell})")
+        within = f"AND({','.join(parts)})" if len(parts) > 1 else parts[0]
+        return within if self.required else f'OR({cell}="",{within})'
 
 
 class RowRule(NamedTuple):
-    """A rule between the entries of a row: its name, its condition in cells, the entry that is shown, and words."""
+    """A rule between the entries of a row: its name, its condition in cells, the entry that is shown, if any; words.
+
+    It holds in a row that has no entry at all: ``[used]`` is 0 there.
+    """
 
     rule: str
     condition: str
@@ -50,28 +67,75 @@ class Guard(NamedTuple):
     rules: tuple[RowRule, ...] = ()
     table: str = ""
     rows: int = 1
+    each: int = 1
+    """of a table: entries that share a column of messages"""
 
-    def says(self, place: int, row: int, value: Any) -> Sentence:
-        """Return the sentence on an entry, by its place among those that are watched, from 0."""
+    def message(self, place: int, value: Any) -> Sentence:
+        """Return the message on an entry, by its place among those that are watched, from 0."""
+        shown = entered(value) if isinstance(value, int | float) else "empty"
         if place < len(self.entries):
             q, limit = self.entries[place]
-            words, expected = q.label, f"; expected {limit.expected}"
-        else:
-            words, expected = self.rules[place - len(self.entries)].words, ""
-        where = f"{words}, row {row + 1}" if self.table else words
-        shown = figure(value) if isinstance(value, int | float) else "empty"
-        return Sentence(f"{where}: {shown}{expected}")
+            return Sentence(f"{q.label}: {shown}; expected {limit.expected}")
+        rule = self.rules[place - len(self.entries)]
+        return Sentence(f"{rule.words}: {shown}" if rule.column else rule.words)
+
+    @property
+    def columns(self) -> list[str]:
+        """The columns of a table's messages, by entry and rule, without that of the row."""
+        return [column_of(run[0][0].name) for run in self.runs] + [column_of(rule.rule) for rule in self.rules]
+
+    @property
+    def runs(self) -> list[tuple[tuple[Quantity, Limit], ...]]:
+        """The entries that share a column of messages."""
+        return [self.entries[i : i + self.each] for i in range(0, len(self.entries), self.each)]
+
+    def column(self, place: int) -> str:
+        """Return the column of a message, by the place of its entry or rule among those that are watched."""
+        behind = place - len(self.entries)
+        return column_of(self.rules[behind].rule) if behind >= 0 else self.columns[place // self.each]
+
+
+def column_of(name: str) -> str:
+    """Return the name of the column of messages on an entry, or on a rule."""
+    return f"{name}_says"
+
+
+def in_row(row: int, message: str) -> Sentence:
+    """Return the sentence on the first message of a table."""
+    return Sentence(f"row {row}, {message}")
+
+
+def shows(cell: str) -> str:
+    """Return the formula of what was entered in a cell."""
+    return f'IF({cell}="","empty",{cell})'
+
+
+def said(label: str, cell: str, limit: Limit) -> str:
+    """Return the formula of the message on an entry that is beyond its limit."""
+    value = shows(cell) if limit.required else cell
+    return f"{quoted(f'{label}: ')}&{value}&{quoted(f'; expected {limit.expected}')}"
+
+
+def beside(q: Quantity, limit: Limit) -> Quantity:
+    """Return the message beside a single cell: its note, or what is expected."""
+    cell = f"[{q.name}.{q.name}]"
+    formula = f"=IF({limit.holds(cell)},{quoted(q.source)},{said(q.label, cell, limit)})"
+    label = f"{q.label}: what is expected"
+    return Quantity(f"{q.name}{EXPECTED}", label, "", "", "sentence", formula, q.source, align="left")
 
 
 def of_cells(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -> tuple[Guard, Quantity]:
-    """Return the guard of single cells, and its check."""
+    """Return the guard of single cells, and the check that counts their messages."""
     guard = Guard(name, tuple(entries))
-    says = quoted("")
-    for q, limit in reversed(entries):
-        said = f"{quoted(f'{q.label}: ')}&{figure_of(q.name)}&{quoted(f'; expected {limit.expected}')}"
-        says = f"IF({limit.holds(q.name)},{says},{said})"
-    condition = ",".join(limit.holds(q.name) for q, limit in entries)
-    return guard, check(name, label, f"AND({condition})", True, says=says)
+    first, last = (f"[{q.name}{EXPECTED}.{q.name}{EXPECTED}]" for q in (entries[0][0], entries[-1][0]))
+    messages = f"{first}:{last}"
+    if len(entries) > 1:
+        condition = f"COUNTIF({messages},{quoted(FAULT)})=0"
+        says = f"INDEX({messages},MATCH({quoted(FAULT)},{messages},0))"
+    else:  # no program looks up in a single cell alike
+        q, limit = entries[0]
+        condition, says = limit.holds(f"[{q.name}.{q.name}]"), first
+    return guard, check(name, label, condition, True, says=says)
 
 
 def all_empty(inputs: Sequence[Quantity]) -> str:
@@ -80,33 +144,74 @@ def all_empty(inputs: Sequence[Quantity]) -> str:
     return f"AND({empty})" if empty else ""
 
 
-def of_rows(
-    table: str, rows: int, label: str, inputs: Sequence[Quantity], entries: Sequence[tuple[Quantity, Limit]],
-    rules: Sequence[RowRule], filled: bool,
-) -> tuple[Guard, Quantity, Quantity]:  # fmt: skip
-    """Return the guard of a table of ``inputs``, the column that finds what is beyond, and the check.
+def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) -> tuple[list[Quantity], Quantity]:
+    """Return the messages of a table of ``inputs``, a column for each entry and each rule, and the check.
 
     ``filled`` says that one row at least must be.
     """
-    guard = Guard(f"{table}_{COLUMN}", tuple(entries), tuple(rules), table, rows)
-    conditions = [*(limit.holds(f"[{q.name}]") for q, limit in entries), *(rule.condition for rule in rules)]
-    first = "0"
-    for number, condition in reversed(list(enumerate(conditions, 1))):
-        first = f"IF({condition},{first},{number})"
-    column = calc(COLUMN, "beyond its limits", "", "", f"=IF({all_empty(inputs)},0,{first})", 0, format="0;;",
-                  source="number of the entry")  # fmt: skip
-    told = [(q.label, q.name, f"; expected {limit.expected}") for q, limit in entries]
-    told += [(rule.words, rule.column, "") for rule in rules]
-    says = quoted("")
-    for number, (words, name, expected) in reversed(list(enumerate(told, 1))):
-        row = f"MATCH({number},[{table}.{COLUMN}],0)" if rows > 1 else "1"  # no program looks up in a single cell alike
-        cell = f"INDEX([{table}.{name}],{row})" if rows > 1 else f"[{table}.{name}.1]"
-        said = f"{quoted(f'{words}, row ')}&{row}&{quoted(': ')}&{figure_of(cell)}"
-        said += f"&{quoted(expected)}" if expected else ""
-        says = f"IF(COUNTIF([{table}.{COLUMN}],{number})>0,{said},{says})"
-    condition = f"SUM([{table}.{COLUMN}])=0"
-    counted = next((q.name for q, limit in entries if limit.required and limit.bounds), "")
-    if filled and counted:
-        condition = f"AND(COUNT([{table}.{counted}])>0,{condition})"
-        says = f"IF(SUM([{table}.{COLUMN}])=0,{quoted(EMPTY)},{says})"
-    return guard, column, check(guard.check, label, condition, True, says=says)
+    table = f"{guard.table}{MESSAGES}"
+    columns = [*used(guard, inputs), *messages(guard), first_of(guard)]
+    message, row = f"[{table}.{MESSAGE}]", '"row 1, "&'
+    condition, says = f'[{table}.{MESSAGE}.1]=""', f"[{table}.{MESSAGE}.1]"
+    if guard.rows > 1:
+        found = f'MATCH("?*",{message},0)'
+        condition, says, row = f'COUNTIF({message},"?*")=0', f"INDEX({message},{found})", f'"row "&{found}&", "&'
+    says = f"{row}{says}"
+    if filled and any(limit.required for _, limit in guard.entries):
+        says = f"IF({condition},{quoted(EMPTY)},{says})"
+        condition = f"AND(SUM([{table}.{USED}])>0,{condition})"
+    return columns, check(guard.check, label, condition, True, says=says)
+
+
+def used(guard: Guard, inputs: Sequence[Quantity]) -> Iterator[Quantity]:
+    """Yield the column of whether a row has any entry, where messages depend on it."""
+    if any(limit.required for _, limit in guard.entries):
+        yield calc(USED, "row in use", "", "", f"=IF({all_empty(inputs)},0,1)", in_use(guard.rows, inputs), format="0",
+                   source="1 where anything is entered")  # fmt: skip
+
+
+def full(guard: Guard, rows: Sequence[int]) -> Quantity:
+    """Return the cell under the last row of a table, which says that it is full; by whether each row is in use."""
+    used = f"[{guard.table}{MESSAGES}.{USED}]"
+    formula = f'=IF(SUM({used})=COUNT({used}),{quoted(IS_FULL)},"")'
+    return Quantity(
+        f"{guard.table}{FULL}", "Room in the table", "", "", "sentence", formula, is_full(rows), align="left"
+    )
+
+
+def is_full(rows: Sequence[int]) -> str:
+    """Return what stands under a table by whether each of its rows is in use."""
+    return IS_FULL if all(rows) else ""
+
+
+def in_use(rows: int, inputs: Sequence[Quantity]) -> list[int]:
+    """Return for each row of a table whether anything is entered."""
+    held = [q.value if isinstance(q.value, list | tuple) else [q.value for _ in range(rows)] for q in inputs]
+    return [int(any(value not in (None, "") for value in row)) for row in zip(*held, strict=True)]
+
+
+def messages(guard: Guard) -> Iterator[Quantity]:
+    """Yield the column of messages on each entry, and on each rule."""
+    for run in guard.runs:
+        says = quoted("")
+        for q, limit in reversed(run):
+            cell = f"[{q.name}]"
+            holds = f"OR([{USED}]=0,{limit.holds(cell)})" if limit.required else limit.holds(cell, len(run) > 1)
+            says = f"IF({holds},{says},{said(q.label, cell, limit)})"
+        yield told(column_of(run[0][0].name), ", ".join(q.label for q, _ in run), f"={says}")
+    for rule in guard.rules:
+        says = f"{quoted(f'{rule.words}: ')}&{shows(f'[{rule.column}]')}" if rule.column else quoted(rule.words)
+        yield told(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')
+
+
+def first_of(guard: Guard) -> Quantity:
+    """Return the column of the first message of each row."""
+    first, last = guard.columns[0], guard.columns[-1]
+    among = f"[{first}:{last}]"
+    formula = f'=IF(COUNTIF({among},"?*")=0,"",INDEX({among},MATCH("?*",{among},0)))'
+    return told(MESSAGE, "what is expected", f"=[{first}]" if first == last else formula)
+
+
+def told(name: str, label: str, formula: str) -> Quantity:
+    """Return a column of messages, none of which says anything."""
+    return Quantity(name, label, "", "", "sentence", formula, "", align="left")

@@ -48,6 +48,11 @@ def figure(value: float) -> str:
     return f"{round(value, DIGITS) + 0.0:.15g}" if abs(value) < LARGEST else BEYOND
 
 
+def entered(value: float) -> str:
+    """Return a number as cells show what is entered."""
+    return f"{round(value, DIGITS) + 0.0:.15g}"
+
+
 def figure_of(cell: str) -> str:
     """Return the formula that shows what is entered in a cell."""
     small = f"ROUND(MIN(MAX({cell},-{LARGEST:.0f}),{LARGEST:.0f}),{DIGITS})"  # pycel rounds before it asks

@@ -84,6 +84,8 @@ def summary_sheet(book: Book, machine: Identified, purpose: str, key_results: li
 
 def close(book: Book, sources: tuple[str, ...]) -> None:
     """Declare what needs all other sheets: the picture, what is to mend; then what is not printed."""
+    for each in book.sheets:
+        each.place_messages()
     sheet = book.sheets[0]
     picture = next((chart for other in book.sheets[1:] for chart, *_ in other.charts), None)
     if picture is not None:

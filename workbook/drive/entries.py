@@ -45,7 +45,7 @@ class RotatingParts(Model):
 
 
 SIZED = RowRule(
-    "sized", 'OR([inertia]<>"",COUNT([diameter],[length],[density])=3)', "inertia",
+    "sized", 'OR([used]=0,[inertia]<>"",COUNT([diameter],[length],[density])=3)', "inertia",
     "neither an inertia nor a cylinder's diameter, length and density: inertia",
 )  # fmt: skip
 ALONE = RowRule(

@@ -91,7 +91,8 @@ def numeric(fault: Any, model: type[BaseModel]) -> bool:
         return False
     kind, constraints = rules.field_at(model, rule)
     if fault["type"] in BEYOND:
-        return isinstance(fault["input"], int | float) and finite(fault["input"])
+        value = fault["input"]
+        return isinstance(value, int | float) and finite(value) and not rules.beyond_all(value, constraints)
     if fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
         return rules.is_table(kind)
     empty = fault["type"] == "missing" or fault["input"] is None or fault["input"] == {}

@@ -80,12 +80,12 @@ def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
     def limit(key: str) -> Limit | None:
         kind, constraints = field_at(model, key)
         if get_origin(kind) is list:
-            return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "")
+            return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "", number=False)
         required = must_be_there(model, key)
         if kind is float:
             return Limit(required, bounds(constraints), expectation(kind, constraints))
         listed = get_origin(kind) is Literal or takes_law(constraints)
-        return Limit(True, (), "one entry of the list") if listed and required else None
+        return Limit(True, (), "one entry of the list", number=False) if listed and required else None
 
     return limit
 
@@ -162,9 +162,24 @@ SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}
 
 
 def bounds(constraints: list[Any]) -> tuple[tuple[str, float], ...]:
-    """Return the bounds of a number as signs of formulas and numbers, each that no other implies."""
-    found = [(SIGNS[type(c)], float(astuple(c)[0])) for c in constraints if type(c) in SIGNS]
-    return tuple(found) or ((">=", -LARGEST), ("<=", LARGEST))
+    """Return the bounds of a number that a person would know, as signs of formulas and numbers.
+
+    An entry beyond the others is refused (:func:`beyond_all`).
+    """
+    return tuple((SIGNS[type(c)], float(astuple(c)[0])) for c in known(constraints))
+
+
+def known(constraints: list[Any]) -> list[Any]:
+    """Return the bounds of a number that a person would know; of two lower ones the greater counts."""
+    found = [c for c in constraints if type(c) in SIGNS and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)]
+    least = max((astuple(c)[0] for c in found if isinstance(c, Gt | Ge)), default=0.0)
+    return [c for c in found if isinstance(c, Lt | Le) or astuple(c)[0] == least]
+
+
+def beyond_all(value: float, constraints: list[Any]) -> bool:
+    """Whether a number is beyond what any entry may be, or so small that nobody means it."""
+    too_small = Ge(SMALLEST) in constraints and 0 < value < SMALLEST
+    return abs(value) > LARGEST or too_small
 
 
 def number_rule(constraints: list[Any]) -> DataValidation:
@@ -192,12 +207,10 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
         return f"a list of at least {least} entries" if least else "a list"
     if isinstance(kind, type) and issubclass(kind, BaseModel):
         return f"the entries {listed(kind)}"
-    bounds = [
-        words.format(astuple(c)[0])
-        for c in constraints
-        for rule, words in BOUNDS.items()
-        if isinstance(c, rule) and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)
-    ]
+    bounds = [BOUNDS[type(c)].format(astuple(c)[0]) for c in known(constraints)]
+    low, high = ([c for c in known(constraints) if isinstance(c, kinds)] for kinds in (Gt | Ge, Lt | Le))
+    if low and high:
+        bounds = [BETWEEN[type(low[0]), type(high[0])].format(astuple(low[0])[0], astuple(high[0])[0])]
     return " ".join(["a whole number" if kind is int else "a number", " and ".join(bounds)]).strip()
 
 
@@ -211,6 +224,10 @@ def listed(model: type[BaseModel]) -> str:
 
 
 BOUNDS: dict[Any, str] = {Gt: "greater than {:g}", Ge: "of at least {:g}", Lt: "less than {:g}", Le: "at most {:g}"}
+BETWEEN: dict[Any, str] = {
+    (Ge, Le): "from {:g} to {:g}", (Ge, Lt): "from {:g} to below {:g}",
+    (Gt, Le): "above {:g}, up to {:g}", (Gt, Lt): "above {:g}, below {:g}",
+}  # fmt: skip
 
 
 def longest(constraints: list[Any]) -> int:

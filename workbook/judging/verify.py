@@ -50,6 +50,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
         beside.prepare(Variation, entries.template)
     report = Report(path, entries.template.name, findings=entries.moved, notes=list(file.notes))
     machine = entries.machine()
+    report.notes += entries.beyond
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
     judge(file, entries.template, machine, report, names, given=entries.computed, beside=beside)

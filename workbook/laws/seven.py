@@ -30,7 +30,7 @@ class SevenDurations(LawSheet):
 KINDS = ("edge up", "constant", "edge down", "uniform velocity", "edge down", "constant", "edge up")
 DURATIONS = tuple(
     Parameter(f"@d{k}", f"Duration of stage {k}: {kind}", f"d{k}", f"durations.{k - 1}", f"stage {k}",
-              source="shares of the rise that sum to 1; zeros are allowed" if k == 1 else "")
+              source="shares of the rise that sum to 1; 0 is allowed" if k == 1 else "")
     for k, kind in enumerate(KINDS, 1)
 )  # fmt: skip
 SUM_IS_1 = LawCheck(

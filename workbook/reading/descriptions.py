@@ -14,7 +14,7 @@ from pydantic import BaseModel
 from workbook.entries import rules
 from workbook.entries.design import RefusedError, as_entered, designed, keys_of
 from workbook.entries.machine import Fault, Machine
-from workbook.entries.types import EntryError
+from workbook.entries.types import LARGEST, SMALLEST, EntryError
 from workbook.errors import InputError, ReadError
 from workbook.intake import read_text
 from workbook.laws.entries import key_of
@@ -106,9 +106,12 @@ def told(fault: Any, model: type[BaseModel], where: Where) -> str:
         plain = unknown.isidentifier() and len(unknown) < LONGEST
         named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else found(unknown)}".strip("."))
         return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
-    expected = rules.expectation(*rules.field_at(model, rule))
+    kind, constraints = rules.field_at(model, rule)
+    expected = rules.expectation(kind, constraints)
     if fault["type"] == "missing" or fault["input"] in ({}, None):
         return f"{where(key)}: empty; expected {expected}"
+    if isinstance(fault["input"], int | float) and rules.beyond_all(fault["input"], constraints):
+        expected = f"a number of at most {LARGEST:g} in size, and of at least {SMALLEST:g} if it is more than 0"
     optional = "" if rules.is_required(model, rule) else " (optional)"
     return f"{where(key)}: found {found(fault['input'])}; expected {expected}{optional}"
 

@@ -52,6 +52,8 @@ class Entries:
         self.template = self._template()
         self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
         self.missing: list[str] = []
+        self.beyond: list[str] = []
+        """of each table of entries the cells under its last row in which something stands, which nothing reads"""
         self._between: list[str] = []
         self._emptied: list[str] = []
         self.gone: dict[tuple[str, int], list[str]] = {}
@@ -171,6 +173,7 @@ class Entries:
                 self.gone.setdefault(at, []).append(f"{q.label!r} of the table {block.name}")
         inputs = [(j, q) for j, q in inputs if place.cell(0, j).column]
         rows = [[self._entered(place.cell(i, j), q) for j, q in inputs] for i in range(place.rows)]
+        self._look_below(block, [place.cell(place.rows - 1, j) for j, _ in inputs])
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
@@ -183,6 +186,17 @@ class Entries:
                     f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1} of the "
                     f"table {block.name}, but below it; fill it, or move up what is below"
                 )
+
+    def _look_below(self, block: Block, last: list[Address]) -> None:
+        """Note what stands in a table's columns directly under its last row: it looks like a row, and is none."""
+        below = [at._replace(row=at.row + 1) for at in last]
+        there = [(at.a1, self.file.value(at)) for at in below] if block.is_table else []
+        held = [a1 for a1, value in there if value is not None and not is_formula(value)]
+        if held:
+            self.beyond.append(
+                f"{last[0].sheet}: {', '.join(held)} stand under the last row of the table {block.name}, where nothing "
+                "reads them; enter them in a spare row of it, or build the book with more rows"
+            )
 
     def _must_be_there(self, key: str) -> bool:
         """Whether an empty cell of an entry is not what a description without it means."""

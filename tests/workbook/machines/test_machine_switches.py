@@ -70,15 +70,15 @@ def test_times_are_told_as_from_and_to_or_by_their_keys():
 
 FAULTS = [
     ([[20.0, 95.0], [350.0, 30.5]], "Valve time 2 is on 10.5° beyond the begin of another"),
-    ([[20.0, 95.0], {"stop": 120.0}], "a time on without its begin, or without its end, row 1: empty"),
+    ([[20.0, 95.0], {"stop": 120.0}], "row 1, a time on without its begin, or without its end"),
     ([[20.0, 95.0], [90.0, 100.0]], "Valve time 1 is on 5° beyond the begin of another"),
     ([[20.0, 95.0], [20.0, 40.0]], "Valve time 1 is on 75° beyond the begin of another"),
     ([[0.0, 360.0], [20.0, 40.0]], "Valve time 1 is on 340° beyond the begin of another"),
     ([[50.0, 60.0], [40.0, 40.0]], "Valve time 2 does not last"),
     ([[360.0, 0.0]], "Valve time 1 does not last"),
-    ([[20.0, 400.0]], "to (1), row 1: 400; expected a number of at least 0 and at most 360"),
-    ([[-1.0, 40.0]], "on from (1), row 1: -1; expected a number of at least 0 and at most 360"),
-    ([{"start": 20.0}], "a time on without its begin, or without its end, row 1: empty"),
+    ([[20.0, 400.0]], "row 1, to (1): 400; expected a number from 0 to 360"),
+    ([[-1.0, 40.0]], "row 1, on from (1): -1; expected a number from 0 to 360"),
+    ([{"start": 20.0}], "row 1, a time on without its begin, or without its end"),
 ]
 DAILY = 2
 

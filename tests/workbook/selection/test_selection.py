@@ -307,8 +307,8 @@ def test_every_fault_of_a_catalogue_is_told_at_once(tmp_path):
 @pytest.mark.parametrize(
     ("lines", "said"),
     [
-        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,-1,2,3,3000"], "inertia, row 2: -1; expected a number greater than 0"),
-        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,0.01,2,3,"], "largest speed, row 2: empty"),
+        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,-1,2,3,3000"], "row 2, inertia: -1; expected a number greater than 0"),
+        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,0.01,2,3,"], "row 2, largest speed: empty"),
         ([HALF_HEAD, "A,0.02,180,600,3000,1"], "half of the curve is empty"),
     ],
 )

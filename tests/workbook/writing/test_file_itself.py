@@ -17,8 +17,7 @@ from spreadsheet_auditor.audit import main as audit
 from engine.motion.turning import PARTS
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
-from workbook.book.limits import COLUMN
-from workbook.book.quantity import SAYS
+from workbook.book.limits import EXPECTED, MESSAGES
 from workbook.book.sentence import FINE, LARGEST, MOST, NOUGHT
 from workbook.build import build
 from workbook.reading.descriptions import write_machine
@@ -77,16 +76,17 @@ def literals(finding):
 
 
 def of_limits(guard):
-    """The numbers that a guard's formulas hold by design: the declared limits of entries, and the entries' places."""
-    bounds = {repr(bound) for _, limit in guard.entries for _, bound in limit.bounds}
-    return bounds | {str(place) for place in range(1, len(guard.entries) + len(guard.rules) + 1)}
+    """The numbers that a guard's formulas hold by design: the declared limits of entries."""
+    return {f"{abs(bound):.12g}" for _, limit in guard.entries for _, bound in limit.bounds}
 
 
 def designed(book):
     """The numbers in formulas, and the cells with a formula of their own, that are so by declaration."""
     numbers, own, guarded = {}, set(), {}
     for guard in book.guards:
-        names = [guard.check, guard.check + SAYS, *([f"{guard.table}.{COLUMN}"] if guard.table else [])]
+        beside = [f"{q.name}{EXPECTED}" for q, _ in guard.entries]
+        in_rows = [f"{guard.table}{MESSAGES}.{name}" for name in guard.columns]
+        names = [guard.check, *(in_rows if guard.table else beside)]
         guarded |= dict.fromkeys(names, of_limits(guard))
     for block in book.blocks.values():
         for cell in block.cells():
@@ -112,7 +112,7 @@ def audited(book, folder):
 def folded(found, book):
     """Whether what is found hidden are workings beside tables, which are folded by declaration."""
     titles = [sheet.title for sheet in book.sheets if sheet.folded]
-    hidden = [re.match(r"Hidden columns \w+ to \w+ on (.*) feed ", text) for text in found["evidence"]]
+    hidden = [re.match(r"Hidden columns [\w, ]+ on (.*) feed ", text) for text in found["evidence"]]
     return found["rule_id"] == "HIDDEN_STRUCTURE_IN_TOTAL" and all(one and one[1] in titles for one in hidden)
 
 

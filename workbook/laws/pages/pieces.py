@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from engine import laws as engine
 from engine.laws import Entry, Law
@@ -20,7 +20,7 @@ from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constan
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure
 from workbook.entries.texts import Text
-from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, Model, NotNegative, Number
+from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, ENTRIES, LawSheet, Page, Stacked
 from workbook.laws.mending import missing
@@ -28,6 +28,13 @@ from workbook.laws.tops import extremes, points_table
 
 OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
 """what is entered of a piece"""
+
+
+def not_slow(omega: float) -> float:
+    """Return a frequency; raise EntryError for one so small that nobody means it."""
+    if 0 < omega < SMALLEST:
+        raise EntryError("", f"{omega:g}; expected 0, or at least {SMALLEST:g}")
+    return omega
 
 
 class Piece(Model):
@@ -39,15 +46,13 @@ class Piece(Model):
     c2: Number = 0.0
     c3: Number = 0.0
     amplitude: Number = 0.0
-    omega: NotNegative = 0.0
+    omega: Annotated[NotNegative, AfterValidator(not_slow)] = 0.0
     phase: Number = 0.0
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a sine without a frequency."""
         if self.amplitude and not self.omega:
             yield DesignError("omega", TURNING.words, TURNING.rule, 1.0)
-        if 0 < self.omega < SMALLEST:
-            yield DesignError("omega", SLOW.words, SLOW.rule, 1.0)
 
     @property
     def made(self) -> engine.Piece:
@@ -57,7 +62,6 @@ class Piece(Model):
 
 
 TURNING = RowRule("turning", "OR([P]+0=0,[omega]+0<>0)", "omega", "ω of a sine, expected more than 0")
-SLOW = RowRule("slow", f"OR([omega]+0<=0,[omega]+0>={SMALLEST!r})", "omega", "ω, too small")
 
 
 class OwnLaw(LawSheet):
@@ -237,7 +241,7 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         entry("P", "amplitude", "P", "amplitude"),
         entry("omega", "frequency", "ω", "omega"),
         entry("phi", "phase", "φ", "phase"),
-        rules=[TURNING, SLOW],
+        rules=[TURNING],
     )  # fmt: skip
     sheet.workings(
         entered, "@worked", "Workings: the pieces", BEHIND,

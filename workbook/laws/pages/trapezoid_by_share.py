@@ -36,7 +36,7 @@ PAGE = edged(
         Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
                   source="none, start or end: there the acceleration stands"),
         Parameter("@edge", "Edge of the pulse that is cut off", "ρ", "edge", "edge",
-                  source="its share of the pulse; without a reversal of no account"),
+                  source="share of the pulse; without a reversal of no account"),
     ),
     variations=(
         {"share": 0.4, "reversal": "end", "edge": 0.3},

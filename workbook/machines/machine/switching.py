@@ -18,9 +18,9 @@ TIMES = 6
 """of being on, that a switch has room for"""
 MOST_SWITCHES = 24
 KEYS = ("start", "stop")
-PAIRED = 'IF([start{0}]="",[stop{0}]="",[stop{0}]<>"")'  # IronCalc reads (a="")=(b="") as ((a="")=b)=""
+PAIRED = "COUNT([start{0}],[stop{0}])<>1"
 HALF = RowRule(
-    "paired", f"AND({','.join(map(PAIRED.format, range(1, TIMES + 1)))})", "name",
+    "paired", f"AND({','.join(map(PAIRED.format, range(1, TIMES + 1)))})", "",
     "a time on without its begin, or without its end",
 )  # fmt: skip
 """a row of switches of which a time has but one of its ends"""
