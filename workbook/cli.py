@@ -5,7 +5,6 @@ A command's module is loaded when it is called, so that help and a wrong option 
 
 from __future__ import annotations
 
-import io
 import sys
 from pathlib import Path
 from typing import Annotated, Any
@@ -17,7 +16,7 @@ from workbook import __version__
 from workbook.controllers.names import TARGETS
 from workbook.errors import MotionbookError
 from workbook.exits import AGREES, UNREADABLE
-from workbook.reports.terminal import ERR, say
+from workbook.reports.terminal import ERR, lasting, say
 from workbook.witnesses.names import ALL, NAMES
 
 app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
@@ -64,13 +63,23 @@ def witness_named(name: str) -> str:
     return name
 
 
+def named_place(name: str) -> Path:
+    """Return the file or folder of a name; raise BadParameter for an empty one, which Python takes for this folder."""
+    if not name:
+        raise typer.BadParameter("the name is empty; expected that of a workbook or a folder")
+    return Path(name)
+
+
 Machine = Annotated[
     Path | None,
     typer.Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."),
 ]
 Book = Annotated[Path, typer.Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
 Books = Annotated[
-    list[Path], typer.Argument(metavar="BOOK|FOLDER...", help="Workbooks built by motionbook, or folders of them.")
+    list[Path],
+    typer.Argument(
+        metavar="BOOK|FOLDER...", parser=named_place, help="Workbooks built by motionbook, or folders of them."
+    ),
 ]
 Force = Annotated[bool, typer.Option("--force", help="Replace the output file if it exists.")]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table.")]
@@ -354,22 +363,46 @@ def laws(as_json: Json = False) -> None:
 
 
 def main() -> None:
-    """Run the command; what the file or the engineer can mend is said in lines, without a traceback."""
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")  # names of files, on terminals that lack their letters
+    """Run the command; what the file or the engineer can mend is said in lines, without a traceback.
+
+    A terminal that takes no more, as ``| head -1`` leaves one, does not change the exit code; a file that is full does.
+    """
+    with lasting() as faults:
+        code = ran()
+        fault = faults().out
+        if fault is not None and not isinstance(fault, BrokenPipeError):
+            say(ERR, f"what was to be printed could not be written: {fault.strerror}", "red")
+            code = UNREADABLE
+    sys.exit(code)
+
+
+def ran() -> int:
+    """Return the exit code of the command, its faults told."""
     try:
-        sys.exit(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
+        return int(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
     except TyperException as error:
         say(ERR, f"{error.format_message()} See --help.", "red")
-        sys.exit(UNREADABLE)
     except MotionbookError as error:
         for line in str(error).splitlines():
             say(ERR, line, "red")
-        sys.exit(UNREADABLE)
     except Exception as error:  # to whoever runs it, a fault of ours is no verdict either
         if sys.flags.dev_mode:
             raise
-        said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
-        say(ERR, f"motionbook failed inside ({said[:200]}); please report this", "red")
-        sys.exit(UNREADABLE)
+        say(ERR, fault_of(error), "red")
+    return UNREADABLE
+
+
+def fault_of(error: Exception) -> str:
+    """Return a line about what nobody has foreseen, or about a folder that was removed while one is in it."""
+    if isinstance(error, FileNotFoundError) and not here_is_a_folder():
+        return "the folder in which this runs is no longer there; go to another one"
+    said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
+    return f"motionbook failed inside ({said[:200]}); please report this"
+
+
+def here_is_a_folder() -> bool:
+    """Whether the folder in which this runs is there."""
+    try:
+        return Path.cwd().is_dir()
+    except OSError:
+        return False

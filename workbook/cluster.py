@@ -91,17 +91,46 @@ def remote(scheduler: str) -> Iterator[Any]:
     from distributed import Client
 
     with dask.config.set(FEWER):
+        require_answer(scheduler)
         try:
             client = Client(scheduler, timeout=WAIT, set_as_default=False)
         except (OSError, ValueError, TypeError, ImportError) as error:
-            said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
-            raise ClusterError(f"--scheduler {scheduler}: {said}") from error
+            raise unanswered(scheduler) from error
         try:
             require_workers(client, scheduler)
             yield client
         finally:
             with suppress(Exception):  # of one that is gone
                 client.close(timeout=1)
+
+
+def require_answer(scheduler: str) -> None:
+    """Raise ClusterError unless a scheduler says who it is within :data:`WAIT`.
+
+    A port that takes a connection and says nothing would keep Dask's client for minutes, whatever its limit.
+    """
+    import asyncio
+
+    from dask.utils import parse_timedelta
+    from distributed.core import rpc
+
+    async def asked() -> None:
+        other = rpc(scheduler)
+        try:
+            await asyncio.wait_for(other.identity(), parse_timedelta(WAIT))
+        finally:
+            await other.close_rpc()
+
+    try:
+        asyncio.run(asked())
+    except Exception as error:  # an address, a port, or what speaks there may be anything
+        raise unanswered(scheduler) from error
+
+
+def unanswered(scheduler: str) -> ClusterError:
+    """Return the error for an address at which there is no scheduler."""
+    said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
+    return ClusterError(f"--scheduler {scheduler}: {said}")
 
 
 def require_workers(client: Any, scheduler: str) -> None:

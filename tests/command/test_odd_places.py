@@ -26,14 +26,14 @@ TO = {
     "certificates": ["export", "book.xlsx", "--axis", "Press", "--to", "csv", "-o", "a.csv", "--report"],
     "read": ["read", "cam.csv", "--from", "csv", "-o"],
 }
-ENDINGS = {"verify": ".html", "junit": ".xml", "certificates": ".html"}
+ENDINGS = {"build": ".xlsx", "regenerate": ".xlsx", "verify": ".html", "junit": ".xml", "certificates": ".html"}
 PLACES = (".", "/", "..", "", "kept{}", "folder{}", "below/x{}", "pipe{}", "gone{}", "loop{}", "long", "deep")
 ITSELF = [
     ["build", "machine.toml", "-o", "machine.toml"], ["inputs", "book.xlsx", "-o", "book.xlsx"],
     ["inputs", "book.xlsx", "-o", "link.xlsx"], ["read", "cam.csv", "--from", "csv", "-o", "cam.csv"],
     ["export", "book.xlsx", "--axis", "Press", "--to", "csv", "-o", "book.xlsx"],
     ["export", "book.xlsx", "--axis", "Press", "--to", "csv", "-o", "a.html", "--report", "a.html"],
-    ["new", "machine", "-o", "machine.schema.json"],
+    ["new", "machine", "-o", "machine.schema.json"], ["regenerate", "book.xlsx", "-o", "book.xlsx"],
 ]  # fmt: skip
 
 
@@ -119,3 +119,13 @@ def test_what_is_no_file_is_refused_by_force_too(word, command, refused, tmp_pat
 @pytest.mark.parametrize("arguments", ITSELF, ids=" ".join)
 def test_nothing_takes_the_place_of_what_is_read_or_of_another_output(arguments, refused):
     refused(*arguments, "--force")
+
+
+@pytest.mark.parametrize("command", ["build", "regenerate"])
+@pytest.mark.parametrize("name", ["x.toml", "x.csv", "x.xlsm", "x"])
+def test_no_workbook_takes_the_name_of_another_kind_of_file(name, command, refused):
+    assert refused(*TO[command], name).endswith("expected a name ending in .xlsx")
+
+
+def test_an_empty_name_is_not_taken_for_this_folder(refused):
+    assert "the name is empty" in refused("verify", "")

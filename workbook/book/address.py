@@ -100,7 +100,8 @@ class Fit(NamedTuple):
     """Where a table lies, and what was done to it.
 
     ``inserted`` rows and ``added`` columns of the sheet lie within; ``lost`` counts the rows that are gone before a row
-    of the sheet; ``gone`` are the numbers of the columns that are.
+    of the sheet; ``gone`` are the numbers of the columns that are. ``named`` is where the name of a single cell leads
+    that leads to more than one.
     """
 
     place: Place
@@ -108,6 +109,7 @@ class Fit(NamedTuple):
     added: tuple[int, ...] = ()
     lost: tuple[tuple[int, int], ...] = ()
     gone: tuple[int, ...] = ()
+    named: Place | None = None
 
     @property
     def size(self) -> int:

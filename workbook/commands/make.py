@@ -9,7 +9,7 @@ from workbook.exits import AGREES, DISAGREES
 from workbook.reading.descriptions import write_machine
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
 from workbook.template import FOLDER
-from workbook.writing.place import refuse_existing, refuse_itself
+from workbook.writing.place import refuse_existing, refuse_itself, refuse_suffix
 
 
 def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> None:
@@ -17,6 +17,7 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
     source = machine or FOLDER / "cutting-machine.toml"
     target = output or Path(f"{source.stem}.xlsx")
     refuse_itself(target, source)
+    refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
         failing = making.build(making.described(source, motors, reducers), target, overwrite=force)
     say(OUT, f"Built {target.absolute()}")
@@ -40,6 +41,8 @@ def inputs(book: Path, output: Path | None, force: bool) -> None:
 
 def regenerate(book: Path, output: Path, force: bool) -> None:
     """Build a workbook anew from what was entered into an old one."""
+    refuse_itself(output, book)
+    refuse_suffix(output)
     refuse_existing(output, force)
     with ERR.status(shown(f"Regenerating {book} …")):
         machine, notes = making.inputs(book)

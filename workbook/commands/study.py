@@ -71,7 +71,7 @@ def ran(
         refuse_existing(one, over)
     begin = time.perf_counter()
     small = plan.space.way.kind != "evolution" and sum(1 for _ in zip(pieces(plan.space), range(2), strict=False)) < 2
-    with parts.opened(resume, force), pool(1 if small and scheduler is None else jobs, scheduler) as workers:
+    with pool(1 if small and scheduler is None else jobs, scheduler) as workers, parts.opened(resume, force):
         with interruptible(parts), progress(plan.space.size) as done:
             found = run(plan, parts, workers, done)
         names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, "feasible", "impossible"]

@@ -29,7 +29,7 @@ def verify(
     asked = chosen(witnesses)
     targets, failed = many.find(books)
     most = min(jobs or cores(), len(targets))
-    with pool(most, scheduler if len(targets) > 1 else None) as workers:
+    with pool(most, scheduler) as workers:
         told = unseen(targets, workers) if workers.distant else ""
         if told:
             say(ERR, f"Note: {told}")

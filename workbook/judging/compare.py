@@ -17,10 +17,15 @@ def difference(computed: Any, expected: Any, peak: float) -> float:
     """
     if isinstance(expected, Sentence):
         return 0.0 if expected.says(computed) else math.inf
-    if isinstance(computed, bool) or not isinstance(computed, int | float) or isinstance(expected, str | bool):
+    if not (is_number(computed) and is_number(expected)):
         return 0.0 if type(computed) is type(expected) and computed == expected else math.inf
     gap = abs(computed - expected)
     return gap / peak if peak else (0.0 if gap == 0 else math.inf)
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value is a number; TRUE and an empty cell are none."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def is_error(value: Any) -> bool:

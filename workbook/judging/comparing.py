@@ -82,7 +82,7 @@ class Comparison:
             ran.version = f"{ran.version}, {NO_EVIDENCE}"
         for pair, deviation in self._wrong(values, first=False):
             held, computed = values.get(pair.address), self.values.get(pair.address)
-            if not difference(held, computed, self.right.peak(pair.address)) <= TOLERANCE:
+            if not self.values or not difference(held, computed, self.right.peak(pair.address)) <= TOLERANCE:
                 self.report.add(pair, "saved", held, pair.cell.expected, deviation, ran.name)
 
     def _wrong(self, values: Cells, first: bool) -> list[tuple[Pair, float]]:

@@ -35,7 +35,7 @@ def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[M
             other = resized(given, size, more)
             try:
                 match = Match(file, template.declare(other)) if other is not None else best
-            except ValueError:  # too small for what is entered
+            except (ValueError, IndexError):  # too small for what is entered
                 continue
             if other is not None and amiss(match) < amiss(best):
                 best, machine = match, other

@@ -51,8 +51,8 @@ class BookFile:
 
     ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that. ``fits`` are
     the tables whose rows or columns are not those of their names, as whoever knows the tables finds them;
-    ``mended`` is one in which cells were put back into their tables, so that it is not as the file is; and
-    ``drawings`` are where drawings lie on each sheet.
+    ``mended`` is one in which cells were put back into their tables, so that it is not as the file is;
+    ``drawings`` are where drawings lie on each sheet; ``bare`` is a copy of contents and names alone.
     """
 
     path: Path
@@ -63,6 +63,7 @@ class BookFile:
     fits: dict[str, Fit] = field(default_factory=dict)
     mended: bool = False
     drawings: Mapping[str, list[Anchor]] = field(default_factory=dict)
+    bare: bool = False
 
     def value(self, address: Address) -> Any:
         """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty.

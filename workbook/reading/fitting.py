@@ -21,11 +21,19 @@ HEADER = 12  # rows above a table in which its headings are looked for
 
 
 def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
-    """Return how those tables of a file lie into which something was put, or from which something was taken."""
+    """Return how those tables of a file lie into which something was put, or from which something was taken.
+
+    A single cell whose name leads to more of them is the first of these.
+    """
     fits: dict[str, Fit] = {}
     for name, block in layout.blocks.items():
         place = file.places.get(name)
-        if block.is_table and place is not None and name not in file.fits:
+        if place is None or name in file.fits:
+            continue
+        if not block.is_table:
+            if place.rows * place.columns > 1:
+                fits[name] = Fit(place._replace(rows=1, columns=1), named=place)
+        else:
             found = fit(file, block, place)
             if found.inserted or found.added or found.lost or found.gone:
                 fits[name] = found

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
-import shutil
+import os
+import re
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from workbook.errors import WriteError
 from workbook.studies.summary import Summary
 from workbook.writing.place import unwritten
 
 LOCK, TOLD = "lock", "study.json"
+OWN = re.compile(r"\.?part-[0-9]{8}\.(json|csv|parquet)")
+"""the files of a part, and what was written of one when the process ended; no others are read or removed"""
 
 
 class Parts:
@@ -62,13 +67,29 @@ class Parts:
         if not (resume and self.mine):
             if told.exists() and not force:
                 raise WriteError(f"{self.folder}: {self._refused}")
-            for one in self.folder.glob("part-*"):
+            for one in self._own():
                 one.unlink()
         self.place(told, self._told.encode())
 
     def complete(self) -> set[int]:
-        """Return the numbers of the parts that are whole."""
-        return {int(one.stem.removeprefix("part-")) for one in self.folder.glob("part-*.json")}
+        """Return the numbers of the parts that are whole: their rows are those that were written."""
+        numbers = {int(one.stem.removeprefix("part-")) for one in self._own() if one.suffix == ".json"}
+        return {number for number in numbers if self._whole(number)}
+
+    def _own(self) -> list[Path]:
+        """Return the files of parts; what else lies in the folder is somebody's own."""
+        return [one for one in self.folder.glob("*part-*") if OWN.fullmatch(one.name)]
+
+    def _whole(self, number: int) -> bool:
+        """Whether the rows of a part have the length and the digest that were noted when they were written."""
+        try:
+            noted = json.loads(read(self._noted(number)))["rows"]
+            return bool(noted == told_of(self.rows(number).read_bytes()))
+        except (OSError, ValueError, TypeError, KeyError):
+            return False
+
+    def _noted(self, number: int) -> Path:
+        return self.folder / f"part-{number:08}.json"
 
     def rows(self, number: int) -> Path:
         """Return the file of a part's rows."""
@@ -76,18 +97,22 @@ class Parts:
 
     def summary(self, number: int) -> Summary:
         """Return what is known of a complete part."""
-        return Summary.of_json((self.folder / f"part-{number:08}.json").read_text(encoding="utf-8"))
+        return Summary.of_json(json.dumps(json.loads(read(self._noted(number)))["summary"]))
 
     def keep(self, number: int, rows: bytes, summary: Summary) -> None:
-        """Keep a part: its rows, and then what tells that it is whole."""
+        """Keep a part: its rows, and then what tells whether they are whole."""
         self.place(self.rows(number), rows)
-        self.place(self.folder / f"part-{number:08}.json", summary.json().encode())
+        noted = {"rows": told_of(rows), "summary": json.loads(summary.json())}
+        self.place(self._noted(number), json.dumps(noted, ensure_ascii=False).encode())
 
     def place(self, path: Path, data: bytes) -> None:
         """Write a file beside and rename it; raise WriteError where there is no room."""
         draft = path.with_name(f".{path.name}")
         try:
-            draft.write_bytes(data)
+            with draft.open("wb") as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
             draft.replace(path)
         except OSError as error:
             draft.unlink(missing_ok=True)
@@ -95,8 +120,16 @@ class Parts:
             raise WriteError(said) from error
 
     def remove(self) -> None:
-        """Remove the folder."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+        """Remove the parts, and the folder unless something else lies in it."""
+        with suppress(OSError):
+            for one in [*self._own(), self.folder / TOLD, self.folder / LOCK]:
+                one.unlink(missing_ok=True)
+            self.folder.rmdir()
+
+
+def told_of(rows: bytes) -> list[Any]:
+    """Return the length and the digest of a part's rows."""
+    return [len(rows), hashlib.sha256(rows).hexdigest()]
 
 
 def read(path: Path) -> str:

@@ -29,12 +29,32 @@ def without(file: BookFile, own: Collection[Address], given: Mapping[Address, An
     """
     if not own and not given and not file.mended:
         yield file
-        return
+    else:
+        with written(file, own, given) as copy:
+            yield copy
+
+
+@contextmanager
+def bare(file: BookFile) -> Iterator[BookFile]:
+    """Give a copy of ``file`` for a program that would follow what else a workbook holds, such as a linked picture.
+
+    It holds what :func:`without` copies, and no styled empty cells; a file that is such a copy is given itself.
+    """
+    if file.bare:
+        yield file
+    else:
+        with written(file, (), {}) as copy:
+            yield copy
+
+
+@contextmanager
+def written(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Iterator[BookFile]:
+    """Give a copy, as :func:`copied` says, in a folder that goes away."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "book.xlsx"
         workbook = copied(file, own, given)
         workbook.save(path)
-        yield BookFile(path, workbook, find_places(workbook))
+        yield BookFile(path, workbook, find_places(workbook), bare=True)
 
 
 def copied(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Workbook:

@@ -8,6 +8,7 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.errors import WitnessError
 from workbook.reading.files import BookFile
+from workbook.witnesses.bare import bare
 
 LANGUAGE, ZONE = "en", "UTC"
 
@@ -30,7 +31,8 @@ class IronCalc:
         import ironcalc  # optional
 
         try:
-            model = ironcalc.load_from_xlsx(str(file.path), LANGUAGE, ZONE, LANGUAGE)
+            with bare(file) as copy:  # an empty cell with a style, and t="n" as openpyxl writes it, would be 0
+                model = ironcalc.load_from_xlsx(str(copy.path), LANGUAGE, ZONE, LANGUAGE)
             model.evaluate()
         except Exception as error:  # what it cannot read comes up as any exception
             raise WitnessError(f"IronCalc cannot evaluate the file: {error}") from error

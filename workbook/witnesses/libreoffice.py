@@ -15,6 +15,7 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.errors import WitnessError
 from workbook.reading.files import BookFile
+from workbook.witnesses.bare import bare
 from workbook.witnesses.witness import cached_values
 
 TIMEOUT = 300  # seconds
@@ -23,7 +24,8 @@ PLACES = (
     "/Applications/LibreOffice.app/Contents/MacOS/soffice",
     r"C:\Program Files\LibreOffice\program\soffice.com",
 )
-# LibreOffice keeps the values that it finds in a file unless it is told to recalculate always
+# LibreOffice keeps the values that it finds in a file unless it is told to recalculate always, and follows links to
+# other files and to the web unless it is told never to; settings that a version does not know do no harm
 PROFILE = """<?xml version="1.0" encoding="UTF-8"?>
 <oor:items xmlns:oor="http://openoffice.org/2001/registry" xmlns:xs="http://www.w3.org/2001/XMLSchema"
  xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
@@ -31,6 +33,12 @@ PROFILE = """<?xml version="1.0" encoding="UTF-8"?>
 <value>0</value></prop></item>
 <item oor:path="/org.openoffice.Office.Calc/Formula/Load"><prop oor:name="ODFRecalcMode" oor:op="fuse">
 <value>0</value></prop></item>
+<item oor:path="/org.openoffice.Office.Calc/Content/Update"><prop oor:name="Link" oor:op="fuse">
+<value>2</value></prop></item>
+<item oor:path="/org.openoffice.Office.Common/Security/Scripting"><prop oor:name="BlockUntrustedRefererLinks"
+ oor:op="fuse"><value>true</value></prop></item>
+<item oor:path="/org.openoffice.Office.Common/Security/Scripting"><prop oor:name="DisableActiveContent"
+ oor:op="fuse"><value>true</value></prop></item>
 </oor:items>
 """
 
@@ -71,7 +79,7 @@ def version_of(soffice: str) -> str:
 
 
 class LibreOffice:
-    """Recalculates a copy of the file, and reads the results back."""
+    """Recalculates a bare copy of the file, which has nothing to fetch, and reads the results back."""
 
     name = "libreoffice"
     kept = False
@@ -83,9 +91,5 @@ class LibreOffice:
 
     def values(self, file: BookFile) -> dict[Address, Any]:
         """Return the value of every formula cell."""
-        with tempfile.TemporaryDirectory() as folder:
-            source = Path(folder) / f"book{file.path.suffix}"
-            shutil.copyfile(file.path, source)
-            made = Path(folder) / "made"
-            made.mkdir()
-            return cached_values(convert(source, "xlsx", made).read_bytes(), file)
+        with bare(file) as copy, tempfile.TemporaryDirectory() as folder:
+            return cached_values(convert(copy.path, "xlsx", Path(folder)).read_bytes(), file)

@@ -51,6 +51,12 @@ def refuse_itself(path: Path | None, source: Path) -> None:
         raise WriteError(f"{path}: this is what is read; expected another name for what is made of it")
 
 
+def refuse_suffix(path: Path) -> None:
+    """Raise WriteError where a workbook would be written under the name of another kind of file."""
+    if path.suffix.lower() != ".xlsx":
+        raise WriteError(f"{path}: what is built is a workbook; expected a name ending in .xlsx")
+
+
 def replace(path: Path, write: Callable[[Path], None], overwrite: bool = False) -> None:
     """Let ``write`` fill a new file beside ``path``, then move it there; a failure leaves the old file whole.
 

@@ -5,6 +5,7 @@ import json
 import os
 import random
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -73,6 +74,53 @@ def test_a_search_goes_on_from_its_complete_parts_to_the_same_end(tmp_path):
         studied(plan, parts, stop_after(3))
     assert studied(plan, parts, resume=True) == whole
     assert whole.best[0].entries["axes.MC01.phases[1].stop"] == pytest.approx(120.0, abs=0.5)
+
+
+@pytest.mark.parametrize("damaged", [b"", b"half of a par", None])
+def test_a_part_whose_rows_are_not_those_written_is_worked_out_again(damaged, tmp_path):
+    plan = planned(tmp_path, *VARIED, **GOALS)
+    parts = Parts(tmp_path / "cut.csv", plan.digest, plan.space.size)
+    with pytest.raises(KeyboardInterrupt):
+        studied(plan, parts, stop_after(2))
+    rows = parts.rows(1)
+    before = rows.read_bytes()
+    rows.unlink() if damaged is None else rows.write_bytes(damaged)
+    assert parts.complete() == {0}
+    assert studied(plan, parts, resume=True).designs == 180
+    assert rows.read_bytes() == before
+
+
+def test_what_else_lies_in_the_folder_of_parts_does_no_harm_and_stays(tmp_path):
+    plan = planned(tmp_path, *VARIED, **GOALS)
+    parts = Parts(tmp_path / "r.csv", plan.digest, plan.space.size)
+    parts.folder.mkdir()
+    own = [parts.folder / name for name in ("part-mine.json", "part-1.txt", "notes.txt", "part-00000000.csv.bak")]
+    for one in own:
+        one.write_text("mine")
+    assert studied(plan, parts).designs == 180
+    parts.remove()
+    assert sorted(parts.folder.iterdir()) == sorted(own)
+
+
+def test_a_scheduler_that_is_none_leaves_nothing_behind(tmp_path):
+    written(tmp_path, *VARIED, **GOALS)
+    before = sorted(tmp_path.iterdir())
+    done = command("study.toml", "--scheduler", "nonsense", cwd=tmp_path)
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert sorted(tmp_path.iterdir()) == before
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_port_that_takes_a_connection_and_says_nothing_is_told_in_its_time(count, tmp_path):
+    books = [tmp_path / f"{k}.xlsx" for k in range(count)]
+    for book in books:
+        build(small(), book)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
+        told = [sys.executable, "-m", "workbook", "verify", *map(str, books), "--scheduler", address]
+        done = subprocess.run(told, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert "no scheduler answers there" in done.stderr
 
 
 def test_sobols_designs_are_the_same_however_they_are_parted(tmp_path):

@@ -105,6 +105,17 @@ def test_saved_refuses_a_file_that_was_never_calculated(cutting, tmp_path):
     assert "no saved values" in report.findings[0].computed
 
 
+def test_each_witness_computes_a_book_that_a_program_saved_without_values(cutting, tmp_path):
+    """Saved by openpyxl, an empty cell with a style says that it is a number: to read it as 0 would be another book."""
+    import openpyxl
+
+    path = tmp_path / "b.xlsx"
+    opened = openpyxl.load_workbook(cutting)
+    opened.save(path)
+    report = verify(path, [name for name in COMPUTING if WITNESSES[name]().version()])
+    assert [f for f in report.findings if f.witness in COMPUTING] == []
+
+
 def test_an_unknown_witness_is_refused(cutting):
     with pytest.raises(MotionbookError, match="expected " + ", ".join(WITNESSES)):
         verify(cutting, ["excel"])
