@@ -21,7 +21,7 @@ TEMPLATE = TEMPLATES["indexing-overlap"]
 STATIONS = FOLDER / "indexing-overlap-stations.toml"
 SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}
 OWN_PLACE = {"lane_a", "lane_b", "x"}  # columns that say where a tool is drawn among the others
-WORKED_OUT_ONCE = {"lane_t", "xit", "qt", "ut", "xt", "st"}  # of the transfer, in the table of the first tool
+WORKED_OUT_ONCE = {"lane_t"}  # of the transfer, in the table of the first tool
 
 
 def entries(**second):
@@ -48,6 +48,13 @@ def with_tools(number, seed):
     return drawn_machine(described(data), random.Random(seed))
 
 
+def same(there, here):
+    """Whether two cells, or two columns, are the same: texts as they are, numbers to rounding."""
+    if isinstance(here, list):
+        return len(there) == len(here) and all(map(same, there, here))
+    return there == (here if isinstance(here, str) else pytest.approx(here, rel=1e-12, abs=1e-12))
+
+
 @pytest.fixture(scope="module")
 def three():
     return computed(TEMPLATE, described(entries()))
@@ -66,7 +73,7 @@ def test_each_tool_computes_what_it_computes_alone(three, i):
     ]
     for name, column in compared:
         here, there = value(name, column), three(name.replace("tool1_", f"tool{i + 1}_"), column)
-        assert there == (here if isinstance(here, str) else pytest.approx(here, rel=1e-12, abs=1e-12)), (name, column)
+        assert same(there, here), (name, column)
     assert len(compared) > 250
 
 
