@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -17,55 +16,12 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, Sentence, figure
 from workbook.entries.units import DEGREE, shown
-from workbook.motion.asked import ABOUT, Smoothness
+from workbook.motion.asked import ABOUT, Asked, in_time, timed
 from workbook.motion.cells import PieceRows
 from workbook.motion.sampled import at_begin, at_place, place_columns
 
 RATES = ("v", "a", "j")
 WORDS = ",".join(f'"{word}"' for word in ORDERS)
-
-
-@dataclass(frozen=True)
-class Asked:
-    """How smooth a motion must be.
-
-    ``entry`` is the formula of what is entered, ``order`` the name of the cell that counts the derivatives, ``largest``
-    are the formulas of the largest |y'| and |y''|. In sentences stand the motion's name ``of``, the unit of the
-    abscissa behind a ``place`` and those of the derivatives: each a formula, and the text that it gives. ``wraps`` is
-    the condition under which the motion repeats, which it does if it is ``periodic``. Where its phases do not stand in
-    the rows in which they are entered, sentences give no ``rows``; where they have ``names``, in the column ``what``
-    of their table, these stand in place of numbers. Of a motion in degrees that is told over time, ``speed`` is the
-    name of the cell that says how fast it goes, and that in rad/s; ``lift`` the end of a formula that shows a lift in
-    another unit than the motion's, and what that is in it. ``quickest`` is the
-    formula of the greatest 1/δ by which jerks are measured: by default that of all phases.
-    """
-
-    smooth: Smoothness
-    entry: str
-    order: str
-    largest: tuple[str, str]
-    place: tuple[str, str]
-    units: tuple[tuple[str, str], ...]
-    of: tuple[str, str] = ("", "")
-    wraps: str = ""
-    periodic: bool = True
-    rows: bool = True
-    names: tuple[str, ...] = ()
-    speed: tuple[str, float] | None = None
-    lift: tuple[str, float] = ("", 1.0)
-    quickest: str = ""
-
-
-def in_time(asked: Asked, degrees: str, size: str, order: str) -> tuple[str, str]:
-    """Return the formulas of a place and of a jump as sentences tell them."""
-    if asked.speed is None:
-        return degrees, size
-    return f"RADIANS({degrees})/{asked.speed[0]}", f"{size}*{asked.speed[0]}^{order}{asked.lift[0]}"
-
-
-def timed(asked: Asked, x: float, size: float, order: int) -> tuple[float, float]:
-    """Return them by the engine: x is in rad where they are told over time."""
-    return (x, size) if asked.speed is None else (x / asked.speed[1], size * asked.speed[1] ** order / asked.lift[1])
 
 
 class Told(NamedTuple):

@@ -6,9 +6,10 @@ from engine.flying.pieces import Stretch, cut_joints, cut_pieces, rates_of, stre
 from workbook.book.declare import Sheet, calc, constant
 from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import Flying
+from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, phase_table_columns, pieces_in_all, pieces_table
-from workbook.motion.smooth import Asked, Joints
+from workbook.motion.smooth import Joints
 from workbook.motion.stack import last_before
 
 AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "m", "s", drifts=True, opens=True)

@@ -12,10 +12,11 @@ from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
 from workbook.machines.machine.handing import StepEnds
 from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.ends import ends_tables
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
-from workbook.motion.smooth import RATES, Asked, Joints
+from workbook.motion.smooth import RATES, Joints
 from workbook.motion.turns import WORDS, grids
 
 Figure = Callable[[int, Phase], Any]

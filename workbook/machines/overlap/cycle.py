@@ -16,10 +16,11 @@ from workbook.laws.phases import ACCELERATION, VELOCITY
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
+from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, ROOM, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.sampled import POSITION, finding, sampled
-from workbook.motion.smooth import Asked, Joints
+from workbook.motion.smooth import Joints
 
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
 SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
