@@ -103,7 +103,7 @@ VARIATIONS = (
 
 
 WITHIN = "Against the exact law, peaks of s, v, a and j are right to 1 %, of v·a to 4 %, the RMS to 0.0001 %."
-MOST_TURN = 2.0 * math.pi
+MOST_TURN = math.tau
 """rad, of a sine on its piece: with more, nine points do not tell its extremes to the bound"""
 
 

@@ -50,7 +50,7 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         calc("q", "piece row", "q", "", PIECE, of(view.row_of), format="0", source="on the sheet Laws"),
         constant("d0", "power 0", "1", "", of(lambda row: row.at.powers[0])),
         calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", of(lambda row: row.at.duration)),
-        *(calc(f"d{k}", f"power {k}", f"d{RAISED[k][1:]}", "", f"=[d]^{k}", of(lambda row, k=k: row.at.powers[k]))  # type: ignore[misc]
+        *(calc(f"d{k}", f"power {k}", f"d{RAISED[k][1:]}", "", f"=[d]^{k}", [row.at.powers[k] for row in rows])
           for k in range(2, POWERS)),
         *(calc(f"x{n}", f"argument of sine{words} at its end", "", "rad",
                f"=INDEX(piece_omega{n},[q])*[d]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
