@@ -7,6 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.workbook.composed import small
+from workbook.build import build
+
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
 FULL = Path("/dev/full")
 PRINTING = (["laws"], ["laws", "--json"], ["--help"])
@@ -59,3 +62,17 @@ def test_a_folder_that_is_gone_is_told_in_a_line(arguments, tmp_path):
     assert done.returncode == 2
     assert len(done.stderr.splitlines()) == 1
     assert "failed inside" not in done.stderr
+
+
+@posix
+@pytest.mark.parametrize("does", ["exit 1", "kill -9 $$", "echo LibreOffice 99.9"])
+def test_a_witness_that_fails_is_no_verdict(does, tmp_path):
+    build(small(), tmp_path / "book.xlsx")
+    failing = tmp_path / "soffice"
+    failing.write_text(f"#!/bin/sh\n{does}\n")
+    failing.chmod(0o755)
+    environment = os.environ | {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    command = [sys.executable, "-m", "workbook", "verify", str(tmp_path / "book.xlsx"), "--with", "libreoffice"]
+    done = subprocess.run(command, env=environment, check=False, timeout=120, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert "libreoffice gave no values to compare" in f"{done.stdout}{done.stderr}"

@@ -6,6 +6,8 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+
 from engine.cams.course import SAME
 from engine.cams.identify import THINNED
 from workbook import build as making
@@ -40,7 +42,10 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         refuse_existing(output, force)
     table = read_table(file, target)
     units = described.units_of(text_of(file, target))
-    found = described.phases_of(target, table, units, share)
+    try:
+        found = described.phases_of(target, table, units, share)
+    except np.linalg.LinAlgError as error:
+        raise TargetError(f"{file}: no motion can be fitted to its points ({error})") from error
     data = described.composed(found, table, units, title(file.name))
     machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")

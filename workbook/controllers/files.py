@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
+
 from workbook.controllers.table import Table
 from workbook.controllers.target import Target
 from workbook.errors import ReadError, TargetError
 from workbook.intake import read_text
 
 MOST = 8_000_000  # bytes: a tag of 25,000 points
+LARGEST = 1e12  # of x, y and derivatives
 TOLD = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 
@@ -30,11 +33,22 @@ def text_of(path: Path, target: Target) -> str:
 
 def parsed(text: str, target: Target) -> Table:
     """Return the table of a text; raise TargetError where it is none, or has not the points that its header tells."""
-    table = target.read(text)
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is refused by point
+        table = target.read(text)
+    require_usual(table)
     told = TOLD.search(text)
     if told and int(told[1]) != len(table.x):
         raise TargetError(f"{len(table.x)} points; its header tells {told[1]} (is the file cut off?)")
     return table
+
+
+def require_usual(table: Table) -> None:
+    """Raise TargetError for a number so large that none of a motion is; fits of it would overflow."""
+    for name, column in table.columns.items():
+        size = np.abs(column)
+        if size.max() > LARGEST:
+            k = int(size.argmax())
+            raise TargetError(f"point {k + 1}: {name} is {column[k]:.6g}; expected at most {LARGEST:.0e} either way")
 
 
 def header(points: int, between: str, equal: bool, units: tuple[str, str]) -> str:

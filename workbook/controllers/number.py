@@ -22,8 +22,9 @@ class Number:
         """Return values as the controller holds them, whole ones in steps of ``step``; raise TargetError beyond it."""
         size = np.abs(values / step if self.whole else values)
         if not np.all(size <= self.largest):
-            k = int(np.argmax(~(size <= self.largest)))
-            raise TargetError(f"point {k + 1}: {values[k]:.6g} is beyond what {self.name} holds; expected smaller ones")
+            at = tuple(np.argwhere(~(size <= self.largest))[0])  # of a polynomial, its row and coefficient
+            said = f"{values[at]:.6g} is beyond what {self.name} holds; expected smaller ones"
+            raise TargetError(f"point {at[0] + 1}: {said}")
         if self.whole:
             return np.asarray(np.round(np.round(values / step) * step, 12))
         return values if self is LREAL else np.asarray(values.astype(np.float32).astype(np.float64))

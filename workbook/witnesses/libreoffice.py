@@ -73,7 +73,11 @@ def convert(source: Path, kind: str, folder: Path) -> Path:
 def version_of(soffice: str) -> str:
     """Return the version of a LibreOffice."""
     environment = os.environ | {"HOME": tempfile.gettempdir()} if sys.platform != "win32" else None
-    said = subprocess.run([soffice, "--version"], capture_output=True, text=True, check=False, env=environment)
+    try:
+        said = subprocess.run([soffice, "--version"], capture_output=True, text=True, check=False, env=environment,
+                              timeout=TIMEOUT)  # fmt: skip
+    except (OSError, subprocess.TimeoutExpired):  # converting says what is wrong
+        return "unknown version"
     found = re.search(r"\d+(\.\d+)+", said.stdout)
     return found.group() if found else "unknown version"
 
