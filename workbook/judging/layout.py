@@ -43,8 +43,12 @@ def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[M
 
 
 def amiss(match: Match) -> int:
-    """Return how many tables are not as declared; one that is larger, with no row put into it, hardly can be."""
-    sizes = ((block.size, match.size_of(block)) for block, place in match.misfits if place is not None)
+    """Return how many tables are not as declared; one that is larger, with no row put into it, hardly can be.
+
+    One that stands in the rows of another is as that is.
+    """
+    apart = (one for one in match.misfits if one.place is not None and one.block.lead is None)
+    sizes = ((block.size, match.size_of(block)) for block, _ in apart)
     return sum(1 if held < size else 2 for size, held in sizes)
 
 

@@ -86,9 +86,7 @@ def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None =
     except Exception as error:  # one strange file must not take the others' verdicts with it
         reason = f"{path}: verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
         return Outcome(path, "unreadable", reason=visible(reason))
-    if report.findings and all(
-        finding.kind == "witness" for finding in report.findings
-    ):  # no cell is known to be wrong
+    if report.findings and all(one.kind == "witness" for one in report.findings):  # no cell is known to be wrong
         said = f"{path}: {report.findings[0].cell} gave no values to compare: {report.findings[0].computed}"
         return Outcome(path, "unreadable", reason=visible(said))
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"

@@ -34,10 +34,23 @@ def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
             if place.rows * place.columns > 1:
                 fits[name] = Fit(place._replace(rows=1, columns=1), named=place)
         else:
-            found = fit(file, block, place)
+            found = as_lead(file, block, fit(file, block, place), fits)
             if found.inserted or found.added or found.lost or found.gone:
                 fits[name] = found
     return fits
+
+
+def as_lead(file: BookFile, block: Block, found: Fit, fits: dict[str, Fit]) -> Fit:
+    """Return how a table without numbers of its own lies: in the rows of the one beside which it stands."""
+    lead = block.lead
+    if lead is None or lead.name not in fits or counting(block) is not None:
+        return found
+    place, beside = file.places[block.name], file.places[lead.name]
+    if (place.sheet, place.row, place.rows) != (beside.sheet, beside.row, beside.rows):
+        return found
+    fit = fits[lead.name]
+    own = found.place._replace(rows=fit.place.rows, rows_at=fit.place.rows_at)
+    return found._replace(place=own, inserted=fit.inserted, lost=fit.lost)
 
 
 def ends_lost(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple[str, int], list[str]]:
