@@ -26,7 +26,7 @@ ARGUMENTS = (
 )
 HIGHEST = POWERS + 1
 """the highest power of u in a position"""
-RAISED = ("1", "u", "u²", "u³", "u⁴", "u⁵", "u⁶", "u⁷")
+RAISED = ("u⁰", "u", "u²", "u³", "u⁴", "u⁵", "u⁶", "u⁷")
 SINES = {
     "s": "-INDEX(piece_ps{0},[q])*SIN([{1}])",
     "v": "-INDEX(piece_pv{0},[q])*COS([{1}])",
@@ -78,7 +78,7 @@ class Pieces:
         """Return the powers of u, by its formula, and the argument of each sine, of points whose piece is known."""
         raised = powers(u, HIGHEST)
         return [
-            constant("u0", "power 0", "1", "", raised[0]),
+            constant("u0", "power 0", "u⁰", "", raised[0]),
             calc("u", "within piece", "u", "", formula, u, source=words),
             *(calc(f"u{k}", f"power {k}", RAISED[k], "", f"=[u]^{k}", raised[k]) for k in range(2, HIGHEST + 1)),
             *(calc(name, label, symbol, "rad", formula, values, source=source)

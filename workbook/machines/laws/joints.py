@@ -48,7 +48,7 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         constant("no", "number", "", "", of(lambda row: row.one.number), format="0"),
         constant("k", "piece", "k", "", of(lambda row: row.k), format="0"),
         calc("q", "piece row", "q", "", PIECE, of(view.row_of), format="0", source="on the sheet Laws"),
-        constant("d0", "power 0", "1", "", of(lambda row: row.at.powers[0])),
+        constant("d0", "power 0", "d⁰", "", of(lambda row: row.at.powers[0])),
         calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", of(lambda row: row.at.duration)),
         *(calc(f"d{k}", f"power {k}", f"d{RAISED[k][1:]}", "", f"=[d]^{k}", [row.at.powers[k] for row in rows])
           for k in range(2, POWERS)),
