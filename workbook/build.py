@@ -56,6 +56,11 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
     return failing(book)
 
 
+def exact_rates(machine: Machine) -> list[str]:
+    """Return a line for each drive whose exact highest rate is more than 0.1 % from that of its sheet."""
+    return [] if machine.design.replaced else TEMPLATES[machine.template].rates(machine)
+
+
 def require_readable(draft: Path) -> None:
     """Raise InputError for a workbook that is larger than what verify would read; a small one needs no look."""
     size = draft.stat().st_size

@@ -44,7 +44,8 @@ class Template(Generic[M]):
     ``fixed`` returns by key the entries that such a layout tells and no cell holds. ``axes`` are the motions that a
     controller can be given, ``switches`` what it is to turn on and off meanwhile. ``others`` are other ways to tell a
     machine, by the key of the entry that only they have. ``scaling`` gives results without a
-    book, of many designs at once.
+    book, of many designs at once. ``truths`` returns a line for each result of which the exact one is farther from the
+    sheet's than that states, ``rates`` the lines on highest rates alone.
     """
 
     name: str
@@ -58,6 +59,8 @@ class Template(Generic[M]):
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []
     scaling: Scaling[M] | None = None
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
+    truths: Callable[[M], list[str]] = lambda machine: []
+    rates: Callable[[M], list[str]] = lambda machine: []
     others: Mapping[str, Other[M]] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:

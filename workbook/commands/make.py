@@ -19,9 +19,11 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
     refuse_itself(target, source)
     refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
-        failing = making.build(making.described(source, motors, reducers), target, overwrite=force)
+        described = making.described(source, motors, reducers)
+        failing = making.build(described, target, overwrite=force)
     say(OUT, f"Built {target.absolute()}")
     show_failing(failing)
+    show_notes(making.exact_rates(described))
 
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:

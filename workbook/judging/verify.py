@@ -55,6 +55,8 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
     judge(file, entries.template, machine, report, names, given=entries.computed, beside=beside)
     report.witnesses += [Ran(name, None) for name in absent]
+    if not machine.design.replaced:
+        report.notes += entries.template.truths(machine)
     return report
 
 

@@ -32,7 +32,9 @@ from workbook.machines.machine.selecting.sheet import selection_sheet
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timed import TimedMachine, told_in_seconds
-from workbook.machines.machine.timing import positions, rates, timing_sheet
+from workbook.machines.machine.timing import positions, timing_sheet
+from workbook.machines.machine.timing import rates as units_of_rates
+from workbook.machines.machine.truth import rates, truths
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet
@@ -60,7 +62,7 @@ def declare(given: AnyMachine) -> Book:
         sheet,
         [in_short(axis, drives.get(axis.number)) for axis in machine.axes],
         positions(machine),
-        [(symbol, rates(machine, order)) for order, symbol in enumerate(machine.over.symbols[1:3], 1)],
+        [(symbol, units_of_rates(machine, order)) for order, symbol in enumerate(machine.over.symbols[1:3], 1)],
     )
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
@@ -160,6 +162,8 @@ TEMPLATE = Template(
     fixed=fixed,
     axes=axes,
     scaling=SCALING,
+    truths=truths,
+    rates=rates,
     switches=switches,
     others={"master.cycle": Other(TimedMachine, told_in_seconds)},
 )
