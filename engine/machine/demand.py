@@ -102,11 +102,6 @@ class Demand:
         each = [integral(one.power, one.low, one.high, scale) / one.speed for one in self.stretches]
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))
 
-    @property
-    def mean_power(self) -> float:
-        """Mean power at the motor's shaft (W)."""
-        return self.energy.net / self.course.time
-
     def mean_shaft_torque(self, shaft: int) -> float:
         """Return the cubic mean of a shaft's torque, weighted by its speed (Nm); 0 where it stands all the time.
 

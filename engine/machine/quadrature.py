@@ -129,7 +129,7 @@ class LoadPoints:
         return self._driving(self.resisting, 0.0)
 
     def _driving(self, force: Array, moved: float) -> Array:
-        """Return the torque of the shaft behind the first stage (Nm) for a force at the load, f T/i + J ω̇ by stages."""
+        """Return the torque of the shaft behind the first stage (Nm) for a force at the load, f T/i + J ω̇."""
         m, torque = self.train.drive.mechanism, force
         for k in range(m.last - 1, 0, -1):
             ratio = self.first if k == m.last - 1 else m.stages[k].ratio

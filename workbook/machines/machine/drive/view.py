@@ -218,7 +218,8 @@ class DriveView:
     def energy(self) -> tuple[float, float]:
         """What the motor drives with over a cycle, and what comes back to it (J)."""
         power, time = self.points.power, self.driven.course.time
-        return tuple(self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))  # type: ignore[return-value]
+        driving, returned = (self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))
+        return driving, returned
 
 
 def with_motor(view: DriveView, driven: Driven) -> DriveView:
