@@ -40,7 +40,8 @@ def words(match: Match, report: Report) -> None:
             texts.setdefault(word.text.style, set()).add(word.text.text)
         for word in known:
             place = match.file.places[word.block.name]
-            if (place.sheet, place.cell(0, 0).a1) not in named:
+            first = place.cell(0, 0)
+            if not first.column or (place.sheet, first.a1) not in named:  # column 0: the first one is gone
                 judge(match, word, place, texts[word.text.style], report)
         headings(match, sheet, report)
 
