@@ -6,7 +6,7 @@ import random
 import openpyxl
 import pytest
 
-from tests.laws import MOVING, told
+from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import EXERCISE, MACHINE, composed
 from tests.workbook.machines.test_random_inputs import durations, piece, shares
@@ -212,7 +212,7 @@ def drawn(dice):
     low, high = sorted(dice.uniform(0.02, 0.98) for _ in range(2))
     laws = {
         "MTP": {"durations": durations(dice)}, "TVP": {"rise_end": low, "fall_start": high},
-        "OWN": {"pieces": told(lambda: [piece(dice, d) for d in shares(dice, dice.randint(1, 4))])},
+        "OWN": {"pieces": [piece(dice, d) for d in shares(dice, dice.randint(1, 4))]},
     }  # fmt: skip
     size = 10 ** dice.uniform(-4, 3)
     phases = []

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis.strategies import integers
 
-from tests.laws import MOVING, PAGED, blended, told
+from tests.laws import MOVING, PAGED, blended
 from tests.mutation.draw_machine import SHAPED, teeth
 from tests.workbook.cells import disagreeing, disagreeing_in
 from workbook.build import build, inputs
@@ -77,7 +77,7 @@ def machine(seed):
     laws["TVP"] |= {"rise_end": first, "fall_start": first if seed % 7 == 0 else dice.uniform(first, 0.99)}
     laws["MTP"]["durations"] = durations(dice)
     pieces = shares(dice, dice.randint(1, SIZES["pieces"]), zeros=0.1)
-    laws["OWN"] = {"name": f"Own law {seed}", "pieces": told(lambda: [piece(dice, d) for d in pieces])}
+    laws["OWN"] = {"name": f"Own law {seed}", "pieces": [piece(dice, d) for d in pieces]}
     names = ["MC01", "Träger ½", "Cutter's <2> & more"]
     driven = seed % 3
     axes = [
