@@ -15,9 +15,8 @@ from tests.workbook.machines.test_machine_forces import RISE, small
 from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, MOTOR, ROCKER, TABLE, linked
 from workbook.entries.units import KW
 from workbook.laws.library import laws
-from workbook.machines.machine import bussed
 from workbook.machines.machine.chain import PowerEntry
-from workbook.machines.machine.linked.driven import driven_of
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
@@ -35,7 +34,7 @@ def machine(axes=AXES, power=POWER):
 def together(made):
     """The drives of a machine at its rate, by the engine's search over their courses."""
     axes = Whole(made, laws(made.laws)).axes
-    courses = tuple(driven_of(one, made.selection).demand.course for one in axes if one.given.rate is None)
+    courses = tuple(Driven(one, made.selection).demand.course for one in axes if one.given.rate is None)
     return Drivetrains(courses, made.power.efficiency)
 
 

@@ -27,7 +27,7 @@ from tests.workbook.machines.test_machine_handing import (
 )
 from tests.workbook.machines.test_machine_rates import limited, stretches_of
 from workbook.laws.library import laws
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked, counted
 

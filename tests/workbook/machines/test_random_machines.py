@@ -11,23 +11,20 @@ import random
 import numpy as np
 import pytest
 
-from engine.machine.pace import LIMITS
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
+from tests.workbook.machines.test_machine_rates import CHECKS
 from workbook.entries.units import KW
 from workbook.laws.library import laws
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked
 
 G = 9.81
 SAME = ("rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "highest", "jtot", "pmax", "pmin")
-CHECKS = dict(
-    zip(LIMITS, ("speed", "reducer_speed", "peak", "reducer_peak", "rms", "reducer_mean", "curve"), strict=True)
-)
 RACK = {"kind": "rack and pinion", "size": 50.0, "efficiency": 0.9}
 
 
