@@ -66,11 +66,19 @@ def growing_use(torque: Array, standing: Array, limit: float) -> Array:
 
 
 def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:
-    """Return at each point the use of the rate itself by a peak torque that falls: |S + r² I| + f r |ω| = T + f ω_1."""
-    grows = points.torque - points.standing
-    left = peak + falling.fall * falling.knee - np.sign(grows) * points.standing
-    sink = falling.fall * np.abs(points.speed)
-    return np.asarray((sink + np.sqrt(sink**2 + 4.0 * np.abs(grows) * left)) / (2.0 * left))
+    """Return at each point the use by a peak torque that falls, 1/r² of |S + r² I| + f r |ω| = T + f ω_1.
+
+    In two rows: of torques forward, and of those backward.
+    """
+    return np.stack([_falling_use(points, way, falling.corner(peak), falling.fall) for way in (1.0, -1.0)])
+
+
+def _falling_use(points: DrivePoints, way: float, corner: float, fall: float) -> Array:
+    """Return the same of one direction of the torque, of the first r that meets the line; 0 where none does."""
+    left = corner - way * points.standing
+    sink = fall * np.abs(points.speed)
+    square = sink**2 + 4.0 * way * (points.torque - points.standing) * left
+    return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)
 
 
 def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> Share:
@@ -109,6 +117,6 @@ def shares(
         "reducer mean torque": by_mean(points, reducer.mean_torque),
     }
     if falling.fall:
-        use = float(falling_use(points, peak, falling).max()) ** 2
-        found["torque below the curve"] = found["peak torque"]._replace(use=use)
+        use = float(falling_use(points, peak, falling).max())
+        found["torque below the curve"] = found["peak torque"]._replace(limit=falling.corner(peak), use=use)
     return found

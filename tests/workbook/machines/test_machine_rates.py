@@ -10,6 +10,10 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
+from tests.workbook.machines.test_machine_linked import CRANK, ROCKER
+from tests.workbook.machines.test_machine_linked import small as linked_small
+from tests.workbook.machines.test_machine_tables import table
+from tests.workbook.machines.test_machine_viscous import SCREW, lossy
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
@@ -46,6 +50,22 @@ def machine(rate, motor, reducer):
     return made.model_copy(update={"master": made.master.model_copy(update={"rate": rate})})
 
 
+LINKAGES = {
+    "screw": (SCREW, 300.0), "crank": (CRANK, None), "rocker": (ROCKER, 20.0),
+    "table": (table((-30, -15), (20, 3), (90, 35), (190, 66)), None),
+}  # fmt: skip
+"""mechanisms, and viscous friction"""
+
+
+def linked_machine(name, rate=200.0, motor=None, reducer=None):
+    """An axis on a mechanism of its own with losses, a process force and parts, at a rate, with limits."""
+    mechanism, viscous = LINKAGES[name]
+    one = lossy(viscous, mechanism=mechanism)
+    one |= {"motor": FREE | (motor or {}), "reducer": one["reducer"] | (reducer or {})}
+    made = linked_small(one, positions=4)
+    return made.model_copy(update={"master": made.master.model_copy(update={"rate": rate})})
+
+
 def verdicts(value):
     """What the checks of the first drive's limits say, by the limits' names."""
     return {limit: value(f"drive1_ok_{name}") for limit, name in CHECKS.items()}
@@ -72,6 +92,18 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_limit_fails(limit):
     assert set(verdicts(computed(TEMPLATE, machine(rate * (1 - 1e-5), *entered))).values()) == {"OK"}
     above = verdicts(computed(TEMPLATE, machine(1.001 * rate, *entered)))
     assert [name for name, verdict in above.items() if verdict == "FAIL"] == [limit]
+
+
+@pytest.mark.parametrize("limit", BINDING)
+@pytest.mark.parametrize("name", LINKAGES)
+@pytest.mark.sample(2)
+def test_of_a_mechanism_too_all_hold_there_and_above_it_the_named_limit_fails(name, limit):
+    entered = BINDING[limit]
+    rate, found = settled(lambda rate: linked_machine(name, rate, *entered))
+    assert found("drive1_binds") == limit
+    assert set(verdicts(computed(TEMPLATE, linked_machine(name, rate * (1 - 1e-3), *entered))).values()) == {"OK"}
+    above = verdicts(computed(TEMPLATE, linked_machine(name, 1.002 * rate, *entered)))
+    assert [one for one, verdict in above.items() if verdict == "FAIL"] == [limit]
 
 
 def test_the_highest_rate_is_about_the_same_from_wherever_it_is_asked_for():

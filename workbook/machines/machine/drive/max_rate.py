@@ -28,7 +28,7 @@ USES = {
     "reducer input speed": "IF([limit]=0,0,(@speed/[limit])^2)",
     "reducer peak torque": "MAX([@pt.us])",
     "reducer mean torque": "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))",
-    "torque below the curve": "MAX([@pt.uc])^2",
+    "torque below the curve": "MAX(MAX([@pt.uc]),MAX([@pt.ub]))",
 }
 LIMITS = {
     "RMS torque": "@motor_rated", "peak torque": "@motor_peak", "motor speed": "@motor_nmax",
