@@ -44,18 +44,17 @@ class Squares(NamedTuple):
 
 
 def squares(points: DrivePoints) -> Squares:
-    """Return them as sums of mean S², S·T and T²."""
-    torque, standing = points.torque, points.standing
-    own, both, whole = (points.mean(one) for one in (standing**2, standing * torque, torque**2))
-    return Squares(own, both - own, whole - 2.0 * both + own)
+    """Return them over the points."""
+    standing, grows = points.standing, points.torque - points.standing
+    return Squares(*(points.mean(one) for one in (standing**2, standing * grows, grows**2)))
 
 
 def by_rms(points: DrivePoints, rated: float, moves: bool = True) -> Share:
     """Return the share of a rated torque (Nm): mean (S + x I)² = rated²."""
     own, mixed, growing = squares(points)
-    use = 0.0
-    if moves and own < rated**2:
-        use = growing / (math.sqrt(mixed**2 + growing * (rated**2 - own)) - mixed)
+    left, use = rated**2 - own, 0.0
+    if moves and left > 0.0:
+        use = (math.sqrt(mixed**2 + growing * left) + mixed) / left
     return Share(rated, math.sqrt(own), points.rms_torque, use)
 
 

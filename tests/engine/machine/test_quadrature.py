@@ -96,6 +96,7 @@ def points_ratio(course):
 
 def turns_back(course):
     """Whether a phase goes against its lift."""
+
     def against(phase):
         v = phase.law.evaluate(np.linspace(0.0, 1.0, 401))[1]
         return phase.lift != 0.0 and v.min() < -1e-9 * np.abs(v).max()
@@ -178,6 +179,7 @@ def test_a_law_that_turns_back_is_right_to_some_per_cent(request, number):
 
 def limits_near(points, drawn):
     """A motor's and a reducer's limits near to what a drive asks for."""
+
     def near(value):
         return value * drawn.uniform(0.7, 3.0)
 

@@ -142,7 +142,8 @@ def test_without_losses_the_motor_does_the_work_of_what_resists(request, number)
 def test_no_result_hangs_on_the_samples(request, number):
     data = one_axis(told(request, number))
     books = [TEMPLATE.declare(valid(data | {"sizes": data["sizes"] | {"cycle": cycle}})) for cycle in (12, 720)]
-    few, many = ({q.name: q.value for block in book.blocks.values() if not block.is_table for q in block.quantities}
+    few, many = ({q.name: q.value for block in book.blocks.values() if not block.is_table for q in block.quantities
+                  if not q.name.startswith(("bus_", "about_"))}
                  for book in books)  # fmt: skip
     assert few == many
 
