@@ -54,8 +54,8 @@ def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
     assert one.peak[motor, r] == pytest.approx(found.torque.peak, rel=1e-9)
     assert one.speed[r] == pytest.approx(found.speed.peak, rel=1e-12)
     assert one.inertia_ratio[motor, r] == pytest.approx(drive.train.drive.inertia_ratio, rel=1e-12)
-    of_motor = used(Motor(MOTORS.inertia[motor], *(float(one[motor]) for one in (
-        MOTORS.rated_torque, MOTORS.peak_torque, MOTORS.max_speed))), found.speed.peak, points_of(drive).rms_torque)  # fmt: skip
+    limits = (float(each[motor]) for each in (MOTORS.rated_torque, MOTORS.peak_torque, MOTORS.max_speed))
+    of_motor = used(Motor(MOTORS.inertia[motor], *limits), found.speed.peak, points_of(drive).rms_torque)
     assert one.use(motor, r) == pytest.approx(of_motor, rel=1e-9)
 
 

@@ -139,7 +139,7 @@ def test_where_nothing_comes_back_the_bus_takes_the_energies_of_all_drives():
     bare = {"motor": MOTOR | {"inertia": 0.0}}
     crank = linked(load={"mass": 0.0, "viscous": 400.0}, **bare)
     screw = driven(*RISE, load={"mass": 0.0, "viscous": 900.0}, **bare)
-    made = mixed(crank, screw)
+    made = mixed(crank, screw, cycle=360)
     value, common = computed(TEMPLATE, made), together(made).supply(True)
     energies = value("drive1_energy") + value("drive2_energy")
     assert common.mains_mean == pytest.approx(energies / 0.9 / value("timing_cycle"), rel=0.03)
