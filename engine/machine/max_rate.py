@@ -44,18 +44,17 @@ class Squares(NamedTuple):
 
 
 def squares(points: DrivePoints) -> Squares:
-    """Return them as sums of mean S², S·T and T²."""
-    torque, standing = points.torque, points.standing
-    own, both, whole = (points.mean(one) for one in (standing**2, standing * torque, torque**2))
-    return Squares(own, both - own, whole - 2.0 * both + own)
+    """Return them over the points."""
+    standing, grows = points.standing, points.torque - points.standing
+    return Squares(*(points.mean(one) for one in (standing**2, standing * grows, grows**2)))
 
 
 def by_rms(points: DrivePoints, rated: float, moves: bool = True) -> Share:
     """Return the share of a rated torque (Nm): mean (S + x I)² = rated²."""
     own, mixed, growing = squares(points)
-    use = 0.0
-    if moves and own < rated**2:
-        use = growing / (math.sqrt(mixed**2 + growing * (rated**2 - own)) - mixed)
+    left, use = rated**2 - own, 0.0
+    if moves and left > 0.0:
+        use = (math.sqrt(mixed**2 + growing * left) + mixed) / left
     return Share(rated, math.sqrt(own), points.rms_torque, use)
 
 
@@ -66,11 +65,19 @@ def growing_use(torque: Array, standing: Array, limit: float) -> Array:
 
 
 def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:
-    """Return at each point the use of the rate itself by a peak torque that falls: |S + r² I| + f r |ω| = T + f ω_1."""
-    grows = points.torque - points.standing
-    left = peak + falling.fall * falling.knee - np.sign(grows) * points.standing
-    sink = falling.fall * np.abs(points.speed)
-    return np.asarray((sink + np.sqrt(sink**2 + 4.0 * np.abs(grows) * left)) / (2.0 * left))
+    """Return at each point the use by a peak torque that falls, 1/r² of |S + r² I| + f r |ω| = T + f ω_1.
+
+    In two rows: of torques forward, and of those backward.
+    """
+    return np.stack([_falling_use(points, way, falling.corner(peak), falling.fall) for way in (1.0, -1.0)])
+
+
+def _falling_use(points: DrivePoints, way: float, corner: float, fall: float) -> Array:
+    """Return the same of one direction of the torque, of the first r that meets the line; 0 where none does."""
+    left = corner - way * points.standing
+    sink = fall * np.abs(points.speed)
+    square = sink**2 + 4.0 * way * (points.torque - points.standing) * left
+    return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)
 
 
 def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> Share:
@@ -109,6 +116,6 @@ def shares(
         "reducer mean torque": by_mean(points, reducer.mean_torque),
     }
     if falling.fall:
-        use = float(falling_use(points, peak, falling).max()) ** 2
-        found["torque below the curve"] = found["peak torque"]._replace(use=use)
+        use = float(falling_use(points, peak, falling).max())
+        found["torque below the curve"] = found["peak torque"]._replace(limit=falling.corner(peak), use=use)
     return found

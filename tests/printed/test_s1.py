@@ -1,6 +1,7 @@
 """S1: the cutting machine's movements, the feeding group's inertia and torque."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,9 +22,12 @@ from engine.machine.demand import Demand
 from engine.machine.train import Train
 from engine.motion import Motion, Phase
 from engine.timing import Axis, shaft_speed
+from workbook.reading.descriptions import read_machine
+from workbook.templates import TEMPLATES
 
 MTP = ModifiedTrapezoidal()
 RADIUS = 0.134  # m
+TEMPLATE = Path(__file__).parents[2] / "templates/cutting-machine.toml"
 
 
 def axis(name, degrees, lifts, law, feed=False):
@@ -200,3 +204,13 @@ def test_exact_rms_torque_over_the_cycle():
     assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
     assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)
     assert demand(MTP).rms_torque == pytest.approx(exact, rel=1e-12)
+
+
+def test_the_sheet_of_the_feed_has_s1s_terms():
+    """J_tot = 1.164 kg m² at the rollers, C_r = 67 Nm, τ of mechanism over motor."""
+    given = read_machine(TEMPLATE)
+    declared = TEMPLATES[given.template].declare(given)
+    held = {q.name: q.value for block in declared.blocks.values() if not block.is_table for q in block.quantities}
+    assert held["drive1_j_shaft"] == pytest.approx(1.164, abs=5e-4)
+    assert held["drive1_cr"] == pytest.approx(67.0, rel=1e-12)
+    assert held["drive1_tau"] == pytest.approx(1.0 / held["drive1_i1"], rel=1e-12)

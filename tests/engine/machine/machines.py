@@ -127,7 +127,9 @@ def operated(course, x):
     for k in reversed(range(m.last)):
         eta = m.stages[k].efficiency
         back = (torque * going < 0) & (drive.method == "physical")
-        torque = np.where(back, eta, 1 / eta) * torque / ratio
+        one = m.stages[k].back_efficiency
+        backward = eta if one is None or drive.method == "document" else one
+        torque = np.where(back, backward, np.where((going == 0) & (backward <= 0), 0.0, 1 / eta)) * torque / ratio
         if k < m.last - 1:
             speed, acceleration = speed * m.stages[k].ratio, acceleration * m.stages[k].ratio
         torque = torque + m.on_shaft(k) * acceleration

@@ -11,9 +11,11 @@ from engine.drivetrain import KINDS, Drive, Load, Motor, Part, Stage
 from engine.laws import Dwell, law
 from engine.machine.course import Course
 from engine.machine.demand import Demand
-from engine.machine.grid import RANKS, Behind, Curve, Grid, Wanted, points, reserve, used
+from engine.machine.grid import RANKS, Curve, Grid, Wanted, reserve, used
+from engine.machine.point_load import PointLoad, Points
 from engine.machine.train import Train, Window
 from engine.motion import Motion
+from tests.engine.machine.test_quadrature import points_of
 
 MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]), np.array([6.0, 90.0]),
                 np.array([5000.0, 4000.0]), size=np.array([3.0, np.nan]))  # fmt: skip
@@ -34,7 +36,11 @@ def course(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0):
 
 
 def grid(wanted=WIDE):
-    return Grid(Behind(course()), MOTORS, REDUCERS, BESIDE.inertia, wanted)
+    one = course()
+    exact = Demand(one)
+    inertia = one.train.drive.mechanism.inertia() - BESIDE.inertia
+    load = PointLoad(points_of(one).load, exact.speed.peak, exact.shaft_torque(1).peak, inertia)
+    return Grid(load, MOTORS, REDUCERS, BESIDE.inertia, wanted)
 
 
 @pytest.mark.parametrize("motor", [0, 1])
@@ -43,12 +49,13 @@ def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
     one, r = grid(), reducer
     drive = course(MOTORS.inertia[motor], REDUCERS.reduction[r], REDUCERS.efficiency[r], REDUCERS.inertia[r])
     found = Demand(drive)
-    assert one.rms[motor, r] == pytest.approx(found.rms_torque, rel=1e-9)
+    assert one.rms[motor, r] == pytest.approx(points_of(drive).rms_torque, rel=1e-9)
+    assert one.rms[motor, r] == pytest.approx(found.rms_torque, rel=1e-3)
     assert one.peak[motor, r] == pytest.approx(found.torque.peak, rel=1e-9)
     assert one.speed[r] == pytest.approx(found.speed.peak, rel=1e-12)
     assert one.inertia_ratio[motor, r] == pytest.approx(drive.train.drive.inertia_ratio, rel=1e-12)
-    of_motor = used(Motor(MOTORS.inertia[motor], *(float(one[motor]) for one in (
-        MOTORS.rated_torque, MOTORS.peak_torque, MOTORS.max_speed))), found.speed.peak, found.rms_torque)  # fmt: skip
+    limits = (float(each[motor]) for each in (MOTORS.rated_torque, MOTORS.peak_torque, MOTORS.max_speed))
+    of_motor = used(Motor(MOTORS.inertia[motor], *limits), found.speed.peak, points_of(drive).rms_torque)
     assert one.use(motor, r) == pytest.approx(of_motor, rel=1e-9)
 
 
@@ -82,11 +89,19 @@ def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_o
     assert len(RANKS) == 5
 
 
-def test_the_reserve_is_exact_below_the_knee_and_never_more_than_is_left_beyond():
-    """Speed of a part against the torque at its ends: 80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30."""
-    part = points(np.array([10.0, 0.0]), np.array([20.0, 20.0]), np.array([1.0, 1.0]), np.array([150.0, 150.0]))
+class Held:
+    """A load of two points: torque (Nm) that it is driven with, or that drives it, and the speed there (rad/s)."""
+
+    def __init__(self, acceleration, driving, driven, speed):
+        self.points = Points(*(np.array(one) for one in (acceleration, driving, driven, speed)))
+        self.torques = PointLoad.torques.__get__(self)
+
+
+def test_the_reserve_is_what_is_left_below_the_curve_at_the_points():
+    """80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30; of a load that drives η/i of its torque."""
+    part = Held([10.0, 0.0], [20.0, 20.0], [0.0, 0.0], [150.0, 150.0])
     gears = 1.0, 1.0, 1.0
     assert reserve(part, gears, Curve(80.0, 150.0, 0.2)) == pytest.approx(50.0)
     assert reserve(part, gears, Curve(80.0, 100.0, 0.2)) == pytest.approx(40.0)
-    held = points(np.zeros(1), np.array([-20.0]), np.array([1.0]), np.zeros(1))
-    assert reserve(held, (1.0, 2.0, 0.5), Curve(80.0, 1.0, 0.0)) == pytest.approx(75.0)  # it is driven: η/i
+    held = Held([0.0], [0.0], [-20.0], [0.0])
+    assert reserve(held, (1.0, 2.0, 0.5), Curve(80.0, 1.0, 0.0)) == pytest.approx(75.0)

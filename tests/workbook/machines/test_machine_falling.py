@@ -1,33 +1,26 @@
 """A motor whose peak torque falls beyond a speed: on the sheets of drives, against a search and by what it means."""
 
+import math
 import random
-from dataclasses import replace
 
 import numpy as np
 import openpyxl
 import pytest
 
-from engine.choice.curve import TorqueCurve
-from engine.drivetrain import Motor
-from engine.machine.falling import Falling, line_asked
-from engine.machine.limits import BELOW, Judged, Limits, ReducerLimits
-from engine.machine.place_pace import WITHIN
-from engine.machine.rate import of_axis
 from tests.mutation.bench import Bench
 from tests.mutation.examine import examined
-from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
-from tests.workbook.machines import test_machine_placed_rates as placed
 from tests.workbook.machines import test_machine_rates as straight
 from tests.workbook.machines.test_machine import TEMPLATE
 from workbook.build import build
 from workbook.judging.verify import verify
+from workbook.machines.machine.drive.view import settled_highest
 
 NONE = {"inertia": 10.0, "rated_torque": 1e5, "max_speed": 1e6}
 AXES = {
     "constant": lambda rate: straight.machine(rate, {}, {}),
-    **{name: lambda rate, name=name: placed.machine(name, rate) for name in placed.AXES},
+    **{name: lambda rate, name=name: straight.linked_machine(name, rate) for name in straight.LINKAGES},
 }
 CURVES = {
     "constant": {"peak_torque": 90.0, "full_torque_to": 2000.0, "end_torque": 5.0, "max_speed": 12000.0},
@@ -47,54 +40,17 @@ def machine(name, rate=60.0, **motor):
     return TEMPLATE.model.model_validate(given)
 
 
-def course_of(given):
-    """The course of the first drive."""
-    return placed.drives_of(given)[0].driven.demand.course
-
-
-def drawn(told):
-    """The sheet of a drive, drawn at random, with a curve that falls and no other limit but the largest speed."""
-    one = random.Random(told)
-    name = one.choice([*AXES])
-    view = placed.drives_of(drawn_machine(AXES[name](200.0), one))[0]
-    pace = view.paced
-    asked = pace.demand
-    peak = max(asked.torque.peak, 1e-3) * one.uniform(0.9, 3.0)
-    fastest = max(asked.speed.peak, 1e-3) * one.uniform(0.9, 4.0)
-    knee, end = fastest * one.uniform(0.0, 0.9), peak * one.random()
-    falling = Falling(knee, (peak - end) / (fastest - knee))
-    pace = replace(pace, rated_torque=1e9, peak_torque=peak, max_speed=fastest, reducer=ReducerLimits(),
-                   falling=falling)  # fmt: skip
-    curve = TorqueCurve(np.array([0.0, knee, fastest]), np.array([peak, peak, end]))
-    return pace, Judged(asked.course, Limits(Motor(1e-3, 1e9, peak, fastest), curve)), name
-
-
-@pytest.mark.parametrize("number", [*range(6), *nights(300)])
-def test_the_rate_below_a_curve_is_that_of_an_exact_search(request, number):
-    told = f"falling {number}"
-    pace, judged, _ = drawn(seed(told) if request.node.get_closest_marker("nightly") else told)
-    speed, _ = of_axis(judged)
-    course = judged.course
-    if min(pace.each) == 0.0:
-        assert speed <= course.speed * 1e-3
-    else:
-        expected = min(speed / course.speed, 1e6)
-        assert expected * (1.0 - 1e-3) <= pace.rate * course.time <= expected * (1.0 + WITHIN)
-
-
-@pytest.mark.parametrize("number", [*range(8), *nights(300)])
-def test_what_is_left_below_a_curve_is_never_less_than_is_said(request, number):
-    told = f"reserve {number}"
-    pace, judged, name = drawn(seed(told) if request.node.get_closest_marker("nightly") else told)
-    checked = next(check for check in judged.checks if check.name == BELOW)
-    left, line = checked.limit - checked.value, line_asked(judged.course, pace.falling)
-    peak = pace.peak_torque
-    found = min(peak - pace.demand.torque.peak, pace.falling.corner(peak) - line)
-    if pace.demand.speed.peak <= pace.max_speed:  # beyond it the curve is at its end, and the line goes on
-        assert found == pytest.approx(left, abs=1e-9 * peak)
-    if name == "constant":
-        asked = pace.against.most(1.0)
-        assert line - 1e-9 * line <= asked <= line + 2e-3 * peak
+@pytest.mark.parametrize("name", [*AXES])
+@pytest.mark.parametrize("number", [*range(1), *nights(60)])
+def test_the_rate_below_a_curve_is_that_of_an_exact_search(request, number, name):
+    """Where the sheet names it, entered and read again: of a constant ratio to 0.2 %. Behind a ratio that changes a
+    peak may lie between points, where the curve falls with the speed too: to 2 %, measured 1.5 %."""
+    told = f"falling {number} {name}"
+    drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
+    given = machine(name, drawn.uniform(30.0, 90.0))
+    (view,) = straight.drives_of(given)
+    exact, _ = view.exact_highest()
+    assert settled_highest(view).rate == pytest.approx(exact, rel=2e-3 if name == "constant" else 0.02)
 
 
 @pytest.mark.parametrize("name", AXES)
@@ -117,29 +73,28 @@ def test_cells_agree_at_every_variation(name, turn):
 
 @pytest.mark.parametrize("name", AXES)
 @pytest.mark.sample(2)
-def test_at_the_highest_rate_the_torque_is_below_the_curve_and_a_thousandth_above_it_is_not(name):
-    value = computed(TEMPLATE, machine(name))
-    rate = value("drive1_highest")
-    assert value("drive1_binds") == "motor's curve"
-    there, above = (computed(TEMPLATE, machine(name, times * rate)) for times in (1.0, 1.001))
+def test_at_the_highest_rate_the_torque_is_below_the_curve_and_above_it_is_not(name):
+    rate, value = straight.settled(lambda rate: machine(name, rate))
+    assert value("drive1_binds") == "torque below the curve"
+    there, above = (computed(TEMPLATE, machine(name, times * rate)) for times in (0.999, 1.002))
     assert (there("drive1_ok_curve"), above("drive1_ok_curve")) == ("OK", "FAIL")
     assert there("drive1_ok_peak") == above("drive1_ok_peak") == "OK"
-    assert 0.0 <= there("drive1_spare") < 2e-3 * CURVES[name]["peak_torque"]
+    assert 0.0 <= there("drive1_spare") < 5e-3 * CURVES[name]["peak_torque"]
     assert above("drive1_spare") < 0.0
     assert " Nm more than the motor has at its speed; the drive holds all up to " in above("drive1_ok_curve_says")
 
 
 @pytest.mark.parametrize("name", ["constant", "crank"])
 def test_the_reserve_is_that_of_the_samples_of_the_sheet(name):
-    """And never more: 720 samples may miss what is asked for most, by a little."""
+    """Samples and points each miss a little of what is asked for most."""
     given = machine(name).model_dump()
     given["sizes"]["cycle"] = 720
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
-    speed, torque = (np.abs(value("drive1_cycle", column)) for column in ("rpm", "torque"))
+    power, torque = (np.abs(value("drive1_cycle", column)) for column in ("power", "torque"))
+    speed = 30e3 / math.pi * np.divide(power, torque, out=np.zeros_like(power), where=torque > 0.0)
     curve = CURVES[name]
     limit = np.interp(speed, [curve["full_torque_to"], curve["max_speed"]], [curve["peak_torque"], curve["end_torque"]])
     left = float((limit - torque).min())
-    assert value("drive1_spare") <= left + 1e-9
     assert value("drive1_spare") == pytest.approx(left, abs=5e-3 * curve["peak_torque"])
 
 
@@ -150,7 +105,7 @@ def test_a_level_motor_is_judged_as_in_a_book_that_knows_no_other(name):
     plain = machine(name, full_torque_to=None, end_torque=None).model_dump()
     plain["axes"][0]["motor"] |= {"name": "Level"}
     one, other = (computed(TEMPLATE, TEMPLATE.model.model_validate(each)) for each in (known, plain))
-    for result in ("highest", "binds", "settled", "tmax", "ok_curve", "ok_peak"):
+    for result in ("highest", "binds", "tmax", "ok_curve", "ok_peak"):
         assert one(f"drive1_{result}") == other(f"drive1_{result}"), result
     assert one("drive1_spare") == pytest.approx(1e5 - max(one("drive1_tmax"), -one("drive1_tmin")))
 
@@ -201,13 +156,11 @@ def test_an_odd_curve_in_a_book_that_knows_one_is_judged_alike(odd, tmp_path):
 
 @pytest.mark.parametrize("name", ["constant", "crank"])
 def test_every_mutant_of_the_new_cells_is_found(name):
-    """Faults in the formulas of the curve, of what is asked of it at trials, of the reserve and the check."""
+    """Faults in the formulas of the curve, of the share of it, of the reserve and the check."""
     given = machine(name).model_dump()
     given["sizes"]["cycle"] = 12
     bench = Bench(TEMPLATE, TEMPLATE.model.model_validate(given))
-    names = {"knee", "fall", "corner", "sink", "spare", "ok_curve", "curve0", "lowest", "outer", "peak", "rpm", "z",
-             "xc", "vc", "dc", "tc", "cc", "bc", "wc", "gapz", "apartz", "C", "topC", "tC_6", "mC_1"}  # fmt: skip
-    names |= {f"cv_{n}" for n in range(6)}
+    names = {"knee", "fall", "corner", "spare", "ok_curve", "left", "uc", "use", "rate", "limit"}
     sheet = bench.declared.blocks["drive1_fall"].sheet.title
     places = {(c.row, c.column) for c in bench.declared.cells()
               if c.block.sheet.title == sheet and c.block.name != "drive1_cycle"

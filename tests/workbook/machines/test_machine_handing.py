@@ -10,7 +10,7 @@ from engine.machine.demand import Demand
 from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.laws.library import laws
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked, counted
 from workbook.templates import TEMPLATES

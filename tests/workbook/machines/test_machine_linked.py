@@ -60,7 +60,8 @@ def test_over_a_cycle_the_motor_does_the_work_of_friction_and_process_force(mech
     phases = ((20, 140, lift, "CIC"), (190, 330, -lift, "MTP"))
     value = computed(TEMPLATE, small(linked(*phases, mechanism=mechanism, load=load), positions=6))
     net, way = value("drive1_energy") - value("drive1_returned"), lift / 1000
-    assert net == pytest.approx(0.1 * 12.0 * 9.81 * 2 * way + 500.0 * way, rel=1e-9)
+    work = 0.1 * 12.0 * 9.81 * 2 * way + 500.0 * way
+    assert net == pytest.approx(work, abs=1e-5 * value("drive1_energy"))
 
 
 def test_speed_and_torque_against_differentiated_angles():
@@ -76,7 +77,7 @@ def test_speed_and_torque_against_differentiated_angles():
     motion = [-one for one in angle]
     for k in range(60, 660, 7):
         rate = (motion[k + 1] - motion[k - 1]) / (2 * time)
-        assert value("drive1_cycle", "rpm")[k] == pytest.approx(rate * 30 / math.pi, abs=0.3)
+        assert value("drive1_cycle", "v")[k] * value("drive1_cycle", "g")[k] == pytest.approx(rate, abs=0.03)
 
 
 @pytest.mark.parametrize("slide", ["ahead", "behind"])
@@ -109,7 +110,6 @@ def test_a_rocker_out_of_reach_fails_by_row_and_amount():
         ({"position": 45.0}, "reach", "A1 row 1 reaches 60 mm, 4.866 mm beyond the outer dead centre"),
         ({"rod": 40.0}, "linked", "the rod is not longer than crank and offset: the crank cannot turn round"),
         ({"rod": None}, "sized", "a size of the mechanism is empty"),
-        ({"position": 0.01}, "nodes", "too near to a dead centre, or power turns round too often, for the places"),
     ],
 )
 def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, said):
@@ -119,7 +119,7 @@ def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, sai
     assert machine.design.faults[0].said.startswith(said)
     value = computed(TEMPLATE, machine)
     assert value(f"drive1_ok_{check}") == "FAIL"
-    assert all(isinstance(one, float | int) for one in [*value("drive1_pl", "T"), *value("drive1_cycle", "phi")])
+    assert all(isinstance(one, float | int) for one in [*value("drive1_pt", "T"), *value("drive1_cycle", "phi")])
 
 
 def test_an_axis_that_does_not_come_back_fails():

@@ -1,20 +1,15 @@
 """Drives of phases that move there and back, and of the seventh degree: cells, engine, dense samples, energy."""
 
 import itertools
-import math
 import random
 
 import numpy as np
 import pytest
 
-from engine.drivetrain import Motor
 from engine.machine.demand import Demand
-from engine.machine.limits import Judged, Limits
-from engine.machine.pace import FAR
-from engine.machine.rate import of_axis
 from tests.engine.machine.machines import sampled
 from tests.tiers import nights
-from tests.workbook.cells import computed, disagreeing
+from tests.workbook.cells import disagreeing
 from tests.workbook.machines.test_machine_handing import (
     BACK,
     DRIVE,
@@ -25,9 +20,9 @@ from tests.workbook.machines.test_machine_handing import (
     axis,
     phase,
 )
-from tests.workbook.machines.test_machine_rates import limited, stretches_of
+from tests.workbook.machines.test_machine_rates import drives_of
 from workbook.laws.library import laws
-from workbook.machines.machine.driven import Driven
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked, counted
 
@@ -131,36 +126,26 @@ def test_random_drives_come_to_what_the_engine_says(seed):
 
 
 @pytest.mark.parametrize("seed", [*range(4), *nights(100)])
-def test_of_random_drives_the_highest_rate_is_what_a_search_finds(seed):
-    pace = limited(random.Random(seed), stretches_of(drawn(seed)).pace)
-    motor = Motor(1e-3, pace.rated_torque, pace.peak_torque, pace.max_speed)
-    speed, _ = of_axis(Judged(pace.demand.course, Limits(motor, None, pace.reducer)))
-    expected = min(speed / pace.demand.course.speed, math.sqrt(FAR))
-    assert pace.highest == pytest.approx(expected, rel=1e-9, abs=1e-5)
-
-
-@pytest.mark.parametrize("seed", [*range(4), *nights(100)])
-def test_what_random_stretches_ask_for_is_what_the_course_does(seed):
-    """Peaks of torque and power from the ends and tops of stretches, against the engine's search."""
-    view = stretches_of(drawn(seed))
-    found, torques = view.driven.demand, [part.torque_at(end) for part in view.parts for end in (0, 1)]
-    assert max(torques) == pytest.approx(found.torque.highest.value, rel=1e-9, abs=1e-9)
-    assert min(torques) == pytest.approx(found.torque.lowest.value, rel=1e-9, abs=1e-9)
-    powers = [power for one in view.powers for power in (*one.ends, one.at_bends, *(top.power for top in one.tops))]
-    assert max(0.0, *powers) == pytest.approx(max(0.0, found.power.highest.value), rel=1e-9, abs=1e-9)
-    assert min(0.0, *powers) == pytest.approx(min(0.0, found.power.lowest.value), rel=1e-9, abs=1e-9)
+def test_of_random_drives_points_are_near_to_what_the_course_asks(seed):
+    """Phases turn back and hand over between prescribed rates: direction changes inside an interval, and friction and
+    losses jump there. RMS torque to 1 %, peaks to 5 %, energy to 5 %."""
+    (view,) = drives_of(drawn(seed))
+    exact, points = view.driven.demand, view.points
+    assert points.rms_torque == pytest.approx(exact.rms_torque, rel=0.01)
+    assert points.size(points.torque) == pytest.approx(exact.torque.peak, rel=0.05)
+    assert view.energy[0] == pytest.approx(exact.energy.driving, rel=0.05)
 
 
 BACK_AND_FORTH = {"OWN": {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}}
 POINTS = [{"angle": at, "position": y} for at, y in ((-60.0, -20.0), (0.0, 0.0), (40.0, 30.0), (200.0, 100.0))]
 WAVES = {"duration": 0.5, "c0": 4.0, "amplitude": 1.5, "omega": 50.26548245744}
 MANY = {"OWN": {"pieces": [WAVES, WAVES | {"c0": -4.0, "amplitude": -1.5}]}}
-REFUSED = {
+TAKEN = {
     "a sine of more than three half turns": lambda: machine(
-        axis("A", phase(0.0, 90.0, 30.0, "OWN"), **DRIVE), laws=MANY
+        axis("A", phase(0.0, 90.0, 30.0, "OWN"), closes="feed", **DRIVE), laws=MANY
     ),
     "a law of one's own that turns back": lambda: machine(
-        axis("A", phase(0.0, 90.0, 30.0, "OWN"), **DRIVE), laws=BACK_AND_FORTH
+        axis("A", phase(0.0, 90.0, 30.0, "OWN"), closes="feed", **DRIVE), laws=BACK_AND_FORTH
     ),
     "a phase that turns back behind a table of positions": lambda: moved(
         CASES["quintic"], mechanism={"kind": "table", "efficiency": 0.9, "points": POINTS}
@@ -168,12 +153,9 @@ REFUSED = {
 }
 
 
-@pytest.mark.parametrize("name", REFUSED)
-def test_what_a_drive_does_not_take_leaves_the_design_unfinished(name):
-    assert [fault.rule for fault in REFUSED[name]().design.faults] == ["shaped1"]
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize("name", REFUSED)
-def test_the_sheet_says_what_a_drive_does_not_take(name):
-    assert computed(MACHINE, REFUSED[name]())("drive1_ok_laws") == "FAIL"
+@pytest.mark.parametrize("name", TAKEN)
+def test_every_law_is_taken_by_a_drive(name):
+    """Those too that an earlier sheet could not integrate."""
+    one = TAKEN[name]()
+    assert one.design.faults == ()
+    assert disagreeing(MACHINE, one)[0] == []

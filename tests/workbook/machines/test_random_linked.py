@@ -9,7 +9,6 @@ import random
 
 import pytest
 
-from engine.machine.place_pace import WITHIN
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
@@ -98,7 +97,7 @@ def examined(drawn, kind):
         first, *others = (value(f"drive{k}_{name}") for k in (1, 2, 3))
         assert others == pytest.approx([first, first], rel=1e-8, abs=1e-9 * max(size, abs(first))), name
     first, *others = (value(f"drive{k}_highest") for k in (1, 2, 3))
-    assert others == pytest.approx([first, first], rel=2.0 * WITHIN)
+    assert others == pytest.approx([first, first], rel=1e-8)
     ends = [(value(f"drive{k}_tmax"), value(f"drive{k}_tmin")) for k in (1, 2, 3)]
     assert (-ends[1][1], -ends[1][0]) == pytest.approx(ends[0], rel=1e-8, abs=1e-9 * peak)
     assert ends[2] == pytest.approx(ends[0], rel=1e-8, abs=1e-9 * peak)

@@ -22,13 +22,14 @@ ABOUT = (
 )
 SPEEDS = ("motor speed", "reducer input speed")
 USES = {
-    "RMS torque": "IF(OR(@speed=0,[stands]>=[limit]),0,@grow/(SQRT(@mixed^2+@grow*(@motor_rated^2-@stand))-@mixed))",
+    "RMS torque": "IF(OR(@speed=0,[stands]>=[limit]),0,"
+    "(SQRT(@mixed^2+@grow*([limit]^2-[stands]^2))+@mixed)/([limit]^2-[stands]^2))",
     "peak torque": "MAX([@pt.up])",
     "motor speed": "(@speed/[limit])^2",
     "reducer input speed": "IF([limit]=0,0,(@speed/[limit])^2)",
     "reducer peak torque": "MAX([@pt.us])",
     "reducer mean torque": "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))",
-    "torque below the curve": "MAX([@pt.uc])^2",
+    "torque below the curve": "MAX(MAX([@pt.uc]),MAX([@pt.ub]))",
 }
 LIMITS = {
     "RMS torque": "@motor_rated", "peak torque": "@motor_peak", "motor speed": "@motor_nmax",
@@ -64,9 +65,9 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
     sheet.heading("Workings: the highest rate", ABOUT)
     sheet.rows(
         calc("@stand", "Mean of T_0²", "A", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
-        calc("@mixed", "Mean of T_0 I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T])-@stand", mixed,
+        calc("@mixed", "Mean of T_0 I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
              scale=size),
-        calc("@grow", "Mean of I²", "C", "Nm²", "=@rms^2-2*@mixed-@stand", growing, scale=size),
+        calc("@grow", "Mean of I²", "C", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
         calc("@smean0", "Mean torque behind the reducer at no speed", "", "Nm", f"={cubic('S0')}",
              points.cubic_mean(view.load.standing_behind), scale=view.scales.behind),
     )  # fmt: skip

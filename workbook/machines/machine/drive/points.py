@@ -177,17 +177,23 @@ def standing(view: DriveView, ratio: str) -> list[Quantity]:
 def curve(view: DriveView) -> list[Quantity]:
     """Return the columns of the motor's curve: what is left below it, and what grows with the rate of it."""
     driven, points = view.driven, view.points
-    grows, left = "ABS([T]-[T0])", "(@corner-SIGN([T]-[T0])*[T0])"
     falls = driven.falling.fall > 0.0
-    shares = falling_use(points, driven.motor.peak_torque, driven.falling) if falls else 0.0 * points.torque
+    peak = driven.motor.peak_torque
+    shares = falling_use(points, peak, driven.falling) if falls else np.stack([0.0 * points.torque] * 2)
+
+    def use(grows: str, left: str) -> str:
+        square = f"(@fall*[n])^2+4*({grows})*({left})"
+        return f"=IF(@fall=0,0,IF({square}<0,0,((@fall*ABS([n])+SQRT({square}))/2/({left}))^2))"
+
     return [
         calc("left", "left below the motor's curve", "", "Nm",
              "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
-             view.by_point(driven.falling.reserve(driven.motor.peak_torque, points.torque, points.speed)),
+             view.by_point(driven.falling.reserve(peak, points.torque, points.speed)),
              scale=view.scales.torque, source="T_max − f (n − n_1) − |T|"),
         calc("uc", "share of the curve", "", "",
-             f"=IF(@fall=0,0,(@fall*ABS([n])+SQRT((@fall*[n])^2+4*{grows}*{left}))/2/{left})",
-             view.by_point(shares), scale=1.0, source="of the rate itself"),
+             use("[T]-[T0]", "@corner-[T0]"), view.by_point(shares[0]), scale=1.0, source="of torques forward"),
+        calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), view.by_point(shares[1]), scale=1.0,
+             source="of torques backward"),
     ]  # fmt: skip
 
 
