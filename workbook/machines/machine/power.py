@@ -8,7 +8,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.rows import total
 from workbook.book.sentence import amount
 from workbook.entries.abscissa import Abscissa
-from workbook.entries.units import KW, shown
+from workbook.entries.units import KW, shown, si
 from workbook.machines.machine.mains import Mains
 
 KWH = 3.6e6  # J
@@ -17,6 +17,8 @@ TOGETHER = "Drives use what others give back; what is left goes into one resisto
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
 FINE = 0.05
 """of the peak: by more the samples must not miss the drives' peaks"""
+LEAST = 0.001
+"""kW that count as nothing"""
 CHART_COLUMN = 10
 
 
@@ -61,8 +63,8 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.rows(*common(bus))
     missed = float(bus.off.sum())
     sheet.checks(check("bus_fine", "Power: the samples tell the peak of the bus to 5 %",
-                       f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)",
-                       missed <= FINE * max(bus.peak, bus.burnt_peak), "it may be higher by less",
+                       f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)+{LEAST}",
+                       missed <= FINE * max(bus.peak, bus.burnt_peak) + si(LEAST, KW), "it may be higher by less",
                        says=amount("bus_off", shown(missed, KW), "it may be higher by ",
                                    " kW: build the book with more samples, sizes.cycle")))  # fmt: skip
     sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)
