@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import AfterValidator, Field
 
 from engine import laws as engine
-from engine.laws import Entry, Law
+from engine.laws import Entry, Law, PieceLaw
 from engine.laws.piece_integrals import ends
 from engine.laws.points import PointedLaw, Points, points_of
 from engine.laws.table import begins
@@ -114,7 +114,7 @@ class OwnPage(Page):
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
         rows = np.array(numbers).reshape(-1, len(OWN_ENTRIES)).tolist()
-        return PointedLaw([engine.Piece(d, (a, b, c, e), *sine) for d, a, b, c, e, *sine in rows])
+        return PieceLaw([engine.Piece(d, (a, b, c, e), *sine) for d, a, b, c, e, *sine in rows])
 
     def numbers(self, entered: OwnLaw) -> list[float]:
         """Return the pieces in a row, eight numbers each."""
