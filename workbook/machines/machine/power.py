@@ -35,7 +35,7 @@ def supply(bus: Mains) -> list[Quantity]:
         result("about_peak", "Peak power from the mains", "P_max", "kW", f"=bus_mains_peak+{beside.format('peak')}",
                shown(peak, KW), scale=size, source="on a common DC bus"),
         result("about_peak_off", "… may be higher by", "", "kW", "=bus_off+0", shown(float(bus.off.sum()), KW),
-               scale=size, source="what the samples miss of the drives' peaks"),
+               scale=size, source="between samples"),
         result("about_bus_year", "Energy a year", "E", "kWh", f"=bus_year+{beside.format('mains')}*power_hours",
                shown(together([bus.common, *others]).energy_a_year(hours), KWH), scale=size,
                source="on a common DC bus"),

@@ -132,7 +132,7 @@ def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list
     return [
         result("about_highest", "Highest rate", "n_max", "cycles/min",
                f'=IF(COUNT({column})=0,"{NONE_BINDS}",MIN({column}))', least, align="right",
-               source="of all drives; exact at the rate entered, elsewhere to about 1 %"),
+               source="of all drives; about"),
         *shortest_of,
         result("about_binds", "Axis and limiting factor", "", "",
                f'=IF(COUNT({column})=0,"{NONE_BINDS}",{told[0]}&": "&{told[1]})', said, align="right",

@@ -121,9 +121,9 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
              OWN if own else MACHINES, align="right"),
         calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
-        result("@jtot", "Inertia at the motor, without it" + (", largest over the stroke" if view.varies else ""),
+        result("@jtot", "Inertia at the motor, without it",
                "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000", shown(view.inertia, KG_CM2),
-               source="Σ J/i², load and parts"),
+               source="the largest over the stroke" if view.varies else "Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
                "=IF(@jm>0,@jtot/10000/@jm,0)", view.inertia_ratio, source="load at the motor's shaft / motor"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", points.top(torque),
@@ -260,9 +260,9 @@ def reducer_checks(view: DriveView, mends: Said) -> list[Quantity]:
 def charts(sheet: Sheet, view: DriveView) -> None:
     """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
     sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
-    sheet.chart(over_cycle(view), column=CHART_COLUMN, row=28, width=8, height=14)
+    sheet.chart(over_cycle(view), column=CHART_COLUMN, row=28, width=8, height=11)
     if view.varies:
-        sheet.chart(angles(view), column=CHART_COLUMN, row=43, width=8, height=14)
+        sheet.chart(angles(view), column=CHART_COLUMN, row=40, width=8, height=11)
 
 
 def x_of(view: DriveView) -> str:
