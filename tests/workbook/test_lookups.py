@@ -47,8 +47,14 @@ def index(values, row):
     return values[int(row) - 1]
 
 
+def least(*values):
+    """Of a range the least number, as programs have it: texts are passed over."""
+    numbers = [value for value in values[0] if is_number(value)] if len(values) == 1 else values
+    return min(numbers, default=0)
+
+
 FUNCTIONS = {
-    "MIN": min, "MAX": max, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either, "INDEX": index,
+    "MIN": least, "MAX": max, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either, "INDEX": index,
     "PI": lambda: math.pi,
 }  # fmt: skip
 
