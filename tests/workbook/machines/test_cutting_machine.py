@@ -13,7 +13,6 @@ from tests.laws import MOVING
 from tests.mutation.draw_machine import SHAPED
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.build import build
-from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 
 pytestmark = pytest.mark.quick
@@ -157,15 +156,3 @@ def test_samples_that_all_fall_on_rests_change_no_result_and_cells_and_engine_ag
     few = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 4})})
     assert disagreeing(TEMPLATE, few)[0] == []
     assert computed(TEMPLATE, few)("drive1_rms") == computed(TEMPLATE, machine)("drive1_rms")
-
-
-BEFORE = 17_099
-"""formula cells of Timing, without jerk, when every sample looked up phase and law (the committed book of da12479)"""
-
-
-def test_the_cycle_has_a_fifth_fewer_formula_cells_than_before_motions_were_tables_of_pieces():
-    book = TEMPLATE.declare(cutting.described())
-    sheets = ("Timing", "Cycle 1", "Cycle 2", "Cycle 3")
-    cells = [cell for cell in book.cells() if cell.block.sheet.title in sheets and is_formula(cell.content)]
-    assert len(cells) <= 0.82 * BEFORE
-    assert book.blocks["cycle1"].columns.keys() >= {"ggg"}  # with jerk

@@ -163,6 +163,7 @@ def test_an_open_axis_begins_with_what_is_entered_and_ends_at_rest():
 @pytest.mark.parametrize("master", [{"rate": 100.0}, {"cycle": 100.0}])
 def test_an_open_axis_with_a_drive_fails_by_name(master, tmp_path):
     data = description(TO_AND_FRO, unit="mm", closes="open", **DRIVE) | {"master": master}
+    data["sizes"] |= {"cycle": 200}  # samples that tell the peak of the bus
     machine = checked(MACHINE, data, counted)
     build(machine, tmp_path / "book.xlsx")
     report = verify(tmp_path / "book.xlsx")
