@@ -111,7 +111,7 @@ def products(sheet: Sheet, view: Choosing) -> None:
     reducers(sheet, view)
     scores = np.nan_to_num(view.grid.scores(view.given.rank), nan=0.0)
     grid(sheet, view, "score", "What pairs are ranked by, the lowest first",
-         ("on", "rated", "jm", "smaller", "weight"), score, view.spread(scores, 0.0), format="General",
+         ("known", "rated", "jm", "smaller", "weight"), score, view.spread(scores, 0.0), format="General",
          scale=max(1.0, float(np.abs(scores).max())))  # fmt: skip
     keys = view.spread(np.where(np.isfinite(view.keys), view.keys, -1.0), -1.0)
     told = [["–" if key < 0.0 else key for key in column] for column in keys]
@@ -126,7 +126,7 @@ def score(c: int) -> str:
     match = f"IF({balance}>0,MAX({balance}/{inertia},{inertia}/{balance})^0.5,1)"
     used = f"[smaller]*(@rank_no=1)+1-1/(1+{share})"
     ranked = f"IF(@rank_no<3,{used},IF(@rank_no=3,{match},[weight]+[@reducers.weight.{c}]))"
-    return f"IF([on]*[@reducers.on.{c}],{ranked},0)"
+    return f"IF([known]*[@reducers.known.{c}],{ranked},0)"
 
 
 def key(view: Choosing, c: int) -> str:
@@ -156,7 +156,7 @@ def motor_figures(view: Choosing) -> dict[str, tuple[str, str, list[Any]]]:
     return found | {
         "on": ("in use", "", filled(filled([], len(m.names), 1), n, 0)),
         "smaller": ("smaller motors", "", filled(view.grid.smaller, n, 0)),
-        "known": ("has what it is ranked by", "", filled(known, n, 1 if view.rank <= MASSLESS else 0)),
+        "known": ("has what it is ranked by", "", filled(known, n, 0)),
         "weight": ("mass or cost", "", filled(weight, n)),
     }
 
@@ -201,7 +201,7 @@ def weighed(table: str, known: list[Any], weight: list[Any]) -> list[Quantity]:
     """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given."""
     mass, cost = (f"INDEX([{table}.{name}],[k])" for name in ("mass", "cost"))
     return [
-        calc("known", "has what it is ranked by", "", "", f"=CHOOSE(@rank_no,1,1,1,COUNT({mass}),COUNT({cost}))",
+        calc("known", "has what it is ranked by", "", "", f"=[on]*CHOOSE(@rank_no,1,1,1,COUNT({mass}),COUNT({cost}))",
              known, format="0"),
         calc("weight", "mass or cost", "", "kg or price", f"=CHOOSE(@rank_no,0,0,0,{mass}+0,{cost}+0)", weight),
     ]  # fmt: skip
@@ -231,5 +231,5 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(α_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
-        *weighed("reducers", filled(known, n, 1 if view.rank <= MASSLESS else 0), filled(weight, n)),
+        *weighed("reducers", filled(known, n, 0), filled(weight, n)),
     )  # fmt: skip
