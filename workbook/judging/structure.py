@@ -52,7 +52,12 @@ def replaced(pair: Pair, report: Report) -> None:
 
 
 def same(held: Any, content: Any) -> bool:
-    """Whether a cell holds what is declared, of the same type: TRUE is not 1, a text of digits is no number."""
+    """Whether a cell holds what is declared, of the same type: TRUE is not 1, a text of digits is no number.
+
+    An empty text is an empty cell: most programs save none.
+    """
+    if content == "":
+        return held is None or held == ""
     if isinstance(content, int | float) and not isinstance(content, bool):
         number = isinstance(held, int | float) and not isinstance(held, bool)
         return number and math.isclose(held, content, rel_tol=LAST_DIGITS)
