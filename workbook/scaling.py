@@ -38,8 +38,10 @@ class Scaling(NamedTuple, Generic[M]):
     """What of a kind of machine only scales.
 
     ``part`` returns to which part of the machine the entry at a key belongs, empty for all others; one entry of a part
-    may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these.
+    may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these. ``off`` tells
+    by which share a book may be off a result of that name, where the book finds it by points.
     """
 
     part: Callable[[str], str]
     results: Callable[[M, Mapping[str, Column]], Results]
+    off: Callable[[str], float] = lambda name: 0.0

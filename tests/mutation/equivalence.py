@@ -88,10 +88,10 @@ class Equivalence:
         before, after = (self._area(t[mutant.at].value, mutant) for t in (tokens, tokens_of(mutant.mutated)))
         if not set(before) < set(after):
             return False
-        function, argument = enclosing(tokens, mutant.at)
+        function, argument, alone = enclosing(tokens, mutant.at)
         if function == "INDEX" and argument == 0:
             return after[0] == before[0] and after[0].column == after[-1].column
-        return function in SKIPS_TEXT and all(self._numberless(a) for a in set(after) - set(before))
+        return alone and function in SKIPS_TEXT and all(self._numberless(a) for a in set(after) - set(before))
 
     def _area(self, text: str, mutant: Mutant) -> list[Address]:
         found = REFERENCE.fullmatch(self.bench.targets.get(text, text))
@@ -136,16 +136,16 @@ def branches(tokens: list[Token], at: int) -> Iterator[tuple[tuple[int, int], in
                     yield arguments[0], n
 
 
-def enclosing(tokens: list[Token], at: int) -> tuple[str, int]:
-    """Return the innermost function around a token, and the number of the argument that the token lies in."""
+def enclosing(tokens: list[Token], at: int) -> tuple[str, int, bool]:
+    """Return the innermost function around a token, which of its arguments holds it, and whether holds nothing else."""
     found = [
-        (start, tokens[opened].value[:-1], n)
+        (start, tokens[opened].value[:-1], n, end - start == 1)
         for opened, arguments in calls(tokens)
         for n, (start, end) in enumerate(arguments)
         if start <= at < end
     ]
-    _, name, n = max(found, default=(0, "", 0))
-    return name, n
+    _, name, n, alone = max(found, default=(0, "", 0, False))
+    return name, n, alone
 
 
 def calls(tokens: list[Token]) -> Iterator[tuple[int, list[tuple[int, int]]]]:

@@ -47,7 +47,9 @@ def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
     pairs = {name: (value, of_book(book, name)) for name, value in design.results.items() if in_book(book, name)}
     apart = {name: deviation(*both) for name, both in pairs.items()}
     report = verify(path)
-    differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
+    scaling = plan.template.scaling
+    allowed = {name: max(TOLERANCE, scaling.off(name) if scaling else 0.0) for name in apart}
+    differing = tuple(name for name, value in apart.items() if not value <= allowed[name])
     return Judged(max(apart.values(), default=0.0), differing, report.compared, report.agrees)
 
 

@@ -46,7 +46,8 @@ def without(sheet, row):
     kept, taken = ConditionalFormattingList(), []
     for area in sheet.conditional_formatting:
         for rule in area.rules:
-            if rule.type == "expression" and min(r.min_row for r in area.sqref.ranges) == row:
+            first = min((r.min_row, r.min_col) for r in area.sqref.ranges)
+            if rule.type == "expression" and first == (row, 2):  # messages on the entries stand to their right
                 taken.append((str(area.sqref), rule.formula[0]))
             else:
                 kept.add(str(area.sqref), rule)

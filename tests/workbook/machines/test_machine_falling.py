@@ -114,7 +114,9 @@ def changed(path, **cells):
     """Write other values into the row of the first motor of a book, by the names of columns."""
     book = openpyxl.load_workbook(path)
     sheet = book["Catalogue"]
-    head = {cell.value: cell for row in sheet.iter_rows() for cell in row if isinstance(cell.value, str)}
+    head = {}
+    for cell in (cell for row in sheet.iter_rows() for cell in row if isinstance(cell.value, str)):
+        head.setdefault(cell.value, cell)  # the messages on an entry stand under the same heading, to its right
     first = next(cell.row for row in sheet.iter_rows() for cell in row if cell.value == "Falls")
     for label, value in cells.items():
         column = next(cell.column for text, cell in head.items() if text.startswith(label.replace("_", " ")))

@@ -17,6 +17,7 @@ from workbook.errors import InputError
 from workbook.reading.descriptions import read_machine
 from workbook.studies.evaluate import Evaluator, of_book
 from workbook.studies.judged import deviation
+from workbook.machines.machine.truth import share_off
 from workbook.studies.named import require_names
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
@@ -61,8 +62,10 @@ def drive_results(book):
 
 
 def require_alike(pairs):
+    """Results of drives by points are within 0.15 % of the study's exact ones; all else is the same."""
     apart = {name: deviation(*pair) for name, pair in pairs.items()}
-    assert max(apart.values()) < 1e-11, {name: pairs[name] for name, value in apart.items() if value >= 1e-11}
+    allowed = {name: 1.5e-3 if share_off(name) else 1e-11 for name in pairs}
+    assert {name: pairs[name] for name, value in apart.items() if value > allowed[name]} == {}
 
 
 @pytest.mark.parametrize("changes", [LOADED, LOADED | {"rate": 41.0}], ids=["machine", "own"])

@@ -23,6 +23,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told
+from workbook.machines.machine.truth import share_off
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling, Worked
 
@@ -178,4 +179,4 @@ def binding(drives: list[Studied]) -> Any:
     return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
 
-SCALING = Scaling(part, results)
+SCALING = Scaling(part, results, share_off)
