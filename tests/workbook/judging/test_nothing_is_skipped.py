@@ -33,7 +33,7 @@ def book(request, tmp_path_factory):
 @pytest.fixture(scope="module")
 def cutting(tmp_path_factory):
     path = tmp_path_factory.mktemp("cutting") / "book.xlsx"
-    build(cutting_machine.small(), path)
+    build(cutting_machine.small(cycle=120), path)
     return Known(path)
 
 

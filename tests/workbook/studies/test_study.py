@@ -14,10 +14,10 @@ import tomli_w
 from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, SIZES, base, laws, planned, stops, written
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
+from workbook.machines.machine.truth import share_off
 from workbook.reading.descriptions import read_machine
 from workbook.studies.evaluate import Evaluator, of_book
 from workbook.studies.judged import deviation
-from workbook.machines.machine.truth import share_off
 from workbook.studies.named import require_names
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
