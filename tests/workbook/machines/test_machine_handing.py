@@ -108,10 +108,10 @@ FORTH = (phase(0.0, 90.0, 30.0, "MSN"), STEP, phase(130.0, 200.0, 15.0, "PO5"), 
 
 
 def test_a_drive_integrates_phases_that_hand_over():
-    """Peaks, RMS torque and energy of the cells are the engine's, which finds them another way."""
+    """Peaks, RMS torque and energy of the cells by points are about the engine's exact ones."""
     one = machine(axis("A", *FORTH, **DRIVE))
     assert disagreeing(MACHINE, one)[0] == []
     value, found = computed(MACHINE, one), demand(one)
-    assert value("drive1_tmax") == pytest.approx(found.torque.highest.value, rel=1e-9)
-    assert value("drive1_rms") == pytest.approx(found.rms_torque, rel=1e-9)
-    assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=1e-9)
+    assert value("drive1_tmax") == pytest.approx(found.torque.highest.value, rel=1e-3)
+    assert value("drive1_rms") == pytest.approx(found.rms_torque, rel=1e-4)
+    assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=5e-3)
