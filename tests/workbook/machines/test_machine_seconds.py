@@ -56,8 +56,9 @@ def small(name):
 
 ENTRIES = {"timing_cycle", "timing_rate_entries", "timing_rate_entries_says", "timing_rate_expected"}
 PLACES = {("bus", "theta")}
+"""columns that a book in seconds has under another name: its places are times"""
 TOLD = {"x", "jump"}
-"""columns that a book in seconds has under another name: its places are times; columns that tell a joint in the units of the cycle"""
+"""columns that tell a joint in the units of the cycle"""
 
 
 def figures(book):

