@@ -2,7 +2,7 @@
 
 Bounds are those that the sheets state: RMS torque 1e-3 (median under 1e-6), peaks 5e-3, energy 3 %. A law that turns
 back, or a phase between prescribed rates that does, changes its direction inside an interval: friction and losses jump
-there, which no rule of points sees. For those motions the bounds are looser, as measured on 1,000 machines.
+there, which no rule of points sees. For those motions the bounds are looser, as measured on 799 random machines.
 """
 
 import random

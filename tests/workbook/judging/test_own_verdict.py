@@ -35,7 +35,7 @@ def run(*arguments):
 @pytest.mark.parametrize("name", TEMPLATES)
 @pytest.mark.sample(3)
 def test_the_checks_of_a_book_are_all_told(name, tmp_path):
-    machine = sized(TEMPLATES[name], cycle=12, law=4, own_law=4)
+    machine = sized(TEMPLATES[name], cycle=120, law=4, own_law=4)
     build(machine, tmp_path / "b.xlsx")
     report = verify(tmp_path / "b.xlsx")
     assert len(report.checks) == len(TEMPLATES[name].declare(machine).checks) > 5

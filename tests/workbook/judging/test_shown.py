@@ -24,7 +24,7 @@ from workbook.reading.files import BookFile, find_places
 def book(tmp_path_factory):
     """A small book of the cutting machine, all checks OK."""
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(cutting.small(cycle=12, law=4, own_law=4), path)
+    build(cutting.small(cycle=120, law=4, own_law=4), path)
     return Known(path)
 
 
