@@ -134,7 +134,12 @@ def by_formualizer(written):
     written.save(draft)
     filled = io.BytesIO(formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"])
     opened = openpyxl.load_workbook(filled, data_only=True)
-    return {(s.title, c.row, c.column): c.value for s in opened for row in s.iter_rows() for c in row}
+    return {
+        (s.title, c.row, c.column): "" if c.value is None else c.value
+        for s in opened
+        for row in s.iter_rows()
+        for c in row
+    }
 
 
 @pytest.mark.parametrize("seed", range(100, 103))
