@@ -137,7 +137,7 @@ def branches(tokens: list[Token], at: int) -> Iterator[tuple[tuple[int, int], in
 
 
 def enclosing(tokens: list[Token], at: int) -> tuple[str, int, bool]:
-    """Return the innermost function around a token, which of its arguments holds it, and whether holds nothing else."""
+    """Return the innermost function around a token, which argument holds it, and whether it stands there alone."""
     found = [
         (start, tokens[opened].value[:-1], n, end - start == 1)
         for opened, arguments in calls(tokens)
