@@ -1,4 +1,4 @@
-"""What a controller makes of a rise by the points it is given: the picture of the README, and what certifying costs.
+"""Measure what a controller makes of a rise by its points, draw docs/cam-tables.md's picture, and time certifying.
 
 .venv/bin/python benchmarks/cam_tables.py             prints the tables
 .venv/bin/python benchmarks/cam_tables.py --picture   writes docs/cam-tables.svg too

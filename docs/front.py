@@ -1,4 +1,4 @@
-"""Make the picture of a front for the README, from docs/study.toml, and print what it tells.
+"""Make the picture of a front for docs/studies.md, from docs/study.toml, and print what it tells.
 
 .venv/bin/python -m docs.front
 """

@@ -1,4 +1,4 @@
-"""Make the pictures of the README from the committed workbooks; needs LibreOffice and pdftoppm.
+"""Make the pictures of README and docs from the committed workbooks; needs LibreOffice and pdftoppm.
 
 .venv/bin/python -m docs.pictures
 .venv/bin/python -m docs.pictures --all    (a contact sheet of every page of every workbook, not committed)

@@ -98,3 +98,24 @@ def test_the_files_that_a_guide_names_are_there(guide: str) -> None:
     named = set(re.findall(r"`((?:engine|workbook|tests|benchmarks|docs)/[\w/.]+)`", (ROOT / guide).read_text("utf-8")))
     made_up = {name for name in named if re.search("NAME|press", name)}
     assert [name for name in sorted(named - made_up) if not (ROOT / name).exists()] == []
+
+
+GUIDES = ["README.md", "CONTRIBUTING.md", *(f"docs/{path.name}" for path in sorted((ROOT / "docs").glob("*.md")))]
+
+
+@pytest.mark.parametrize("guide", GUIDES)
+def test_the_links_of_a_guide_lead_to_files(guide: str) -> None:
+    page = ROOT / guide
+    links = re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
+    missing = [link for link in links if not link.startswith("http") and not (page.parent / link).exists()]
+    assert missing == []
+
+
+def test_the_index_of_the_docs_names_every_page() -> None:
+    index = (ROOT / "docs/README.md").read_text(encoding="utf-8")
+    pages = {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"}
+    assert {page for page in pages if f"]({page})" not in index} == set()
+
+
+def test_the_readme_is_short() -> None:
+    assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= 1200

@@ -17,29 +17,33 @@ STEEL = 7800.0
 PRINTED_G = 9.8 / 9.81  # the printed torques were worked out with g = 9.8
 
 
-@pytest.fixture
-def screw():
+def lead_screw():
     load = Slide(mass=6, friction=0.1, slope=radians(10)).load
     return KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.014, 0.5, STEEL))])
 
 
-@pytest.fixture
-def screw_sizing(screw):
-    phases = [Phase(thirds(1 / 6, 2 / 3, 1 / 6), 0.008, 0.2), Phase(Dwell(), 0.0, 0.1)]
-    return Sizing(screw, phases, motor_inertia(screw, 4, "document"), "document", holding="brake")
-
-
-@pytest.fixture
-def belt():
+def conveyor():
     load = Slide(mass=150, slope=radians(20)).load
     rollers = Part("rollers", cylinder(0.3, 1.0, STEEL), 1, 2)
     return KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50)], parts=[rollers], belt=10)
 
 
-@pytest.fixture
-def belt_sizing(belt):
-    phases = [Phase(thirds(1 / 10, 4 / 5, 1 / 10), 0.5, 30), Phase(Dwell(), 0.0, 3)]
-    return Sizing(belt, phases, motor_inertia(belt, 1, "document"), "document", holding="brake")
+def sized(mechanism, inertia_ratio, share, lift, time, rest):
+    """A drive sized as S4 does: its way of counting losses, a brake at rest."""
+    phases = [Phase(thirds(share, 1 - 2 * share, share), lift, time), Phase(Dwell(), 0.0, rest)]
+    return Sizing(mechanism, phases, motor_inertia(mechanism, inertia_ratio, "document"), "document", holding="brake")
+
+
+def sized_screw():
+    return sized(lead_screw(), 4, 1 / 6, 0.008, 0.2, 0.1)
+
+
+def sized_conveyor():
+    return sized(conveyor(), 1, 1 / 10, 0.5, 30, 3)
+
+
+screw, screw_sizing = pytest.fixture(lead_screw, name="screw"), pytest.fixture(sized_screw, name="screw_sizing")
+belt, belt_sizing = pytest.fixture(conveyor, name="belt"), pytest.fixture(sized_conveyor, name="belt_sizing")
 
 
 def torques(sizing):

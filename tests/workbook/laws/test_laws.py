@@ -68,9 +68,9 @@ def test_parameters_in_a_row_are_those_entered(code):
 
 
 @pytest.mark.parametrize("code", [code for code in CODES if FAMILY[code].page.has_sheet])
-def test_the_readme_names_the_sheet_of_every_law(code):
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    assert re.search(rf"^\|.*\b{code}\b", text, re.MULTILINE), f"README.md has no row that names the sheet {code}"
+def test_the_page_of_the_workbooks_names_the_sheet_of_every_law(code):
+    text = (ROOT / "docs/workbooks.md").read_text(encoding="utf-8")
+    assert re.search(rf"^\|.*\b{code}\b", text, re.MULTILINE), f"docs/workbooks.md has no row that names {code}"
 
 
 # --- What a page leaves out is named at import ----------------------------------------------------
