@@ -13,10 +13,11 @@ PAGE = Path(__file__).with_suffix(".md")
 HEAD = """\
 # Validation against print
 
-Made by `python -m docs.validation` from [tests/printed](../tests/printed/figures.py), which CI runs. Each figure that a
-source document prints stands beside the engine's, with the deviation from the printed digits. A figure agrees where
-ours rounds to those digits; where it does not, the reason is given. S5 prints equations and no figures: its tests write the equations
-out. Every formula cell of a workbook is then compared with the engine ([verification.md](verification.md)).
+Made by `python -m docs.validation` from [tests/printed](../tests/printed/figures.py), which CI runs. Each figure that
+a source document prints stands beside the engine's, with the deviation from the printed digits. A figure agrees where
+ours rounds to those digits; where it does not, the reason is given. S5 prints equations and no figures: its tests
+write the equations out. Every formula cell of a workbook is then compared with the engine
+([verification.md](verification.md)).
 """
 COLUMNS = "| section | quantity | unit | printed | ours | deviation | |\n|---|---|---|---|---|---|---|"
 
