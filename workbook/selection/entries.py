@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from engine.choice import Criterion
+from engine.machine.grid import Rank
 from workbook.entries.machine import Sizes
 from workbook.entries.texts import place_of, require_distinct
 from workbook.entries.types import EntryError, Model, Positive
@@ -15,6 +16,7 @@ from workbook.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 
 MOST_PRODUCTS = 100  # rows of a catalogue
+UNCHOSEN = "no axis with a drive is named "
 
 
 COMMITTED: dict[str, Callable[[], Sequence[Model]]] = {"motors": committed_motors, "reducers": committed_reducers}
@@ -48,6 +50,20 @@ class Products(Model):
         for entry, rows in (("motor", self.motors), ("reducer", self.reducers)):
             require_distinct([row.name for row in rows], entry, f"{entry}s.{{}}.name")
         return self
+
+
+class Ranked(Products):
+    """The catalogues, what usable pairs of them are ranked by, and what a usable one must meet."""
+
+    rank: Rank = Field(default="smallest motor", description="What the sheet Selection ranks usable pairs by")
+    inertia_ratio: Positive = Field(
+        default=10.0, description="Largest inertia at the motor over the motor's of a usable pair"
+    )
+    least_margin: Positive = Field(default=1.2, description="Least rated torque over RMS torque of a usable pair")
+    greatest_margin: Positive = Field(
+        default=10.0, description="Greatest rated torque over RMS torque of a usable pair"
+    )
+    torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
 
 
 class Selection(Products):

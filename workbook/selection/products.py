@@ -14,7 +14,8 @@ from workbook.book.declare import Sheet, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.entries.units import KG_CM2, PER_RPM, RPM, shown
 from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
-from workbook.selection.view import Choosing, figures
+from workbook.selection.choosing import figures
+from workbook.selection.view import Choosing
 
 FIGURES = {"size": "mass", "cost": "cost"}
 """the entry of a product that a criterion reads"""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -11,52 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.choice import LoadSamples, Motors, Pair, Pairs, Reducers, Task, rank, usable
+from engine.choice import LoadSamples, Pair, Pairs, Task, rank, usable
 from engine.choice.pairs import LoadAtMotor, counted_in, load_at_motor, sorting_keys
 from engine.choice.ratios import Ranges, ratio_ranges, rms_torque
 from engine.drivetrain import LimitCheck, OperatingPoints
 from engine.laws.base import Array
 from workbook.entries.texts import place_of
-from workbook.entries.units import KG_CM2, RPM, si
-from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.choosing import engine_motors, engine_reducers
 from workbook.selection.entries import Selection, SelectionSizes
 
 PARTS = 1_000_000  # of a unit, in which scores are compared: equal to an engineer, equal in the ranking
-
-
-def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
-    """Return an entry of each product, ``missing`` where it is not given."""
-    values = [getattr(row, entry) for row in rows]
-    return np.array([missing if v is None else v for v in values], dtype=np.float64)
-
-
-def engine_motors(rows: Sequence[MotorRow]) -> Motors:
-    """Return the engine's catalogue of the motors entered."""
-    return Motors(
-        tuple(row.name for row in rows),
-        si(figures(rows, "inertia"), KG_CM2),
-        figures(rows, "rated_torque"),
-        figures(rows, "peak_torque"),
-        si(figures(rows, "max_speed"), RPM),
-        figures(rows, "mass"),
-        figures(rows, "cost"),
-        si(figures(rows, "full_torque_to"), RPM),
-        figures(rows, "end_torque"),
-    )
-
-
-def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
-    """Return the engine's catalogue of the reducers entered."""
-    return Reducers(
-        tuple(row.name for row in rows),
-        figures(rows, "reduction"),
-        figures(rows, "efficiency"),
-        si(figures(rows, "inertia", missing=0.0), KG_CM2),
-        si(figures(rows, "max_speed", missing=math.inf), RPM),
-        figures(rows, "max_torque", missing=math.inf),
-        figures(rows, "mass"),
-        figures(rows, "cost"),
-    )
 
 
 class Choosing:

@@ -6,16 +6,14 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
-from engine.machine.grid import Rank
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA
-from workbook.entries.types import EntryError, Positive
-from workbook.selection.entries import COMMITTED, REFERENCE, Products
+from workbook.entries.types import EntryError
+from workbook.selection.entries import COMMITTED, REFERENCE, Products, Ranked
 
-UNCHOSEN = "no axis with a drive is named "
 Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
 
-class Choice(Products):
+class Choice(Ranked):
     """The catalogues, those that come with the templates where none are told or by the word; with an axis, a sheet
     Selection that looks for its motor and reducer."""
 
@@ -23,15 +21,6 @@ class Choice(Products):
         default=None,
         description="Axis with a drive that the sheet Selection looks at; or none",
     )
-    rank: Rank = Field(default="smallest motor", description="What the sheet Selection ranks usable pairs by")
-    inertia_ratio: Positive = Field(
-        default=10.0, description="Largest inertia at the motor over the motor's of a usable pair"
-    )
-    least_margin: Positive = Field(default=1.2, description="Least rated torque over RMS torque of a usable pair")
-    greatest_margin: Positive = Field(
-        default=10.0, description="Greatest rated torque over RMS torque of a usable pair"
-    )
-    torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
     falling: bool | None = Field(
         default=None,
         description="Whether the sheets of drives know motors whose peak torque falls beyond a speed; as the catalogue "

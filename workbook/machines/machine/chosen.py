@@ -10,13 +10,12 @@ from engine.drivetrain import Motor, derating
 from engine.drivetrain.chain import Part
 from engine.machine.falling import Falling
 from engine.machine.limits import ReducerLimits
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, given
-from workbook.book.rows import filled
+from workbook.book.declare import Quantity, calc, check, given
 from workbook.entries.texts import place_of
 from workbook.entries.units import KG_CM2, RPM, si
 from workbook.machines.machine.chain import UNTOLD, AxisMotor
-from workbook.machines.machine.entries import AnyMachine, Axis
-from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
+from workbook.machines.machine.entries import Axis
+from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Products
 
 P = TypeVar("P", MotorRow, ReducerRow)
@@ -222,54 +221,3 @@ def cool(number: int, called: str) -> Quantity:
     """Return the check that the motor is cooler than its winding may get."""
     return check("@ok_cool", f"{called}: the motor is cooler than its limit", "MAX(@temperature,@rated_at)<@winding",
                  True, rule=f"axes.{number - 1}.motor:cool", says=HOT)  # fmt: skip
-
-
-SOURCE = 100
-"""characters of the column of sources, the same in both tables; it is not printed"""
-
-
-def catalogue_sheet(book: Book, machine: AnyMachine) -> Sheet:
-    """Declare the sheet of motors and reducers, from which drives take theirs by name."""
-    sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
-    products, sizes = machine.selection, machine.sizes
-    sheet.one_page = True
-
-    def column(kind: str, rows: int, name: str, entry: str, label: str, symbol: str = "", unit: str = "",
-               **more: str) -> Quantity:  # fmt: skip
-        values = filled([getattr(row, entry) for row in getattr(products, kind)], rows, None)
-        return given(name, label, symbol, unit, values, f"selection.{kind}.*.{entry}", **more)
-
-    sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
-    n = sizes.motors
-    book.column_names |= {"motor_name": ("motors", "name"), "reducer_name": ("reducers", "name")}
-    sheet.table(
-        "motors", "Motors", n,
-        column("motors", n, "name", "name", "motor", align="left"),
-        column("motors", n, "inertia", "inertia", "inertia", "J_M", "kg cm²", format="0.0####"),
-        column("motors", n, "rated", "rated_torque", "rated torque", "T_N", "Nm", format="0.0##"),
-        column("motors", n, "peak", "peak_torque", "peak torque", "T_max", "Nm", format="0.0##"),
-        column("motors", n, "nmax", "max_speed", "largest speed", "n_max", "rpm", format="0.##"),
-        column("motors", n, "knee", "full_torque_to", "peak torque up to, if less", "n_1", "rpm", format="0.##"),
-        column("motors", n, "end", "end_torque", "peak torque at n_max, if less", "", "Nm", format="0.0##"),
-        column("motors", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
-        column("motors", n, "source", "source", "source", align="left"),
-        column("motors", n, "cost", "cost", "cost", format="0.##"),
-        rules=[HALF, FALLING],
-    )  # fmt: skip
-    sheet.row += 1
-    n = sizes.reducers
-    sheet.table(
-        "reducers", "Reducers", n,
-        column("reducers", n, "name", "name", "reducer", align="left"),
-        column("reducers", n, "i", "reduction", "reduction", "i", format="0.0##"),
-        column("reducers", n, "eta", "efficiency", "efficiency", "η", format="0.0##"),
-        column("reducers", n, "inertia", "inertia", "inertia at the input", "J_T", "kg cm²", format="0.0####"),
-        column("reducers", n, "nmax", "max_speed", "largest input speed", "", "rpm", format="0.##"),
-        column("reducers", n, "tmax", "max_torque", "largest output torque", "", "Nm", format="0.0##"),
-        column("reducers", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
-        column("reducers", n, "cost", "cost", "cost", format="0.##"),
-        column("reducers", n, "source", "source", "source", align="left"),
-    )  # fmt: skip
-    source = sheet.blocks[0].columns["source"]
-    sheet.widths, sheet.print_columns = {source: SOURCE}, source - 1
-    return sheet

@@ -35,12 +35,12 @@ from workbook.machines.machine.chain import (
     PowerEntry,
     Reducer,
 )
-from workbook.machines.machine.choice import UNCHOSEN, Choice
+from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
-from workbook.selection.entries import SelectionSizes, require_room
+from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
 
 MOST_AXES = 24
 PRINTED = ("lead screw", "conveyor")

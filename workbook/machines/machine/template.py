@@ -10,14 +10,15 @@ from workbook.book.summary import summary_sheet
 from workbook.drive.in_short import NO_DRIVE, InShort, axes_in_short
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
+from workbook.entries.texts import place_of
 from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.check import check
-from workbook.machines.machine.chosen import catalogue_sheet
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.cycle import cycle_sheets, exportable
+from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.sheet import drive_sheet
@@ -28,7 +29,6 @@ from workbook.machines.machine.mains import Mains
 from workbook.machines.machine.motion import AxisRows, pieces_sheet
 from workbook.machines.machine.power import power_sheet, supply
 from workbook.machines.machine.printed import printed_sheets
-from workbook.machines.machine.selecting.sheet import selection_sheet
 from workbook.machines.machine.studied import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timed import TimedMachine, told_in_seconds
@@ -38,6 +38,9 @@ from workbook.machines.machine.truth import rates, truths
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet
+from workbook.selection.catalogue_sheet import catalogue_sheet
+from workbook.selection.choosing import Choosing
+from workbook.selection.page import selection_sheet
 from workbook.template import Other, Template, finish
 
 
@@ -74,8 +77,11 @@ def declare(given: AnyMachine) -> Book:
     apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
     clearances_sheet(book, apart)
     power_sheet(book, bus)
-    selection_sheet(book, given.selection, given.sizes, list(drives.values()))
-    catalogue_sheet(book, given)
+    if given.selection.axis is not None:
+        shafts = [shaft_of(view) for view in drives.values()]
+        number = place_of(given.selection.axis, [one.name for one in shafts])
+        selection_sheet(book, Choosing(given.selection, given.sizes, shafts, number), given.selection.axis)
+    catalogue_sheet(book, given.selection, given.sizes)
     printed_sheets(book, drives.values())
     shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     cycle_sheets(book, machine, rows)

@@ -12,7 +12,7 @@ from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine import chosen
 from workbook.machines.machine.chain import BELTED, SCREWS, UNSIZED
-from workbook.machines.machine.drive import max_rate
+from workbook.machines.machine.drive import behind, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.intervals import cuts_table, intervals_table
 from workbook.machines.machine.drive.loads import loads
@@ -23,7 +23,6 @@ from workbook.machines.machine.drive.points import points_table, samples_table
 from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.windows import windows_check, windows_table
-from workbook.machines.machine.selecting import behind
 from workbook.machines.machine.view import kind_name
 
 CHART_COLUMN = 10

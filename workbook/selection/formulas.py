@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from workbook.machines.machine.selecting.view import Choosing
+from workbook.selection.choosing import Choosing
 
 
 def whole(view: Choosing, table: str) -> str:

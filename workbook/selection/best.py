@@ -9,8 +9,8 @@ import numpy as np
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
-from workbook.machines.machine.selecting.formulas import torque_of, whole
-from workbook.machines.machine.selecting.view import BEST, Choosing
+from workbook.selection.choosing import BEST, Choosing
+from workbook.selection.formulas import torque_of, whole
 
 DASH = '0.0##;-0.0##;"–"'
 
@@ -104,7 +104,7 @@ def figures(view: Choosing) -> list[Quantity]:
         calc("i", "reduction", "i", "", there("INDEX([@reducers.i],MAX(1,[r]))"), of([one[1] for one in each])),
         calc("eta", "efficiency", "η", "", there("INDEX([@reducers.eta],MAX(1,[r]))"), of([one[2] for one in each])),
         calc("turns", "speed over that of the drive's motor", "", "", there("INDEX([@reducers.i],MAX(1,[r]))/@held_i"),
-             of([one[1] / view.driven.reducer.ratio for one in each])),
+             of([one[1] / view.held("i") for one in each])),
         calc("tp", "motor's peak torque", "", "Nm", motor("peak"), of([float(m.peak_torque[k]) for k, _ in pairs])),
         calc("knee", "holds to", "n_1", "rpm", motor("knee"), of([shown(float(m.knee[k]), RPM) for k, _ in pairs])),
         calc("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), of([float(fall[k]) for k, _ in pairs])),

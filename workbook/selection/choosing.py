@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -9,25 +10,56 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.choice import Motors, Reducers
 from engine.laws.base import Array
 from engine.machine.geared import shares_of
-from engine.machine.grid import RANKS, Curve, Grid, Used, Wanted, gears, reserve, used
-from engine.machine.point_load import PointLoad
-from engine.machine.quadrature import COUNT
+from engine.machine.grid import RANKS, Curve, Grid, Used, Wanted, gears, reserve
 from workbook.book.rows import filled
-from workbook.entries.texts import place_of
-from workbook.entries.units import RPM, shown, si
-from workbook.machines.machine.choice import Choice
-from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.selecting.behind import load_of, scales_of
-from workbook.selection.entries import SelectionSizes
-from workbook.selection.view import engine_motors, engine_reducers
+from workbook.entries.units import KG_CM2, RPM, shown, si
+from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.entries import Ranked, SelectionSizes
+from workbook.selection.shaft import Shaft
 
 BEST = 20
 """rows of the list of the best pairs"""
 
 
 AS_ENTERED = "as entered"
+
+
+def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
+    """Return an entry of each product, ``missing`` where it is not given."""
+    values = [getattr(row, entry) for row in rows]
+    return np.array([missing if v is None else v for v in values], dtype=np.float64)
+
+
+def engine_motors(rows: Sequence[MotorRow]) -> Motors:
+    """Return the engine's catalogue of the motors entered."""
+    return Motors(
+        tuple(row.name for row in rows),
+        si(figures(rows, "inertia"), KG_CM2),
+        figures(rows, "rated_torque"),
+        figures(rows, "peak_torque"),
+        si(figures(rows, "max_speed"), RPM),
+        figures(rows, "mass"),
+        figures(rows, "cost"),
+        si(figures(rows, "full_torque_to"), RPM),
+        figures(rows, "end_torque"),
+    )
+
+
+def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
+    """Return the engine's catalogue of the reducers entered."""
+    return Reducers(
+        tuple(row.name for row in rows),
+        figures(rows, "reduction"),
+        figures(rows, "efficiency"),
+        si(figures(rows, "inertia", missing=0.0), KG_CM2),
+        si(figures(rows, "max_speed", missing=math.inf), RPM),
+        figures(rows, "max_torque", missing=math.inf),
+        figures(rows, "mass"),
+        figures(rows, "cost"),
+    )
 
 
 class Figures(NamedTuple):
@@ -42,29 +74,26 @@ class Figures(NamedTuple):
 
 
 class Choosing:
-    """The choice for the axis that is named."""
+    """The choice for the shaft that is named, or the only one."""
 
-    def __init__(self, given: Choice, sizes: SelectionSizes, drives: Sequence[DriveView]) -> None:
-        self.given, self.drives = given, drives
-        names = [one.driven.entered.name for one in drives]
-        self.number = place_of(given.axis or "", names)
-        self.view = drives[self.number]
-        self.driven = self.view.driven
+    def __init__(self, given: Ranked, sizes: SelectionSizes, shafts: Sequence[Shaft], number: int = 0) -> None:
+        self.given, self.shafts, self.number = given, shafts, number
+        self.shaft = shafts[number]
+        self.load = self.shaft.load
         self.rooms = sizes.motors, sizes.reducers
-        self.motors = engine_motors(given.motors).derated(self.driven.left)
+        self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         self.reducers = engine_reducers(given.reducers)
 
-    @cached_property
-    def load(self) -> PointLoad:
-        """What the cycle asks for behind the reducer."""
-        return load_of(self.view)
+    def held(self, name: str) -> float:
+        """Return a figure of the pair that the shaft has."""
+        return self.shaft.values[f"held_{name}"]
 
     @cached_property
     def grid(self) -> Grid:
         """All pairs."""
         g = self.given
         wanted = Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor)
-        return Grid(self.load, self.motors, self.reducers, self.driven.beside_motor, wanted)
+        return Grid(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted)
 
     @property
     def pairs(self) -> int:
@@ -74,7 +103,7 @@ class Choosing:
     @property
     def beta_scale(self) -> float:
         """How large the load factor's parts are."""
-        return scales_of(self.view).product
+        return self.shaft.product
 
     @property
     def rank(self) -> int:
@@ -96,30 +125,15 @@ class Choosing:
         return int(np.ravel_multi_index(pair, self.rooms))
 
     @property
-    def rows(self) -> int:
-        """Points of a drive's sheet: as many of each."""
-        return self.view.rows * COUNT
-
-    def by_point(self, values: Array) -> list[float]:
-        """Return values of the points as a column."""
-        return self.view.by_point(values.reshape(self.view.load.place.shape))
-
-    @cached_property
-    def figures(self) -> list[tuple[list[float], float]]:
-        """What the sheets of the drives tell, a list of each figure in the order of the sheet, with its scale."""
-        each = [figures_of(one) for one in self.drives]
-        return [([row[k][0] for row in each], max(row[k][1] for row in each)) for k in range(len(each[0]))]
-
-    @property
     def held_motor(self) -> str:
         """The name of the drive's motor."""
-        row = self.driven.motor_used.row
+        row = int(self.held("row"))
         return self.motors.names[row - 1] if row else AS_ENTERED
 
     @property
     def held_reducer(self) -> str:
         """The name of the drive's reducer."""
-        row = self.driven.reducer.row
+        row = int(self.held("gear"))
         return self.reducers.names[row - 1] if row else AS_ENTERED
 
     def curve(self, motor: int) -> Curve:
@@ -154,7 +168,7 @@ class Choosing:
     @property
     def own_use(self) -> Used:
         """What the drive's pair uses of its motor."""
-        return used(self.driven.motor_used.motor, si(self.own.speed, RPM), self.own.rms)
+        return Used(self.own.speed / self.held("nmax"), self.own.rms / self.held("rated"))
 
     @cached_property
     def proposed(self) -> int | None:
@@ -164,40 +178,15 @@ class Choosing:
     @cached_property
     def own(self) -> Figures:
         """The pair that the drive has."""
-        d = self.driven
-        inertia = d.at_motor
-        pair = gears(inertia, d.reducer.ratio, d.reducer.efficiency)
-        rms, peak = float(self.load.rms(pair)[0]), self.view.reserve.peak_torque.value
-        speed = shown(d.reducer.ratio * self.load.speed, RPM)
-        motor = d.motor_used
-        margin = shares_of(np.array(motor.rated_torque), np.array(rms))
-        return Figures(rms, float(margin), peak, speed, self.view.inertia_ratio, spare_of(self.view))
+        held, inertia = self.held, self.held("j")
+        ratio, motor = held("i"), held("jm")
+        rms = float(self.load.rms(gears(inertia, ratio, held("eta")))[0])
+        inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
+        margin = held("rated") / rms if rms else 0.0
+        return Figures(rms, margin, held("top"), shown(ratio * self.load.speed, RPM), inertias, held("spare"))
 
     def spread(self, table: NDArray[Any], spare: Any) -> list[list[Any]]:
         """Return a table of the pairs by columns, ``spare`` where a row or a column of the sheet is."""
         whole = np.full(self.rooms, spare, dtype=object)
         whole[: table.shape[0], : table.shape[1]] = table
         return [column.tolist() for column in whole.T]
-
-
-def figures_of(view: DriveView) -> list[tuple[float, float]]:
-    """Return what the sheet of a drive tells of the shaft behind its reducer, and of its motor, each with its scale."""
-    d, load, scale = view.driven, load_of(view), scales_of(view)
-    own, mixed, mixed_back, square, square_back = load.squares
-    return [
-        (own, scale.turned), (square, scale.square), (square_back, scale.square),
-        (mixed, scale.product), (mixed_back, scale.product),
-        (load.speed, 0.0), (load.torque, view.scales.behind),
-        (load.inertia, 0.0), (d.beside_motor, 0.0), (float(d.holding == "brake"), 0.0),
-        (float(d.given.method == "physical"), 0.0), (d.left, 0.0),
-        (d.at_motor, 0.0), (d.motor_used.inertia, 0.0), (d.reducer.ratio, 0.0), (d.reducer.efficiency, 0.0),
-        (d.motor_used.rated_torque, 0.0), (d.motor_used.peak_torque, 0.0),
-        (view.reserve.peak_torque.value, view.scales.torque),
-        (spare_of(view), view.scales.torque), (d.motor_used.max_speed, 0.0),
-        (d.motor_used.row, 0.0), (d.reducer.row, 0.0),
-    ]  # fmt: skip
-
-
-def spare_of(view: DriveView) -> float:
-    """Return what a drive leaves below its motor's curve (Nm); of a book that knows none that falls, of its peak."""
-    return view.spare if view.knows_falling else view.driven.motor.peak_torque - view.reserve.peak_torque.value

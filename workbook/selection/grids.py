@@ -10,8 +10,8 @@ from engine.machine.grid import PARTS, RANKS
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
-from workbook.machines.machine.selecting.formulas import peak_of, rms_of
-from workbook.machines.machine.selecting.view import Choosing
+from workbook.selection.choosing import Choosing
+from workbook.selection.formulas import peak_of, rms_of
 
 DASH = '0.0##;-0.0##;"–"'
 NOTE = (

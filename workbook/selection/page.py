@@ -6,15 +6,13 @@ from collections.abc import Sequence
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
-from workbook.machines.machine.choice import UNCHOSEN, Choice
-from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.selecting.best import best_table, order_table
-from workbook.machines.machine.selecting.charts import chart, uses
-from workbook.machines.machine.selecting.drives import chosen, drives_table, known, points_table
-from workbook.machines.machine.selecting.formulas import rms_of, whole
-from workbook.machines.machine.selecting.pairs import grids, products
-from workbook.machines.machine.selecting.view import Choosing
-from workbook.selection.entries import SelectionSizes
+from workbook.selection.best import best_table, order_table
+from workbook.selection.choosing import Choosing
+from workbook.selection.drives import chosen, drives_table, known, points_table
+from workbook.selection.entries import UNCHOSEN
+from workbook.selection.formulas import rms_of, whole
+from workbook.selection.grids import grids, products
+from workbook.selection.uses import chart, uses
 
 TITLE = "Selection"
 ABOUT = (
@@ -23,16 +21,13 @@ ABOUT = (
 )
 
 
-def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: Sequence[DriveView]) -> None:
-    """Declare the sheet, where an axis is named for it."""
-    if given_.axis is None:
-        return
-    view = Choosing(given_, sizes, drives)
+def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Quantity] = ()) -> Sheet:
+    """Declare the sheet; ``axis`` is the entry that names one of several shafts, ``more`` are entries of the book."""
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: what can do its cycle, best first.")
     with sheet.scoped("sel_"):
-        entries(sheet, view)
+        entries(sheet, view, [*named(axis), *more])
         asked(sheet, view)
-        outcome(sheet, view)
+        outcome(sheet, view, axis)
         best_table(sheet, view)
         chart(sheet)
         grids(sheet, view)
@@ -43,17 +38,26 @@ def selection_sheet(book: Book, given_: Choice, sizes: SelectionSizes, drives: S
         drives_table(sheet, view)
         points_table(sheet, view)
         uses(sheet, view)
-    book.column_names["sel_axes"] = ("sel_drives", "axis")
+    if axis:
+        book.column_names["sel_axes"] = ("sel_drives", "axis")
     sheet.print_columns = 20
+    return sheet
 
 
-def entries(sheet: Sheet, view: Choosing) -> None:
+def named(axis: str) -> list[Quantity]:
+    """Return the entry of the axis, where there may be several."""
+    if not axis:
+        return []
+    return [given("@axis", "Axis", "", "", axis, "selection.axis", choices="=sel_axes", align="left",
+                  source="one with a drive")]  # fmt: skip
+
+
+def entries(sheet: Sheet, view: Choosing, first: Sequence[Quantity]) -> None:
     """Declare the axis, what pairs are ranked by, and what a usable one holds."""
     s = view.given
     sheet.heading("Enter", ABOUT)
     sheet.rows(
-        given("@axis", "Axis", "", "", s.axis, "selection.axis", choices="=sel_axes", align="left",
-              source="one with a drive"),
+        *first,
         given("@rank", "Rank usable pairs by", "", "", s.rank, "selection.rank", align="left",
               source="smallest motor: the least rated torque, then the least of it used"),
         given("@inertia_ratio", "Largest inertia ratio", "", "", s.inertia_ratio, "selection.inertia_ratio",
@@ -70,7 +74,7 @@ def entries(sheet: Sheet, view: Choosing) -> None:
 def asked(sheet: Sheet, view: Choosing) -> None:
     """Declare what the axis asks for behind its reducer."""
     load = view.grid.task
-    scale = view.view.scales.behind
+    scale = view.shaft.torque
     sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
     sheet.rows(
         calc("@wrms", "RMS acceleration", "α_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
@@ -83,7 +87,7 @@ def asked(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def outcome(sheet: Sheet, view: Choosing) -> None:
+def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
     """Declare what is proposed, and what the pair does that the drive has."""
     pair = None if view.proposed is None else view.ranked[view.proposed]
     first = "INDEX([@best.{0}],MATCH(1,[@best.holds],0))"
@@ -101,8 +105,8 @@ def outcome(sheet: Sheet, view: Choosing) -> None:
              source="those that have the mass or cost they are ranked by"),
     )  # fmt: skip
     sheet.checks(
-        check("@ok_axis", "Selection: its axis has a drive", known(view), True, rule=":chosen",
-              says=f'"{UNCHOSEN}"&@axis'),
+        *([check("@ok_axis", "Selection: its axis has a drive", known(view), True, rule=":chosen",
+                 says=f'"{UNCHOSEN}"&@axis')] if axis else []),
         check("@ok", "Selection: a motor and a reducer can do it", "SUM([@best.holds])>0", pair is not None,
               says=Said("@message", message(view)))
     )  # fmt: skip

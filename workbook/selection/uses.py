@@ -5,7 +5,7 @@ from __future__ import annotations
 from engine.machine.grid import Used
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Sheet, calc
-from workbook.machines.machine.selecting.view import Choosing
+from workbook.selection.choosing import Choosing
 
 NAMED = 6
 """pairs that a chart shows"""

@@ -1,0 +1,109 @@
+"""What a drive's cycle asks for behind its reducer, whatever that and the motor are: on the sheet of the drive.
+
+With J all that turns with the motor, T = J i α + f S/i, f = 1/η where S drives the load and η where the load drives it:
+the squares of T are sums of five means of α and S, over the points of the cycle.
+Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from engine.machine.point_load import PointLoad
+from workbook.book.declare import Sheet, calc
+from workbook.machines.machine.drive.points import asks
+from workbook.machines.machine.drive.view import DriveView
+from workbook.selection.shaft import Figure, Shaft
+
+DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
+BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
+FREE = '(1-([@pt.dir]=0)*(@holding="brake"))'
+"""0 where a brake holds the motor's shaft"""
+
+
+def load_of(view: DriveView) -> PointLoad:
+    """Return the engine's view of what the cycle asks for."""
+    ratio = view.driven.reducer.ratio
+    inertia = (view.inertia - view.driven.mechanism.on_shaft(0)) * ratio**2
+    return PointLoad(view.load, view.speed / ratio, view.reducer_checks[0].value, inertia)
+
+
+def turning(view: DriveView) -> float:
+    """Return how large the acceleration of the shaft grows (rad/s²)."""
+    return max(float(np.abs(view.load.turning).max()), 1e-9)
+
+
+def means(sheet: Sheet, view: DriveView) -> None:
+    """Declare the five means over the cycle, and what else hangs on no motor and no reducer."""
+    if not asks(view):
+        return
+    driven, load, alpha, behind = view.driven, load_of(view), turning(view), view.scales.behind
+    own, mixed, mixed_back, square, square_back = load.squares
+
+    def mean(where: str, one: str) -> str:
+        return f"=SUMPRODUCT([@pt.share]*{where}*{FREE},[@pt.{one}],[@pt.S])"
+
+    sheet.heading(
+        "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
+    )
+    sheet.rows(
+        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", "=SUMPRODUCT([@pt.share],[@pt.al],[@pt.al])", own,
+             scale=alpha**2),
+        calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²", mean(DRIVES, "S"), square,
+             scale=behind**2),
+        calc("@ask_square_back", "… where the load drives it", "", "Nm²", mean(BACK, "S"), square_back,
+             scale=behind**2),
+        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean(DRIVES, "al"), mixed,
+             scale=alpha * behind),
+        calc("@ask_product_back", "… where the load drives it", "", "W/s", mean(BACK, "al"), mixed_back,
+             scale=alpha * behind),
+        calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
+        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j_shaft+0", load.inertia),
+        calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", "=@j0-@jm-@j_reducer",
+             driven.beside_motor, scale=driven.at_motor),
+    )  # fmt: skip
+
+
+def shaft_of(view: DriveView) -> Shaft:
+    """Return the shaft behind the reducer of a drive, as the sheet Selection reads it."""
+    d, load = view.driven, load_of(view)
+    scope = f"drive{d.number}_"
+    figures = [one._replace(formula=one.formula.replace("@", scope)) for one in figures_of(view, load)]
+    return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load,
+                 view.points.speed, turning(view), view.scales.behind, figures)  # fmt: skip
+
+
+def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
+    """Return what the sheet of a drive has of the shaft behind its reducer, and of its motor."""
+    d, alpha, behind, torque = view.driven, turning(view), view.scales.behind, view.scales.torque
+    own, mixed, mixed_back, square, square_back = load.squares
+    top, motor = view.reserve.peak_torque.value, d.motor_used
+    spare, left = "@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top
+    if view.knows_falling:
+        spare, left = "@spare", view.spare
+    return [
+        Figure("own", "mean of α²", "rad²/s⁴", "@ask_own", own, alpha**2),
+        Figure("square", "mean of S², driving", "Nm²", "@ask_square", square, behind**2),
+        Figure("square_back", "… driven", "Nm²", "@ask_square_back", square_back, behind**2),
+        Figure("product", "mean of α S, driving", "W/s", "@ask_product", mixed, alpha * behind),
+        Figure("product_back", "… driven", "W/s", "@ask_product_back", mixed_back, alpha * behind),
+        Figure("speed", "largest speed", "rad/s", "@ask_speed", load.speed),
+        Figure("smax", "largest torque", "Nm", "@smax", load.torque, behind),
+        Figure("inertia", "inertia", "kg m²", "@ask_inertia", load.inertia),
+        Figure("beside", "parts beside the motor", "kg m²", "@ask_beside", d.beside_motor),
+        Figure("brake", "a brake holds it at rest", "", '(@holding="brake")', float(d.holding == "brake")),
+        Figure("by_power", "losses by the flow of power", "", '(@method="physical")',
+               float(d.given.method == "physical")),
+        Figure("left", "rated torque left at its temperature", "", "@derate", d.left),
+        Figure("held_j", "inertia with its motor", "kg m²", "@j0", d.at_motor),
+        Figure("held_jm", "its motor", "kg m²", "@jm", motor.inertia),
+        Figure("held_i", "its reduction", "", "@i1", d.reducer.ratio),
+        Figure("held_eta", "its efficiency", "", "@eta1", d.reducer.efficiency),
+        Figure("held_rated", "its rated torque", "Nm", "@motor_rated", motor.rated_torque),
+        Figure("held_peak", "its peak torque", "Nm", "@motor_peak", motor.peak_torque),
+        Figure("held_top", "what it is asked for", "Nm", "MAX(@tmax,0-@tmin)", top, torque),
+        Figure("held_spare", "left below its curve", "Nm", spare, left, torque),
+        Figure("held_nmax", "its largest speed", "rpm", "@motor_nmax", motor.max_speed),
+        Figure("held_row", "its row of motors", "", "@motor_row", motor.row),
+        Figure("held_gear", "its row of reducers", "", "@reducer_row", d.reducer.row),
+    ]  # fmt: skip

@@ -1,1 +1,0 @@
-"""The sheet Selection of a machine: motors by reducers for the axis that is named on it."""

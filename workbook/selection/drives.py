@@ -1,0 +1,119 @@
+"""What the drives tell the sheet Selection: a row each, the named one by its cells, and its points."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.machine.quadrature import COUNT
+from workbook.book.declare import Quantity, Sheet, calc, constant
+from workbook.entries.units import RPM, shown
+from workbook.selection.choosing import AS_ENTERED, Choosing
+
+
+def drives_table(sheet: Sheet, view: Choosing) -> None:
+    """Declare the drives that may be named."""
+    columns = list(zip(*(one.figures for one in view.shafts), strict=True))
+    sheet.table(
+        "@drives", "Drives", len(view.shafts),
+        calc("axis", "axis", "", "", [one.title for one in view.shafts], [one.name for one in view.shafts],
+             align="left"),
+        constant("k", "number of the axis", "k", "", [one.number for one in view.shafts]),
+        *(calc(each[0].name, each[0].label, "", each[0].unit, [f"={one.formula}+0" for one in each],
+               [one.value for one in each], scale=max(one.scale for one in each)) for each in columns),
+    )  # fmt: skip
+
+
+def taken(view: Choosing, column: str) -> str:
+    """Return the formula of a figure of the named drive; no program looks up in a single cell alike."""
+    return f"INDEX([@drives.{column}],@no)" if len(view.shafts) > 1 else f"[@drives.{column}.1]"
+
+
+def known(view: Choosing) -> str:
+    """Return the condition under which the axis that is named is one of them."""
+    return "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis"
+
+
+def chosen(sheet: Sheet, view: Choosing) -> None:
+    """Declare the named drive."""
+    number = "MATCH(@axis,[@drives.axis],0)" if len(view.shafts) > 1 else "COUNT([@drives.k])"
+    rows = [calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0")]
+    for each in zip(*(one.figures for one in view.shafts), strict=True):
+        name, label, unit, _, value, _ = each[view.number]
+        rows.append(calc(f"@{name}", label.capitalize(), "", unit, f"={taken(view, name)}+0", value,
+                         scale=max(one.scale for one in each)))  # fmt: skip
+    sheet.rows(*rows, *held(view))
+
+
+def held(view: Choosing) -> Sequence[Quantity]:
+    """Return the names of the motor and the reducer of the drive."""
+    return [
+        calc("@held_motor", "Its motor", "", "",
+             f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', view.held_motor, align="left"),
+        calc("@held_reducer", "Its reducer", "", "",
+             f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', view.held_reducer,
+             align="left"),
+    ]  # fmt: skip
+
+
+def points_table(sheet: Sheet, view: Choosing) -> None:
+    """Declare the points of the named drive."""
+    shaft, load, of = view.shaft, view.load.points, view.shaft.by_point
+    behind, rows = shaft.torque, list(range(1, shaft.rows * COUNT + 1))
+    sheet.row += 1
+    sheet.table(
+        "@points", "The points of its cycle", len(rows),
+        constant("k", "number", "", "", rows),
+        *named(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
+        *named(view, "al", "acceleration", "α", "rad/s²", load.acceleration, scale=shaft.turning),
+        *named(view, "S", "torque behind the reducer", "S", "Nm", view.load.load.behind, scale=behind),
+        *named(view, "n", "speed of its motor", "|n|", "rpm", np.abs(shown(shaft.speed, RPM)), "ABS({})",
+               scale=max(float(shown(np.abs(shaft.speed).max(), RPM)), 1e-3)),
+        calc("driving", "where it drives the load", "", "Nm",
+             "=IF(OR(@by_power*[S]*[dir]<0,AND([dir]=0,@brake=1)),0,[S])", of(load.driving), scale=behind,
+             source="none that a brake holds"),
+        calc("driven", "where the load drives it", "", "Nm", "=IF(@by_power*[S]*[dir]<0,[S],0)",
+             of(load.driven), scale=behind),
+    )  # fmt: skip
+
+
+GROUP = 6
+"""drives among which one formula chooses"""
+
+
+def named(
+    view: Choosing, column: str, label: str, symbol: str, unit: str, values: Array, whole: str = "{}", **more: Any
+) -> list[Quantity]:  # fmt: skip
+    """Return the column of a figure of the named drive; of many drives, one for each group of them before it.
+
+    ``whole`` is what the formula of the figure stands in.
+    """
+    names = [f"INDEX({one.columns}_{column},[k])" for one in view.shafts]
+    chosen = view.shaft.by_point(values)
+    if len(names) == 1:
+        return [calc(column, label, symbol, unit, f"={whole.format(names[0])}+0", chosen, **more)]
+    if len(names) <= GROUP:
+        return [
+            calc(column, label, symbol, unit, f"={whole.format(f'CHOOSE(@no,{chr(44).join(names)})')}", chosen, **more)
+        ]
+    found = []
+    for first in range(0, len(names), GROUP):
+        group = names[first : first + GROUP]
+        within = f"AND(@no>{first},@no<={first + len(group)})"
+        here = first <= view.number < first + len(group)
+        found.append(
+            calc(
+                f"{column}{first + 1}",
+                f"{label}, drives {first + 1} to {first + len(group)}",
+                symbol,
+                unit,
+                f"=IF({within},{whole.format(f'CHOOSE(@no-{first},{chr(44).join(group)})')},0)",
+                chosen if here else 0.0,
+                **more,
+            )
+        )
+    parts = "+".join(f"[{one.name}]" for one in found)
+    return [*found, calc(column, label, symbol, unit, f"={parts}", chosen, **more)]
