@@ -334,6 +334,23 @@ def compare(
 
 
 @app.command()
+def diff(
+    old: Annotated[Path, typer.Argument(metavar="OLD", help="A workbook built by motionbook, or a description.")],
+    new: Annotated[Path, typer.Argument(metavar="NEW", help="Another one of the same template.")],
+    as_json: Json = False,
+    html: Annotated[Path | None, report_to("--html", "FILE.html", "Write a page with both timing diagrams.")] = None,
+    force: Force = False,
+) -> None:
+    """Tell what differs between two workbooks or descriptions: entries, results, checks, formulas, cells of your own.
+
+    Exit code 0: nothing differs. 1: something does. 2: one of them cannot be read.
+    """
+    from workbook.commands import diff as command
+
+    raise typer.Exit(command.diff(old, new, as_json, html, force))
+
+
+@app.command()
 def templates(
     check: Annotated[bool, typer.Option("--check", help="Write nothing; fail if a template is stale.")] = False,
 ) -> None:

@@ -1,0 +1,33 @@
+"""Compare two workbooks or descriptions of a machine."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from workbook.differences.compare import compare
+from workbook.differences.design import read
+from workbook.errors import InputError
+from workbook.exits import AGREES, DISAGREES
+from workbook.reports import differences as told
+from workbook.reports import page
+from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+
+
+def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) -> int:
+    """Tell what differs between two books or descriptions; return the exit code."""
+    page.ready(html, (".html",), force)
+    with ERR.status(shown(f"Comparing {old} and {new} …")):
+        before, after = read(old), read(new)
+    if before.machine.template != after.machine.template:
+        kinds = f"{old} is of the template {before.machine.template}, {new} of {after.machine.template}"
+        raise InputError([f"{kinds}; expected two of one template"])
+    found = compare(before, after)
+    page.write(html, lambda: told.page(before, after, found), force)
+    if as_json:
+        say_data(f"{json.dumps(told.data(found), ensure_ascii=False, indent=1)}\n")
+    elif found.same:
+        say(OUT, "The same machine")
+    else:
+        told.show(OUT, found)
+    return AGREES if found.same else DISAGREES

@@ -1,0 +1,147 @@
+"""One side of a comparison: a workbook or a description, as the machine that it describes."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from workbook.book.declare import Block, Book
+from workbook.book.quantity import SAYS, Quantity
+from workbook.book.rows import as_rows
+from workbook.entries.machine import Machine
+from workbook.judging.carried import own_things
+from workbook.judging.layout import laid_out, layout
+from workbook.judging.moved import put_back
+from workbook.judging.report import Report
+from workbook.judging.structure import structure
+from workbook.reading.descriptions import read_machine
+from workbook.reading.entries import Entries
+from workbook.reading.files import BookFile, open_book
+from workbook.templates import TEMPLATES
+from workbook.witnesses.agreed import agreed
+
+LONG = 40
+"""rows of a table of samples or points: those are compared by the results made of them"""
+NAMES = ("name", "axis", "sheet")
+"""the columns by which the rows of a table are called"""
+NUMBERED = re.compile(r"(axis|cycle|drive)(\d+)(?=_|$)")
+"""what the name of a block begins with where each axis has its own"""
+
+
+Key = tuple[str, str, str, str]
+"""what identifies a figure in another book: its axis, its block without the axis' number, column and row"""
+
+
+class Figure(NamedTuple):
+    """An entry, a result or a check: its place in words, its name there, unit and value."""
+
+    place: str
+    label: str
+    unit: str
+    value: Any
+    says: str = ""
+
+
+@dataclass(frozen=True)
+class Design:
+    """What a workbook or a description says of a machine; ``edited`` and ``own`` only a workbook has.
+
+    ``edited`` has a line for each formula or text that differs from the generated one, ``own`` for what was added.
+    """
+
+    path: Path
+    machine: Machine
+    book: Book
+    edited: list[str] = field(default_factory=list)
+    own: list[str] = field(default_factory=list)
+
+    @cached_property
+    def axes(self) -> list[str]:
+        """The names of the axes, in the order of their numbers."""
+        return [str(axis.name) for axis in getattr(self.machine, "axes", [])]
+
+    def entries(self) -> dict[Key, Figure]:
+        """Return all that was entered."""
+        return self._figures("input")
+
+    def results(self) -> dict[Key, Figure]:
+        """Return all results but those of long tables, which are samples and points, and texts in tables."""
+        found = self._figures("result")
+        return {key: one for key, one in found.items() if not key[2] or isinstance(one.value, int | float)}
+
+    def checks(self) -> dict[Key, Figure]:
+        """Return the checks on which the overall verdict rests, with the sentence of each that fails."""
+        found = {}
+        for sheet, q in self.book.checks:
+            axis, rest = self._axis(q.name)
+            says = str(self.book.blocks[f"{q.name}{SAYS}"].quantities[0].value or "")
+            found[axis, rest, "", ""] = Figure(sheet.title, q.label, "", q.value, says)
+        return found
+
+    def _figures(self, role: str) -> dict[Key, Figure]:
+        blocks = [one for one in self.book.blocks.values() if role == "input" or one.size <= LONG]
+        columns = ((block, q) for block in blocks for q in block.quantities if q.role == role)
+        return dict(pair for block, q in columns for pair in self._column(block, q))
+
+    def _column(self, block: Block, q: Quantity) -> Iterator[tuple[Key, Figure]]:
+        """Yield a figure for each row of a column of a block."""
+        axis, rest = self._axis(block.name)
+        values = as_rows(q.value, block.size, q.name)
+        if not block.is_table:
+            yield (axis, rest, "", ""), Figure(block.sheet.title, q.label, q.unit, values[0])
+            return
+        for row, value in zip(rows_of(block, axis), values, strict=True):
+            yield (axis, rest, q.name, row), Figure(f"{block.sheet.title}: {row}", q.label, q.unit, value)
+
+    def _axis(self, name: str) -> tuple[str, str]:
+        """Return the name of the axis that a block belongs to, and the rest of the block's name."""
+        found = NUMBERED.match(name)
+        if found is None:
+            return "", name
+        number = int(found[2])
+        if found[1] == "drive" and (held := self.book.blocks.get(f"drive{number}_axis")):
+            return str(held.quantities[0].value), f"{found[1]}{name[found.end() :]}"
+        if number > len(self.axes):
+            return str(number), f"{found[1]}{name[found.end() :]}"
+        return self.axes[number - 1], f"{found[1]}{name[found.end() :]}"
+
+
+def rows_of(block: Block, axis: str) -> list[str]:
+    """Return what the rows of a table are called: their names where each has its own, else their numbers."""
+    named = next((q for q in block.quantities if q.name in NAMES), None)
+    names = as_rows(named.value, block.size, block.name) if named else [None] * block.size
+    counts = Counter(names)
+    return [
+        name if isinstance(name, str) and name and counts[name] == 1 else f"{axis} row {number}".lstrip()
+        for number, name in enumerate(names, 1)
+    ]
+
+
+def read(path: Path) -> Design:
+    """Read a workbook or a description; raise ReadError or InputError where it is neither."""
+    if path.suffix.lower() == ".toml":
+        machine = read_machine(path)
+        return Design(path, machine, TEMPLATES[machine.template].declare(machine))
+    file = open_book(path)
+    entries = Entries(file, agreed, put_back)
+    machine = entries.machine()
+    edited, own = changes(file, entries, machine)
+    return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)
+
+
+def changes(file: BookFile, entries: Entries, machine: Machine) -> tuple[list[str], list[str]]:
+    """Return in lines what differs from the generated formulas and texts, and what was added to them."""
+    match, machine = laid_out(file, entries.template, machine)
+    report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout(match)])
+    structure(match, report)
+    edited = [f"{one.sheet}!{one.cell} ({one.what}): {one.computed}" for one in report.findings]
+    ours = {pair.address.sheet for pair in match.pairs}
+    own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
+    formulas = file.contents.formulas
+    own += [f"{a}: {formulas[a]}" for a in file.contents.formula_cells if a not in match.addresses and a in formulas]
+    return edited, own + [line.replace(" are not carried over", "") for line in own_things(match, ours)]

@@ -1,0 +1,102 @@
+"""What differs between two designs: on the terminal, as JSON, as a page with both timing diagrams."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+from xml.etree.ElementTree import Element
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from workbook.differences.compare import Change, Differences
+from workbook.differences.design import Design
+from workbook.reports.page import document, e, table
+from workbook.reports.plot import Line, plot
+from workbook.reports.terminal import say, shown
+from workbook.templates import TEMPLATES
+
+KINDS = (("entries", "Entries"), ("results", "Results"), ("checks", "Checks"))
+LINES = (("edited", "Formulas and texts edited"), ("own", "Cells, sheets and charts of your own"))
+HEADINGS = ("where", "what", "old", "new", "unit", "difference", "")
+SAMPLES = 721
+"""of a diagram"""
+
+
+def data(found: Differences) -> dict[str, Any]:
+    """Return all differences as JSON has them."""
+    kinds = {name: [as_data(one) for one in getattr(found, name)] for name, _ in KINDS}
+    return {"same": found.same, **kinds, "edited": found.edited, "own": found.own}
+
+
+def as_data(change: Change) -> dict[str, Any]:
+    """Return one difference as JSON has it."""
+    return change._asdict() | {"difference": change.difference, "per_cent": change.per_cent}
+
+
+def row(change: Change) -> list[str]:
+    """Return the cells of a table for one difference."""
+    per_cent = "" if change.per_cent is None else f"{change.per_cent:+.2f} %"
+    note = change.says or ("worse" if change.worse else "")
+    unit = change.unit
+    return [change.place, change.label, figure(change.old), figure(change.new), unit, per_cent or step(change), note]
+
+
+def step(change: Change) -> str:
+    """Return the difference of two numbers of which the old one is 0."""
+    return "" if change.difference is None else f"{change.difference:+.6g}"
+
+
+def figure(value: Any) -> str:
+    """Return a value as people write it."""
+    return "–" if value is None or value == "" else f"{value:.7g}" if isinstance(value, float) else str(value)
+
+
+def show(console: Console, found: Differences) -> None:
+    """Print the differences as tables and lines."""
+    for name, title in KINDS:
+        changes = getattr(found, name)
+        if changes:
+            grid = Table(*HEADINGS, title=title, title_justify="left", box=None, pad_edge=False)
+            for change in changes:
+                grid.add_row(*map(shown, row(change)))
+            console.print(grid)
+    for name, title in LINES:
+        for sign, line in signed(getattr(found, name)):
+            say(console, f"{title}: {sign} {line}")
+
+
+def signed(lines: dict[str, list[str]]) -> Iterator[tuple[str, str]]:
+    """Yield the lines that are gone with a minus, and those that came with a plus."""
+    yield from (("−", line) for line in lines["old"])
+    yield from (("+", line) for line in lines["new"])
+
+
+def page(old: Design, new: Design, found: Differences) -> str:
+    """Return the page of all differences, with the motions of both sides over one another."""
+    title = f"{old.path.name} and {new.path.name}"
+    body = [e("h1", title), e("p", "The same machine." if found.same else f"Old: {old.path}. New: {new.path}.")]
+    for name, heading in KINDS:
+        changes: Sequence[Change] = getattr(found, name)
+        if changes:
+            body += [e("h2", heading), table(HEADINGS, [row(one) for one in changes], numbers=(2, 3, 5))]
+    for name, heading in LINES:
+        lines = [e("p", f"{sign} {line}") for sign, line in signed(getattr(found, name))]
+        body += [e("h2", heading), *lines] if lines else []
+    return document(title, [*body, *diagrams(old, new)])
+
+
+def diagrams(old: Design, new: Design) -> list[Element]:
+    """Return a picture of each axis whose motion differs: its position over the cycle, old and new."""
+    before = {axis.name: axis for axis in TEMPLATES[old.machine.template].axes(old.machine)}
+    found = []
+    for axis in TEMPLATES[new.machine.template].axes(new.machine):
+        lines = []
+        for name, one in (("old", before.get(axis.name)), ("new", axis)):
+            if one is not None:
+                x = np.linspace(one.course.edges[0], one.course.edges[-1], SAMPLES)
+                lines.append(Line(name, x, one.course.at(x).y))
+        if len(lines) < 2 or not np.allclose(lines[0].y, lines[1].y, rtol=0.0, atol=1e-9 * np.ptp(lines[1].y)):
+            found.append(plot(f"{axis.name}: position over the cycle", (axis.x_unit, axis.y_unit), lines))
+    return [e("h2", "Motions that differ"), *found] if found else []
