@@ -11,7 +11,7 @@ import workbook
 from workbook.axes import CamAxis, CamSwitch
 from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import FIRST, Book, Text
-from workbook.book.summary import TITLE, close
+from workbook.book.summary import TITLE, close, head
 from workbook.entries.machine import Machine
 from workbook.scaling import Scaling
 from workbook.unfinished import with_entries
@@ -105,15 +105,16 @@ def has(data: Any, key: str) -> bool:
     return True
 
 
-def finish(book: Book, title: str, sources: tuple[str, ...]) -> Book:
+def finish(book: Book, sources: tuple[str, ...]) -> Book:
     """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles."""
     checks_sheet(book)
     close(book, sources)
     repeat_verdict(book)
     for sheet in book.sheets:
-        first = sheet is book.sheets[0]
-        sheet.texts.append(Text(1, FIRST, title if first else sheet.title, "title"))
         sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))
-        if not first:
+        if sheet is book.sheets[0]:
+            head(sheet)
+        else:
+            sheet.texts.append(Text(1, FIRST, sheet.title, "title"))
             sheet.texts.append(Text(3, FIRST + 4, TITLE, "link", TITLE))
     return book

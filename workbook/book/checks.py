@@ -12,6 +12,8 @@ from workbook.book.rows import filled
 from workbook.book.sentence import Sentence
 
 ZERO = 1e-9
+NONE = "none"
+"""what stands in place of the first check that fails, where none does"""
 FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
 """1 where a check does not hold, be it for an error value; a range, for IronCalc counts in no single cell"""
 
@@ -112,7 +114,7 @@ def mended(book: Book, most: int) -> dict[str, list[str | None]]:
         for (sheet, q), verdict, said in zip(book.checks, found.verdicts, found.sentences, strict=True)
         if verdict != "OK"
     ][:most]
-    rows = filled(told, most, ("", ""))
+    rows = filled(told or [(NONE, "")], most, ("", ""))
     known = found.holding is not None
     columns = zip(*rows, strict=True)
     return {f"mend.{name}": list(column) if known else filled([], most, None)

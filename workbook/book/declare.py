@@ -266,10 +266,14 @@ class Sheet:
             ):
                 if text:
                     self.texts.append(Text(self.row, column, text, style))
-            self._place(Block(q.name, self, self.row, FIRST + 2, (q,), 1, is_table=False))
+            self.put(q, self.row, FIRST + 2)
             if message:
-                self._place(Block(message.name, self, self.row, FIRST + 4, (message,), 1, is_table=False))
+                self.put(message, self.row, FIRST + 4)
             self.row += 1
+
+    def put(self, quantity: Quantity, row: int, column: int) -> None:
+        """Place a quantity in a cell of its own."""
+        self._place(Block(quantity.name, self, row, column, (quantity,), 1, is_table=False))
 
     def checks(self, *quantities: Quantity) -> None:
         """Place checks, and enter them in the book's list, on which the overall verdict rests.
@@ -279,7 +283,7 @@ class Sheet:
         for q in self._own(quantities):
             here = replace(q, label=self._without(q.label))
             said = sentence(here)
-            self._place(Block(said.name, self, self.row, FIRST + 4, (said,), 1, is_table=False))
+            self.put(said, self.row, FIRST + 4)
             self._rows([replace(here, source="")])
             self.book.checks.append((self, q))
 
@@ -320,7 +324,7 @@ class Sheet:
         if columns[0].name == USED:
             room = full(guard, as_rows(columns[0].value, block.size, USED))
             under = block.columns[inputs[0].name]
-            self._place(Block(room.name, self, block.row + block.size, under, (room,), 1, is_table=False))
+            self.put(room, block.row + block.size, under)
         self.checks(verdict)
         self.row += 1
 

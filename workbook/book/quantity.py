@@ -21,7 +21,7 @@ FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}
 ROUNDED, MOST = 1e-9, 1e9
 """of figures beside a limit: the share of it that rounding may add, and what none is above"""
 
-Role = Literal["input", "calculation", "result", "check", "constant", "sentence"]
+Role = Literal["input", "calculation", "result", "check", "constant", "sentence", "title"]
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Protocol
 
 import workbook
-from workbook.book.checks import failing, mended
+from workbook.book.checks import NONE, failing, mended
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given
 
 TITLE = "Summary"
@@ -107,6 +107,13 @@ def close(book: Book, sources: tuple[str, ...]) -> None:
         entry(sheet, Text(sheet.row, FIRST, key, "label"), SOURCES[key])
 
 
+def head(sheet: Sheet) -> None:
+    """Declare the title of the first sheet: the machine's, as it is entered."""
+    entered = sheet.book.blocks["book_title"].quantities[0].value
+    title = Quantity("book_heading", "Title", "", "", "title", '=book_title&""', entered, align="left")
+    sheet.put(title, 1, FIRST)
+
+
 def to_mend(book: Book, sheet: Sheet) -> None:
     """Declare the first checks that fail: what, on which sheet, where and by how much."""
     sheet.heading("To mend")
@@ -115,12 +122,13 @@ def to_mend(book: Book, sheet: Sheet) -> None:
     rows, where = mended(book, TO_MEND), of_failing("where")
     sheet.table(
         "mend", "The checks that fail", TO_MEND,
-        calc("where", "sheet", "", "", f'=IF([k]>mend_count,"",{where})', rows["mend.where"], align="left"),
+        calc("where", "sheet", "", "", f'=IF([k]>mend_count,IF([k]=1,"{NONE}",""),{where})', rows["mend.where"],
+             align="left"),
         constant("k", "number", "", "", list(range(1, TO_MEND + 1))),
         Quantity("says", "check: where, and by how much", "", "", "sentence",
                  f'=IF([k]>mend_count,"",{of_failing("what")}&": "&{of_failing("says")})', rows["mend.says"],
                  align="left"),
-        blank="[k]>mend_count",
+        blank="[k]>MAX(1,mend_count)",
     )  # fmt: skip
 
 

@@ -60,6 +60,7 @@ ROLES = {
     "check": Kind("Verdict", font(bold=True)),
     "constant": Kind("Constant", font(color=GREY)),
     "sentence": Kind("Finding", font(10, GREY)),
+    "title": Kind("Machine title", font(18, bold=True), Alignment(horizontal="left")),
 }
 TEXTS = {
     "title": Kind("Book title", font(18, bold=True)),

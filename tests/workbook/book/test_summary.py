@@ -41,7 +41,7 @@ def mended(book):
 def test_a_book_whose_checks_hold_has_nothing_to_mend():
     book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
     assert book.sheets[0].title == "Summary"
-    assert mended(book) == [("", "")] * TO_MEND
+    assert mended(book) == [("none", ""), *[("", "")] * (TO_MEND - 1)]
 
 
 @pytest.mark.parametrize("rate", [300.0, 1000.0])
@@ -133,3 +133,16 @@ def test_an_axis_has_its_laws_and_the_verdict_of_its_own_checks():
     found = {q.name: q.value for q in judged.quantities}
     assert found["verdict"] == ["FAIL", "OK", "FAIL", "OK"]
     assert [law.upper() for law in found["law"]] == ["MTP", "MTP", "MTP", "SEVERAL"]
+
+
+def test_the_first_sheet_is_titled_by_what_is_entered():
+    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
+    (heading,) = book.blocks["book_heading"].cells()
+    assert (heading.row, heading.expected) == (1, "Wrapping machine")
+
+
+def test_no_chart_of_a_machine_mixes_travelling_and_turning_axes():
+    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
+    labels = [chart.y for sheet in book.sheets for chart, *_ in sheet.charts]
+    assert [label for label in labels if "," in label] == []
+    assert {"y [mm]", "y [°]", "ẏ [m/s]", "ẏ [rad/s]"} <= set(labels)

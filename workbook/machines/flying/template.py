@@ -66,7 +66,7 @@ def declare(given: FlyingCutter) -> Book:
     turning_sheet(book, view, shelf.named, shelf.stack)
     shelf.sheets(book)
     export_sheet(book, given, exportables(view, rows))
-    return finish(book, "Flying machining", ("S5", "S1", "S3"))
+    return finish(book, ("S5", "S1", "S3"))
 
 
 def exportables(view: Flying, rows: PieceRows) -> list[Exportable]:

@@ -33,7 +33,7 @@ def declare(given: MotionLaws) -> Book:
     comparison_sheet(book, view)
     names_sheet(book, view)
     shelf.sheets(book)
-    return finish(book, "Motion laws", ("S1", "S3"))
+    return finish(book, ("S1", "S3"))
 
 
 TEMPLATE = Template("motion-laws", MotionLaws, declare, variants, LAW_SIZES | {"cycle": ("samples1", 1)})

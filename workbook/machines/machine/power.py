@@ -20,6 +20,8 @@ FINE = 0.05
 LEAST = 0.001
 """kW that count as nothing"""
 CHART_COLUMN = 10
+YEAR = '#,##0.0;-#,##0.0;"–"'
+"""format of the energy of a year: a dash where no hours of running are entered"""
 
 
 def supply(bus: Mains) -> list[Quantity]:
@@ -37,10 +39,10 @@ def supply(bus: Mains) -> list[Quantity]:
         result("about_peak_off", "… may be higher by", "", "kW", "=bus_off+0", shown(float(bus.off.sum()), KW),
                scale=size, source="between samples"),
         result("about_bus_year", "Energy a year", "E", "kWh", f"=bus_year+{beside.format('mains')}*power_hours",
-               shown(together([bus.common, *others]).energy_a_year(hours), KWH), scale=size,
+               shown(together([bus.common, *others]).energy_a_year(hours), KWH), scale=size, format=YEAR,
                source="on a common DC bus"),
         result("about_year", "… each drive alone", "E", "kWh", "=power_year",
-               shown(bus.alone.energy_a_year(hours), KWH), scale=size),
+               shown(bus.alone.energy_a_year(hours), KWH), scale=size, format=YEAR),
     ]  # fmt: skip
 
 
@@ -84,7 +86,7 @@ def totals(bus: Mains) -> list[Quantity]:
         result("power_resistors", "Mean power in the brake resistors", "", "kW", f"={total('power.resistor')}",
                shown(whole.resistor, KW), scale=size),
         result("power_year", "Energy a year", "E", "kWh", "=power_mains*power_hours",
-               shown(whole.energy_a_year(bus.entered.hours), KWH), scale=size),
+               shown(whole.energy_a_year(bus.entered.hours), KWH), scale=size, format=YEAR),
         result("power_least", "Mean power from the mains if all that comes back is used", "", "kW",
                "=MAX(0,power_mains-power_resistors)", shown(whole.least, KW), scale=size,
                source="no bus can do better"),
@@ -114,7 +116,7 @@ def common(bus: Mains) -> list[Quantity]:
         result("bus_resistor", "Mean power in the brake resistor", "", "kW", "=bus_mains-bus_net",
                shown(found.resistor, KW), scale=size, source="mains less what is used up"),
         result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours",
-               shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, source="of these drives"),
+               shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, format=YEAR, source="of these drives"),
         result("bus_off", "The peaks may be higher by", "", "kW", f"={total('power.off')}",
                shown(float(bus.off.sum()), KW), scale=size, source="what the samples miss of the drives' peaks"),
         calc("bus_net_off", "Error of the mean power of the samples", "", "kW",

@@ -88,7 +88,7 @@ def declare(given: AnyMachine) -> Book:
     pieces_sheet(book, rows, bool(apart))
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
-    return finish(book, "Machine", ("S1", "S3", "S4"))
+    return finish(book, ("S1", "S3", "S4"))
 
 
 def pace(machine: Whole) -> list[Quantity]:

@@ -14,6 +14,7 @@ from workbook.machines.machine.view import MovingAxis, Whole, unit_name
 LANE_SHARE = 0.8
 PHASE, PHASE_MEASURED, PASSING = 13, 12, 4
 """columns of what is entered of a phase and comes out of it, over a length, and where movements hand over at speed"""
+CURVES = ("Position", "Velocity", "Acceleration")
 
 
 def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
@@ -77,14 +78,19 @@ def of_length(machine: Whole) -> list[Quantity]:
     ]  # fmt: skip
 
 
+def units(machine: Whole) -> list[str]:
+    """Return the units in which axes move, each once."""
+    return list(dict.fromkeys(axis.given.unit for axis in machine.axes))
+
+
 def positions(machine: Whole) -> str:
     """Return the units of the positions of all axes."""
-    return ", ".join(dict.fromkeys(axis.given.unit for axis in machine.axes))
+    return ", ".join(units(machine))
 
 
 def rates(machine: Whole, order: int) -> str:
     """Return the units of a derivative of all axes, as it is shown."""
-    return ", ".join(dict.fromkeys(machine.over.rates(axis.given.unit)[order - 1] for axis in machine.axes))
+    return ", ".join(machine.over.rates(unit)[order - 1] for unit in units(machine))
 
 
 def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
@@ -193,19 +199,20 @@ def sampled(axis: MovingAxis, x: str, column: str) -> Series:
 
 
 def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
-    """Place the charts of position, velocity and acceleration of all axes."""
+    """Place the charts of position, velocity and acceleration: a row for travelling axes, one for turning axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
+    groups = {unit: [axis for axis in machine.axes if axis.given.unit == unit] for unit in units(machine)}
+    for unit, axes in groups.items():
+        of = {"mm": " of travelling axes", "°": " of turning axes"}.get(unit, "") if len(groups) > 1 else ""
+        charts = [curves(machine, axes, unit, order, f"{word}{of}") for order, word in enumerate(CURVES)]
+        sheet.chart_row(*charts, width=(columns + 2) // 3, height=18)
+
+
+def curves(machine: Whole, axes: list[MovingAxis], unit: str, order: int, title: str) -> Chart:
+    """Return the chart of position (order 0), velocity or acceleration of axes that move in one unit."""
     over = machine.over
-    _, y1, y2, _ = over.symbols
-    kinds = (
-        ("y", f"y [{positions(machine)}]", "Position"),
-        ("v", f"{y1} [{rates(machine, 1)}]", "Velocity"),
-        ("a", f"{y2} [{rates(machine, 2)}]", "Acceleration"),
-    )
-    sheet.chart_row(
-        *(Chart(title, over.title, label,
-                tuple(sampled(a, over.column, column) for a in machine.axes),
-                f"{title} of each axis over the {over.name}", over.axis(60))
-          for column, label, title in kinds),
-        width=(columns + 2) // 3, height=18,
-    )  # fmt: skip
+    shown_in = (unit, *over.rates(unit))[order]
+    lines = tuple(sampled(axis, over.column, ("y", "v", "a")[order]) for axis in axes)
+    symbol = ("y", *over.symbols[1:])[order]
+    about = f"{title} over the {over.name}, a line for each axis"
+    return Chart(title, over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60))

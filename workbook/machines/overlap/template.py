@@ -40,7 +40,7 @@ def declare(given: IndexingOverlap) -> Book:
     inverse_sheet(book, view, shelf.stack)
     shelf.sheets(book)
     export_sheet(book, given, exportable(view, shelf.stack))
-    return finish(book, "Overlap of motions", ("S2", "S1", "S3"))
+    return finish(book, ("S2", "S1", "S3"))
 
 
 def in_short(view: Overlapping) -> list[Quantity]:
