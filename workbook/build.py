@@ -29,7 +29,7 @@ from workbook.reading.files import open_book
 from workbook.reading.guard import inspect
 from workbook.reading.refusal import Refusal
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
-from workbook.selection.entries import MOST_PRODUCTS, Products, Selection
+from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
@@ -116,13 +116,6 @@ def with_catalogues(machine: Machine, choice: Products, named: dict[str, Path | 
             raise InputError([f"{named[entry]}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
         entries[entry] = products
         data["sizes"][entry] = max(data["sizes"][entry], len(products))
-        one = entry[:-1]
-        if (
-            isinstance(choice, Selection)
-            and choice.pair == "best"
-            and entries[one] not in [row["name"] for row in entries[entry]]
-        ):
-            del entries[one]
     return checked(template_named(machine.template, where), data, lambda key: f"{where}: {key}")
 
 

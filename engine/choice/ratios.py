@@ -127,25 +127,6 @@ def ratio_curves(
     return RatioCurves(share, beta, pace, root, wide, low, best_ratio(task, np.full(points, inertia), efficiency), high)
 
 
-def rms_torque(
-    task: Task,
-    motor_inertia: ArrayLike,
-    ratio: ArrayLike,
-    efficiency: ArrayLike = 1.0,
-    reducer_inertia: ArrayLike = 0.0,
-) -> Array:
-    """Return T_M,rms (Nm), as if the motor always drove: (J_M + J_T) ω̇_L/τ + τ T*_L/η, squared and averaged.
-
-    T_M,rms² = τ² T*_rms²/η² + (J_M + J_T)² ω̇_rms²/τ² + 2 (J_M + J_T) (T*_L ω̇_L)_mean/η; J_T at the motor's shaft.
-    Source: S5, 'Model of dynamic system', with the squares it leaves out; step 7 for η and J_T.
-    """
-    inertia = np.asarray(motor_inertia, dtype=np.float64) + np.asarray(reducer_inertia, dtype=np.float64)
-    tau, eta = np.asarray(ratio, dtype=np.float64), np.asarray(efficiency, dtype=np.float64)
-    load, own = tau * task.torque_rms / eta, inertia * task.acceleration_rms / tau
-    square = load**2 + own**2 + 2.0 * inertia * task.power_rate_mean / eta
-    return np.asarray(np.sqrt(np.maximum(square, 0.0)))
-
-
 def _require_efficiency(efficiency: float) -> None:
     if not 0.0 < efficiency <= 1.0:
         raise ValueError(f"efficiency is {efficiency:g}; expected more than 0 and at most 1")

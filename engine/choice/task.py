@@ -17,8 +17,6 @@ AT_REST = 1e-9
 """of the mean velocity of a phase"""
 NOTHING = 1e-9
 """rad/s², Nm, rad/s: an acceleration, a torque, a speed no larger than this comes from rounding"""
-LITTLE = 1e-3
-"""rad/s²: the least size of an acceleration"""
 
 
 @dataclass(frozen=True)
@@ -87,11 +85,3 @@ class Task:
         characteristics on the choice of a motor-reducer', Mechatronics 20 (2010).
         """
         return self.load_factor / efficiency
-
-    def sizes(self, cycle_time: float) -> Task:
-        """Return a task of the sizes that this one is made of: by them, what is near 0 is seen to be rounding.
-
-        The acceleration is the largest of ω̇_rms and ω_max/t_C (t_C in s), the mean the most that it can be.
-        """
-        acceleration = max(self.acceleration_rms, self.max_speed / cycle_time, LITTLE)
-        return Task(acceleration, self.torque_rms, acceleration * self.torque_rms, self.max_speed)

@@ -78,13 +78,14 @@ class Cut:
 
     @property
     def displacement(self) -> float:
-        """h = L_0 − L_p (m), the dynamic displacement."""
-        return self.tool.design_length - self.product_length
+        """h = L_0 − L_p (m), the dynamic displacement; 0 where rounding alone tells them apart."""
+        found = self.tool.design_length - self.product_length
+        return found if abs(found) > SAME_LENGTH * self.tool.design_length else 0.0
 
     @property
     def case(self) -> Case:
         """Whether the tool re-positions at line speed, faster or slower: by the sign of h."""
-        if abs(self.displacement) <= SAME_LENGTH * self.tool.design_length:
+        if not self.displacement:
             return "constant speed"
         return "faster" if self.displacement > 0.0 else "slower"
 

@@ -210,7 +210,7 @@ class Cycle:
     def _derivative(self, number: NDArray[np.intp], place: Array, order: int) -> Array:
         """Return a derivative of the motion by time at places, each in an interval."""
         piece = np.array([one.piece for one in self.intervals])[number]
-        begin = np.array([one.begin for one in self.pieces])[piece]
+        begin = np.array([one.origin for one in self.pieces])[piece]
         return self._rows.taken(piece).at(place - begin, order) * self.course.speed**order
 
     @cached_property

@@ -3,22 +3,26 @@
 import random
 from typing import Any
 
+from engine.machine.grid import RANKS
+
 
 def vary_selection(selection: dict[str, Any], sizes: dict[str, Any], drawn: random.Random) -> None:
-    """Draw the catalogues, the criterion and the pair anew; ``sizes`` says how many rows there are."""
+    """Draw the catalogues, the rank and the pair anew; ``sizes`` says how many rows there are."""
     motors = [motor(i, drawn) for i in range(drawn.randint(1, sizes["motors"]))]
     reducers = [reducer(i, drawn) for i in range(drawn.randint(1, sizes["reducers"]))]
     if drawn.random() < 0.3:
         motors[-1] = motors[0] | {"name": "again"}  # equals in the ranking
     selection |= {
-        "criterion": drawn.choice(("margin", "inertia match", "size", "cost")),
-        "pair": drawn.choice(("best", "best", "chosen")),
+        "rank": drawn.choice(RANKS),
+        "inertia_ratio": 10 ** drawn.uniform(0, 3),
+        "least_margin": drawn.uniform(0.5, 2),
+        "greatest_margin": 10 ** drawn.uniform(0.5, 3),
         "efficiency": drawn.choice((1.0, drawn.uniform(0.5, 1))),
         "torque_factor": drawn.uniform(0.5, 3),
         "motors": motors,
         "reducers": reducers,
-        "motor": drawn.choice(motors)["name"],
-        "reducer": drawn.choice(reducers)["name"],
+        "motor": drawn.choice((None, drawn.choice(motors)["name"])),
+        "reducer": drawn.choice((None, drawn.choice(reducers)["name"])),
     }
 
 

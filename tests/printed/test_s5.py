@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from engine.choice import Task
-from engine.choice.ratios import accelerating_factor, ratio_curves, ratio_ranges, rms_torque
+from engine.choice.ratios import accelerating_factor, ratio_curves, ratio_ranges
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal, ModifiedTrapezoidal
-from tests.engine.choice.tasks import inertial_task
+from tests.engine.choice.tasks import inertial_task, rms_torque
 
 RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02
 DRUM = rotary_drum(3, RADIUS, radians(30))

@@ -60,7 +60,7 @@ def place_columns(
         constant(f"u0{suffix}", f"{of}: u⁰", "", "", [1] * len(u)),
         calc(f"u{suffix}", f"{of}: u", "u", at.x, formula, u, scale=rows.end),
         *(calc(f"u{i}{suffix}", f"{of}: u{RAISED[i]}", f"u{RAISED[i]}", f"{at.x}{RAISED[i]}" if at.x else "",
-               f"=[{_power(i - 1, suffix)}]*[u{suffix}]", u**i, scale=rows.end**i) for i in range(2, rows.powers - 1)),
+               f"=[{_power(i - 1, suffix)}]*[u{suffix}]", u**i, scale=rows.end**i) for i in range(2, rows.powers)),
         *(calc(f"x{mark}{suffix}", f"{of}: argument of the {which}sine", "x", "rad",
                f"=INDEX([{at.pieces}.om{mark}],{q})*[u{suffix}]+INDEX([{at.pieces}.ph{mark}],{q})",
                [one.sines[k][1] * place + one.sines[k][2] for one, place in zip(pieces, u, strict=True)],

@@ -94,7 +94,7 @@ def figures(view: Choosing) -> list[Quantity]:
     def motor(name: str) -> str:
         return there(f"INDEX([@motors.{name}],MAX(1,[m]))")
 
-    speed = "[turns]*[@points.n]"
+    speed = "[i]*[@points.n]"
     spare = (
         f"[tp]-SUMPRODUCT(MAX((({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*({speed}-[knee])*({speed}>[knee])))"
     )
@@ -103,8 +103,6 @@ def figures(view: Choosing) -> list[Quantity]:
              there("INDEX([@motors.jm],MAX(1,[m]))+INDEX([@reducers.jt],MAX(1,[r]))"), of([one[0] for one in each])),
         calc("i", "reduction", "i", "", there("INDEX([@reducers.i],MAX(1,[r]))"), of([one[1] for one in each])),
         calc("eta", "efficiency", "η", "", there("INDEX([@reducers.eta],MAX(1,[r]))"), of([one[2] for one in each])),
-        calc("turns", "speed over that of the drive's motor", "", "", there("INDEX([@reducers.i],MAX(1,[r]))/@held_i"),
-             of([one[1] / view.held("i") for one in each])),
         calc("tp", "motor's peak torque", "", "Nm", motor("peak"), of([float(m.peak_torque[k]) for k, _ in pairs])),
         calc("knee", "holds to", "n_1", "rpm", motor("knee"), of([shown(float(m.knee[k]), RPM) for k, _ in pairs])),
         calc("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), of([float(fall[k]) for k, _ in pairs])),

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from engine.laws.base import Array
 from engine.machine.quadrature import COUNT
 from workbook.book.declare import Quantity, Sheet, calc, constant
@@ -70,8 +68,8 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         *named(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
         *named(view, "al", "acceleration", "α", "rad/s²", load.acceleration, scale=shaft.turning),
         *named(view, "S", "torque behind the reducer", "S", "Nm", view.load.load.behind, scale=behind),
-        *named(view, "n", "speed of its motor", "|n|", "rpm", np.abs(shown(shaft.speed, RPM)), "ABS({})",
-               scale=max(float(shown(np.abs(shaft.speed).max(), RPM)), 1e-3)),
+        *named(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,
+               scale=max(float(shown(load.speed.max(), RPM)), 1e-3)),
         calc("driving", "where it drives the load", "", "Nm",
              "=IF(OR(@by_power*[S]*[dir]<0,AND([dir]=0,@brake=1)),0,[S])", of(load.driving), scale=behind,
              source="none that a brake holds"),

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
-from engine.choice import Criterion
 from engine.machine.grid import Rank
 from workbook.entries.machine import Sizes
 from workbook.entries.texts import place_of, require_distinct
@@ -66,39 +65,20 @@ class Ranked(Products):
     torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
 
 
-class Selection(Products):
-    """The catalogues, the criterion, and the pair that is looked at.
+class Selection(Ranked):
+    """The catalogues, what their pairs are ranked by, and the motor and reducer in use: the proposed where none is."""
 
-    Without catalogues, or with the word ``committed`` for one, those that come with the templates. A motor or reducer
-    that is not named is the first one, unless it is to be looked at.
-    """
-
-    criterion: Criterion = "margin"
-    pair: Literal["best", "chosen"] = "best"
-    motor: Name = ""
-    reducer: Name = ""
-    efficiency: Efficiency = 1.0  # in the range of ratios, before a reducer is known
-    torque_factor: Positive = 1.0  # on the reducer's output torque
-
-    @model_validator(mode="before")
-    @classmethod
-    def _complete(cls, data: Any) -> Any:
-        if not isinstance(data, dict):
-            return data
-        for entry, committed in (("motor", committed_motors), ("reducer", committed_reducers)):
-            rows = data.get(f"{entry}s", committed())
-            rows = committed() if rows == REFERENCE else rows
-            named = data.get(entry) is not None or data.get("pair") == "chosen"
-            if not named and isinstance(rows, list) and rows:
-                first = rows[0]
-                data = data | {entry: first.get("name") if isinstance(first, dict) else getattr(first, "name", None)}
-        return data
+    motor: Name | None = Field(default=None, description="Motor in use; that of the proposed pair if empty")
+    reducer: Name | None = Field(default=None, description="Reducer in use; that of the proposed pair if empty")
+    efficiency: Efficiency = Field(
+        default=1.0, description="Efficiency in the range of ratios, before a reducer is known"
+    )
 
     @model_validator(mode="after")
     def _named(self) -> Self:
-        for entry, rows in (("motor", self.motors), ("reducer", self.reducers)):
-            if place_of(getattr(self, entry), [row.name for row in rows]) < 0:
-                raise EntryError(entry, f"no {entry} is named {getattr(self, entry)!r}; expected a name of its table")
+        for entry, name, rows in (("motor", self.motor, self.motors), ("reducer", self.reducer, self.reducers)):
+            if name is not None and place_of(name, [row.name for row in rows]) < 0:
+                raise EntryError(entry, f"no {entry} is named {name!r}; expected a name of its table")
         return self
 
 

@@ -29,8 +29,8 @@ class Shaft:
     """A shaft behind a reducer, with the pair that drives it.
 
     ``title`` is the formula of its axis' name. ``columns`` begins the names of the columns of its points in the book
-    (``dir``, ``al``, ``S``, ``n``); they have ``rows`` intervals, spare ones among them. ``speed`` is the motor's at
-    the points (rad/s), ``turning`` the scale of α (rad/s²), ``torque`` that of the shaft's torque (Nm).
+    (``dir``, ``al``, ``S``, ``n``); they have ``rows`` intervals, spare ones among them. ``rpm`` makes |speed| of the
+    shaft (rpm) of the column ``n``. ``turning`` is the scale of α (rad/s²), ``torque`` that of S (Nm).
     """
 
     name: str
@@ -39,7 +39,7 @@ class Shaft:
     columns: str
     rows: int
     load: PointLoad
-    speed: Array
+    rpm: str
     turning: float
     torque: float
     figures: Sequence[Figure]

@@ -1,4 +1,4 @@
-"""Other catalogues and choices at which ``verify`` evaluates a Selection sheet: every criterion, best and chosen
+"""Other catalogues and choices at which ``verify`` evaluates a Selection sheet: every rank, proposed and named
 pairs, figures that are missing, limits that are not given, and no pair at all."""
 
 from __future__ import annotations
@@ -6,12 +6,12 @@ from __future__ import annotations
 from typing import Any
 
 CHOICES: tuple[dict[str, Any], ...] = (
-    {"criterion": "margin", "pair": "best", "efficiency": 1.0, "torque_factor": 1.0},
-    {"criterion": "inertia match", "pair": "chosen", "efficiency": 0.9, "torque_factor": 1.7},
-    {"criterion": "size", "pair": "best", "efficiency": 0.97, "torque_factor": 0.6},
-    {"criterion": "cost", "pair": "best", "efficiency": 0.85, "torque_factor": 1.2},
-    {"criterion": "inertia match", "pair": "best", "efficiency": 0.95, "torque_factor": 1.0},
-    {"criterion": "cost", "pair": "chosen", "efficiency": 0.93, "torque_factor": 2.0},
+    {"rank": "margin", "least_margin": 1.0, "greatest_margin": 50.0, "efficiency": 1.0, "torque_factor": 1.0},
+    {"rank": "inertia match", "inertia_ratio": 40.0, "efficiency": 0.9, "torque_factor": 1.7},
+    {"rank": "mass", "least_margin": 1.4, "inertia_ratio": 60.0, "efficiency": 0.97, "torque_factor": 0.6},
+    {"rank": "cost", "greatest_margin": 9.0, "inertia_ratio": 30.0, "efficiency": 0.85, "torque_factor": 1.2},
+    {"rank": "inertia match", "least_margin": 2.0, "efficiency": 0.95, "torque_factor": 1.0},
+    {"rank": "smallest motor", "inertia_ratio": 90.0, "efficiency": 0.93, "torque_factor": 2.0},
 )
 WEAK = 4  # the variation whose motors can do nothing
 
@@ -22,7 +22,7 @@ def vary_selection(data: dict[str, Any], k: int, sizes: dict[str, Any]) -> None:
     for entry, made, few in (("motor", motor, 4 + k % 5), ("reducer", reducer, 4 + (k + 1) % 5)):
         room = sizes[f"{entry}s"]
         rows = [made(i, k) for i in range(room if k == 0 else min(room, few))]
-        data |= {f"{entry}s": rows, entry: rows[(2 * k + 1) % len(rows)]["name"]}
+        data |= {f"{entry}s": rows, entry: rows[(2 * k + 1) % len(rows)]["name"] if k % 4 == 1 else None}
 
 
 def motor(i: int, k: int) -> dict[str, Any]:

@@ -13,8 +13,8 @@ LONGEST, DEEPEST, WIDEST = 200, 4, 40
 BOOKS = {
     "indexing-overlap": ("indexing-overlap", r"Overlap|Picture|Cycle|Inverse"),
     "indexing-overlap-stations": ("indexing-overlap", r"Overlap|Tool \d|Picture|Cycle \d|Inverse"),
-    "flying-cutter": ("flying-cutter", r"Cutter|Lengths|Cycle|Turning"),
-    "flying-cutter-saw": ("flying-cutter", r"Cutter|Lengths|Cycle|Turning"),
+    "flying-cutter": ("flying-cutter", r"Cutter|Lengths|Cycle|Drive|Ratios"),
+    "flying-cutter-saw": ("flying-cutter", r"Cutter|Lengths|Cycle|Drive|Ratios"),
 }
 ELSEWHERE = re.compile(r"\w+_(entries|says)|jump")
 """limits of entries, and sentences: they belong to workbook/book, and to workbook/motion"""

@@ -1,4 +1,4 @@
-"""The Selection sheet: the engine's values in its cells, its verdicts, catalogues from CSV files, the round trip."""
+"""The cutter's drive and its choice: the engine's values in cells, verdicts, catalogues from CSV, the round trip."""
 
 import math
 import random
@@ -9,9 +9,9 @@ import pytest
 import tomli_w
 from typer.testing import CliRunner
 
-from engine.choice import rank
 from engine.choice.ratios import accelerating_factor
 from engine.drivetrain import KINDS, Drive, Load, Stage
+from engine.machine.grid import RANKS
 from tests.engine.choice.tasks import sampled_task
 from tests.mutation import draw_flying
 from tests.workbook.cells import computed, disagreeing
@@ -20,7 +20,7 @@ from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
 from workbook.laws.shelf import LawShelf
-from workbook.machines.flying.template import choosing
+from workbook.machines.flying.driving import ToolDrive
 from workbook.machines.flying.view import Flying
 from workbook.reading.descriptions import read_machine
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -79,16 +79,15 @@ def machine(**choice):
     return TEMPLATE.model.model_validate(data)
 
 
-def view(given):
+def drive(given):
     shelf = LawShelf(given.laws, given.sizes)
-    return choosing(Flying(given, shelf.laws), given)
+    return ToolDrive(Flying(given, shelf.laws), given.selection, given.sizes)
 
 
-@pytest.mark.parametrize("criterion", ["margin", "inertia match", "size", "cost"])
-@pytest.mark.parametrize("pair", ["best", "chosen"])
-def test_every_cell_agrees_with_the_engine(criterion, pair):
-    given = machine(criterion=criterion, pair=pair, motor="large", reducer="i 8", torque_factor=1.5)
-    assert disagreeing(TEMPLATE, given)[0] == []
+@pytest.mark.parametrize(("rank", "named"), [(rank, k % 2) for k, rank in enumerate(RANKS)])
+def test_every_cell_agrees_with_the_engine(rank, named):
+    pair = {"motor": "large", "reducer": "i 8"} if named else {}
+    assert disagreeing(TEMPLATE, machine(rank=rank, torque_factor=1.5, **pair))[0] == []
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -128,12 +127,13 @@ def test_the_drum_finds_a_pair_of_the_committed_catalogues():
     data = machine().model_dump()
     data["sizes"] |= {"motors": 40, "reducers": 40}
     catalogues = {"motors": committed_motors(), "reducers": committed_reducers()}
-    data["selection"] = {"torque_factor": 2.0} | catalogues
+    data["selection"] = {"torque_factor": 2.0, "least_margin": 1.0} | catalogues
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
-    assert value("sel_motor_used") == "HDT BH20G (2000 rpm)"
-    assert value("sel_reducer_used") == "Beckhoff AG2400 TP300 MF i=5"
+    assert (value("sel_motor"), value("sel_reducer")) == (value("drive_motor"), value("drive_reducer"))
+    assert value("drive_motor") == "HDT BH20G (2000 rpm)"
+    assert value("drive_reducer") == "Beckhoff AG2400 TP300 MF i=5"
     assert value("sel_usable") == 1
-    assert [v for v in value("motors", "verdict") if v == "yes"] == ["yes"] * 2
+    assert [v for v in value("ratios", "verdict") if v == "yes"] == ["yes"] * 2
     assert value("sel_ok") == "OK"
 
 
@@ -148,101 +148,96 @@ def test_beta_of_the_drum_is_its_power_rate():
 
 def test_tau_opt_is_the_middle_of_the_range_on_a_logarithmic_scale():
     value = computed(TEMPLATE, machine(efficiency=0.9))
-    low, high, best = (np.array(value("motors", c)[:3]) for c in ("tau_min", "tau_max", "tau_opt"))
+    low, high, best = (np.array(value("ratios", c)[:3]) for c in ("tau_min", "tau_max", "tau_opt"))
     assert np.sqrt(low * high) == pytest.approx(best, rel=1e-12)
 
 
 def test_pairs_with_the_reducer_out_of_the_picture_are_those_whose_ratio_lies_in_the_range():
     boxes = [{"name": f"i {i}", "reduction": float(i), "efficiency": 1.0} for i in (3, 6, 12, 25)]
-    value = computed(TEMPLATE, machine(reducers=boxes))
-    low, high, verdict = (value("motors", c)[:3] for c in ("low", "tau_max", "verdict"))
-    inside = [int(verdict[m] == "yes" and low[m] <= 1 / box["reduction"] <= high[m]) for m in range(3) for box in boxes]
-    assert value("pairs", "usable")[:12] == inside
-    assert 0 < sum(inside) < 12
+    wide = {"least_margin": 1.0, "greatest_margin": 1e6, "inertia_ratio": 1e6}
+    strong = [row | {"peak_torque": 1e4} for row in STRONG]
+    value = computed(TEMPLATE, machine(motors=strong, reducers=boxes, **wide))
+    low, high, verdict = (value("ratios", c)[:3] for c in ("low", "tau_max", "verdict"))
+    for r, box in enumerate(boxes, 1):
+        inside = [verdict[m] == "yes" and low[m] <= 1 / box["reduction"] <= high[m] for m in range(3)]
+        assert [word == "yes" for word in value(f"sel_word{r}", "v")[:3]] == inside
+    assert 0 < value("sel_usable") < 12
 
 
 def test_equals_are_ranked_in_the_order_of_the_tables():
-    value = computed(TEMPLATE, machine())
-    best = value("ranking", "motor")
+    best = computed(TEMPLATE, machine())("sel_best", "motor")
     assert best.index("large") < best.index("twin")
-    assert value("ranking", "score")[0] == value("ranking", "score")[1]
 
 
-def test_the_ranking_is_the_engines():
-    given = machine(criterion="inertia match")
-    looked = view(given)
-    strong = [b for b in given.selection.reducers if b.max_torque >= looked.torque_needed]
-    assert [b.name for b in strong] == ["i 5", "i 8"]
-    found = rank(looked.task, looked.motors, looked.reducers, "inertia match", output_torque=looked.torque_needed)
-    value = computed(TEMPLATE, given)
-    assert value("sel_count") == len(found) > 0
-    assert value("ranking", "match")[: len(found)] == pytest.approx(found.mismatch.tolist(), rel=1e-12)
+def test_the_drive_has_the_proposed_pair_unless_another_is_named():
+    proposed, named = computed(TEMPLATE, machine()), computed(TEMPLATE, machine(motor="twin"))
+    assert proposed("drive_motor") == proposed("sel_motor") == "large"
+    assert (named("drive_motor"), named("drive_reducer")) == ("twin", named("sel_reducer"))
+    for value in (proposed, named):
+        assert value("drive_rms") == pytest.approx(value("sel_own_rms"), rel=1e-12)
+        assert value("drive_margin") == pytest.approx(180.0 / value("drive_rms"), rel=1e-12)
 
 
-def test_size_takes_the_lightest_pair():
-    value = computed(TEMPLATE, machine(criterion="size", motors=[STRONG[0] | {"rated_torque": 80.0}, *STRONG[1:]]))
-    assert value("sel_motor_used") == "small"
-    assert value("ranking", "score")[0] == pytest.approx(35.0)
+def test_mass_takes_the_lightest_pair():
+    strong = [STRONG[0] | {"rated_torque": 80.0}, *STRONG[1:]]
+    value = computed(TEMPLATE, machine(rank="mass", motors=strong, least_margin=1.0, inertia_ratio=20.0))
+    assert value("sel_motor") == "small"
 
 
-def test_a_criterion_without_figures_is_said_in_words():
-    value = computed(TEMPLATE, machine(criterion="cost"))
-    assert value("sel_message") == "no usable pair has the figures for this criterion: choose another one"
-    assert (value("sel_usable") > 0, value("sel_count"), value("sel_motor_used")) == (True, 0, "none")
+def test_a_rank_without_figures_is_said_in_words():
+    value = computed(TEMPLATE, machine(rank="cost"))
+    assert value("sel_message") == "no usable pair has what it is ranked by"
+    assert (value("sel_usable") > 0, value("sel_count"), value("sel_motor")) == (True, 0, "none")
     assert value("sel_ok") == "FAIL"
 
 
 def test_no_motor_at_all_is_said_in_words():
     weak = [row | {"rated_torque": 0.5} for row in STRONG]
     value = computed(TEMPLATE, machine(motors=weak))
-    assert value("sel_message") == "no motor will do: each is too weak or too slow for this load"
-    assert set(value("motors", "verdict")) == {"too weak", "–"}
-    assert set(value("ranking", "motor")) == {"–"}
-    checks = ("sel_ok", "sel_ok_rms", "sel_ok_peak", "sel_ok_speed", "sel_ok_input", "sel_ok_output")
-    assert {value(name) for name in checks} == {"FAIL"}
+    assert value("sel_message") == "no pair can do it"
+    assert set(value("ratios", "verdict")) == {"too weak", "–"}
+    assert (set(value("sel_best", "motor")), value("drive_motor")) == ({"–"}, "small")
+    assert {value(name) for name in ("sel_ok", "drive_ok_rms")} == {"FAIL"}
 
 
 def test_a_load_that_goes_on_at_one_speed_leaves_nothing_to_select():
     data = machine().model_dump()
     data["cutter"]["product_length"] = 2 * math.pi * 134.0
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
-    assert value("sel_message") == "the load does not accelerate, or has no torque: there is nothing to select"
-    assert value("sel_beta") == 0
+    assert (value("sel_moves"), value("sel_beta"), set(value("ratios", "verdict"))) == (0, 0, {"–"})
 
 
 @pytest.mark.parametrize(
     ("change", "failing"),
     [
-        ({"motors": [STRONG[1] | {"rated_torque": 50.0}]}, "sel_ok_rms"),
-        ({"motors": [STRONG[1] | {"rated_torque": 110.0, "peak_torque": 115.0}]}, "sel_ok_peak"),
-        ({"motors": [STRONG[1] | FALLING]}, "sel_ok_peak"),
-        ({"motors": [STRONG[1] | {"max_speed": 1500.0}]}, "sel_ok_speed"),
-        ({"reducers": [BOXES[0] | {"max_speed": 1500.0}]}, "sel_ok_input"),
-        ({"reducers": [BOXES[0] | {"max_torque": 400.0}]}, "sel_ok_output"),
+        ({"motors": [STRONG[1] | {"rated_torque": 50.0}]}, "drive_ok_rms"),
+        ({"motors": [STRONG[1] | {"rated_torque": 110.0, "peak_torque": 115.0}]}, "drive_ok_peak"),
+        ({"motors": [STRONG[1] | FALLING]}, "drive_ok_curve"),
+        ({"motors": [STRONG[1] | {"max_speed": 1500.0}]}, "drive_ok_speed"),
+        ({"reducers": [BOXES[0] | {"max_speed": 1500.0}]}, "drive_ok_reducer_speed"),
+        ({"reducers": [BOXES[0] | {"max_torque": 400.0}]}, "drive_ok_reducer_peak"),
     ],
 )
 def test_each_check_of_step_7_can_fail(change, failing):
     choice = {"motors": STRONG, "reducers": BOXES} | change
     first = {"motor": choice["motors"][0]["name"], "reducer": choice["reducers"][0]["name"]}
-    value = computed(TEMPLATE, machine(pair="chosen", **first, **change))
-    assert value(failing) == "FAIL"
-    assert value("sel_ok") == "OK"
+    value = computed(TEMPLATE, machine(**first, **change))
+    assert (value(failing), value("drive_ok_told")) == ("FAIL", "OK")
 
 
 def test_the_pair_drives_the_load_as_a_reducer_before_it_does():
     """The same motor and load, the reducer as a stage of a chain: the torque over the cycle is that of the engine."""
-    given = machine(pair="chosen", motor="large", reducer="i 5")
-    samples = view(given).load
+    given = machine(motor="large", reducer="i 5")
+    load = drive(given).load
     stage = KINDS["gear train"].of(Load(1.164, 67.0), gears=[Stage("i 5", 5.0, 0.95)])
-    drive = Drive(stage, 0.021)
-    torque = drive.torque(samples.acceleration, np.sign(samples.speed))
-    assert computed(TEMPLATE, given)("pair_cycle", "torque") == pytest.approx(torque.tolist(), rel=1e-12, abs=1e-9)
+    torque = Drive(stage, 0.021).torque(load.turning.ravel(), load.direction.ravel())
+    found = computed(TEMPLATE, given)("drive_pt", "T")[: torque.size]
+    assert found == pytest.approx(torque.tolist(), rel=1e-12, abs=1e-9)
 
 
-def test_a_reducer_without_an_inertia_is_named_and_counts_as_none():
+def test_a_reducer_without_an_inertia_counts_as_none():
     value = computed(TEMPLATE, machine())
-    assert value("sel_nojt") == 1
-    assert value("pairs", "total")[1] == pytest.approx(STRONG[0]["inertia"], rel=1e-15)
+    assert value("sel_reducers", "jt")[:2] == pytest.approx([1e-3, 0.0], rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -359,7 +354,7 @@ def test_build_takes_catalogues_and_inputs_gives_them_back(tmp_path):
     assert notes == []
     assert [row.model_dump(exclude_none=True) for row in given.selection.motors] == read_motors(motors)
     assert [row.model_dump(exclude_none=True) for row in given.selection.reducers] == read_reducers(reducers)
-    assert (given.selection.motor, given.selection.reducer) == ("A", "X")
+    assert (given.selection.motor, given.selection.reducer) == (None, None)
     again = tmp_path / "again.xlsx"
     build(given, again)
     assert inputs(again)[0] == given
@@ -371,7 +366,7 @@ def test_catalogues_beside_a_description_are_taken_unless_it_has_its_own(tmp_pat
     path.write_text(text)
     csv(tmp_path, MOTOR_HEAD, "A,0.02,180,600,3000")
     assert [m.name for m in described(path).selection.motors] == ["A"]
-    assert described(path).selection.criterion == "inertia match"
+    assert described(path).selection.rank == "smallest motor"
     path.write_text(text + OWN_MOTOR)
     assert [m.name for m in described(path).selection.motors] == ["own"]
 
@@ -391,39 +386,37 @@ def test_a_template_without_a_choice_of_motor_says_so():
 
 def test_figure_11_has_a_logarithmic_axis_and_a_line_for_each_product(tmp_path, build_book):
     book = openpyxl.load_workbook(build_book(machine(), tmp_path / "book.xlsx"))
-    chart = book["Selection"]._charts[0]
+    chart = book["Ratios"]._charts[0]
     assert chart.y_axis.scaling.logBase == 10
     bars = [s.errBars.errDir for s in chart.series if s.errBars]
     assert bars == ["y", "x"]
 
 
 def test_figure_12_closes_at_alpha_and_goes_through_the_range_at_the_present_load():
-    given = machine(pair="chosen", motor="large", reducer="i 5")
+    given = machine(motor="large", reducer="i 5")
     value = computed(TEMPLATE, given)
     beta = np.array(value("figure12", "beta"))
     low, high = (np.array(value("figure12", c)) for c in ("tau_min", "tau_max"))
     assert low[-1] == pytest.approx(high[-1], rel=1e-12)
     assert beta[-1] == pytest.approx(180.0**2 / 0.02, rel=1e-12)
     now = value("sel_beta")
-    exact = value("motors", "tau_min")[1], value("motors", "tau_max")[1]
+    exact = value("ratios", "tau_min")[1], value("ratios", "tau_max")[1]
     assert np.interp(now, beta, low) == pytest.approx(exact[0], rel=0.02)
     assert np.interp(now, beta, high) == pytest.approx(exact[1], rel=0.02)
 
 
-def test_the_exact_task_is_near_that_of_the_samples():
-    looked = view(machine())
-    s, exact = looked.load, looked.task
-    sampled = sampled_task(s.time, s.speed, s.acceleration, s.torque)
-    assert sampled.acceleration_rms == pytest.approx(exact.acceleration_rms, rel=5e-3)
-    assert sampled.torque_rms == pytest.approx(exact.torque_rms, rel=5e-3)
-    assert sampled.power_rate_mean == pytest.approx(exact.power_rate_mean, rel=1e-2)
+def test_the_task_by_points_is_near_that_of_the_samples():
+    value = computed(TEMPLATE, machine())
+    sampled = sampled_task(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
+    assert sampled.acceleration_rms == pytest.approx(value("sel_wrms"), rel=5e-3)
+    assert sampled.torque_rms == pytest.approx(value("sel_trms"), rel=5e-3)
 
 
 def edited(path, out, *changes):
-    """A copy of a workbook in which the cells beside texts of the Selection sheet hold something else."""
+    """A copy of a workbook in which the cells beside texts of a sheet hold something else."""
     book = openpyxl.load_workbook(path)
-    sheet = book["Selection"]
-    for text, down, column, value in changes:
+    for title, text, down, column, value in changes:
+        sheet = book[title]
         row = next(r for r in range(sheet.max_row, 0, -1) if sheet.cell(r, 2).value == text)
         sheet.cell(row + down, column).value = value
     book.save(out)
@@ -431,39 +424,38 @@ def edited(path, out, *changes):
 
 
 def test_a_product_typed_into_an_empty_row_is_ranked_and_carried_over(tmp_path, build_book):
-    figures = (("added", 2), (0.004, 4), (400.0, 5), (900.0, 6), (3000.0, 7))
+    figures = (("added", 2), (150.0, 3), (170.0, 4), (900.0, 5), (3000.0, 6))
     book = build_book(machine(), tmp_path / "book.xlsx")
-    changes = [("twin", 1, column, value) for value, column in figures]
+    changes = [("Catalogue", "twin", 1, column, value) for value, column in figures]
     report = verify(edited(book, tmp_path / "edited.xlsx", *changes))
     assert report.findings == []
     given, _ = inputs(tmp_path / "edited.xlsx")
     assert [m.name for m in given.selection.motors] == ["small", "large", "twin", "added"]
-    assert computed(TEMPLATE, given)("ranking", "motor")[0] == "added"
+    assert computed(TEMPLATE, given)("sel_best", "motor")[0] == "added"
 
 
 @pytest.mark.parametrize(
     ("change", "line"),
     [
-        (("large", 0, 2, "small"), "(motor): a second motor is named 'small'; expected a name of"),
-        (("Motor, if chosen", 0, 4, None), "(Motor, if chosen): no motor is named ''; expected a name of its table"),
+        (("Catalogue", "large", 0, 2, "small"), "(motor): a second motor is named 'small'; expected a name of"),
+        (("Drive", "Motor of the catalogue", 0, 4, "x"), "no motor is named 'x'; expected a name of its table"),
     ],
 )
 def test_what_cannot_be_in_a_workbook_is_named_by_its_cell(change, line, tmp_path, build_book):
-    book = build_book(machine(pair="chosen", motor="small", reducer="i 5"), tmp_path / "book.xlsx")
+    book = build_book(machine(motor="small", reducer="i 5"), tmp_path / "book.xlsx")
     with pytest.raises(InputError) as found:
         inputs(edited(book, tmp_path / "edited.xlsx", change))
-    assert "edited.xlsx: Selection!" in str(found.value)
+    assert f"edited.xlsx: {change[0]}!" in str(found.value)
     assert line in str(found.value)
 
 
-@pytest.mark.parametrize("entry", ["Motor, if chosen", "Reducer, if chosen"])
-def test_a_pair_that_is_not_in_the_tables_shows_words_and_no_errors(entry, tmp_path, build_book):
-    book = build_book(machine(pair="chosen", motor="small", reducer="i 5"), tmp_path / "book.xlsx")
-    edited(book, tmp_path / "edited.xlsx", (entry, 0, 4, "nothing"))
+def test_a_motor_that_is_not_in_the_catalogue_fails_a_check_and_shows_no_errors(tmp_path, build_book):
+    book = build_book(machine(motor="small", reducer="i 5"), tmp_path / "book.xlsx")
+    edited(book, tmp_path / "edited.xlsx", ("Drive", "Motor of the catalogue", 0, 4, "nothing"))
     values = PycelModel(openpyxl.load_workbook(tmp_path / "edited.xlsx")).evaluate()
-    shown_values = [value for (sheet, _, _), value in values.items() if sheet == "Selection"]
-    assert "choose a motor and a reducer of the tables" in shown_values
-    assert [v for v in shown_values if isinstance(v, str) and v.startswith("#")] == []
+    shown = [value for (sheet, _, _), value in values.items() if sheet == "Drive"]
+    assert "a name is not in the catalogue; expected one of its names, or an empty cell" in shown
+    assert [v for v in shown if isinstance(v, str) and v.startswith("#")] == []
 
 
 def test_the_committed_cutter_finds_a_pair():

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from engine.flying import LONGER, SAME_LENGTH, Beyond
+from engine.laws.points import fastest
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import amount
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
+from workbook.laws.library import NamedLaw
 from workbook.machines.flying.charts import beside
 from workbook.machines.flying.check import LEAST_CV
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
@@ -21,21 +25,22 @@ DOES = (
 )
 
 
-def cutter_sheet(book: Book, machine: Flying, joints: Joints) -> None:
-    """Declare the sheet."""
+def cutter_sheet(book: Book, machine: Flying, joints: Joints, stroke: float, laws: Sequence[NamedLaw]) -> None:
+    """Declare the sheet; ``stroke`` (m) is the tool's by the points of its drive."""
     sheet = book.sheet("Cutter", "The tool works at line speed, and makes up for the product's length in between.")
     entries(sheet, machine)
     sheet.heading("Results")
     cycle(sheet, machine)
-    kinematics(sheet, machine)
+    kinematics(sheet, machine, stroke)
     load(sheet, machine)
     sheet.row += 1
-    verdicts(sheet, machine, joints)
+    verdicts(sheet, machine, joints, stroke)
     beside(sheet)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     cases(sheet, machine)
     strategies(sheet, machine)
     workings(sheet, machine)
+    peaks(sheet, laws)
     sheet.print_columns = 24
 
 
@@ -81,7 +86,7 @@ def entries(sheet: Sheet, machine: Flying) -> None:
 def cycle(sheet: Sheet, machine: Flying) -> None:
     """Declare the case and the cycle's times and lengths."""
     cut, tool, scale = machine.cut, machine.tool, shown(machine.scales.length, MM)
-    case = '=IF(ABS(fly_h)<=fly_near*fly_l0,"in step",IF(fly_h>0,"faster","slower"))'
+    case = '=IF(fly_h=0,"in step",IF(fly_h>0,"faster","slower"))'
     sheet.rows(
         result("fly_rate", "Products", "", "1/min", "=60/fly_tc", shown(cut.rate, PER_MINUTE)),
         result("fly_case", "The tool re-positions", "", "",
@@ -89,7 +94,8 @@ def cycle(sheet: Sheet, machine: Flying) -> None:
         result("fly_does", "While it does, it", "", "",
                DOES, does(cut), align="center", source="keeps moving, waits at standstill, or reverses"),
         result("fly_h", "Dynamic displacement", "h", "mm",
-               "=fly_l0-fly_length", shown(cut.displacement, MM), scale=scale,
+               "=IF(ABS(fly_l0-fly_length)<=fly_near*fly_l0,0,fly_l0-fly_length)", shown(cut.displacement, MM),
+               scale=scale,
                source="S5: h = L_0 − L_p; 0 of a product as long as L_0"),
         result("fly_l0", "Design length", "L_0", "mm",
                "=RADIANS(fly_pitch)*fly_r", shown(tool.design_length, MM), scale=scale,
@@ -108,7 +114,7 @@ def cycle(sheet: Sheet, machine: Flying) -> None:
     )  # fmt: skip
 
 
-def kinematics(sheet: Sheet, machine: Flying) -> None:
+def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
     """Declare speeds, accelerations and travel."""
     cut, s = machine.cut, machine.scales
     mm, rpm = shown(s.length, MM), shown(s.angular_speed, RPM)
@@ -141,8 +147,8 @@ def kinematics(sheet: Sheet, machine: Flying) -> None:
                f"=fly_a_rms{per}", cut.rms_angular_acceleration, scale=s.angular_acceleration,
                source="S5, eq. (13): a_rms/R_t"),
         result("fly_stroke", "Stroke of the tool in a cycle", "", "mm",
-               "=MAX(0,fly_l0,fly_turn_1,fly_turn_2)-MIN(0,fly_l0,fly_turn_1,fly_turn_2)", shown(cut.stroke, MM),
-               scale=mm, source="furthest less nearest: travel of a saw's slide"),
+               "=(MAX([drive_pt.far])-MIN([drive_pt.far]))*1000", shown(stroke, MM),
+               scale=mm, source="furthest less nearest, to 0.1 %: travel of a saw's slide"),
         result("fly_line_max", "Highest line speed within the limits", "v_L", "m/min",
                "=fly_line*IF(fly_dw>0,MIN(fly_rpm_max/fly_n,SQRT(fly_dw_max/fly_dw)),fly_rpm_max/fly_n)",
                machine.fastest_line, source="speed grows with v_L, acceleration with v_L²"),
@@ -174,10 +180,10 @@ PIECES = 'fly_pieces&" pieces, and room for "&MAX([tool_pieces.r])'
 IN_STEP = 'ROUND(fly_tools,9)&" tools in step over "&ROUND(fly_angle,9)&"° each take more than 360°"'
 
 
-def verdicts(sheet: Sheet, machine: Flying, joints: Joints) -> None:
+def verdicts(sheet: Sheet, machine: Flying, joints: Joints, by_points: float) -> None:
     """Declare the checks."""
     holds, cut, limits = machine.holds, machine.cut, machine.given.limits
-    stroke = 0.0 if machine.is_drum else shown(cut.stroke, MM)
+    stroke = 0.0 if machine.is_drum else shown(by_points, MM)
     near = "*(1+check_zero)"
     law = (
         "AND(INDEX(law_wrong,fly_no)<check_zero,INDEX(law_v_low,fly_no)>=0-check_zero,"
@@ -191,7 +197,8 @@ def verdicts(sheet: Sheet, machine: Flying, joints: Joints) -> None:
               says=amount("fly_dw-fly_dw_max", cut.max_angular_acceleration - limits.acceleration, "",
                           " rad/s² too much")),
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
-              f"OR({IS_DRUM},fly_stroke<=fly_room{near})", holds["stroke"], "a drum needs none",
+              f"OR({IS_DRUM},fly_stroke<=fly_room{near})", machine.is_drum or stroke <= machine.given.saw.stroke,
+              "a drum needs none",
               says=amount("fly_stroke-fly_room", stroke - machine.given.saw.stroke, "", " mm too much")),
         joints.check("fly_ok_smooth", "The tool moves as smoothly as asked"),
         check("fly_ok_length", "The products leave time to re-position",
@@ -289,7 +296,7 @@ def workings(sheet: Sheet, machine: Flying) -> None:
              "=MAX(INDEX(law_ca_max,fly_no),0-INDEX(law_ca_min,fly_no))", law.ca),
         calc("fly_ca_rms", "Coefficient of RMS acceleration", "C_a,rms", "", "=INDEX(law_ca_rms,fly_no)", law.ca_rms),
         calc("fly_row", "Case by product length", "", "",
-             "=IF(ABS(fly_h)<=fly_near*fly_l0,2,IF(fly_h>0,1,IF(fly_low<=fly_near*fly_v,4,3)))", machine.case,
+             "=IF(fly_h=0,2,IF(fly_h>0,1,IF(fly_low<=fly_near*fly_v,4,3)))", machine.case,
              format="0", source="row of the cases above"),
         calc("fly_waits", "Whether the drum waits", "", "",
              f'=IF(AND({IS_DRUM},fly_beyond="standstill",fly_length>fly_limit),1,0)', float(cut.waits), format="0",
@@ -308,4 +315,18 @@ def workings(sheet: Sheet, machine: Flying) -> None:
         constant("fly_longer", "Shortest product, in tool lengths", "", "", LONGER, format="0.000"),
         constant("fly_least_cv", "Least coefficient of velocity", "", "",
                  LEAST_CV, format="0.000", source="with less, no drum comes to a standstill"),
+    )  # fmt: skip
+
+
+def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
+    """Declare where each law is fastest."""
+    sheet.row += 1
+    sheet.table(
+        "fastest", "Where each law is fastest: there a drum that slows down is slowest, and waits if it has to",
+        len(laws),
+        calc("law", "law", "", "",
+             [f"=INDEX(law_code,{one.number})" for one in laws], [one.name for one in laws]),
+        calc("at", "abscissa", "ξ_v", "",
+             [one.own(one.page.fastest) for one in laws],
+             [fastest(one.law) if one.family.entry.rises else 0.0 for one in laws]),
     )  # fmt: skip

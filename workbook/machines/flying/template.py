@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from engine.choice import LoadSamples, Task
 from workbook.book.declare import Book, result
+from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
@@ -11,31 +11,23 @@ from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.flying.axes import axes
 from workbook.machines.flying.check import check
 from workbook.machines.flying.cycle import cycle_sheet
+from workbook.machines.flying.drive import drive_sheet
+from workbook.machines.flying.driving import ToolDrive
 from workbook.machines.flying.entries import FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
 from workbook.machines.flying.motion import joints_of, rows_of
+from workbook.machines.flying.ratios import RatiosSheet
 from workbook.machines.flying.sheet import cutter_sheet
-from workbook.machines.flying.turning import turning_sheet
 from workbook.machines.flying.variations import variants
 from workbook.machines.flying.view import Flying
 from workbook.motion.cells import PieceRows
 from workbook.motion.exported import Exportable, export_sheet
-from workbook.selection.load import LoadCells
-from workbook.selection.sheet import selection_sheet
-from workbook.selection.view import Choosing
+from workbook.selection.catalogue_sheet import catalogue_sheet
+from workbook.selection.page import selection_sheet
 from workbook.template import Template, finish
 
-LOAD = LoadCells(
-    time="[cycle.t]",
-    speed="[cycle.w]",
-    acceleration="[cycle.dw]",
-    torque="[cycle.torque]",
-    acceleration_rms="fly_dw_rms",
-    torque_rms="fly_torque_rms",
-    power_rate_mean="fly_mean",
-    max_speed="fly_w_max",
-)
-"""Where the book has the load at the shaft of the drum or the slide."""
+STROKE = 1e-3
+"""by which share the sheet states that the stroke may be off"""
 
 
 def declare(given: FlyingCutter) -> Book:
@@ -59,11 +51,14 @@ def declare(given: FlyingCutter) -> Book:
         ],
     )  # fmt: skip
     rows = rows_of(view, shelf.stack)
-    cutter_sheet(book, view, joints_of(view, rows))
+    drive = ToolDrive(view, given.selection, given.sizes)
+    cutter_sheet(book, view, joints_of(view, rows), drive.stroke, shelf.named)
     lengths_sheet(book, view)
     cycle_sheet(book, view, rows, shelf.stack)
-    selection_sheet(book, LOAD, choosing(view, given))
-    turning_sheet(book, view, shelf.named, shelf.stack)
+    drive_sheet(book, drive, rows)
+    selection_sheet(book, drive.choosing)
+    RatiosSheet(drive).declare(book)
+    catalogue_sheet(book, given.selection, given.sizes)
     shelf.sheets(book)
     export_sheet(book, given, exportables(view, rows))
     return finish(book, ("S5", "S1", "S3"))
@@ -80,12 +75,13 @@ def exportables(view: Flying, rows: PieceRows) -> list[Exportable]:
     ]  # fmt: skip
 
 
-def choosing(view: Flying, given: FlyingCutter) -> Choosing:
-    """Return the choice of motor and reducer for the load at the tool's shaft."""
-    cut, shaft, asked = view.cut, view.shaft, view.asked(view.cut)
-    samples = LoadSamples(view.times, shaft.speed, shaft.acceleration, view.torque)
-    need = Task.of_figures(asked.acceleration, asked.torque, asked.mean, cut.max_angular_speed)
-    return Choosing(given.selection, given.sizes, need, samples)
+def truths(given: FlyingCutter) -> list[str]:
+    """Return a line on the stroke, where its points are farther off than the sheet states."""
+    view = Flying(given, LawShelf(given.laws, given.sizes).laws)
+    told, exact = ToolDrive(view, given.selection, given.sizes).stroke, view.cut.stroke
+    if abs(told - exact) <= STROKE * exact:
+        return []
+    return [f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"]
 
 
 TEMPLATE = Template(
@@ -98,4 +94,5 @@ TEMPLATE = Template(
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     check,
     axes=axes,
+    truths=truths,
 )

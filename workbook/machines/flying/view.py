@@ -128,12 +128,11 @@ class Flying:
 
     @property
     def holds(self) -> dict[str, bool]:
-        """Whether each limit is kept: speed, acceleration, stroke."""
+        """Whether each limit of the shaft is kept: speed, acceleration."""
         limits, cut = self.given.limits, self.cut
         return {
             "speed": shown(cut.max_angular_speed, RPM) <= limits.speed,
             "acceleration": cut.max_angular_acceleration <= limits.acceleration,
-            "stroke": self.is_drum or shown(cut.stroke, MM) <= self.given.saw.stroke,
         }
 
     @cached_property

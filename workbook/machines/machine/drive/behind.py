@@ -70,7 +70,7 @@ def shaft_of(view: DriveView) -> Shaft:
     scope = f"drive{d.number}_"
     figures = [one._replace(formula=one.formula.replace("@", scope)) for one in figures_of(view, load)]
     return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load,
-                 view.points.speed, turning(view), view.scales.behind, figures)  # fmt: skip
+                 "ABS({})/@held_i", turning(view), view.scales.behind, figures)  # fmt: skip
 
 
 def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:

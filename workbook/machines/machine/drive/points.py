@@ -13,6 +13,7 @@ from engine.laws.base import Array
 from engine.machine.max_rate import falling_use, growing_use
 from engine.machine.quadrature import COUNT, DrivePoints, LoadPoints
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.drive.mechanisms import registry
 from workbook.machines.machine.drive.mechanisms.column import Column
@@ -20,11 +21,6 @@ from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.cells import RAISED
 from workbook.motion.sampled import sampled
 
-SHARES = (0.0, 0.0501210022942699, 0.161406860244631, 0.318441268086911, 0.5,
-          0.681558731913089, 0.838593139755369, 0.94987899770573, 1.0)  # fmt: skip
-WEIGHTS = (0.0138888888888889, 0.0827476807804028, 0.137269356250081, 0.173214255486523, 0.185759637188209,
-           0.173214255486523, 0.137269356250081, 0.0827476807804028, 0.0138888888888889)  # fmt: skip
-"""of points of an interval, and of what they count. Source: Abramowitz and Stegun, 25.4.32"""
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@back1,1/@eta1)*{0}/@i1"
 BRAKED = 'AND([dir]=0,@holding="brake")'

@@ -1,0 +1,226 @@
+"""The Drive sheet: motor and reducer on the tool's shaft, and one table of both at points of the cycle (S5, step 7)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from engine.machine.quadrature import COUNT
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.rows import filled
+from workbook.book.sentence import amount, exceeding
+from workbook.drive.motor import falling_table, limit_checks, plane, rms_point
+from workbook.drive.points import SHARES, WEIGHTS
+from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.machines.flying.driving import ToolDrive
+from workbook.motion.cells import PieceRows
+from workbook.motion.sampled import place_columns, sampled
+
+UNLISTED = "a name is not in the catalogue; expected one of its names, or an empty cell"
+
+
+def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
+    """Declare the sheet."""
+    sheet = book.sheet("Drive", "Motor and reducer on the tool's shaft: what a cycle asks of them.")
+    with sheet.scoped("drive_"):
+        entries(sheet, view)
+        outcome(sheet, view)
+        sheet.checks(*checks(view))
+        charts(sheet)
+        sheet.not_printed_below()
+        in_use(sheet, view)
+        sheet.heading("Workings: the motor's limits in the chart")
+        falling_table(sheet, view.corners, "MIN([@pt.dir])<0")
+        rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
+        sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")
+        intervals(sheet, view)
+        points(sheet, view, rows)
+    book.column_names |= {f"tool_{name}": ("drive_pt", column)
+                          for name, column in (("dir", "dir"), ("al", "al"), ("S", "S"), ("n", "w"))}  # fmt: skip
+    sheet.print_columns = 18
+
+
+def entries(sheet: Sheet, view: ToolDrive) -> None:
+    """Declare the names of motor and reducer."""
+    s, proposed = view.chosen, "empty: that which the sheet Selection proposes"
+    sheet.heading("Enter")
+    sheet.rows(
+        given("@motor_name", "Motor of the catalogue", "", "", s.motor, "selection.motor", choices="=motor_name",
+              align="left", source=proposed),
+        given("@reducer_name", "Reducer of the catalogue", "", "", s.reducer, "selection.reducer",
+              choices="=reducer_name", align="left", source=proposed),
+    )  # fmt: skip
+
+
+def outcome(sheet: Sheet, view: ToolDrive) -> None:
+    """Declare what the cycle asks of motor and reducer."""
+    (m, r), points, held = view.pair, view.points, view.reserve
+    size = view.motor_torque
+    sheet.heading("Results")
+    sheet.rows(
+        result("@motor", "Motor", "", "", '=INDEX([motors.name],MAX(1,@motor_row))&""', view.before.motors.names[m],
+               align="left"),
+        result("@reducer", "Reducer", "", "", '=INDEX([reducers.name],MAX(1,@reducer_row))&""',
+               view.before.reducers.names[r], align="left"),
+        result("@tmax", "Motor torque, highest", "T_max", "Nm", "=MAX([@pt.T])", float(points.torque.max()),
+               scale=size),
+        result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()),
+               scale=size),
+        result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
+               points.rms_torque, scale=size, source="√(Σ share T²), to 0.1 %"),
+        result("@margin", "Margin", "", "", "=IF(@rms>0,@motor_rated/@rms,0)", held.rms_torque.reserve,
+               source="T_N / T_rms"),
+        result("@speed", "Motor speed, largest", "n", "rpm", "=fly_n*@i", shown(view.speed, RPM)),
+        result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
+               shown(points.mean_speed, RPM), source="of |n| over the cycle"),
+        result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])",
+               float(view.left.min()), scale=max(size, view.motor.peak_torque), source="at the points"),
+        result("@smax", "Output torque of the reducer, peak", "", "Nm", "=MAX(MAX([@pt.S]),0-MIN([@pt.S]))",
+               view.asked.torque, scale=view.torque),
+        result("@balance", "Ratio over the best ratio", "τ/τ_opt", "",
+               "=IF(sel_moves=1,1/@i/SQRT(@j*sel_wrms*@eta/sel_trms),0)", view.balance,
+               source="1: motor and load balanced, with the reducer's η and inertia"),
+    )  # fmt: skip
+
+
+def checks(view: ToolDrive) -> list[Quantity]:
+    """Return the checks of the motor's and the reducer's limits."""
+    fastest, strongest = view.limits
+    speed, torque, spare = view.speed, view.chosen.torque_factor * view.asked.torque, float(view.left.min())
+    return [
+        check("@ok_told", "Drive: motor and reducer are in the catalogue", "@motor_row*@reducer_row>0", True,
+              says=f'"{UNLISTED}"'),
+        *limit_checks(view.reserve, "Drive"),
+        check("@ok_curve", "Drive: torque below the motor's curve", "OR(@fall=0,@spare>=0)",
+              not view.falling.fall or spare >= 0.0,
+              says=amount("0-@spare", -spare, "", " Nm more than the motor has at its speed")),
+        check("@ok_reducer_speed", "Drive: speed within the reducer's", "OR(@reducer_nmax=0,@speed<=@reducer_nmax)",
+              not fastest or speed <= fastest,
+              says=exceeding("@speed", "@reducer_nmax", "rpm", shown(speed, RPM), shown(fastest, RPM))),
+        check("@ok_reducer_peak", "Drive: torque within the reducer's",
+              "OR(@reducer_peak=0,sel_tmax<=@reducer_peak)", not strongest or torque <= strongest,
+              says=exceeding("sel_tmax", "@reducer_peak", "Nm", torque, strongest)),
+    ]  # fmt: skip
+
+
+def charts(sheet: Sheet) -> None:
+    """Place the charts: torque against speed, and over time."""
+    sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=10, row=5, width=8, height=22)
+    over = Chart("Torque of the motor over a cycle", "time t [s]", "T [Nm]", (Series("torque", "[@pt.t]", "[@pt.T]"),),
+                 "Torque of the motor over one cycle")  # fmt: skip
+    sheet.chart(over, column=10, row=28, width=8, height=16)
+
+
+def in_use(sheet: Sheet, view: ToolDrive) -> None:
+    """Declare the figures of the motor and the reducer in use."""
+    (m, r), motor, (inertia, ratio, efficiency) = view.pair, view.motor, view.gears
+    ranked, place = view.before.ranked, (view.before.proposed or 0) + 1
+    sheet.heading("Motor and reducer in use")
+
+    def row(kind: str, table: str, column: str, found: int) -> Quantity:
+        listed = f"SUMPRODUCT(([{kind}s.name]=@{kind}_name)*[sel_{kind}s.k])"
+        return calc(f"@{kind}_row", f"{kind.capitalize()}: row of the catalogue", "", "",
+                    f'=IF(@{kind}_name="",MAX(1,INDEX([sel_order.{column}],@place)),{listed})', found, format="0",
+                    source="0: not in it")  # fmt: skip
+
+    def of(name: str, label: str, symbol: str, unit: str, column: str, value: float, source: str = "") -> Quantity:
+        kind, figure = column.split(".")
+        return calc(name, label, symbol, unit, f"=INDEX([sel_{kind}s.{figure}],MAX(1,@{kind}_row))", value,
+                    source=source)  # fmt: skip
+
+    sheet.rows(
+        calc("@place", "Place of the proposed pair", "", "",
+             "=IF(SUM([sel_best.holds])=0,1,MATCH(1,[sel_best.holds],0))", place if ranked else 1, format="0",
+             source="among the best pairs"),
+        row("motor", "motors", "m", m + 1),
+        row("reducer", "reducers", "r", r + 1),
+        of("@jm", "Inertia of the motor", "J_M", "kg m²", "motor.jm", motor.inertia),
+        of("@jt", "Inertia of the reducer at its input", "J_T", "kg m²", "reducer.jt",
+           float(view.before.reducers.inertia[r])),
+        calc("@j", "Both", "J", "kg m²", "=@jm+@jt", inertia),
+        of("@i", "Reduction", "i", "", "reducer.i", ratio, "1/τ"),
+        of("@eta", "Efficiency of the reducer", "η", "", "reducer.eta", efficiency),
+        of("@motor_rated", "Rated torque of the motor", "T_N", "Nm", "motor.rated", motor.rated_torque),
+        of("@motor_peak", "Peak torque of the motor", "T_max", "Nm", "motor.peak", motor.peak_torque),
+        of("@motor_nmax", "Largest speed of the motor", "n_max", "rpm", "motor.nmax", shown(motor.max_speed, RPM)),
+        of("@knee", "… up to which the peak torque holds", "n_1", "rpm", "motor.knee", shown(view.falling.knee, RPM)),
+        of("@fall", "Fall of the peak torque beyond", "f", "Nm/rpm", "motor.fall", shown(view.falling.fall, PER_RPM)),
+        of("@reducer_nmax", "Largest input speed of the reducer", "", "rpm", "reducer.nmax",
+           shown(view.limits[0], RPM), "0: no limit"),
+        of("@reducer_peak", "Largest output torque of the reducer", "", "Nm", "reducer.tmax", view.limits[1],
+           "0: no limit"),
+        calc("@still", "Speed taken as standstill, up to", "", "m/s", "=check_zero*MAX(ABS(fly_low),ABS(fly_high))",
+             view.still, format="0E+00", scale=view.still),
+    )  # fmt: skip
+
+
+def intervals(sheet: Sheet, view: ToolDrive) -> None:
+    """Declare the pieces of the tool's motion as intervals; spare rows at the end have no length."""
+    cycle, room, time = view.cycle, view.machine.room, view.machine.cut.cycle_time
+    middle = f"INDEX([@pt.v],{COUNT}*[k]-{COUNT // 2})"
+    sheet.table(
+        "@iv", "Intervals of the cycle", room,
+        constant("k", "interval", "k", "", list(range(1, room + 1))),
+        calc("q", "piece of the motion", "q", "", "=MIN([k],fly_pieces)",
+             filled([k + 1 for k in range(len(cycle.pieces))], room, len(cycle.pieces)), format="0"),
+        calc("begin", "begins at", "t", "s", "=INDEX([tool_pieces.begin],[k])",
+             filled([one.begin for one in cycle.intervals], room, time), scale=time),
+        calc("end", "ends at", "t", "s", "=IF([k]<fly_pieces,INDEX([tool_pieces.begin],[k]+1),fly_tc)",
+             filled([one.end for one in cycle.intervals], room, time), scale=time),
+        calc("dir", "direction in its middle", "", "",
+             f"=IF([k]>fly_pieces,[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))", view.by_piece(cycle.direction),
+             format="0", source="1, −1; 0 at rest"),
+        blank="[k]>fly_pieces",
+    )  # fmt: skip
+
+
+def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
+    """Declare tool, shaft and motor at the points of each interval."""
+    load, drive, of, room = view.load, view.points, view.by_point, view.machine.room
+    scale, numbers = view.machine.scales, list(range(room))
+    pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * COUNT, rows.pieces[-1])
+    u = np.array(of(load.place - np.array([[piece.origin] for piece in rows.pieces])))
+    stands, reached = (one.reshape(load.place.shape) for one in view.turns)
+    step = "([t]-[t-1])"
+    sheet.table(
+        "@pt", "The drive at nine points of each interval", room * COUNT,
+        constant("k", "point", "k", "", list(range(1, room * COUNT + 1))),
+        constant("iv", "interval", "", "", [k + 1 for k in numbers for _ in SHARES]),
+        constant("s", "share of it", "", "", list(SHARES) * room),
+        constant("g", "counts", "", "", list(WEIGHTS) * room),
+        calc("t", "time", "t", "s",
+             "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))", of(load.place),
+             scale=view.machine.cut.cycle_time),
+        calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])",
+             [float(rows.pieces.index(piece) + 1) for piece in pieces], format="0"),
+        *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, "[q]", pieces),
+        calc("y", "position of the tool", "s", "m", f"={sampled(rows, 0)}", of(load.position), scale=scale.length),
+        calc("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", of(load.velocity), scale=scale.speed),
+        calc("a", "its acceleration", "a", "m/s²", f"={sampled(rows, 2)}", of(load.acceleration),
+             scale=scale.acceleration),
+        calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX([@iv.dir],[iv]))", of(load.direction),
+             format="0"),
+        calc("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", of(load.speed), scale=scale.angular_speed),
+        calc("al", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", of(load.turning),
+             scale=view.before.shaft.turning),
+        calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.behind), scale=view.torque,
+             source="T_L + J_L ω̇_L"),
+        result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)),
+               scale=shown(view.speed, RPM), source="ω_L/τ"),
+        result("T", "torque of the motor", "T", "Nm", "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]",
+               of(drive.torque), scale=view.motor_torque, source="τ T*/η + J ω̇/τ; τ T* η where the load drives"),
+        calc("share", "share of the cycle", "", "",
+             "=[g]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/fly_tc", of(load.share, 0.0), scale=1.0,
+             source="what it counts in a mean"),
+        calc("left", "left below the motor's curve", "", "Nm",
+             "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])", of(view.left),
+             scale=max(view.motor_torque, view.motor.peak_torque), source="T_max − f (n − n_1) − |T|"),
+        calc("stop", "stands at this share of the step", "x", "",
+             "=IF([s]=0,0,IF(AND([v]*[v-1]<0,ABS([v])>@still,ABS([v-1])>@still),[v-1]/([v-1]-[v]),0))", of(stands),
+             scale=1.0, source="v_0/(v_0 − v); 0: not at all"),
+        calc("far", "position there", "", "m",
+             f"=IF([stop]=0,[y],[y-1]+[stop]*[v-1]*{step}/2"
+             f"+[stop]^2*(3-2*[stop])*([y]-[y-1]-([v-1]+[v])*{step}/2))", of(reached), scale=scale.length,
+             source="of the cubic through both points, to 0.1 %"),
+        blank="[share]=0",
+    )  # fmt: skip
