@@ -12,6 +12,7 @@ from workbook.build import build
 
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
 FULL = Path("/dev/full")
+VERSION = "echo LibreOffice 99.9"
 PRINTING = (["laws"], ["laws", "--json"], ["--help"])
 
 
@@ -65,14 +66,18 @@ def test_a_folder_that_is_gone_is_told_in_a_line(arguments, tmp_path):
 
 
 @posix
-@pytest.mark.parametrize("does", ["exit 1", "kill -9 $$", "echo LibreOffice 99.9"])
-def test_a_witness_that_fails_is_no_verdict(does, tmp_path):
+@pytest.mark.parametrize(
+    ("does", "asked", "code", "said"),
+    [(does, "libreoffice", 2, "libreoffice gave no values to compare") for does in ("exit 1", "kill -9 $$", VERSION)]
+    + [(VERSION, "all", 0, "Not compared by libreoffice")],
+)
+def test_a_witness_that_fails_is_no_verdict(does, asked, code, said, tmp_path):
     build(small(), tmp_path / "book.xlsx")
     failing = tmp_path / "soffice"
     failing.write_text(f"#!/bin/sh\n{does}\n")
     failing.chmod(0o755)
     environment = os.environ | {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    command = [sys.executable, "-m", "workbook", "verify", str(tmp_path / "book.xlsx"), "--with", "libreoffice"]
+    command = [sys.executable, "-m", "workbook", "verify", str(tmp_path / "book.xlsx"), "--with", asked]
     done = subprocess.run(command, env=environment, check=False, timeout=120, capture_output=True, text=True)
-    assert done.returncode == 2
-    assert "libreoffice gave no values to compare" in f"{done.stdout}{done.stderr}"
+    assert done.returncode == code
+    assert said in f"{done.stdout}{done.stderr}"

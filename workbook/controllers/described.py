@@ -162,8 +162,9 @@ def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
     size = abs(one.lift) if isinstance(one.law, Spline) else 1.0
     near = (AS_FAST * size * one.law.coefficients.cv, AS_FAST * size * one.law.coefficients.ca)
     span = one.end - one.begin
-    off = [abs(a - b) * span**k / most for k, (a, b, most) in enumerate(zip(one.leaves, taken, near, strict=True), 1)]
-    if not closes or other.begin > begin or max(off) > 1.0:
+    steps = enumerate(zip(one.leaves, taken, near, strict=True), 1)
+    jumps = any(abs(a - b) * span**k > most for k, (a, b, most) in steps)
+    if not closes or other.begin > begin or jumps:
         raise TargetError(f"it ends on the way at {one.end:.9g}, and its begin does not take that over: "
                           "an axis ends at rest, or as it begins")  # fmt: skip
 

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from engine.cams.course import Course
+from engine.laws.base import Array
 from workbook.controllers.table import Table
 from workbook.controllers.target import Target
 from workbook.errors import ReadError, TargetError
@@ -14,6 +16,7 @@ from workbook.intake import read_text
 
 MOST = 8_000_000  # bytes: a tag of 25,000 points
 LARGEST = 1e12  # of x, y and derivatives
+NARROWEST, SHORTEST = 1e-9, 1e-12  # of the whole of x, and of its unit: the smallest step from point to point
 TOLD = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 
@@ -43,12 +46,31 @@ def parsed(text: str, target: Target) -> Table:
 
 
 def require_usual(table: Table) -> None:
-    """Raise TargetError for a number so large that none of a motion is; fits of it would overflow."""
+    """Raise TargetError for a number so large, or a step of x so small, that no motion has it: fits would overflow."""
     for name, column in table.columns.items():
         size = np.abs(column)
         if size.max() > LARGEST:
             k = int(size.argmax())
             raise TargetError(f"point {k + 1}: {name} is {column[k]:.6g}; expected at most {LARGEST:.0e} either way")
+    least = max(SHORTEST, NARROWEST * float(table.x[-1] - table.x[0]))
+    steps = np.diff(table.x)
+    if steps.min() < least:
+        k = int(steps.argmin())
+        raise TargetError(f"point {k + 2}: x rises by {steps[k]:.3g}; expected a step of at least {least:.3g}")
+    if table.course is not None:
+        terms = largest_terms(table.course)
+        if not np.all(terms <= LARGEST):
+            k = int(np.argmin(terms <= LARGEST))
+            raise TargetError(f"segment {k + 1}: a term reaches {terms[k]:.3g}; expected at most {LARGEST:.0e}")
+
+
+def largest_terms(course: Course) -> Array:
+    """Return a stretch's largest term up to its end: of its polynomial, or a sine's amplitude, angle or phase."""
+    far = np.maximum(np.abs(course.edges[:-1] - course.origins), np.abs(course.edges[1:] - course.origins))
+    with np.errstate(over="ignore", invalid="ignore", under="ignore"):
+        powers = np.abs(course.c) * far[:, None] ** np.arange(course.c.shape[1])
+        amplitude, rate, phase = np.moveaxis(np.abs(course.sines), 2, 0)
+        return np.asarray(np.hstack([powers, amplitude, rate * far[:, None], phase]).max(axis=1))
 
 
 def header(points: int, between: str, equal: bool, units: tuple[str, str]) -> str:

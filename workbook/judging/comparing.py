@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
 from workbook.book.address import Address
@@ -40,24 +40,28 @@ class Comparison:
             if pair.declared_formula:
                 report.cells[pair.address.sheet] = report.cells.get(pair.address.sheet, 0) + 1
 
-    def ask(self, witness: Witness, required: bool, alone: bool) -> None:
-        """Compare what a witness says; one that was asked and cannot answer is a finding.
-
-        A file that is too large for it is none, but where it was asked ``alone``.
-        """
+    def ask(self, witness: Witness) -> None:
+        """Compare what a witness says, or enter why it says nothing."""
         ran = Ran(witness.name, witness.version())
         self.report.witnesses.append(ran)
         try:
             values = self.model.evaluate() if witness is self.single else self._said(witness)
         except WitnessError as error:
-            ran.why = str(error)
-            if required and (alone or not isinstance(error, TooLargeError)):
-                self.report.findings.append(Finding("", ran.name, "witness", str(error), "values to compare"))
+            ran.why, ran.too_large = str(error), isinstance(error, TooLargeError)
             return
         if witness.kept:
             self._kept(ran, values)
         else:
             self._computed(ran, values)
+
+    def require_answers(self, named: Collection[str]) -> None:
+        """Enter a finding for each witness that failed, if it was asked by name or none computed the cells.
+
+        A file that is too large for one is no failure while another computes it.
+        """
+        for ran in self.report.witnesses:
+            if ran.why and (not self.values or (ran.name in named and not ran.too_large)):
+                self.report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
 
     def _said(self, witness: Witness) -> Cells:
         return witness.values(self.match.file if witness.kept else self.bare)

@@ -53,6 +53,8 @@ class Ran:
     at_fault: int = 0
     unfinished: int = 0
     why: str = ""
+    too_large: bool = False
+    """whether it was the file's size"""
 
     @property
     def absent(self) -> bool:

@@ -53,7 +53,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
     report.notes += entries.beyond
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
-    judge(file, entries.template, machine, report, names, given=entries.computed, beside=beside)
+    judge(file, entries.template, machine, report, names, given=entries.computed, beside=beside, named=witnesses)
     report.witnesses += [Ran(name, None) for name in absent]
     if not machine.design.replaced:
         report.notes += entries.template.truths(machine)
@@ -76,11 +76,12 @@ def present(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
 def judge(
     file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
     shapes: bool = True, given: Mapping[Address, Any] = MappingProxyType({}), beside: Beside | None = None,
+    named: Collection[str] = (),
 ) -> None:  # fmt: skip
     """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
 
     ``shapes`` false leaves the text of formulas aside, so that values alone must tell. ``given`` are the values of
-    inputs that hold a formula.
+    inputs that hold a formula. Witnesses that are ``named`` must answer, of the others one.
     """
     match, machine = laid_out(file, template, machine)
     if any(pair.declared_formula and pair.held is None for pair in match.pairs):
@@ -103,9 +104,9 @@ def judge(
             report.notes.append("the values entered leave no room for other ones: compared at these alone")
         else:
             comparison.ask_elsewhere([Variation(template, m, match.columns) for m in variants], suspects)
-        alone = sum(not witness.kept for witness in asked) == 1
         for witness in asked:
-            comparison.ask(witness, witness.name in witnesses, alone)
+            comparison.ask(witness)
+        comparison.require_answers(named)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
         displayed(match, comparison.values, report)

@@ -98,7 +98,7 @@ def verdict(report: Report) -> list[str]:
     """Return in lines what came of the cells, of the witnesses that were not asked, and of the machine's own checks."""
     said = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
     lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
-    lines += [f"Not compared: {w.why}" for w in report.witnesses if w.why and not report.tells(w)]
+    lines += [f"Not compared by {w.name}: {w.why}" for w in report.witnesses if w.why and not report.tells(w)]
     lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {said}.")
     for c in report.failing[:MOST]:
         lines.append(f"{c.found}  {c.sheet}!{c.cell}  {c.what}" + (f": {c.says}" if c.says else ""))

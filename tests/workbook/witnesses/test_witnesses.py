@@ -11,7 +11,7 @@ from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build
 from workbook.build import inputs as read_inputs
-from workbook.errors import MotionbookError
+from workbook.errors import MotionbookError, WitnessError
 from workbook.judging.matching import Match
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
@@ -116,6 +116,25 @@ def test_each_witness_computes_a_book_that_a_program_saved_without_values(cuttin
     assert [f for f in report.findings if f.witness in COMPUTING] == []
 
 
+@pytest.mark.parametrize(
+    ("names", "kinds"),
+    [(["all"], []), (["pycel", "formualizer"], ["witness"]), (["all", "formualizer"], ["witness"]),
+     (["formualizer"], ["witness"])],
+)  # fmt: skip
+def test_a_witness_that_fails_counts_where_it_was_named_or_no_other_computed(names, kinds, cutting, monkeypatch):
+    """Those that ``all`` finds on a machine judge without it, and it is named."""
+
+    def fails(*_):
+        raise WitnessError("it failed")
+
+    few = {name: WITNESSES[name] for name in ("pycel", "formualizer", "saved")}
+    monkeypatch.setattr("workbook.judging.verify.WITNESSES", few)
+    monkeypatch.setattr(few["formualizer"], "values", fails)
+    report = verify(cutting, names)
+    assert [(f.kind, f.cell) for f in report.findings] == [(kind, "formualizer") for kind in kinds]
+    assert ("Not compared by formualizer: it failed" in verdict(report)) == (not kinds)
+
+
 def test_an_unknown_witness_is_refused(cutting):
     with pytest.raises(MotionbookError, match="expected " + ", ".join(WITNESSES)):
         verify(cutting, ["excel"])
@@ -144,4 +163,4 @@ def test_a_workbook_too_large_for_one_witness_is_compared_by_the_others(names, k
     (ran,) = [one for one in report.witnesses if one.name == "formualizer"]
     assert (ran.answered, ran.why) == (False, "formualizer takes no workbook of so many formula cells")
     lines = verdict(report)
-    assert any(line == f"Not compared: {ran.why}" for line in lines) == (not kinds)
+    assert any(line == f"Not compared by formualizer: {ran.why}" for line in lines) == (not kinds)
