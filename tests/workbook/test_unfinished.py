@@ -287,6 +287,8 @@ def test_an_overlap_of_one_axis_leaves_the_others_and_the_laws(tmp_path):
         ([("laws", "MTP", {"durations": [0.5, 0.5]})], "durations"),
         ([("axes", [])], "axes"),
         ([("axes", 1, "shift", 1e300)], "found 1e+300; expected a number of at most 1e+12 in size"),
+        ([("axes", 0, "shift", 4e-320)], "found 3.99996e-320; expected 0, or at least 1e-30 in size"),
+        ([(*MOVED, 1, "lift", -1e-300)], "found -1e-300; expected 0, or at least 1e-30 in size"),
         ([("master", "rate", 1e-13)], "and of at least 1e-12 if it is more than 0"),
         ([("sizes", "cycle", 1)], "sizes.cycle"),
         ([("axes", 0, "name", "MC02")], "name"),

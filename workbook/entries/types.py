@@ -6,14 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
-LARGEST, SMALLEST = 1e12, 1e-12  # of any entry but 0: beyond, squares leave what a cell can hold
-Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
-Positive = Annotated[float, Field(gt=0, ge=SMALLEST, le=LARGEST)]
-NotNegative = Annotated[float, Field(ge=0, le=LARGEST)]
-Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False)]
-Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False)]
+LARGEST, SMALLEST = 1e12, 1e-12  # of what must be more than 0: beyond, squares leave what a cell can hold
+TINIEST = 1e-30  # of all else but 0: less than rounding leaves of a formula that gives 0
 SUM_TOLERANCE = 1e-9
 ANGLE_TOLERANCE = 1e-9  # degrees
 END_TOLERANCE = 1e-12  # of a rise: a law that must end at 1 does
@@ -25,6 +21,20 @@ class EntryError(ValueError):
     def __init__(self, field: str, message: str) -> None:
         super().__init__(message)
         self.field = field
+
+
+def usual(value: float) -> float:
+    """Return a number; raise EntryError for one so near to 0 that products of it are 0 or lose their digits."""
+    if 0 < abs(value) < TINIEST:
+        raise EntryError("", f"found {value:g}; expected 0, or at least {TINIEST:g} in size")
+    return value
+
+
+Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST), AfterValidator(usual)]
+Positive = Annotated[float, Field(gt=0, ge=SMALLEST, le=LARGEST)]
+NotNegative = Annotated[float, Field(ge=0, le=LARGEST), AfterValidator(usual)]
+Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False), AfterValidator(usual)]
+Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False), AfterValidator(usual)]
 
 
 class EmptyCell:

@@ -10,7 +10,7 @@ from workbook.book.address import Address
 from workbook.errors import TooLargeError, WitnessError
 from workbook.judging.compare import TOLERANCE, difference, is_error
 from workbook.judging.matching import Match, Pair
-from workbook.judging.report import Finding, Ran, Report
+from workbook.judging.report import CAUSES, Finding, Ran, Report
 from workbook.judging.right import Right, Variation
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
@@ -34,6 +34,7 @@ class Comparison:
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
+        self._first_wrong: set[Address] = set()  # by that one
         self._turns: list[list[Address]] = []  # the cells that are looked at, at each of the other inputs
         self._answers: Callable[[], Answers] = lambda: iter(())
         for pair in match.pairs:
@@ -67,14 +68,16 @@ class Comparison:
         return witness.values(self.match.file if witness.kept else self.bare)
 
     def _computed(self, ran: Ran, values: Cells) -> None:
-        """Tell the cells at fault from those that only follow them."""
+        """Tell the cells at fault from those that only follow them, or follow what is known to be at fault."""
         wrong = self._wrong(values, first=not self.values)
+        self._first_wrong = self._first_wrong if self.values else {pair.address for pair, _ in wrong}
         at_fault = self._faults([pair.address for pair, _ in wrong])
+        explained = bool(at_fault) or any(finding.kind in CAUSES for finding in self.report.findings)
         problems: Mapping[Address, str] = self.model.problems if ran.name == self.single.name else {}
         for pair, deviation in wrong:
             value = values.get(pair.address)
             kind = "error" if is_error(value) else "value"
-            own = pair.address in at_fault or not at_fault
+            own = pair.address in at_fault or not explained or pair.address not in self._first_wrong
             why = problems.get(pair.address, "") or ("" if value is not None else "it could not be evaluated")
             expected = pair.cell.expected
             self.report.add(pair, kind if own else "follows", value, expected, deviation, ran.name, why)

@@ -17,6 +17,8 @@ ORDER = (
     "follows", "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
+CAUSES = ORDER[:7]
+"""the kinds from which wrong values follow elsewhere"""
 FOLLOWS = "follows"
 """The kind of what is wrong only because of other cells."""
 NOTICE = "notice"
@@ -112,6 +114,18 @@ class Report:
     def agrees(self) -> bool:
         """Whether every formula cell computes what the engine computes, and shows it."""
         return not self.findings
+
+    @property
+    def causes(self) -> list[Finding]:
+        """The findings without those that only follow from others; all where no cause is known."""
+        return [f for f in self.findings if f.kind != FOLLOWS] or self.findings
+
+    @property
+    def findings_words(self) -> str:
+        """How many findings there are, and how many cells follow from them."""
+        causes = len(self.causes)
+        said, more = f"{causes:,} finding{'' if causes == 1 else 's'}", len(self.findings) - causes
+        return f"{said}; {more:,} cells are wrong only because of {'it' if causes == 1 else 'them'}" if more else said
 
     @property
     def failing(self) -> list[Check]:

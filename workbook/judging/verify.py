@@ -26,6 +26,7 @@ from workbook.judging.structure import structure
 from workbook.judging.verdict import checks
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
+from workbook.reading.work import require_little_work
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreed import agreed
 from workbook.witnesses.bare import without
@@ -95,6 +96,7 @@ def judge(
     report.findings += settings(file.workbook)
     own = own_cells(match, report, given)
     with without(file, own, given) as bare:
+        require_little_work(bare, file.path)
         asked = witnesses_named(witnesses, beside)
         single = next((w for w in asked if isinstance(w, CellWitness)), None) or by_cell()
         comparison = Comparison(match, bare, single, report)

@@ -139,8 +139,21 @@ def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) ->
                 yield from met(a.area.sheet, a.area.left, {row + a.top for row in rows}, wanted)
             elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
                 areas |= {a.at(row) for row in rows}
-    for area in areas:
-        yield from within(area, wanted)
+    for (sheet, left, right), rows in together(areas).items():
+        for column in range(left, right + 1):
+            yield from within(sheet, column, rows, wanted)
+
+
+def together(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:
+    """Return areas by sheet, left and right column, as rows from and to of which none meet: running sums are one."""
+    found: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
+    for sheet, top, left, bottom, right, _ in sorted(areas):
+        rows = found.setdefault((sheet, left, right), [])
+        if rows and top <= rows[-1][1]:
+            rows[-1] = rows[-1][0], max(rows[-1][1], bottom)
+        else:
+            rows.append((top, bottom))
+    return found
 
 
 def by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
@@ -166,12 +179,14 @@ def met(
             yield Address(sheet, row, column)
 
 
-def within(area: Area, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
-    """Yield the cells of an area that are among ``wanted``, the sorted rows of each column of a sheet."""
-    for column in area.columns:
-        rows = wanted.get((area.sheet, column))
-        for row in rows[bisect_left(rows, area.top) : bisect_right(rows, area.bottom)] if rows else ():
-            yield Address(area.sheet, row, column)
+def within(
+    sheet: str, column: int, rows: Iterable[tuple[int, int]], wanted: Mapping[tuple[str, int], list[int]]
+) -> Iterator[Address]:
+    """Yield the cells of a column in ``rows``, from and to, that are among ``wanted``, its sorted rows."""
+    known = wanted.get((sheet, column), [])
+    for top, bottom in rows if known else ():
+        for row in known[bisect_left(known, top) : bisect_right(known, bottom)]:
+            yield Address(sheet, row, column)
 
 
 def names_of(workbook: Workbook) -> dict[tuple[str | None, str], str]:

@@ -19,7 +19,7 @@ from workbook.laws.layout import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
 from workbook.reading.files import BookFile, Words
 from workbook.reading.fitting import ends_lost, fitted
-from workbook.reading.work import require_little_work
+from workbook.reading.work import require_narrow
 from workbook.template import MOST
 from workbook.templates import AnyTemplate
 from workbook.visible import found
@@ -42,7 +42,7 @@ class Entries:
     """
 
     def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend = as_it_is) -> None:
-        require_little_work(file)
+        require_narrow(file)
         self.file = file
         self._evaluate = evaluate
         self._value: Callable[[Address], Any] | None = None

@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.judging.report import FOLLOWS, Finding, Ran, Report
+from workbook.reports.differing import differing
 from workbook.reports.page import own_verdict, where
 from workbook.reports.terminal import say, shown
 
@@ -96,7 +97,7 @@ def show_report(report: Report, console: Console, everything: bool = False) -> N
 
 def verdict(report: Report) -> list[str]:
     """Return in lines what came of the cells, of the witnesses that were not asked, and of the machine's own checks."""
-    said = "every one computes what the engine computes" if report.agrees else f"{len(report.findings)} findings"
+    said = "every one computes what the engine computes" if report.agrees else report.findings_words
     lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
     lines += [f"Not compared by {w.name}: {w.why}" for w in report.witnesses if w.why and not report.tells(w)]
     lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {said}.")
@@ -123,16 +124,15 @@ def show_findings(report: Report, console: Console, everything: bool) -> None:
 
     What only follows from others is counted by sheet, unless ``everything`` is asked for, or nothing else is found.
     """
-    causes = [f for f in report.findings if f.kind != FOLLOWS]
-    listed = report.findings if everything else causes or report.findings
+    listed = report.findings if everything else report.causes
     headings = ["Cell", "What", "Kind", "Computes", "Expected"]
     table = Table(*headings, title="Findings, causes first", title_justify="left")
     if len(report.witnesses) > 1:
         table.add_column("By")
     told = listed if everything else listed[:MOST]
     for f in told:
-        computed = f"{figure(f.computed)} ({f.why})" if f.why else figure(f.computed)
-        row = (where(f), f.what, f.kind, computed, figure(f.expected), f.witness)
+        found, expected = map(figure, differing(f.computed, f.expected))
+        row = (where(f), f.what, f.kind, f"{found} ({f.why})" if f.why else found, expected, f.witness)
         table.add_row(*(shown(text) for text in row[: len(table.columns)]))
     console.print(table)
     if len(listed) > len(told):

@@ -111,7 +111,7 @@ def summary(outcomes: Sequence[Outcome]) -> Element:
         [
             e("a", str(o.path), href=f"#book{number}"),
             f"{o.report.compared:,}" if o.report else "–",
-            str(len(o.report.findings)) if o.report else "–",
+            f"{len(o.report.causes):,}" if o.report else "–",
             verdict(o),
         ]
         for number, o in enumerate(outcomes, 1)
@@ -138,7 +138,7 @@ def facts(outcome: Outcome, report: Report) -> Element:
         *(("Witness", witness(ran)) for ran in report.witnesses),
         ("Formula cells declared", f"{report.declared:,}"),
         ("Formula cells compared", f"{report.compared:,}"),
-        ("Findings", str(len(report.findings))),
+        ("Findings", report.findings_words),
         ("The machine's own checks", own_verdict(report)),
     ]
     return e("table", e("tbody", *(e("tr", e("th", k, scope="row"), e("td", v)) for k, v in known)), css="facts")
@@ -211,7 +211,7 @@ def findings(report: Report) -> list[Element]:
     headings = ("Cell", "Kind", "What", "Found", "Expected", "Deviation", "By")
     meanings = "; ".join(f"{kind}: {KINDS[kind]}" for kind in dict.fromkeys(f.kind for f in report.findings))
     return [
-        e("h3", f"Findings ({len(report.findings):,}), worst first"),
+        e("h3", f"Findings, worst first: {report.findings_words}"),
         table(headings, [row(f) for f in report.findings], numbers=(5,)),
         e("p", f"{meanings}.", css="quiet"),
     ]

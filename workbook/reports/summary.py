@@ -76,7 +76,7 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
         table.add_column(heading, justify="right")
     table.add_column("Verdict", no_wrap=True)
     for o in outcomes:
-        cells, found = (f"{o.report.compared:,}", f"{len(o.report.findings):,}") if o.report else ("-", "-")
+        cells, found = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("-", "-")
         table.add_row(shown(str(o.path)), cells, found, shown(WORDS[o.verdict], COLOURS[o.verdict]))
     console.print(table)
     for outcome in outcomes:
@@ -91,7 +91,7 @@ def worst(outcome: Outcome) -> list[str]:
         return outcome.reason.splitlines()
     if outcome.report is None:
         return []
-    found = [line(finding) for finding in outcome.report.findings]
+    found = [line(finding) for finding in outcome.report.causes]
     found += [check.line for check in outcome.report.failing]
     lines = [f"{outcome.path}: {text}" for text in found[:WORST]]
     more = len(found) - WORST

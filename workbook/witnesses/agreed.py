@@ -11,6 +11,7 @@ from workbook.book.address import Address
 from workbook.errors import DisputedError, WitnessError
 from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile
+from workbook.reading.work import require_little_work
 from workbook.visible import found
 from workbook.witnesses.bare import without
 from workbook.witnesses.registry import WITNESSES
@@ -129,6 +130,7 @@ class Evaluation:
         """Return what a witness computes in a file of formula cells and of those on which they depend."""
         aside = set(self._file.contents.formula_cells).difference(cells)
         with without(self._file, aside - self._file.contents.needed(aside, cells), {}) as bare:
+            require_little_work(bare, self._file.path)
             return witness.values(bare)
 
 

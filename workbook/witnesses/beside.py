@@ -245,7 +245,7 @@ def answer(path: Path, line: Line) -> None:
     from workbook.witnesses.pycel.model import PycelModel
 
     file = open_book(path, shown=False)
-    require_little_work(file)
+    require_little_work(file, path)
     line.say(digest(path))
     model = PycelModel(file.contents)
     values = model.evaluate()

@@ -170,6 +170,18 @@ def test_a_wrong_formula_saved_with_what_it_computes_is_found_once(cutting, tmp_
     )
 
 
+def test_what_follows_from_a_number_typed_over_a_formula_is_gathered(cutting, tmp_path):
+    """By every witness; and one that is wrong where none was is at fault by itself."""
+    opened = cutting.opened()
+    cell = cutting.place("MTP_ca_max")
+    opened[cell.sheet][cell.a1].value = 5.0
+    opened.save(tmp_path / "b.xlsx")
+    report = sums(verify(tmp_path / "b.xlsx", ["pycel", "formualizer"]))
+    assert [(f.kind, f.cell) for f in report.causes] == [("replaced", cell.a1)]
+    assert len(report.findings) > 100
+    assert report.findings_words.startswith("1 finding; ")
+
+
 def test_a_new_book_says_that_its_saved_values_are_no_evidence(cutting, tmp_path):
     assert "no evidence" in verify(cutting.path).witness
     opened = cutting.opened()

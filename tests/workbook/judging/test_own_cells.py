@@ -9,14 +9,17 @@ import pytest
 from tests.mutation.bench import smaller
 from tests.tiers import by_day
 from tests.workbook import own
+from tests.workbook.composed import small
 from tests.workbook.judging.hands import Known, repacked, sub
 from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, committed, inputs
-from workbook.errors import InputError
+from workbook.errors import InputError, ReadError
 from workbook.judging.one import Outcome
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
+from workbook.reading import work
 from workbook.reading.descriptions import read_machine
+from workbook.reading.files import open_book
 from workbook.reports.console import report_data
 from workbook.reports.junit import junit
 from workbook.reports.page import page
@@ -88,6 +91,25 @@ def test_own_cells_are_no_finding(name, filled):
     report = silent(book.path, book.count, present(*QUICK_WITNESSES))
     assert report.declared > 1_000
     assert numbers(inputs(book.path)[0]) == numbers(inputs(book.built)[0])
+
+
+def test_running_sums_of_ones_own_are_not_counted_as_work(tmp_path, monkeypatch):
+    """Of 60,000 rows they read 1,800,000,000 cells; nobody evaluates them. Where an entry reads them they count."""
+    build(small(), tmp_path / "a.xlsx")
+    monkeypatch.setattr(work, "MOST", 3 * work.cells_read(open_book(tmp_path / "a.xlsx").contents.patterns))
+    opened = openpyxl.load_workbook(tmp_path / "a.xlsx")
+    mine = opened.create_sheet("Mine")
+    for row in range(1, 2_001):
+        mine.append([row, f"=SUM($A$1:A{row})"])
+    assert work.MOST < 2_000**2 / 2
+    opened.save(tmp_path / "b.xlsx")
+    report = verify(tmp_path / "b.xlsx")
+    assert (report.findings, report.not_evaluated) == ([], 2_000)
+    entry = Known(tmp_path / "a.xlsx").place("axis1_position")
+    opened[entry.sheet][entry.a1].value = "=SUM(Mine!B1:B2000)/1E8"
+    opened.save(tmp_path / "c.xlsx")
+    with pytest.raises(ReadError, match="its formulas read 2,2"):
+        verify(tmp_path / "c.xlsx")
 
 
 @pytest.mark.parametrize("name", TWO)

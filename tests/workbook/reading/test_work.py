@@ -44,15 +44,32 @@ def test_more_work_than_any_book_is_refused_in_one_line(page, tmp_path):
     file = BookFile(tmp_path / "book.xlsx", page.parent, {})
     begin = time.process_time()
     with pytest.raises(ReadError, match=r"book.xlsx: its formulas read 640,000,000 cells") as caught:
-        Entries(file, agreed)
+        work.require_little_work(file, file.path)
     assert "\n" not in str(caught.value)
     assert time.process_time() - begin < SECONDS
+
+
+def test_formulas_over_more_columns_than_any_books_are_refused_in_one_line(page, tmp_path):
+    for row in range(2, 4_002):
+        page.cell(row, 3).value = f"=SUM($A$1:$XFD${row})"
+    with pytest.raises(ReadError, match=r"book.xlsx: its formulas read 65,536,000 columns"):
+        Entries(BookFile(tmp_path / "book.xlsx", page.parent, {}), agreed)
+
+
+def test_running_sums_are_taken_apart_at_once(page):
+    for row in range(1, 20_001):
+        page.cell(row, 3).value = f"=SUM($A$1:A{row})"
+    contents = Contents(page.parent)
+    begin = time.process_time()
+    assert contents.read(list(contents.constants)) == {a for a in contents.constants if a.column == 1}
+    assert time.process_time() - begin < SECONDS / 4
 
 
 def test_books_are_far_from_the_limit():
     for name in ("machine", "indexing-overlap"):  # those that read most
         file = open_book(TEMPLATES[name].book)
         assert work.cells_read(file.contents.patterns) < work.MOST / 20
+        work.require_narrow(file)
 
 
 @pytest.mark.parametrize(

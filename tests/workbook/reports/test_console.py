@@ -6,6 +6,7 @@ from rich.console import Console
 
 from workbook.judging.report import FOLLOWS, Finding, Report
 from workbook.reports.console import MOST, show_report
+from workbook.reports.differing import differing
 
 
 def printed(findings: list[Finding], everything: bool = False) -> str:
@@ -27,7 +28,19 @@ def test_what_follows_is_counted_by_sheet() -> None:
     assert "Timing!T1 " in said
     assert "Timing!T2 " not in said
     assert "wrong only because of these: 50 on Timing, 7 on Drive; --all lists them" in said
-    assert "58 findings" in said
+    assert "1 finding; 57 cells are wrong only because of it" in said
+
+
+def test_of_two_long_formulas_the_difference_is_shown() -> None:
+    expected = "=1/(MTP_sa+MTP_m*MTP_d4+MTP_m*MTP_sd/MTP_n)+MTP_ca_max*(MTP_k*MTP_d1+MTP_d2)"
+    found = expected.replace("MTP_d4", "MTP_d5")
+    said = printed([Finding("MTP", "D20", "formula", found, expected)])
+    assert "…+MTP_m*MTP_d5+MTP_m*MTP_s…" in said
+    assert "…+MTP_m*MTP_d4+MTP_m*MTP_s…" in said
+    assert differing(expected + "*1.001", expected) == ("…MTP_d1+MTP_d2)*1.001", "…MTP_d1+MTP_d2)")
+    assert differing("=A1+1", "=A1+2") == ("=A1+1", "=A1+2")
+    repeated = "=" + "+".join(["A1"] * 30)
+    assert differing(repeated + "+A1", repeated) == ("…+A1+A1+A1+A1+A1", "…+A1+A1+A1+A1")
 
 
 def test_all_of_them_are_listed_where_they_are_asked_for() -> None:
