@@ -139,9 +139,9 @@ def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) ->
                 yield from met(a.area.sheet, a.area.left, {row + a.top for row in rows}, wanted)
             elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
                 areas |= {a.at(row) for row in rows}
-    for (sheet, left, right), rows in together(areas).items():
+    for (sheet, left, right), spans in together(areas).items():
         for column in range(left, right + 1):
-            yield from within(sheet, column, rows, wanted)
+            yield from within(sheet, column, spans, wanted)
 
 
 def together(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:

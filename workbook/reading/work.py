@@ -35,7 +35,7 @@ def wide(arguments: Sequence[Area | str | Moving]) -> int:
 
 
 def require_little_work(file: BookFile, path: Path) -> None:
-    """Raise ReadError, in one line, where the formulas of ``file``, a copy of ``path``, read more cells than any book's.
+    """Raise ReadError, in one line, where formulas of ``file``, a copy of ``path``, read more cells than any book's.
 
     Only what is evaluated is asked for; of running sums each reads all rows before.
     """

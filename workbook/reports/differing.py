@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from os.path import commonprefix
 from typing import Any
 
 LONG = 50  # characters: a shorter formula is shown whole
@@ -16,12 +15,17 @@ def differing(found: Any, expected: Any) -> tuple[Any, Any]:
     both = found, expected
     if not all(isinstance(text, str) and text.startswith("=") for text in both) or max(map(len, both)) <= LONG:
         return both
-    same = len(commonprefix(both))
-    end = min(len(commonprefix([text[:same:-1] for text in both])), min(map(len, both)) - same)
+    same = alike(found, expected)
+    end = min(alike(found[::-1], expected[::-1]), min(map(len, both)) - same)
     begin = max(0, same - AROUND)
     while begin and WORD.match(found[begin - 1]) and WORD.match(found[begin]):  # not within a name
         begin -= 1
     return (part(found, begin, len(found) - end + AROUND), part(expected, begin, len(expected) - end + AROUND))
+
+
+def alike(one: str, other: str) -> int:
+    """Return with how many of the same characters two texts begin."""
+    return next((k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
 
 
 def part(text: str, begin: int, end: int) -> str:
