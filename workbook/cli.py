@@ -160,6 +160,14 @@ def verify(
     everything: Annotated[
         bool, typer.Option("--all", help="List every finding, also what only follows from others.")
     ] = False,
+    against: Annotated[
+        Path | None, typer.Option(metavar="FILE.py", help="Compare any workbook with what this file declares of it.")
+    ] = None,
+    cases: Annotated[int, typer.Option(min=1, max=100_000, metavar="N", help="With --against: values tried.")] = 100,
+    cover: Annotated[
+        float | None, typer.Option(min=0, max=100, metavar="PER CENT", help="With --against: fail if less is covered.")
+    ] = None,
+    marked: Annotated[Path | None, report_to("--marked", "OUT.xlsx", "With --against: colour a copy by class.")] = None,
 ) -> None:
     """Compare every formula cell of workbooks with the engine, at the values entered in them.
 
@@ -168,6 +176,12 @@ def verify(
     Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
     be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
+    if against is not None:
+        from workbook.commands import oracle as command
+
+        if len(books) != 1:
+            raise typer.BadParameter(f"--against takes one workbook; {len(books)} are named")
+        raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force))
     from workbook.witnesses.beside import beside
 
     with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
@@ -331,6 +345,18 @@ def compare(
     from workbook.commands import cams
 
     raise typer.Exit(cams.compare(book, file, axis, source, tolerance or (), unverified, as_json, switches))
+
+
+@app.command()
+def oracle(
+    book: Annotated[Path, typer.Argument(metavar="BOOK", help="Any workbook.")],
+    output: Annotated[Path | None, to("FILE.py", "Where to write; else it is printed.")] = None,
+    force: Force = False,
+) -> None:
+    """Write a first file of declarations for any workbook, for `motionbook verify BOOK --against FILE.py`."""
+    from workbook.commands import oracle as command
+
+    command.write_draft(book, output, force)
 
 
 @app.command()

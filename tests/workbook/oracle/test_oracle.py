@@ -1,0 +1,141 @@
+"""A workbook that motionbook did not build, against declarations in Python."""
+
+import ast
+import json
+
+import openpyxl
+import pytest
+
+from workbook.commands.oracle import against
+from workbook.errors import ReadError
+from workbook.oracle.declared import load
+from workbook.oracle.draft import draft
+from workbook.oracle.judge import Judge
+from workbook.reading.files import open_book
+
+PUMP = """
+from math import pi
+from workbook.oracle import Oracle
+
+pump = Oracle("Pump sizing")
+q = pump.input("Sheet!B1", unit="m³/h", low=5, high=80)
+h = pump.input("Head", unit="m", low=2, high=60)
+eta = pump.input("Efficiency", low=0.4, high=0.9)
+
+
+@pump.output("B6", unit="kW", tolerance=1e-9, source="ISO 9906")
+def power(q, h, eta):
+    return 1000 * 9.81 * q / 3600 * h / eta / 1000
+
+
+def profile(t, q):
+    return t * q, 2 * t * q
+
+
+pump.table("A10:C13", columns=["t", "v", "a"], of=profile)
+"""
+
+
+def build(path, **cells):
+    """Write a small workbook of a pump, some cells otherwise."""
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.title = "Sheet"
+    rows = {
+        "A1": "Flow", "B1": 40, "C1": "m³/h", "A2": "Head:", "B2": 20, "C2": "m", "A3": "Efficiency", "B3": 0.7,
+        "A4": "Density", "B4": 1000, "A5": "Hydraulic power", "B5": "=B4*9.81*B1/3600*B2/1000", "C5": "kW",
+        "A6": "Shaft power", "B6": "=B5/B3", "C6": "kW", "A7": "Note", "B7": "=B1*0",
+    }  # fmt: skip
+    for row in range(10, 14):
+        rows |= {f"A{row}": (row - 10) / 4, f"B{row}": f"=A{row}*$B$1", f"C{row}": f"=2*B{row}"}
+    for cell, value in (rows | cells).items():
+        sheet[cell] = value
+    book.save(path)
+    return path
+
+
+@pytest.fixture
+def judged(tmp_path):
+    """Judges the pump's workbook with some cells otherwise."""
+
+    def judge(cases=40, **cells):
+        (tmp_path / "pump.py").write_text(PUMP, encoding="utf-8")
+        file = open_book(build(tmp_path / "pump.xlsx", **cells))
+        return Judge(file, load(tmp_path / "pump.py")).judge(cases)
+
+    return judge
+
+
+def kinds(found):
+    return {(str(one.cell), one.kind) for one in found.wrong}
+
+
+def test_a_sound_workbook_has_no_finding_and_each_formula_cell_a_class(judged):
+    found = judged()
+    assert found.wrong == []
+    classes = {str(cell): kind for cell, kind in found.coverage.items()}
+    assert classes.pop("Sheet!B5") == "step"
+    assert classes.pop("Sheet!B7") == "unaccounted"  # nothing compared follows from it
+    assert set(classes.values()) == {"compared"}
+    assert (len(classes), found.cases) == (9, 40)
+
+
+@pytest.mark.parametrize(
+    ("cell", "formula"),
+    [
+        ("B5", "=B4*9.81*B1/3600*B2/1001"), ("B5", "=B4*9.81*B1/3600*B3/1000"), ("B6", "=B5*B3"), ("B6", "=-B5/B3"),
+        ("B6", "=IF(B1>79,0,B5/B3)"), ("C12", "=2*B11"), ("B11", "=A11*$B$2"), ("B5", "=B4*9.81*B1/3600*20/1000"),
+    ],
+)  # fmt: skip
+def test_a_wrong_formula_is_found_at_the_inputs_where_it_shows(judged, cell, formula):
+    found = judged(**{cell: formula})
+    assert "value" in {one.kind for one in found.wrong}
+    assert all(one.at for one in found.wrong if one.kind == "value")
+
+
+def test_other_faults_are_named(judged):
+    assert ("Sheet!C12", "replaced") in kinds(judged(C12=1.0))
+    assert ("Sheet!B3", "unread") in kinds(judged(B6="=B5/0.7"))
+    assert ("Sheet!B6", "unit") in kinds(judged(C6="W"))
+    assert kinds(judged(C1="m^3/h")) == set()
+
+
+def test_the_command_tells_coverage_and_marks_a_copy(tmp_path, capsys):
+    book, declared, copy = build(tmp_path / "p.xlsx"), tmp_path / "p.py", tmp_path / "marked.xlsx"
+    declared.write_text(PUMP, encoding="utf-8")
+    assert against(book, declared, 20, None, copy, False, False) == 0
+    assert "1 unaccounted; 90.9 % covered" in " ".join(capsys.readouterr().out.split())
+    assert against(book, declared, 20, 95.0, None, True, False) == 1
+    assert json.loads(capsys.readouterr().out)["findings"] == []
+    fills = {cell: openpyxl.load_workbook(copy)["Sheet"][cell].fill.fgColor.rgb for cell in ("B5", "B6", "B7")}
+    assert len(set(fills.values())) == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("x = 1", "0 oracles"),
+        (PUMP.replace("def power(q, h, eta)", "def power(q, h, mu)"), "no input is called so"),
+        ("raise ValueError('oops')", "oops"),
+        ("from workbook.oracle import Oracle\na = Oracle('a')\nb = a.input('B1')", "no output"),
+    ],
+)
+def test_declarations_that_are_incomplete_are_refused(tmp_path, text, message):
+    (tmp_path / "d.py").write_text(text, encoding="utf-8")
+    with pytest.raises(ReadError, match=message):
+        load(tmp_path / "d.py")
+
+
+@pytest.mark.parametrize("cell", ["Nowhere", "Other!B1", "Note:"])
+def test_a_cell_that_cannot_be_found_is_refused(judged, tmp_path, cell):
+    (tmp_path / "d.py").write_text(PUMP.replace("Sheet!B1", cell), encoding="utf-8")
+    with pytest.raises(ReadError, match=r"expected|no sheet|formula"):
+        Judge(open_book(build(tmp_path / "p.xlsx")), load(tmp_path / "d.py"))
+
+
+def test_a_draft_declares_inputs_outputs_labels_and_units(tmp_path):
+    text = draft(open_book(build(tmp_path / "p.xlsx")))
+    ast.parse(text)
+    assert "head = book.input('Sheet!B2', unit='m', low=20, high=20)" in text
+    assert "@book.output('Sheet!B6', unit='kW', source='')\ndef shaft_power(flow, head, efficiency, density):" in text
+    assert "hydraulic_power" not in text  # a step

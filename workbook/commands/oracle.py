@@ -1,0 +1,85 @@
+"""Verify a workbook that motionbook did not build against declarations in Python; write a first file of them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from openpyxl import load_workbook
+from openpyxl.styles import PatternFill
+from rich.table import Table
+
+from workbook.build import write_text
+from workbook.exits import AGREES, DISAGREES
+from workbook.oracle.declared import load
+from workbook.oracle.draft import draft
+from workbook.oracle.judge import Judge, Judged, describe
+from workbook.reading.files import BookFile, open_book
+from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.writing.place import refuse_existing, refuse_itself, replace
+
+COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
+
+
+def against(
+    path: Path, declarations: Path, number: int, cover: float | None, marked: Path | None, as_json: bool, force: bool
+) -> int:  # fmt: skip
+    """Compare a workbook with its oracle, print what came of it; return the exit code."""
+    refuse_itself(marked, path)
+    if marked is not None:
+        refuse_existing(marked, force)
+    with ERR.status(shown(f"Comparing {path} with {declarations} …")):
+        file = open_book(path)
+        found = Judge(file, load(declarations)).judge(number)
+    if marked is not None:
+        replace(marked, lambda draft: mark(path, found, draft), force)
+    if as_json:
+        say_data(f"{json.dumps(data(found), ensure_ascii=False, indent=1, default=str)}\n")
+    else:
+        show(file, found)
+    return DISAGREES if found.wrong or (cover is not None and found.covered < cover) else AGREES
+
+
+def write_draft(path: Path, output: Path | None, force: bool) -> None:
+    """Write a first file of declarations for a workbook."""
+    text = draft(open_book(path))
+    if output is None:
+        say_data(text)
+        return
+    replace(output, lambda target: write_text(target, text), force)
+    say(OUT, f"Wrote {output.absolute()}")
+
+
+def data(found: Judged) -> dict[str, Any]:
+    """Return what came of a comparison as JSON has it."""
+    wrong = [{"cell": str(one.cell), **{k: v for k, v in one.__dict__.items() if k != "cell"}} for one in found.wrong]
+    cells = {str(cell): kind for cell, kind in found.coverage.items()}
+    return {"cases": found.cases, "covered": found.covered, "findings": wrong, "cells": cells}
+
+
+def show(file: BookFile, found: Judged) -> None:
+    """Print the findings as a table, and how many formula cells are of each class."""
+    if found.wrong:
+        grid = Table("cell", "kind", "found", "expected", "at", box=None, pad_edge=False)
+        for one in found.wrong:
+            cells = (describe(file, one.cell), one.kind, figure(one.found), figure(one.expected), one.at)
+            grid.add_row(*map(shown, cells))
+        OUT.print(grid)
+    counts = f"{found.count('compared')} compared, {found.count('step')} steps to them"
+    counts += f", {found.count('unaccounted')} unaccounted"
+    say(OUT, f"{found.cases} cases, {len(found.coverage)} formula cells: {counts}; {found.covered:.1f} % covered")
+    say(OUT, f"{len(found.wrong)} findings" if found.wrong else "Every compared cell is what the declarations give")
+
+
+def figure(value: Any) -> str:
+    """Return a value as people write it."""
+    return "empty" if value is None else f"{value:.9g}" if isinstance(value, float) else str(value)
+
+
+def mark(path: Path, found: Judged, target: Path) -> None:
+    """Write a copy of the workbook in which the formula cells of each class have a colour of their own."""
+    book = load_workbook(path)
+    for cell, kind in found.coverage.items():
+        book[cell.sheet].cell(cell.row, cell.column).fill = PatternFill("solid", fgColor=COLOURS[kind])
+    book.save(target)

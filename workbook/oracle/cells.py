@@ -1,0 +1,84 @@
+"""Cells as people call them: an address, a defined name, or the label beside the cell."""
+
+from __future__ import annotations
+
+import re
+
+from workbook.book.address import Address
+from workbook.errors import ReadError
+from workbook.reading.files import BookFile
+
+CELL = re.compile(r"(?:(?P<sheet>'(?:[^']|'')+'|[^'!]+)!)?\$?(?P<column>[A-Za-z]{1,3})\$?(?P<row>\d{1,7})")
+NEAR = 6
+"""columns right of a label in which its figure stands"""
+
+
+def find(file: BookFile, text: str) -> Address:
+    """Return the cell of an address, a name or a label; raise ReadError where there is none, or are several."""
+    match = CELL.fullmatch(text)
+    if match:
+        return on_sheet(file, text)
+    if text in file.places:
+        return file.places[text].cell(0, 0)
+    found = [cell for label in labels(file, text) if (cell := beside(file, label)) is not None]
+    if len(found) == 1:
+        return found[0]
+    what = f"{len(found)} cells stand beside this label: {', '.join(map(str, found))}" if found else "no such cell"
+    raise ReadError(f"{file.path.name}: {text!r}: {what}; expected an address, a defined name or a label")
+
+
+def on_sheet(file: BookFile, text: str) -> Address:
+    """Return the cell of an address, by default on the first sheet; raise ReadError for a sheet that is missing."""
+    titles = file.workbook.sheetnames
+    address = Address.parse(text, titles[0])
+    if address.sheet not in titles:
+        raise ReadError(f"{file.path.name}: {text!r}: no sheet is called {address.sheet!r}; found {', '.join(titles)}")
+    return address
+
+
+def labels(file: BookFile, text: str) -> list[Address]:
+    """Return the cells that hold this text, whatever its case, blanks and a colon behind it."""
+    wanted = plain(text)
+    held = file.contents.constants.items()
+    return [address for address, value in held if isinstance(value, str) and plain(value) == wanted]
+
+
+def plain(text: str) -> str:
+    """Return a label without what people write in different ways."""
+    return " ".join(text.split()).rstrip(" :=").casefold()
+
+
+def beside(file: BookFile, label: Address) -> Address | None:
+    """Return the first number or formula right of a label; None where there is none nearby."""
+    for column in range(label.column + 1, label.column + 1 + NEAR):
+        cell = label._replace(column=column)
+        if isinstance(file.contents.constants.get(cell), int | float) or cell in file.contents.formulas:
+            return cell
+    return None
+
+
+def label_of(file: BookFile, cell: Address) -> str:
+    """Return the text left of a cell, else the one above it, else nothing."""
+    left = [cell._replace(column=column) for column in range(cell.column - 1, max(0, cell.column - NEAR), -1)]
+    above = [cell._replace(row=row) for row in range(cell.row - 1, max(0, cell.row - NEAR), -1)]
+    texts = (file.contents.constants.get(at) for at in [*left, *above])
+    return next((text.strip().rstrip(" :=") for text in texts if isinstance(text, str) and text.strip()), "")
+
+
+def unit_of(file: BookFile, cell: Address) -> str:
+    """Return the unit beside a cell: a short text right of it, or the brackets of its label."""
+    right = file.contents.constants.get(cell._replace(column=cell.column + 1))
+    if isinstance(right, str) and 0 < len(right.strip()) <= 12 and " " not in right.strip():
+        return right.strip().strip("[]()")
+    found = re.search(r"[\[(]([^\])]{1,12})[\])]", label_of(file, cell))
+    return found[1] if found else ""
+
+
+def cells_of(file: BookFile, text: str) -> list[list[Address]]:
+    """Return the rows of a range such as ``Sheet!A20:D60``."""
+    first, _, last = text.rpartition("!")[2].partition(":")
+    sheet = text.rpartition("!")[0]
+    top = on_sheet(file, f"{sheet}!{first}" if sheet else first)
+    bottom = on_sheet(file, f"{sheet}!{last or first}" if sheet else last or first)
+    rows, columns = range(top.row, bottom.row + 1), range(top.column, bottom.column + 1)
+    return [[Address(top.sheet, row, column) for column in columns] for row in rows]

@@ -1,0 +1,111 @@
+"""What a file of declarations says of a workbook: inputs with ranges, outputs with the functions that give them."""
+
+from __future__ import annotations
+
+import inspect
+import runpy
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from workbook.errors import ReadError
+
+
+@dataclass(eq=False)
+class Input:
+    """A cell that is varied: a number from ``low`` to ``high``, or one of ``choices``.
+
+    ``cell`` is an address (``Sheet!B4``, or ``B4`` on the first sheet), a defined name, or the label beside it.
+    """
+
+    cell: str
+    unit: str = ""
+    low: float | None = None
+    high: float | None = None
+    choices: Sequence[Any] = ()
+
+
+@dataclass(eq=False)
+class Output:
+    """A cell that is compared: ``of`` gives its value; its parameters are called as the inputs' variables are."""
+
+    cell: str
+    of: Callable[..., Any]
+    unit: str = ""
+    tolerance: float = 1e-9
+    source: str = ""
+
+
+@dataclass(eq=False)
+class Table:
+    """A range of which columns are compared: ``of`` returns for each row (1-D array) the columns that are named.
+
+    The first column is handed to ``of`` as an array, before the inputs; the others are compared in their order.
+    """
+
+    cells: str
+    columns: Sequence[str]
+    of: Callable[..., Any]
+    tolerance: float = 1e-9
+
+
+@dataclass(eq=False)
+class Oracle:
+    """All that is declared of a workbook; ``names`` has the inputs by the variables of the file."""
+
+    title: str
+    inputs: list[Input] = field(default_factory=list)
+    outputs: list[Output] = field(default_factory=list)
+    tables: list[Table] = field(default_factory=list)
+    names: dict[str, Input] = field(default_factory=dict)
+
+    def input(
+        self, cell: str, unit: str = "", low: float | None = None, high: float | None = None,
+        choices: Sequence[Any] = (),
+    ) -> Input:  # fmt: skip
+        """Declare a cell that is varied; without a range or choices it stays as it is entered."""
+        self.inputs.append(Input(cell, unit, low, high, choices))
+        return self.inputs[-1]
+
+    def output(
+        self, cell: str, unit: str = "", tolerance: float = 1e-9, source: str = ""
+    ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+        """Declare the decorated function as what gives a cell's value, to a relative ``tolerance``."""
+
+        def declare(of: Callable[..., Any]) -> Callable[..., Any]:
+            self.outputs.append(Output(cell, of, unit, tolerance, source))
+            return of
+
+        return declare
+
+    def table(self, cells: str, columns: Sequence[str], of: Callable[..., Any], tolerance: float = 1e-9) -> None:
+        """Declare a range whose columns ``of`` gives, an array each."""
+        self.tables.append(Table(cells, columns, of, tolerance))
+
+    def arguments(self, of: Callable[..., Any], skip: int = 0) -> list[Input]:
+        """Return the inputs that a function takes, by the names of its parameters behind the first ``skip``."""
+        return [self.names[name] for name in list(inspect.signature(of).parameters)[skip:]]
+
+
+def load(path: Path) -> Oracle:
+    """Run a file of declarations and return its oracle; raise ReadError where it has none or is incomplete."""
+    if not path.is_file():
+        raise ReadError(f"{path}: there is no such file; expected declarations in Python")
+    try:
+        found = runpy.run_path(str(path))
+    except Exception as error:
+        raise ReadError(f"{path}: {type(error).__name__}: {error}") from error
+    oracles = [value for value in found.values() if isinstance(value, Oracle)]
+    if len(oracles) != 1:
+        raise ReadError(f"{path}: {len(oracles)} oracles; expected one, such as pump = Oracle('Pump sizing')")
+    oracle = oracles[0]
+    oracle.names = {name: value for name, value in found.items() if isinstance(value, Input)}
+    for function, skip in [*((one.of, 0) for one in oracle.outputs), *((one.of, 1) for one in oracle.tables)]:
+        unknown = [name for name in list(inspect.signature(function).parameters)[skip:] if name not in oracle.names]
+        if unknown:
+            expected = ", ".join(oracle.names) or "none is declared"
+            raise ReadError(f"{path}: {function.__name__}({unknown[0]}): no input is called so; expected {expected}")
+    if not oracle.outputs and not oracle.tables:
+        raise ReadError(f"{path}: no output is declared; expected @{next(iter(found), 'oracle')}.output(CELL)")
+    return oracle
