@@ -153,6 +153,7 @@ def verify(
     as_json: Json = False,
     report: Annotated[Path | None, report_to("--report", "FILE.html", "Write a report as one page of HTML.")] = None,
     junit: Annotated[Path | None, report_to("--junit", "FILE.xml", "Write JUnit XML for CI servers.")] = None,
+    sarif: Annotated[Path | None, report_to("--sarif", "FILE.sarif", "Write SARIF 2.1.0 for code hosts.")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace the report files if they exist.")] = False,
     witnesses: With = None,
     jobs: Jobs = None,
@@ -187,7 +188,9 @@ def verify(
     with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
         from workbook.commands.verify import verify as run
 
-        raise typer.Exit(run(books, as_json, report, junit, force, witnesses, jobs, everything, helper, scheduler))
+        raise typer.Exit(
+            run(books, as_json, report, junit, sarif, force, witnesses, jobs, everything, helper, scheduler)
+        )
 
 
 @app.command()

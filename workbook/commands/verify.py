@@ -12,20 +12,24 @@ from workbook.judging.sent import unseen
 from workbook.judging.verify import present
 from workbook.reports import page, summary
 from workbook.reports.junit import junit as junit_xml
+from workbook.reports.sarif import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.witnesses.beside import Beside
 from workbook.writing.place import refuse_one_for_two
 
 
 def verify(
-    books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, force: bool,
+    books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, sarif: Path | None, force: bool,
     witnesses: Sequence[str] | None, jobs: int | None, everything: bool, beside: Beside | None = None,
     scheduler: str | None = None,
 ) -> int:  # fmt: skip
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
     page.ready(report, (".html", ".htm"), force)
     page.ready(junit, (".xml",), force)
+    page.ready(sarif, (".sarif", ".json"), force)
     refuse_one_for_two(report, junit)
+    refuse_one_for_two(report, sarif)
+    refuse_one_for_two(junit, sarif)
     asked = chosen(witnesses)
     targets, failed = many.find(books)
     most = min(jobs or cores(), len(targets))
@@ -40,6 +44,7 @@ def verify(
     when = datetime.now().astimezone()
     page.write(report, lambda: page.page(outcomes, when), force)
     page.write(junit, lambda: junit_xml(outcomes, when), force)
+    page.write(sarif, lambda: as_sarif(outcomes), force)
     return many.exit_code(outcomes)
 
 
