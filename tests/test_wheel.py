@@ -1,0 +1,42 @@
+"""The built wheel works outside the repository: new, build, verify, laws."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import workbook
+
+ROOT = Path(__file__).parents[1]
+
+
+def run(*command, **options):
+    """Run a program; return what it printed."""
+    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False, **options)
+    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def motionbook(tmp_path_factory):
+    """Calls the command of the installed wheel, in a folder of its own."""
+    folder = tmp_path_factory.mktemp("wheel")
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check"]
+    options = ["--no-deps", "--no-build-isolation", "--quiet"]
+    run(*pip, "wheel", *options, "--wheel-dir", str(folder), str(ROOT))
+    (wheel,) = folder.glob("*.whl")
+    assert wheel.name.startswith(f"motionbook-{workbook.__version__}-")
+    run(*pip, "install", "--no-deps", "--no-index", "--quiet", "--target", str(folder / "site"), str(wheel))
+    environment = os.environ | {"PYTHONPATH": str(folder / "site")}
+    return lambda *arguments: run(sys.executable, "-m", "workbook", *arguments, cwd=folder, env=environment)
+
+
+def test_the_wheel_runs_outside_the_repository(motionbook):
+    assert motionbook("--version") == f"motionbook {workbook.__version__}\n"
+    assert {law["code"] for law in json.loads(motionbook("laws", "--json"))} >= {"TVP", "CIC", "MTP"}
+    motionbook("new", "machine", "-o", "mine.toml")
+    motionbook("build", "mine.toml")
+    assert "every one computes what" in " ".join(motionbook("verify", "mine.xlsx").split())
