@@ -4,28 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, get_args
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from engine.drivetrain.chain import Mechanism, require_not_negative
-from engine.drivetrain.losses import Method, direction, require_method
-from engine.drivetrain.motor import OperatingPoints
+from engine.drivetrain.losses import Method, require_method
 from engine.laws.base import Array
 
 Holding = Literal["motor", "brake"]
-
-
-class ShaftSamples(NamedTuple):
-    """Speed (rad/s), acceleration (rad/s²) and the torque (Nm) that drives a shaft, sample by sample.
-
-    At a load that travels m/s, m/s² and N.
-    """
-
-    speed: Array
-    acceleration: Array
-    torque: Array
 
 
 @dataclass(frozen=True)
@@ -59,18 +47,6 @@ class Drive:
         """J_machine/J_m, at the motor's shaft; 0 for a motor without inertia."""
         return self.mechanism.inertia(self.method) / self.motor_inertia if self.motor_inertia else 0.0
 
-    def effective_inertia(self, shaft: int = 0) -> float:
-        """Return the motor's torque per unit of a shaft's acceleration (kg m²), without losses.
-
-        At the shaft behind a reducer J_m/τ + τ J_tot. Source: S1, 'Feeding group', last equation.
-        """
-        return (self.motor_inertia + self.mechanism.inertia()) * self.mechanism.ratio_to(shaft)
-
-    @property
-    def held_torque(self) -> float:
-        """Torque of the motor (Nm) at rest."""
-        return float(self.torque(0.0, 0.0))
-
     def resisting(self, direction: ArrayLike) -> Array:
         """Return what resists at the load (Nm, or N) in a direction (−1, 0, 1); at rest, what the motor holds."""
         return self._held(self.mechanism.load.resisting(direction), direction)
@@ -93,27 +69,6 @@ class Drive:
         own = self.motor_inertia * self.mechanism.ratio * np.asarray(acceleration, dtype=np.float64)
         found: Array = self.torques(acceleration, direction)[0] + own
         return found
-
-    def shafts(self, speed: ArrayLike, acceleration: ArrayLike, going: ArrayLike) -> list[ShaftSamples]:
-        """Return what each shaft does, from the motor's to the load's; the first without the motor's own inertia.
-
-        For speeds (m/s or rad/s) and accelerations of the load, ``going`` its direction (−1, 0, 1).
-        """
-        m, found = self.mechanism, enumerate(self.torques(acceleration, going))
-        return [ShaftSamples(m.turning(k, speed), m.turning(k, acceleration), torque) for k, torque in found]
-
-    def operating_points(
-        self, speed: ArrayLike, acceleration: ArrayLike, going: ArrayLike | None = None, time: ArrayLike | None = None
-    ) -> OperatingPoints:
-        """Return speed, torque and power of the motor for speeds and accelerations of the load.
-
-        ``going`` is the direction of its motion (−1, 0, 1), by default that of the speed.
-        """
-        v = np.asarray(speed, dtype=np.float64)
-        torque = self.torque(acceleration, direction(v) if going is None else going)
-        at = None if time is None else np.asarray(time, dtype=np.float64)
-        w = self.mechanism.ratio * v
-        return OperatingPoints(w, torque, torque * w, at)
 
     def _held(self, torque: Array, direction: ArrayLike) -> Array:
         """Return a torque as it is, or none at rest where a brake holds."""

@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
 from engine.drivetrain.chain import Load
-from engine.drivetrain.cycle import Move
 from engine.motion import Motion, Phase
 
 
@@ -18,6 +19,11 @@ def at_shaft(phases: Sequence[Phase], ratio: float, speed: float = 1.0) -> list[
     ``ratio`` is the speed of the shaft over that of the load (rad/m or 1), ``speed`` that of the abscissa (1/s).
     """
     return [p.told(ratio, speed) for p in phases]
+
+
+def direction_of(phase: Phase) -> float:
+    """Return 1 forward, −1 backward, 0 for a dwell; 1 of a phase that comes back to where it began."""
+    return float(np.sign(phase.lift)) or float(phase.moves)
 
 
 @dataclass(frozen=True)
@@ -63,8 +69,7 @@ class LosslessCycle:
     @property
     def resisting_square(self) -> float:
         """Mean square of what resists (N² m²): in a movement the torque and the friction, at rest the torque."""
-        moves = [Move(p) for p in self.phases]
-        held = [float(self.load.resisting(move.direction)) ** 2 for move in moves]
+        held = [float(self.load.resisting(direction_of(p))) ** 2 for p in self.phases]
         return math.fsum(share * square for share, square in zip(self.shares, held, strict=True))
 
     @property
@@ -80,7 +85,7 @@ class LosslessCycle:
     def rms_torque(self, inertia: float, transmission: float) -> float:
         """Return the RMS torque (Nm) in front of a reducer of ratio τ: sqrt((J_m/τ + τ J)² ω̇_rms² + τ² ⟨T²⟩).
 
-        ``inertia`` is the motor's torque per ω̇ of the shaft, J_m/τ + τ J (kg m²): see
-        :meth:`engine.drivetrain.drive.Drive.effective_inertia`. Source: S1, 'Feeding group', last equation, squared.
+        ``inertia`` is the motor's torque per ω̇ of the shaft, J_m/τ + τ J (kg m²).
+        Source: S1, 'Feeding group', last equation, squared.
         """
         return math.sqrt((inertia * self.acceleration) ** 2 + transmission**2 * self.resisting_square)

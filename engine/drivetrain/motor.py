@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -92,43 +92,6 @@ class Corners(NamedTuple):
     rated: Array
 
 
-@dataclass(frozen=True)
-class OperatingPoints:
-    """Speed (rad/s), torque (Nm) and power (W) at the motor shaft, sample by sample.
-
-    ``time`` (s) of each sample, or None for equal steps.
-    """
-
-    speed: Array
-    torque: Array
-    power: Array
-    time: Array | None = field(default=None)
-
-    @property
-    def peak_torque(self) -> float:
-        """max |C_m|"""
-        return float(np.abs(self.torque).max())
-
-    @property
-    def max_speed(self) -> float:
-        """max |ω_m|"""
-        return float(np.abs(self.speed).max())
-
-    @property
-    def rms_torque(self) -> float:
-        """sqrt(∫C_m² dt / t), by the trapezoidal rule on the samples."""
-        return math.sqrt(self._mean(self.torque**2))
-
-    @property
-    def mean_speed(self) -> float:
-        """∫|ω_m| dt / t, by the same rule."""
-        return self._mean(np.abs(self.speed))
-
-    def _mean(self, values: Array) -> float:
-        time = np.arange(len(values), dtype=np.float64) if self.time is None else self.time
-        return float(np.trapezoid(values, time)) / float(time[-1] - time[0])
-
-
 class LimitCheck(NamedTuple):
     """A quantity against the motor's limit, in the limit's unit."""
 
@@ -175,8 +138,3 @@ def derating(temperature: float, limit: float = WINDING_LIMIT, rated_at: float =
     if not max(temperature, rated_at) < limit:
         raise ValueError(f"{temperature:g} °C, rated at {rated_at:g} °C; expected less than the limit, {limit:g} °C")
     return min(1.0, math.sqrt((limit - temperature) / (limit - rated_at)))
-
-
-def rated_torque_needed(rms_torque: float, derated: float) -> float:
-    """Return the rated torque (Nm) that a motor must have, T_RMS over its derating; 0 where none of it is left."""
-    return rms_torque / derated if derated else 0.0

@@ -1,8 +1,7 @@
-"""Where a law changes its formula, where it crosses a level, where it is fastest: for exact integrals and peaks."""
+"""Where a law changes its formula, where it crosses a level, where it is fastest: for exact peaks."""
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable
 
 import numpy as np
@@ -19,9 +18,6 @@ the value of the next stage"""
 
 ROUNDS = 6
 """of a search for a crossing: 256 times as narrow by each, to the last digit"""
-
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
-PANELS = 4  # a section, in an integral
 
 
 def breaks(law: Law) -> Array:
@@ -59,16 +55,3 @@ def velocity_peak(law: Law) -> float:
     xi = velocity_extremes(law)
     v = law.v(xi)
     return float(xi[np.argmax(v >= v.max() - 1e-12 * abs(v.max()))])
-
-
-def integral(function: Callable[[Array], Array], edges: Array) -> float:
-    """Return ∫ of a function of ξ, smooth between the edges, by Gauss-Legendre: exact to rounding.
-
-    Nodes keep off the edges by twice the tolerance of a break: there a law already has the value of the next stage.
-    """
-    fine = np.concatenate([[edges[0]], *(np.linspace(a, b, PANELS + 1)[1:] for a, b in itertools.pairwise(edges))])
-    half = np.diff(fine)[:, None] / 2.0
-    begin, end = (np.repeat(side, PANELS)[:, None] for side in (edges[:-1], edges[1:]))
-    off = np.minimum(2.0 * BREAK_TOLERANCE, 0.5 * (end - begin))
-    values = function(np.clip(fine[:-1, None] + half * (NODES + 1.0), begin + off, end - off))
-    return float((values * WEIGHTS * half).sum())

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import cached_property
-from typing import Self, overload
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -147,18 +147,6 @@ class Motion:
     def smooth(self, periodic: bool = True) -> bool:
         """Whether velocity nowhere jumps; of a periodic motion, neither from its end to its begin."""
         return all(abs(j.jump_v) <= ZERO_TOLERANCE * self.peaks.y1 for j in self.junctions(periodic))
-
-    @overload
-    def phase_index(self, x: float) -> int: ...
-    @overload
-    def phase_index(self, x: Array) -> NDArray[np.intp]: ...
-    def phase_index(self, x: float | Array) -> int | NDArray[np.intp]:
-        """Return the index of the phase at x: an int of a number, an array of x's shape of an array.
-
-        Raises ValueError outside the abscissa.
-        """
-        at = np.asarray(x, dtype=np.float64)
-        return unwrap(x, [self._locate(at.reshape(-1)).reshape(at.shape)])[0]  # type: ignore[no-any-return]
 
     def xi(self, x: Real) -> Real:
         """Return ξ, the share of its phase that has passed at x. Raises ValueError outside the abscissa."""

@@ -11,7 +11,8 @@ from numpy.polynomial import chebyshev
 
 from engine.laws import PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.sections import breaks, integral, roots, velocity_peak
+from engine.laws.sections import breaks, roots, velocity_peak
+from tests.engine.integrals import integral
 
 DEGREE = 40
 SMOOTH = 1e-9  # of a column's peak: so near does a polynomial of DEGREE come to what is smooth within a stage

@@ -22,6 +22,8 @@ from engine.machine.demand import Demand
 from engine.machine.train import Train
 from engine.motion import Motion, Phase
 from engine.timing import Axis, shaft_speed
+from tests.engine.sizing import effective_inertia
+from tests.engine.sizing import operating_points as points_of
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -151,7 +153,7 @@ def operating_points(law, n=3600):
     omega = shaft_speed(100 / 60)
     x = np.arange(n + 1) * (2 * np.pi / n)
     _, v, a = machine(law)["MC01"].motion.at_speed(x, omega)
-    return feeding_group().operating_points(v, a, time=x / omega)
+    return points_of(feeding_group(), v, a, time=x / omega)
 
 
 def demand(law):
@@ -199,7 +201,7 @@ def test_exact_rms_torque_over_the_cycle():
     inertial = 1.164 * MTP.coefficients.ca_rms * 0.3 / RADIUS / (0.6 * 80 / 360) ** 2
     group = feeding_group()
     cycle = LosslessCycle(group.mechanism.reduced, at_shaft(phases, group.mechanism.ratio))
-    exact = cycle.rms_torque(group.effective_inertia(), 1.0)
+    exact = cycle.rms_torque(effective_inertia(group), 1.0)
     assert cycle.torque == pytest.approx(exact, rel=1e-15)  # there is no motor
     assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
     assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)

@@ -8,10 +8,14 @@ from math import pi, radians
 
 import pytest
 
-from engine.drivetrain import KINDS, Part, Sizing, Slide, Stage, cylinder, derating, motor_inertia
+from engine.drivetrain import KINDS, Part, Slide, Stage, cylinder, derating, motor_inertia
 from engine.laws import Dwell
+from engine.machine.course import Course
+from engine.machine.demand import Demand
+from engine.machine.train import Train
 from engine.motion import Phase
 from tests.engine.profiles import thirds
+from tests.engine.sizing import Sizing
 
 STEEL = 7800.0
 PRINTED_G = 9.8 / 9.81  # the printed torques were worked out with g = 9.8
@@ -95,6 +99,14 @@ def test_screw_torques(screw_sizing):
     assert screw_sizing.peak_torque == found["accelerating"]
     assert screw_sizing.rms_torque == pytest.approx(0.044, abs=5e-4)
     assert screw_sizing.rms_torque == pytest.approx(0.0437990, abs=5e-8)
+
+
+@pytest.mark.parametrize("sizing", [sized_screw(), sized_conveyor()], ids=["screw", "conveyor"])
+def test_the_motion_s_pieces_give_the_same_torques(sizing):
+    """The way that the sheets' figures are judged by, which knows no closed form."""
+    found = Demand(Course(Train(sizing.drive), sizing.motion))
+    assert found.torque.peak == pytest.approx(sizing.peak_torque, rel=1e-12)
+    assert found.rms_torque == pytest.approx(sizing.rms_torque, rel=1e-12)
 
 
 def test_screw_by_the_physical_method_is_the_same_as_long_as_the_load_resists(screw, screw_sizing):

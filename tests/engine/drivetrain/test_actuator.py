@@ -14,17 +14,16 @@ from engine.drivetrain import (
     Load,
     Motor,
     Part,
-    Sizing,
     Slide,
     Stage,
     derating,
     motor_inertia,
     resisting,
 )
-from engine.drivetrain.motor import rated_torque_needed
 from engine.laws import CATALOGUE, ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Phase
 from tests.engine.profiles import thirds
+from tests.engine.sizing import Sizing, shafts
 
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
 laws = st.sampled_from([e.example() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, thirds(0.1, 0.5, 0.4)])
@@ -150,12 +149,12 @@ def test_energy_over_a_closed_cycle(law, other, torque):
     for begin, end, phase in zip(sizing.motion.edges[:-1], sizing.motion.edges[1:], sizing.phases, strict=True):
         time = begin + (end - begin) / n * (np.arange(n) + 0.5)
         at, going = sizing.motion.at(time), sizing.going(time)
-        shafts = sizing.drive.shafts(at.y1, at.y2, going)
+        each = shafts(sizing.drive, at.y1, at.y2, going)
         step = (end - begin) / n
         turned += float(sizing.operating_points(time).power.sum()) * step
         work += torque * phase.lift + 0.5 * abs(phase.lift)
         for k, stage in enumerate(machine.stages):
-            behind = shafts[k + 1].torque * shafts[k + 1].speed
+            behind = each[k + 1].torque * each[k + 1].speed
             lost += (
                 float(np.where(behind > 0, behind * (1 / stage.efficiency - 1), -behind * (1 - stage.efficiency)).sum())
                 * step
@@ -216,11 +215,6 @@ def test_reserve_uses_the_derated_torque():
     motor = Motor(1e-4, rated_torque=sizing.rms_torque * 1.01, peak_torque=20.0, max_speed=1000.0)
     assert [check.ok for check in sizing.reserve(motor)] == [True, True, True]
     assert [check.ok for check in sizing.reserve(motor.derated(derating(45)))] == [False, True, True]
-
-
-def test_rated_torque_needed_is_more_where_it_is_hot():
-    assert rated_torque_needed(2.0, derating(60, limit=155, rated_at=40)) == pytest.approx(2.0 / math.sqrt(95 / 115))
-    assert rated_torque_needed(2.0, 0.0) == 0.0
 
 
 def test_thirds_are_thirds():

@@ -14,9 +14,7 @@ from engine.drivetrain import (
     Drive,
     Load,
     Motor,
-    OperatingPoints,
     Part,
-    Sizing,
     Stage,
     direction,
     loss_factor,
@@ -28,6 +26,7 @@ from engine.drivetrain.lossless import LosslessCycle, at_shaft
 from engine.drivetrain.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Motion, Phase
+from tests.engine.sizing import OperatingPoints, Sizing, effective_inertia, operating_points
 
 RADIUS = 0.134
 ROLLERS = KINDS["feed rollers"]
@@ -69,14 +68,14 @@ def sampled(phases=PHASES, n=400_000):
 
 def points_of(one, phases=PHASES, n=400_000):
     time, w, dw = sampled(phases, n)
-    return one.operating_points(w * RADIUS, dw * RADIUS, direction(w), time)
+    return operating_points(one, w * RADIUS, dw * RADIUS, direction(w), time)
 
 
 def exact_rms(one, phases=PHASES):
     """The RMS torque in closed form, for an efficiency of 1."""
     behind = one.mechanism.behind(1)
     cycle = LosslessCycle(behind.reduced, at_shaft(phases, behind.ratio))
-    return cycle.rms_torque(one.effective_inertia(1), 1.0 / one.mechanism.stages[0].ratio)
+    return cycle.rms_torque(effective_inertia(one, 1), 1.0 / one.mechanism.stages[0].ratio)
 
 
 def test_reflected_inertia_weighs_with_the_square_of_speed():
@@ -108,9 +107,9 @@ def test_torque_is_the_documents_equation_without_losses():
     d, dw = drive(), np.array([-500.0, 0.0, 300.0])
     expected = 0.0065 * 8 * dw + (67.0 + 1.164 * dw) / 8
     assert torque(d, np.array([1.0, 1.0, -1.0]), dw) == pytest.approx(expected, rel=1e-14)
-    assert d.effective_inertia(1) == pytest.approx(0.0065 * 8 + 1.164 / 8)
+    assert effective_inertia(d, 1) == pytest.approx(0.0065 * 8 + 1.164 / 8)
     assert d.inertia_ratio == pytest.approx(1.164 / 64 / 0.0065)
-    assert d.operating_points(3.0 * RADIUS, 0.0).speed == pytest.approx(24.0, rel=1e-15)
+    assert operating_points(d, 3.0 * RADIUS, 0.0).speed == pytest.approx(24.0, rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -164,7 +163,7 @@ def test_power_is_lost_never_won(w, dw, resistance, efficiency, ratio, resists):
     going, _, total, _ = at_rollers(d, w, dw)
     out = float(total) * w
     assume(total * going >= 0 or total * going < -NEAR)
-    power = float(d.operating_points(w * RADIUS, dw * RADIUS, going).power)
+    power = float(operating_points(d, w * RADIUS, dw * RADIUS, going).power)
     enters = power - MOTOR.inertia * dw / ratio * w / ratio
     room = 1e-9 * (1 + abs(enters) + abs(out) + abs(power))
     if out >= 0:

@@ -19,7 +19,8 @@ from engine.laws import (
     TrapezoidalVelocity,
 )
 from engine.laws.inverse import inverse, is_monotone
-from engine.laws.sections import breaks, integral, roots, velocity_peak
+from engine.laws.sections import breaks, roots, velocity_peak
+from tests.engine.integrals import integral
 
 MOVING = [entry.example() for entry in CATALOGUE if entry.code != "DWL"]
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))

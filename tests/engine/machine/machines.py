@@ -18,6 +18,7 @@ from engine.mechanisms.table import PositionTable
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates, joined
 from tests.engine.families import ENTRIES
+from tests.engine.sizing import phase_index
 
 TURN = 2 * pi
 SIZES = {"lead screw": (50, 200), "conveyor": (0.05, 0.3), "rack and pinion": (0.03, 0.1), "belt": (0.03, 0.1),
@@ -110,7 +111,7 @@ def operated(course, x):
     train, w = course.train, course.speed
     drive, m = train.drive, train.drive.mechanism
     y, v, a = course.motion.at_speed(x, w)
-    phase = course.motion.phase_index(x)
+    phase = phase_index(course.motion, x)
     moving = np.array([not isinstance(p.law, Dwell) and p.lift != 0 for p in course.motion.phases])[phase]
     going = np.where(moving, np.sign(v), 0.0)
     force = m.load.resisting(going) + train.viscous * v + m.on_shaft(m.last) * a

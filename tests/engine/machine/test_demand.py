@@ -9,18 +9,19 @@ import pytest
 
 from engine.choice import Task
 from engine.choice.ratios import ratio_ranges
-from engine.drivetrain import KINDS, Drive, Load, Part, Sizing, Slide, Stage, cylinder, motor_inertia, resisting
+from engine.drivetrain import KINDS, Drive, Load, Part, Slide, Stage, cylinder, motor_inertia, resisting
 from engine.flying import Cut, rotary_drum
 from engine.flying.pieces import cut_pieces
 from engine.laws import Dwell, law
-from engine.laws.sections import integral
 from engine.machine.course import Course, Told
 from engine.machine.demand import Demand
 from engine.machine.train import Train, Window
 from engine.mechanisms.registry import DIRECT
 from engine.motion import Motion, Phase
+from tests.engine.integrals import integral
 from tests.engine.machine.machines import SIZES, course_of, sampled
 from tests.engine.profiles import thirds
+from tests.engine.sizing import Sizing
 from tests.tiers import nights, seed
 
 RPM = 30 / pi

@@ -5,9 +5,10 @@ import math
 import openpyxl
 import pytest
 
-from engine.drivetrain import KINDS, Part, Sizing, Slide, Stage, cylinder
+from engine.drivetrain import KINDS, Part, Slide, Stage, cylinder
 from engine.laws import Dwell, TrapezoidalVelocity
 from engine.motion import Phase
+from tests.engine.sizing import Sizing
 from tests.workbook.cells import computed, disagreeing
 from workbook.build import inputs
 from workbook.errors import InputError

@@ -1,24 +1,107 @@
-"""A cycle of moves behind a drive: torque in each part of it, peak and RMS torque, exact and not from samples."""
+"""A cycle of moves behind a drive in closed form: what :class:`engine.machine.demand.Demand` finds, another way.
+
+Peak and RMS torque follow from the laws' own integrals, where each phase moves one way at constant ratio (S4).
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.drivetrain.chain import Mechanism
-from engine.drivetrain.drive import Drive, Holding
+from engine.drivetrain import Drive, Mechanism, Motor, direction
+from engine.drivetrain.drive import Holding
 from engine.drivetrain.losses import Method
-from engine.drivetrain.motor import Motor, OperatingPoints, Reserve, reserve
+from engine.drivetrain.motor import Reserve, reserve
 from engine.laws.base import Array
 from engine.laws.inverse import is_monotone
-from engine.laws.sections import breaks, integral, roots
+from engine.laws.sections import breaks, roots
 from engine.motion import Motion, Phase
+from tests.engine.integrals import integral
+
+
+@dataclass(frozen=True)
+class OperatingPoints:
+    """Speed (rad/s), torque (Nm) and power (W) at the motor shaft, sample by sample.
+
+    ``time`` (s) of each sample, or None for equal steps.
+    """
+
+    speed: Array
+    torque: Array
+    power: Array
+    time: Array | None = field(default=None)
+
+    @property
+    def peak_torque(self) -> float:
+        """max |C_m|"""
+        return float(np.abs(self.torque).max())
+
+    @property
+    def max_speed(self) -> float:
+        """max |ω_m|"""
+        return float(np.abs(self.speed).max())
+
+    @property
+    def rms_torque(self) -> float:
+        """sqrt(∫C_m² dt / t), by the trapezoidal rule on the samples."""
+        return math.sqrt(self._mean(self.torque**2))
+
+    @property
+    def mean_speed(self) -> float:
+        """∫|ω_m| dt / t, by the same rule."""
+        return self._mean(np.abs(self.speed))
+
+    def _mean(self, values: Array) -> float:
+        time = np.arange(len(values), dtype=np.float64) if self.time is None else self.time
+        return float(np.trapezoid(values, time)) / float(time[-1] - time[0])
+
+
+class ShaftSamples(NamedTuple):
+    """Speed (rad/s), acceleration (rad/s²) and torque (Nm) of a shaft; at a load that travels m/s, m/s² and N."""
+
+    speed: Array
+    acceleration: Array
+    torque: Array
+
+
+def shafts(drive: Drive, speed: ArrayLike, acceleration: ArrayLike, going: ArrayLike) -> list[ShaftSamples]:
+    """What each shaft does, from the motor's to the load's; the first without the motor's own inertia."""
+    m, found = drive.mechanism, enumerate(drive.torques(acceleration, going))
+    return [ShaftSamples(m.turning(k, speed), m.turning(k, acceleration), torque) for k, torque in found]
+
+
+def phase_index(motion: Motion, x: Array) -> Array:
+    """The index of the phase at x: on an edge the later one, at the end the last."""
+    found = np.searchsorted(motion.edges, x + motion.tolerance, side="right") - 1
+    return np.clip(found, 0, len(motion.phases) - 1)
+
+
+def held_torque(drive: Drive) -> float:
+    """Torque of the motor (Nm) at rest."""
+    return float(drive.torque(0.0, 0.0))
+
+
+def effective_inertia(drive: Drive, shaft: int = 0) -> float:
+    """The motor's torque per unit of a shaft's acceleration (kg m²), without losses: J_m/τ + τ J_tot."""
+    return (drive.motor_inertia + drive.mechanism.inertia()) * drive.mechanism.ratio_to(shaft)
+
+
+def operating_points(
+    drive: Drive, speed: ArrayLike, acceleration: ArrayLike, going: ArrayLike | None = None,
+    time: ArrayLike | None = None,
+) -> OperatingPoints:  # fmt: skip
+    """Speed, torque and power of the motor for speeds and accelerations of the load."""
+    v = np.asarray(speed, dtype=np.float64)
+    torque = drive.torque(acceleration, direction(v) if going is None else going)
+    at = None if time is None else np.asarray(time, dtype=np.float64)
+    w = drive.mechanism.ratio * v
+    return OperatingPoints(w, torque, torque * w, at)
 
 
 @dataclass(frozen=True)
@@ -136,7 +219,7 @@ class Sizing:
         """Return the torque in each part of a phase: at the law's extremes of acceleration, and without any."""
         move = self.moves[k]
         if move.direction == 0.0:
-            return (CyclePart(k, "dwell", self.drive.held_torque),)
+            return (CyclePart(k, "dwell", held_torque(self.drive)),)
         up, level, down = self.drive.torque(move.extremes, move.direction)
         named = (("accelerating", up), ("uniform", level), ("decelerating", down))
         return tuple(CyclePart(k, name, float(torque)) for name, torque in named)  # type: ignore[arg-type]
@@ -159,7 +242,7 @@ class Sizing:
     def _square(self, move: Move) -> float:
         """Return ∫T_m² dt of a phase."""
         if move.direction == 0.0:
-            return self.drive.held_torque**2 * move.phase.duration
+            return held_torque(self.drive) ** 2 * move.phase.duration
         lossless = self.method == "document" or all(s.efficiency == 1.0 for s in self.mechanism.stages)
         return self._square_affine(move) if lossless else self._square_by_stages(move)
 
@@ -188,13 +271,13 @@ class Sizing:
         Raises ValueError outside the cycle.
         """
         directions = np.array([move.direction for move in self.moves])
-        return np.asarray(directions[self.motion.phase_index(np.asarray(time, dtype=np.float64))])
+        return np.asarray(directions[phase_index(self.motion, np.asarray(time, dtype=np.float64))])
 
     def operating_points(self, time: ArrayLike) -> OperatingPoints:
         """Return speed, torque and power of the motor at times of the cycle (s). Raises ValueError outside it."""
         at = np.asarray(time, dtype=np.float64)
         values = self.motion.at(at)
-        return self.drive.operating_points(values.y1, values.y2, self.going(at), at)
+        return operating_points(self.drive, values.y1, values.y2, self.going(at), at)
 
     def reserve(self, motor: Motor) -> Reserve:
         """Return RMS torque, peak torque and speed against the motor's limits.
