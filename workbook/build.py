@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
 from workbook.book.declare import Book
 from workbook.book.quantity import SAYS
+from workbook.book.rows import as_rows
 from workbook.collector import collector_paused, swept_between
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
@@ -15,7 +17,6 @@ from workbook.errors import InputError
 from workbook.judging.carried import not_carried
 from workbook.judging.moved import put_back
 from workbook.judging.report import OK
-from workbook.judging.verdict import UNFINISHED
 from workbook.reading.descriptions import (
     checked,
     counted,
@@ -39,6 +40,7 @@ from workbook.writing.write import save
 
 LARGE = 10_000_000
 """bytes of a file: one below is far within the limits of reading"""
+NUMBERED = re.compile(r"\b[Aa]xis (\d+)(?=:|$)")
 READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
@@ -74,13 +76,18 @@ def require_readable(draft: Path) -> None:
 
 
 def failing(book: Book) -> list[str]:
-    """Return a line for each check of a book that does not hold: what it is about, where it fails, by how much."""
-    lines = []
+    """Return a line for each check of a book that fails, axes by their names; then one on all that depends on these."""
+    named = [(q, block.size) for block in book.blocks.values() if block.name == "axes" for q in block.quantities]
+    names = [str(name) for q, rows in named if q.name == "name" for name in as_rows(q.value, rows, q.name)]
+    lines, open_ = [], []
     for _, check in book.checks:
         said = book.blocks[f"{check.name}{SAYS}"].quantities[0].value
-        if check.value != OK:
-            lines.append(f"{check.label}: {said or UNFINISHED}")
-    return lines
+        label = NUMBERED.sub(lambda found: names[int(found[1]) - 1] if names else found[0], check.label)
+        if check.value != OK and said:
+            lines.append(f"{label}: {said}")
+        elif check.value != OK:
+            open_.append(label)
+    return [*lines, *([f"Without a result yet: {'; '.join(open_)}"] if open_ else [])]
 
 
 def described(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:

@@ -98,6 +98,23 @@ DESCRIPTIONS = {
     "infinite": ("rate = 100.0", "rate = inf", ["master.rate", "inf", "expected a number"]),
     "two axes of one name": ('name = "MC02"', 'name = "MC01"', ["axes[2].name", "'MC01'", "a name of its own"]),
     "drive of no kind": ('kind = "feed rollers"', 'kind = "feed roller"', ["axes[1].mechanism.kind", "'feed roller'"]),
+    "drive without a kind": (
+        'kind = "feed rollers"',
+        "",
+        ["axes[1].mechanism.kind", "empty; expected lead screw, conv"],
+    ),
+    "size of another kind": (
+        "roller_radius = 134.0",
+        "pulley_diameter = 134.0",
+        ["axes[1].mechanism.pulley_diameter", "unknown entry; expected one of kind, efficiency, roller_radius"],
+    ),
+    "law of a family": ('law = "MTP" },', 'law = "MSN" },', ["'MSN'; add [laws.MSN] with family = \"MSN\""]),
+    "decimal comma": (
+        "roller_radius = 134.0",
+        "roller_radius = 134,5",
+        ["134,5 has a decimal comma", "a point, 134.5"],
+    ),
+    "decimal comma in a row": ("lift = 300.0", "lift = 300,5", ["300,5 has a decimal comma; expected a point, 300.5"]),
     "six durations": (
         "[selection]",
         MTP.format([0.2, 0.2, 0.2, 0.2, 0.1, 0.1]),

@@ -20,7 +20,7 @@ from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.judging.right import Right
 from workbook.judging.verify import Report, judge
-from workbook.machines.machine.chain import LINKED
+from workbook.machines.machine.mechanism import LINKED
 from workbook.reading.descriptions import read_machine
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template

@@ -8,8 +8,8 @@ from engine.machine.grid import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
-from workbook.machines.machine.chain import BELTED, LINKED
 from workbook.machines.machine.entries import Closes
+from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
 from workbook.machines.machine.variations import drives, of_shapes
@@ -82,12 +82,13 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     often = drawn.uniform(0, 1)
     force = drawn.choice((0.0, drawn.uniform(-900, 900)))
     kind, viscous = axis["mechanism"]["kind"], axis["load"]["viscous"]
-    sized = travels and kind not in LINKED
-    axis["mechanism"] |= {
-        "size": drawn.uniform(2, 300) if sized else 1.0, "efficiency": drawn.uniform(0.3, 1),
+    sized = MECHANISMS[kind].SIZE
+    axis["mechanism"] |= ({sized: drawn.uniform(2, 300)} if sized else {}) | {
+        "efficiency": drawn.uniform(0.3, 1),
         "method": drawn.choice(("physical", "physical", "document")),
-        "belt": drawn.choice((None, drawn.uniform(0, 30))) if kind in BELTED else None,
     }  # fmt: skip
+    if kind in BELTED:
+        axis["mechanism"]["belt_mass"] = drawn.choice((None, drawn.uniform(0, 30)))
     if kind in LINKED:
         linked(axis, drawn, kind, positions)
     axis["load"] = {
@@ -143,15 +144,15 @@ def linked(axis: dict[str, Any], drawn: random.Random, kind: str, positions: int
     elif kind == "rocker":
         low, high = -0.2 * size, 0.3 * size
         axis["mechanism"] |= {
-            "lever": size, "link": drawn.uniform(1.8, 5) * size, "offset": drawn.uniform(0.6, 1.2) * size,
-            "angle": drawn.uniform(60, 120), "slide": drawn.choice((None, "ahead", "behind")),
+            "lever_length": size, "link_length": drawn.uniform(1.8, 5) * size, "offset": drawn.uniform(0.6, 1.2) * size,
+            "start_angle": drawn.uniform(60, 120), "slide": drawn.choice((None, "ahead", "behind")),
             "direction": drawn.choice((None, "forward", "backward")),
         }  # fmt: skip
     else:
         low, high = 0.0, drawn.uniform(0.2, 1.4) * size
         axis["mechanism"] |= {
-            "crank": size, "rod": drawn.uniform(2.2, 6) * size, "offset": offset,
-            "position": drawn.uniform(0.2, 0.4) * size, "zero": drawn.choice((None, "inner", "outer")),
+            "crank_radius": size, "rod_length": drawn.uniform(2.2, 6) * size, "offset": offset,
+            "start": drawn.uniform(0.2, 0.4) * size, "zero": drawn.choice((None, "inner", "outer")),
             "branch": drawn.choice((None, "ahead", "behind")),
         }  # fmt: skip
     at = 0.0

@@ -64,7 +64,7 @@ CASES = {
                               "row 2, teeth of one gear alone, of the driver: 90"),
         "half a curve": ([("selection", "motors", 0, "end_torque", 1.0)], None,
                          "row 1, half of the curve is empty: peak torque up to: empty"),
-        "several": ([("master", "rate", 0.0), (*MOVED, 1, "start", 60.0), (*FEED, "mechanism", "size", -1.0)],
+        "several": ([("master", "rate", 0.0), (*MOVED, 1, "start", 60.0), (*FEED, "mechanism", "roller_radius", -1.0)],
                     "Axis 2: no phase begins before the one above ends",
                     "MC02 row 2 begins at 60°, 30° before row 1 ends"),
     },
@@ -131,14 +131,14 @@ CASES = {
     "actuator-sizing": {
         "an efficiency above 1": ([("axes", 0, "mechanism", "efficiency", 1.2)], "Drive Slide: entries within limits",
                                   "Efficiency of the mechanism: 1.2; expected a number from 0.01 to 1"),
-        "too hot": ([("axes", 0, "motor", "temperature", 200.0)], "Drive Slide: the motor is cooler than its limit",
+        "too hot": ([("axes", 0, "motor", "temperature", 200.0)], "Drive Slide: ambient temperature below the limit",
                     "200 °C; expected less than the limit, 175 °C"),
         "neither an inertia nor a size": ([("axes", 0, "parts", 0, "length", None)], None,
                                           "row 1, neither an inertia nor a cylinder's diameter, length and "
                                           "density: inertia: empty"),
         "both of them": ([("axes", 0, "parts", 0, "inertia", 1e-5)], None,
                          "row 1, both an inertia and a cylinder: inertia: 0.00001"),
-        "no motor": ([("axes", 0, "motor", "inertia", None)], "Drive Slide: the motor is named or entered", ""),
+        "no motor": ([("axes", 0, "motor", "inertia", None)], "Drive Slide: a motor is named or entered", ""),
         "a bore too wide": ([("axes", 0, "parts", [
             {"name": "x", "count": 1.0, "diameter": 3.0, "length": 1.0, "density": 1.0, "bore": 3.0,
              "shaft": "motor"}])], None, "row 1, bore, not less than the diameter: 3"),
@@ -196,7 +196,10 @@ def test_out_in_and_through(name, case, tmp_path):
     changes, check, sentence = CASES[name][case]
     machine = described(written(changed(small(name), changes), tmp_path / "machine.toml"))
     lines = build(machine, tmp_path / "book.xlsx")
-    assert any(line.endswith(f": {sentence}") and line.startswith(check or "") for line in lines), lines
+    named = check or ""
+    for i, axis in enumerate(getattr(machine, "axes", []), 1):
+        named = named.replace(f"Axis {i}:", f"{axis.name}:").replace(f"axis {i}:", f"{axis.name}:")
+    assert any(line.endswith(f": {sentence}") and line.startswith(named) for line in lines), lines
     outcome = verify_one(Target(tmp_path / "book.xlsx", named=True), ["pycel"])
     assert (outcome.reason, outcome.report and outcome.report.findings) == ("", [])
     assert exit_code([outcome]) == FAILS

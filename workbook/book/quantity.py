@@ -9,7 +9,7 @@ from typing import Any, Literal
 from workbook.book.chart import in_scope
 from workbook.book.sentence import Said, Sentence, quoted
 
-HOLDS, FAILS = "holds", "does not hold"
+HOLDS, FAILS = "", "not met"
 SAYS, WHERE = "_says", ": where, and by how much"
 """behind the name of a check, and behind its label: the cell that says where it fails"""
 

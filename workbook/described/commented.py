@@ -1,122 +1,156 @@
-"""A description with every key and what it means, in the values of the committed example."""
+"""A description to begin with: what an example enters, then in comments what is rarely needed."""
 
 from __future__ import annotations
 
 import textwrap
+import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from workbook.described.keys import Key, Section, sections
-from workbook.described.words import remark, toml
-from workbook.entries.design import as_entered
+from workbook.described.words import default_of, toml
+from workbook.entries.rules import KIND
 from workbook.laws.entries import key_of
-from workbook.reading.descriptions import read_machine
-from workbook.selection.entries import referred
 from workbook.templates import AnyTemplate
 
-WIDTH = 110
-COUNTED = "sizes."
-"""entries that are worked out where they are left out, whatever an example came to"""
+WIDTH, COLUMN = 116, 32
+AXES = 2
+RARE = ("clearances", "switches")
+"""what the example has and a first machine does not need"""
+HEAD = "A machine to begin with: change what differs. What is rarely needed stands below, in comments."
+REST = (
+    "Rarely needed. Move a line up into its table and take the # away. A table of several kinds takes the keys of its "
+    "own kind. The parameters of the laws are explained in docs/laws.md."
+)
 
 
 def commented(template: AnyTemplate, schema: str) -> str:
     """Return a new description of a template; ``schema`` is the file that editors complete its keys from."""
-    data = referred(as_entered(read_machine(template.description)))
-    blocks = ["\n".join([f"#:schema {schema}", *remarks(HEAD)])]
-    known = sections(template)
-    for section in known:
-        if ".*." not in section.path:
-            below = [inner for inner in known if inner.path.startswith(f"{section.path}.") and ".*." in inner.path]
-            blocks += written(section, below, data)
-    return "\n\n".join(blocks) + "\n"
+    data = shortened(tomllib.loads(template.description.read_text(encoding="utf-8")))
+    file = File(sections(template))
+    first = "\n".join([f"#:schema {schema}", *remarks(HEAD)])
+    return "\n\n".join([first, *file.tables("", "", data), "\n".join(remarks(REST)), *file.rest()]) + "\n"
 
 
-HEAD = "Every key is here, with the values of an example: change what differs, and leave out what is optional."
+def shortened(data: dict[str, Any]) -> dict[str, Any]:
+    """Return a description without what is rare, and with two axes at most."""
+    return {
+        name: value[:AXES] if name == "axes" and isinstance(value, list) else value
+        for name, value in data.items()
+        if name not in RARE
+    }
 
 
-def written(section: Section, below: Sequence[Section], data: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the tables of a section: one, or each of a list, with those of its row below it."""
-    if section.path.startswith("laws."):
-        yield from of_family(section, data)
-        return
-    title = section.path.removesuffix(".*")
-    values = found(data, title.split(".") if title else [])
-    if isinstance(values, list):
-        for i, row in enumerate(values):
-            about = [] if i else remarks(section.about)
-            yield "\n".join([*about, f"[[{title}]]", *entries(section, row, not i)])
-            for inner in below:
-                part = found(row, [inner.path.removeprefix(f"{section.path}.")])
-                named = inner._replace(path=inner.path.replace(".*", ""))
-                yield one_table(named, part, not i)
+class File:
+    """A description that is being written; each key is explained where it first stands."""
+
+    def __init__(self, known: Sequence[Section]) -> None:
+        self.known = known
+        self.told: set[tuple[str, str]] = set()
+
+    def tables(self, title: str, path: str, data: Mapping[str, Any], many: bool = False) -> Iterator[str]:
+        """Yield a table, and those below it."""
+        own = [one for one in self.known if one.path == path and one.kind in ("", data.get(KIND))]
+        entries = [(key, one.kind) for one in own for key in one.keys if key.name in data]
+        lines = [f"[[{title}]]" if many else f"[{title}]"] if title else []
+        lines += [f"family = {toml(data['family'])}"] if path.startswith("laws.") and "family" in data else []
+        lines += [line for key, kind in entries for line in self.entry(key, kind, data[key.name])]
+        if own:
+            yield "\n".join(lines)
+        plain = {key.name for key, _ in entries}
+        for name, value in data.items():
+            inner, below = f"{title}.{name}".strip("."), f"{path}.{name}".strip(".")
+            if name in plain or not isinstance(value, dict | list):
+                continue
+            if isinstance(value, list):
+                for row in value:
+                    yield from self.tables(inner, f"{below}.*", row, many=True)
+            elif path == "laws":
+                yield from self.tables(f"laws.{key_of(name)}", f"laws.{value.get('family', name)}", value)
+            else:
+                yield from self.tables(inner, below, value)
+
+    def entry(self, key: Key, kind: str, value: Any) -> Iterator[str]:
+        """Yield the lines of an entry."""
+        new = (key.path, kind) not in self.told
+        self.told.add((key.path, kind))
+        if not (key.rows and value):
+            yield from line(f"{key.name} = {toml(value)}", about(key) if new else "")
+            return
+        used = [row for row in key.rows if any(row.name in one for one in value)]
+        self.told |= {(row.path, kind) for row in used}
+        if new:
+            yield from remarks(f"{key.meaning}: {', '.join(with_unit(row) for row in used)}")
+        yield f"{key.name} = ["
+        yield from (f"  {toml(row)}," for row in value)
+        yield "]"
+
+    def rest(self) -> Iterator[str]:
+        """Yield in comments the keys that have not been written yet."""
+        for one in self.known:
+            if not one.path.startswith("laws."):
+                keys = [key for key in one.keys if (key.path, one.kind) not in self.told]
+                rows = [row for key in one.keys if key not in keys for row in key.rows
+                        if (row.path, one.kind) not in self.told]  # fmt: skip
+                lines = [text for key in keys for text in spare(key)] + [
+                    text for row in rows for text in spare_row(row)
+                ]
+                if lines:
+                    title = one.path.removesuffix(".*").replace(".*", "")
+                    shown = f"[[{title}]]" if one.path.endswith(".*") else f"[{title}]"
+                    kind = [f"# kind = {toml(one.kind)}"] if one.kind else []
+                    yield "\n".join(([f"# {shown}"] if title else []) + kind + lines)
+        yield "\n".join(["# [laws]", *self.laws()])
+
+    def laws(self) -> Iterator[str]:
+        """Yield a line for each family of laws, with its parameters."""
+        for one in self.known:
+            if one.path.startswith("laws."):
+                code = one.path.rpartition(".")[2]
+                shown = {"family": code} | {key.name: example_of(key) for key in one.keys}
+                yield f"# {code} = {toml({name: value for name, value in shown.items() if value is not None})}"
+
+
+def spare(key: Key) -> Iterator[str]:
+    """Yield the lines of a key that the example does not have."""
+    default = default_of(key)
+    more = f"; else {default}" if default not in ("", "none") and not key.rows else ""
+    rows = f": {', '.join(map(with_unit, key.rows))}" if key.rows else ""
+    yield from line(f"# {key.name} = {toml(example_of(key))}", f"{about(key)}{more}{rows}")
+
+
+def spare_row(row: Key) -> Iterator[str]:
+    """Yield the line of what rows of a list may have too."""
+    yield from line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))
+
+
+def example_of(key: Key) -> Any:
+    """Return an entry of a real machine, or else what the key is by default."""
+    return key.default if key.example is None else key.example
+
+
+def about(key: Key) -> str:
+    """Return what a key means, with its unit, or the words that it takes."""
+    words = isinstance(example_of(key), str) and not (key.rows or key.expected.startswith("a text"))
+    return f"{with_unit(key, key.meaning)}{f': {key.expected}' if words else ''}"
+
+
+def with_unit(key: Key, text: str = "") -> str:
+    """Return the name of a key, or a text about it, with its unit."""
+    return f"{text or key.name}{f' [{key.unit}]' if key.unit else ''}"
+
+
+def line(text: str, remark: str) -> Iterator[str]:
+    """Yield an entry with a remark behind it, or above it if both are too long for a line."""
+    if not remark:
+        yield text
+    elif len(joined := f"{text:<{COLUMN}}  # {remark}") <= WIDTH:
+        yield joined
     else:
-        yield one_table(section, values, True)
-
-
-def of_family(section: Section, data: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the laws of a family: the basic one of its code, then those of other names, or one in comments."""
-    code = section.path.rpartition(".")[2]
-    laws = data["laws"]
-    names = [name for name, entry in laws.items() if name == code or entry.get("family") == code]
-    for i, name in enumerate(names):
-        own = [] if name == code else [f"family = {toml(code)}"]
-        about = [] if i else remarks(section.about)
-        yield "\n".join([*about, f"[laws.{key_of(name)}]", *own, *entries(section, laws[name], not i)])
-    if not names:
-        lines = [f"[{section.path}]", f"family = {toml(code)}", *entries(section, stand_ins(section), True)]
-        yield "\n".join([*remarks(section.about), *(f"# {line}" for line in lines)])
-
-
-def stand_ins(section: Section) -> dict[str, Any]:
-    """Return a table that shows how its keys are written."""
-    return {key.name: shown(key) for key in section.keys}
-
-
-def one_table(section: Section, values: Mapping[str, Any] | None, explained: bool) -> str:
-    """Return a table, in comments where the example has none."""
-    about = remarks(section.about) if section.path and explained else []
-    head = [f"[{section.path}]"] if section.path else []
-    if values is not None:
-        return "\n".join([*about, *head, *entries(section, values, explained)])
-    lines = [*head, *entries(section, stand_ins(section), True)]
-    return "\n".join([*about, *(f"# {line}" for line in lines)])
-
-
-def entries(section: Section, values: Mapping[str, Any], explained: bool) -> Iterator[str]:
-    """Yield the lines of a table: what each key means, then the key."""
-    for key in section.keys:
-        if explained:
-            yield from remarks(remark(key))
-        value = None if key.path.startswith(COUNTED) and key.default is None else values.get(key.name)
-        if key.rows and explained:
-            yield from (f"#   {line}" for row in key.rows for line in wrapped(f"{row.name}: {remark(row)}", 4))
-        if isinstance(value, list) and key.rows and value:
-            yield f"{key.name} = ["
-            yield from (f"  {toml(row)}," for row in value)
-            yield "]"
-        elif value is None:
-            yield f"# {key.name} = {toml(shown(key))}"
-        else:
-            yield f"{key.name} = {toml(value)}"
-
-
-def shown(key: Key) -> Any:
-    """Return a value that shows how a key is written which the example does not have."""
-    return next((value for value in (key.example, key.default) if value not in (None, "")), key.any)
-
-
-def found(data: Any, path: list[str]) -> Any:
-    """Return what a description has at a path; None where there is nothing."""
-    for part in path:
-        data = data.get(part) if isinstance(data, Mapping) else None
-    return data
+        yield from remarks(remark)
+        yield text
 
 
 def remarks(text: str) -> list[str]:
     """Return a text as comments."""
-    return [f"# {line}" for line in wrapped(text)]
-
-
-def wrapped(text: str, indent: int = 2) -> list[str]:
-    """Return a text in lines."""
-    return textwrap.wrap(text, WIDTH - indent, break_long_words=False, break_on_hyphens=False)
+    return [f"# {one}" for one in textwrap.wrap(text, WIDTH - 2, break_long_words=False, break_on_hyphens=False)]

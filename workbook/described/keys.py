@@ -7,18 +7,21 @@ that shows the entry, the example from the committed description. A key without 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
-from typing import Any, Literal, NamedTuple, get_args, get_origin
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from workbook.book.quantity import Quantity
-from workbook.entries.rules import expectation, is_table, unwrap, within
+from workbook.entries.rules import KIND, either, expectation, is_table, of_kinds, tables, unwrap
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import Parameter
 from workbook.laws.registry import CODES, FAMILY
 from workbook.reading.descriptions import read_machine
+from workbook.selection.entries import COMMITTED
+from workbook.template import FOLDER, has
 from workbook.templates import AnyTemplate
 
 ONE = re.compile(r"\.\d+(?=\.|$)")
@@ -43,10 +46,34 @@ WORDS = {
     "sizes.margins": "Intervals of the table of margins",
     "sizes.lengths": "Intervals of the table of product lengths",
     "axes.*.unit": "The unit of its lifts: of an axis that travels, or one that turns",
+    "axes.*.mechanism.kind": "What turns the motor's motion into the axis'",
     "selection.motors": 'The motors to choose among; "committed": those that come with motionbook',
     "selection.reducers": 'The reducers to choose among; "committed": those that come with motionbook',
 }
 """what entries mean that no cell shows; an entry of another machine says it itself, as its field's description"""
+
+
+EXAMPLES: dict[str, Any] = {
+    "number": "4711-02", "revision": "B", "author": "A. Rossi", "date": "2026-03-02", "export.axis": 1,
+    "axes.*.phases.*.velocity": 0.05, "axes.*.phases.*.acceleration": 0.2, "axes.*.rate": 150.0, "axes.*.printed": "S4",
+    "axes.*.parts.*.diameter": 80.0, "axes.*.parts.*.length": 120.0, "axes.*.parts.*.density": 7800.0,
+    "axes.*.parts.*.bore": 25.0, "axes.*.mechanism.back_efficiency": 0.85, "axes.*.mechanism.belt_mass": 2.4,
+    "axes.*.mechanism.pinion_diameter": 63.66,
+    "axes.*.mechanism.points": [{"angle": 30.0 * k, "position": y} for k, y in enumerate((0.0, 9.0, 26.0, 47.0))],
+    "axes.*.mechanism.points.*.angle": 30.0, "axes.*.mechanism.points.*.position": 9.0, "axes.*.load.viscous": 40.0,
+    "axes.*.motor.temperature": 50.0, "axes.*.reducer.peak_torque": 280.0, "axes.*.reducer.mean_torque": 140.0,
+    "axes.*.reducer.max_speed": 6000.0, "switches.*.on.*.start": 20.0, "switches.*.on.*.stop": 95.0,
+    "selection.motors": "committed", "selection.reducers": "committed", "selection.falling": True,
+    "sizes.motion_pieces": 40, "laws.SPL.first_slope": 0.5, "laws.SPL.last_slope": 0.5,
+    "selection.motors.*.full_torque_to": 3000.0, "selection.motors.*.end_torque": 6.4, "selection.motors.*.mass": 5.1,
+    "selection.motors.*.cost": 640.0, "overlap.tools.*.angle_out": 90.0,
+}  # fmt: skip
+"""entries of a real machine that no committed description has"""
+PRODUCTS = {
+    "axes.*.motor.name": "motors", "selection.motor": "motors",
+    "axes.*.reducer.name": "reducers", "selection.reducer": "reducers",
+}  # fmt: skip
+"""entries that name a product of a catalogue"""
 
 
 class Key(NamedTuple):
@@ -61,8 +88,6 @@ class Key(NamedTuple):
     example: Any = None
     rows: tuple[Key, ...] = ()
     """of a list of rows: what each of them holds"""
-    any: Any = None
-    """some value that keeps to its rules"""
 
     @property
     def name(self) -> str:
@@ -71,12 +96,13 @@ class Key(NamedTuple):
 
 
 class Section(NamedTuple):
-    """A table of a description, with its keys in their order."""
+    """A table of a description, with its keys in their order; of a table of several kinds, those of one ``kind``."""
 
     path: str
     about: str
-    model: type[BaseModel]
+    models: tuple[type[BaseModel], ...]
     keys: tuple[Key, ...]
+    kind: str = ""
 
 
 def sections(template: AnyTemplate, other: str = "") -> list[Section]:
@@ -89,8 +115,17 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
         for q in block.quantities:
             if q.role == "input":
                 cells.setdefault(ONE.sub(".*", q.key), q)
-    walk = Walk(cells, machine.model_dump())
-    return sorted(walk.sections(type(machine), "", machine.title), key=lambda s: rank(s.path))
+    walk = Walk(cells, [*examples(template, other)])
+    return sorted(walk.sections((type(machine),), "", machine.title), key=lambda s: rank(s.path))
+
+
+def examples(template: AnyTemplate, other: str) -> Iterator[dict[str, Any]]:
+    """Yield the committed descriptions of a template, those with the key of another way first or last."""
+    paths = [template.description, *sorted(FOLDER.glob("*.toml"))]
+    found = [tomllib.loads(path.read_text(encoding="utf-8")) for path in paths]
+    ways = [other] if other else [*template.others]
+    own = [data for data in found if data["template"] == template.name]
+    yield from sorted(own, key=lambda data: any(has(data, way) for way in ways) != bool(other))
 
 
 LAST = ("selection", "sizes", "laws")
@@ -104,45 +139,66 @@ def rank(path: str) -> int:
 
 
 class Walk:
-    """Goes through the models of a template; ``cells`` are its inputs by key, ``data`` is a description."""
+    """Goes through the models of a template; ``cells`` are its inputs by key, ``data`` are descriptions."""
 
-    def __init__(self, cells: Mapping[str, Quantity], data: Mapping[str, Any]) -> None:
+    def __init__(self, cells: Mapping[str, Quantity], data: Sequence[Mapping[str, Any]]) -> None:
         self._cells, self._data = cells, data
 
-    def sections(self, model: type[BaseModel], path: str, about: str) -> Iterator[Section]:
-        """Yield the section of a model, then those of the tables in it."""
-        fields = model.model_fields
-        below = [(name, table_of(field)) for name, field in fields.items()]
-        plain = tuple(self._key(join(path, name), fields[name]) for name, table in below if not isinstance(table, type))
-        yield Section(path, about, model, plain)
-        for name, table in below:
-            if isinstance(table, type) and issubclass(table, Laws):
+    def sections(self, models: tuple[type[BaseModel], ...], path: str, about: str) -> Iterator[Section]:
+        """Yield the section of a model, then those of the tables in it; of several, what is common first."""
+        known = [model.model_fields for model in models]
+        fields = {name: field for name, field in known[0].items() if all(name in own for own in known)}
+        below = [(name, tables_of(field)) for name, field in fields.items()]
+        plain = tuple(self._key(join(path, name), fields[name]) for name, found in below if not found)
+        kinds = of_kinds(models)
+        if kinds:
+            plain = (self._of_kinds(join(path, KIND), tuple(kinds)), *(key for key in plain if key.name != KIND))
+        yield Section(path, about, models, plain)
+        for kind, model in kinds.items():
+            own = [(name, field) for name, field in model.model_fields.items() if name not in fields]
+            keys = tuple(self._key(join(path, name), field, kind) for name, field in own)
+            yield Section(path, said(model), (model,), keys, kind)
+        for name, found in below:
+            if found and issubclass(found[0], Laws):
                 yield from self._laws(join(path, name))
-            elif isinstance(table, type):
-                kind, constraints = unwrap(fields[name].annotation, fields[name].metadata)
-                many = f": {expectation(kind, constraints)}" if get_origin(kind) is list else ""
-                yield from self.sections(table, join(path, name) + (".*" if many else ""), said(table) + many)
+            elif found:
+                annotated, constraints = unwrap(fields[name].annotation, fields[name].metadata)
+                many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
+                about = said(found[0].__base__ if found[1:] else found[0])
+                yield from self.sections(found, join(path, name) + (".*" if many else ""), about + many)
+
+    def _of_kinds(self, path: str, kinds: tuple[str, ...]) -> Key:
+        """Return the key that says of which kind a table is."""
+        return Key(path, WORDS[path], "", either(kinds), True, None, self._example(path))
+
+    def _example(self, path: str, kind: str = "") -> Any:
+        """Return what the first description has at a key that has it, in a table of a kind."""
+        for data in self._data:
+            if (found := example(data, path.split("."), kind)) is not None:
+                return found
+        return getattr(COMMITTED[PRODUCTS[path]]()[0], "name", None) if path in PRODUCTS else EXAMPLES.get(path)
 
     def _laws(self, path: str) -> Iterator[Section]:
         for code, model in ENTRIES.items():
-            for section in self.sections(model, join(path, code), FAMILY[code].page.title):
+            for section in self.sections((model,), join(path, code), FAMILY[code].page.title):
                 own = tuple(key for key in section.keys if key.name != "family")  # which its name says already
                 yield section._replace(keys=own)
 
-    def _key(self, path: str, field: FieldInfo) -> Key:
+    def _key(self, path: str, field: FieldInfo, of: str = "", listed_in: Any = None) -> Key:
         kind, constraints = unwrap(field.annotation, field.metadata)
         row = get_args(kind)[0] if get_origin(kind) is list else None
         table = row if isinstance(row, type) and issubclass(row, BaseModel) else None
-        rows = [self._key(join(f"{path}.*", name), one) for name, one in table.model_fields.items()] if table else []
         cell = self._cells.get(path) or self._of_law(path)
         meaning = (
             field.description or WORDS.get(path) or (cell.label if cell else said(table) if table else listed(path))
         )
         default = None if field.is_required() else field.get_default(call_default_factory=True)
+        rows = [self._key(join(f"{path}.*", name), one, of, first(default, name))
+                for name, one in (table.model_fields.items() if table else ())]  # fmt: skip
         return Key(
-            path, sentence(meaning), cell.unit if cell else "", expectation(kind, constraints),
-            field.is_required() or path == "template", default, example(self._data, path.split(".")), tuple(rows),
-            stand_in(kind, constraints),
+            path, sentence(meaning), cell.unit if cell else own_unit(field), expectation(kind, constraints),
+            field.is_required() or path == "template", default,
+            listed_in if listed_in is not None else self._example(path, of), tuple(rows),
         )  # fmt: skip
 
     def _of_law(self, path: str) -> Quantity | None:
@@ -157,11 +213,15 @@ class Walk:
         return Quantity(parameter.name, f"{parameter.label}{source}")
 
 
-def stand_in(kind: Any, constraints: list[Any]) -> Any:
-    """Return a value that keeps to its rules."""
-    if kind is float or kind is int or get_origin(kind) is Literal:
-        return kind(within(kind, constraints)) if kind is int else within(kind, constraints)
-    return [] if get_origin(kind) is list else "a text"
+def first(rows: Any, name: str) -> Any:
+    """Return an entry of the first of some rows that has it."""
+    return next((found for row in rows or [] if (found := getattr(row, name, None)) not in (None, "")), None)
+
+
+def own_unit(field: FieldInfo) -> str:
+    """Return the unit that an entry itself has, of one that no cell of the example shows."""
+    more = field.json_schema_extra
+    return str(more.get("unit", "")) if isinstance(more, dict) else ""
 
 
 def listed(path: str) -> str:
@@ -175,15 +235,10 @@ def parameters(code: str) -> tuple[Parameter, ...]:
     return tuple(FAMILY[code].page.parameters) if code in FAMILY else ()
 
 
-def table_of(field: FieldInfo) -> type[BaseModel] | None:
-    """Return the model of a table, or of a list of tables with more tables in them; None of an entry."""
+def tables_of(field: FieldInfo) -> tuple[type[BaseModel], ...]:
+    """Return the models of a table, or of a list of tables with more tables in them; none of an entry."""
     kind, _ = unwrap(field.annotation, [])
-    if isinstance(kind, type) and issubclass(kind, BaseModel):
-        return kind
-    if get_origin(kind) is list and not is_table(kind):
-        row = get_args(kind)[0]
-        return row if isinstance(row, type) and issubclass(row, BaseModel) else None
-    return None
+    return tables(get_args(kind)[0] if get_origin(kind) is list and not is_table(kind) else kind)
 
 
 def join(path: str, name: str) -> str:
@@ -201,11 +256,14 @@ def sentence(text: str) -> str:
     return text[:1].upper() + text[1:]
 
 
-def example(data: Any, path: list[str]) -> Any:
-    """Return what a description has at a key: in the first row that has it."""
+def example(data: Any, path: list[str], kind: str = "") -> Any:
+    """Return what a description has at a key: in the first row that has it, of a table of a kind if one is told."""
     if not path or data is None:
         return data
     first, *rest = path
     if first == "*":
-        return next((found for row in data if (found := example(row, rest)) is not None), None)
-    return example(data.get(first), rest) if isinstance(data, Mapping) else None
+        rows = data if isinstance(data, list) else []
+        return next((found for row in rows if (found := example(row, rest, kind)) is not None), None)
+    if not isinstance(data, Mapping) or (kind and data.get(KIND, kind) != kind):
+        return None
+    return example(data.get(first), rest, kind)

@@ -12,7 +12,7 @@ HEAD = """\
 # What a description says
 
 Made by `python -m docs.description` from the models that check a description, and from the cells that show it.
-`motionbook new TEMPLATE` writes a description with all of this in comments; `motionbook schema TEMPLATE` writes a JSON
+`motionbook new TEMPLATE` writes a description to begin with; `motionbook schema TEMPLATE` writes a JSON
 Schema from which an editor completes the keys. In a key, `*` stands for each row of a list. A key without a default
 must be there. Lengths, angles and rates are in the units named here, never in others.
 """
@@ -34,7 +34,7 @@ def page() -> str:
         found = sections(template)
         laws = laws or [section for section in found if section.path.startswith("laws.")]
         own = [section for section in found if not section.path.startswith("laws.")]
-        parts.append(f"## {name}\n\n{own[0].model.__doc__ or ''}\n")
+        parts.append(f"## {name}\n\n{own[0].models[0].__doc__ or ''}\n")
         parts += [described(section) for section in own]
         parts += [differing(key, found, sections(template, key)) for key in template.others]
     return "\n".join([*parts, LAWS, *(described(section) for section in laws)])
@@ -53,8 +53,9 @@ def differing(other: str, own: Iterable[Section], told: Iterable[Section]) -> st
 
 def described(section: Section) -> str:
     """Return the table of a section, with those of its lists."""
-    title = f"### `[{section.path}]`\n\n{section.about}.\n\n" if section.path else ""
-    return f"{title}{table(section.path, section.keys)}"
+    kind = f" with `kind = {toml(section.kind)}`" if section.kind else ""
+    title = f"### `[{section.path}]`{kind}\n\n{section.about}.\n\n" if section.path else ""
+    return f"{title}{table(section.path, section.keys)}" if section.keys else title.rstrip("\n") + "\n"
 
 
 def table(path: str, keys: Iterable[Key]) -> str:

@@ -10,6 +10,7 @@ from pydantic import BaseModel
 
 from workbook.described.keys import Key, Section, sections
 from workbook.described.words import remark
+from workbook.entries.rules import KIND
 from workbook.laws.entries import ENTRIES
 from workbook.templates import TEMPLATES, AnyTemplate
 
@@ -35,7 +36,7 @@ def one_way(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
     made = model.model_json_schema()
     made["$defs"]["Laws"] = laws(made["$defs"])
     for section in known:
-        for key, node in placed(section, made):
+        for key, node in placed(section, model, made):
             node["description"] = remark(key)
             if key.example is not None and not key.rows:
                 node["examples"] = [key.example]
@@ -59,17 +60,22 @@ def laws(defs: dict[str, Any]) -> dict[str, Any]:
     return {"type": "object", "properties": known, "additionalProperties": others}
 
 
-def placed(section: Section, made: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:
-    """Yield each key of a section with its place in a schema."""
-    for key in (*section.keys, *(row for one in section.keys for row in one.rows)):
-        node = at(made, key.path)
-        if node is not None:
-            yield key, node
+def placed(
+    section: Section, model: type[BaseModel], made: dict[str, Any]
+) -> Iterator[tuple[Key, dict[str, Any]]]:  # fmt: skip
+    """Yield each key of a section with its places in the schema of a model."""
+    begin = f"{section.path}." if section.path else ""
+    for one in section.models:
+        table = made if one is model else made["$defs"][one.__name__]
+        for key in (*section.keys, *(row for one in section.keys for row in one.rows)):
+            node = at(made, table, key.path.removeprefix(begin))
+            if node is not None and (key.name != KIND or not section.models[1:]):
+                yield key, node
 
 
-def at(made: dict[str, Any], path: str) -> dict[str, Any] | None:
-    """Return the place of a key in a schema, or None where it has none."""
-    node: dict[str, Any] | None = made
+def at(made: dict[str, Any], table: dict[str, Any], path: str) -> dict[str, Any] | None:
+    """Return the place of a key in a table of a schema, or None where it has none."""
+    node: dict[str, Any] | None = table
     for part in path.split("."):
         table = table_at(made, node)
         node = table.get("items") if part == "*" else table.get("properties", {}).get(part)

@@ -92,7 +92,7 @@ def drives(axes: Sequence[InShort]) -> list[Quantity]:
         column("rms", "RMS torque", "T_rms", "Nm", "{0}rms", lambda _, use: use.rms_torque.value),
         column("of_rated", "of the motor's rated", "", "%", "100*{0}rms/{0}motor_rated",
                lambda _, use: shown(use.rms_torque.use, PERCENT), "0", WHOLE),
-        column("speed", "speed", "n", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
+        column("speed", "speed", "n_max", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
         column("of_speed", "of the motor's largest", "", "%", "100*{0}speed/{0}motor_nmax",
                lambda _, use: shown(use.speed.use, PERCENT), "0", WHOLE),
     ]  # fmt: skip
@@ -104,9 +104,9 @@ def highest_rates(axes: Sequence[InShort]) -> list[Quantity]:
     values = [a.highest or (NO_DRIVE, NO_DRIVE, NO_DRIVE) for a in axes]
     own = [f'=IF({a.scope}own_rate="","{MACHINES}",{a.scope}own_rate)' if a.highest else f'="{NO_DRIVE}"' for a in axes]
     return [
-        result("sized", "sized at", "n", "cycles/min", own, [MACHINES if at is None else at for *_, at in values],
+        result("sized", "sized at", "N", "cycles/min", own, [MACHINES if at is None else at for *_, at in values],
                align="right"),
-        result("highest", "highest rate", "n", "cycles/min", cells[0], [rate for rate, *_ in values], format="0.0",
-               align="right", source="at which it holds all limits; about"),
+        result("highest", "highest rate", "N", "cycles/min", cells[0], [rate for rate, *_ in values], format="0.0",
+               align="right", source="within all limits; approximate"),
         result("binds", "limiting factor", "", "", cells[1], [limit for _, limit, _ in values], align="right"),
     ]  # fmt: skip

@@ -8,7 +8,7 @@ from workbook.book.declare import Quantity, constant
 
 def standstill() -> Quantity:
     """Return the speed below which a shaft counts as standing: it decides the direction where only a speed is known."""
-    return constant("@still", "Speed taken as standstill, up to", "ω_0", "rad/s",
+    return constant("@still", "Standstill: speeds up to", "ω_0", "rad/s",
                     STANDSTILL, format="0E+00", source="then nothing flows back")  # fmt: skip
 
 

@@ -39,7 +39,7 @@ def limits_table(sheet: Sheet, corners: Corners, backward: str) -> None:
         constant("up", "upper side", "", "", list(up)),
         calc("rpm", "speed", "n", "rpm",
              f"=IF([side]=1,@motor_nmax,IF({backward},0-@motor_nmax,0))", shown(corners.speed, RPM)),
-        calc("peak", "peak torque", "T_max", "Nm", "=[up]*@motor_peak", corners.peak),
+        calc("peak", "peak torque", "T_M,max", "Nm", "=[up]*@motor_peak", corners.peak),
         calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
     )  # fmt: skip
 
@@ -55,7 +55,7 @@ def falling_table(sheet: Sheet, corners: Corners, backward: str) -> None:
         constant("up", "upper side", "", "", list(up)),
         calc("rpm", "speed", "n", "rpm",
              f"=IF([side]=1,1,IF({backward},0-1,0))*IF([outer]=1,@motor_nmax,{begins})", shown(corners.speed, RPM)),
-        calc("peak", "peak torque", "T_max", "Nm", f"=[up]*(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))",
+        calc("peak", "peak torque", "T_M,max", "Nm", f"=[up]*(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))",
              corners.peak),
         calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
     )  # fmt: skip

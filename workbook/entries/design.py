@@ -84,7 +84,7 @@ def attempted(model: type[M], check: Callable[[M], None], data: dict[str, Any]) 
 
 def numeric(fault: Any, model: type[BaseModel]) -> bool:
     """Whether a fault of pydantic's is one of numbers: beyond bounds, not there, or not going together."""
-    key, rule = keys_of(fault["loc"])
+    key, rule = keys_of(model, fault["loc"])
     if isinstance(fault.get("ctx", {}).get("error"), TogetherError):
         return True
     if key.startswith("sizes") or fault["type"] == "extra_forbidden":
@@ -109,7 +109,7 @@ def finite(value: float) -> bool:
 
 def numbers_of(fault: Any, model: type[BaseModel]) -> Iterator[Fault]:
     """Yield the faults of a design that one of pydantic's tells."""
-    key, rule = keys_of(fault["loc"])
+    key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, TogetherError):
         for error in cause.found:
@@ -138,11 +138,15 @@ def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: d
     return refilled(at(tried, path), found)
 
 
-def keys_of(loc: tuple[int | str, ...]) -> tuple[str, str]:
-    """Return the key of a fault of pydantic's, and of the rule for it: a law's entries have those of its family."""
+def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, str]:
+    """Return the key of a fault of pydantic's, and of the rule for it: a law's entries have those of its family.
+
+    A table of different kinds has its kind in the rule, and not in the key.
+    """
     given = [*map(str, loc)]
     if len(given) < 3 or given[0] != "laws":
-        return ".".join(given), ".".join(given)
+        own = [part for i, part in enumerate(given) if part not in rules.kinds_at(model, given[:i])]
+        return ".".join(own), ".".join(given)
     _, name, family, *rest = given
     return joined(["laws", name, *rest]), ".".join(["laws", family, *rest])
 
@@ -173,6 +177,8 @@ def refilled(held: Any, example: Any) -> Any:
     """Return an example's numbers at the places of what is held, whose texts and length stay."""
     if isinstance(example, dict):
         known = held if isinstance(held, dict) else {}
+        if known.get(rules.KIND) != example.get(rules.KIND) and rules.KIND in known:
+            return deepcopy(held)  # what an example of another kind has does not fit
         return {key: refilled(known.get(key, NONE), value) for key, value in example.items() if value is not None}
     if isinstance(example, list) and example and isinstance(held, list) and held:
         return [refilled(one, example[min(i, len(example) - 1)]) for i, one in enumerate(held)]

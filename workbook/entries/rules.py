@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import astuple
 from functools import cache
 from typing import Any, Literal, Union, get_args, get_origin
@@ -19,9 +19,15 @@ from workbook.entries.types import LARGEST, SMALLEST, CountsAs, EmptyCell
 from workbook.laws.entries import TakesLaw
 from workbook.laws.registry import RISING
 
+KIND = "kind"
+"""the entry that says which kind a table is of"""
+
 
 def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
-    """Return the bare type and the constraints of the entry at ``key``; raise KeyError where there is none."""
+    """Return the bare type and the constraints of the entry at ``key``; raise KeyError where there is none.
+
+    The type of a table of several kinds is the tuple of their models; ``key`` may name the kind behind the table.
+    """
     kind: Any = model
     constraints: list[Any] = []
     for part in filter(None, key.split(".")):
@@ -29,9 +35,41 @@ def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
             kind, constraints = kind.entry_at(part), []
         elif part == "*" or part.isdigit():
             kind, constraints = unwrap(get_args(kind)[0], [])
+        elif part in kinds(kind):
+            kind, constraints = kinds(kind)[part], []
         else:
-            kind, constraints = unwrap(kind.model_fields[part].annotation, kind.model_fields[part].metadata)
+            field = fields(kind)[part]
+            kind, constraints = unwrap(field.annotation, field.metadata)
     return kind, constraints
+
+
+def tables(kind: Any) -> tuple[type[BaseModel], ...]:
+    """Return the models that a table may be of: one, several of a table of different kinds, none of an entry."""
+    found = kind if isinstance(kind, tuple) else (kind,)
+    return found if all(isinstance(one, type) and issubclass(one, BaseModel) for one in found) else ()
+
+
+def kinds(kind: Any) -> dict[str, type[BaseModel]]:
+    """Return the models of a table of different kinds by what the entry ``kind`` says; none of any other."""
+    return of_kinds(tables(kind))
+
+
+def of_kinds(models: tuple[type[BaseModel], ...]) -> dict[str, type[BaseModel]]:
+    """Return several models by what the entry ``kind`` says; nothing of a single one."""
+    return {get_args(one.model_fields[KIND].annotation)[0]: one for one in models} if len(models) > 1 else {}
+
+
+def kinds_at(model: type[BaseModel], path: Sequence[str]) -> dict[str, type[BaseModel]]:
+    """Return the models of a table of different kinds at a path of entries; none of any other."""
+    try:
+        return kinds(field_at(model, ".".join(path))[0])
+    except (KeyError, IndexError, AttributeError):
+        return {}
+
+
+def fields(kind: Any) -> dict[str, FieldInfo]:
+    """Return the entries of a table, of whatever kind it is."""
+    return {name: field for one in reversed(tables(kind)) for name, field in one.model_fields.items()}
 
 
 def unwrap(annotation: Any, constraints: list[Any]) -> tuple[Any, list[Any]]:
@@ -42,7 +80,9 @@ def unwrap(annotation: Any, constraints: list[Any]) -> tuple[Any, list[Any]]:
             found += note.metadata if isinstance(note, FieldInfo) else [note]
         return unwrap(get_args(annotation)[0], found)
     if get_origin(annotation) in (Union, types.UnionType):
-        return unwrap(next(a for a in get_args(annotation) if a is not type(None)), found)
+        several = [a for a in get_args(annotation) if a is not type(None)]
+        models = tables(tuple(several))
+        return (models, found) if len(models) > 1 else unwrap(several[0], found)
     return annotation, found
 
 
@@ -96,7 +136,7 @@ def is_required(model: type[BaseModel], key: str) -> bool:
     if last == "*" or last.isdigit():
         return True
     kind, _ = field_at(model, above)
-    field = kind.model_fields.get(last)
+    field = fields(kind).get(last)
     return field is None or bool(field.is_required())
 
 
@@ -120,7 +160,7 @@ def default_at(model: type[BaseModel], key: str) -> Any:
     if last.isdigit():
         return None
     kind, _ = field_at(model, above)
-    field = getattr(kind, "model_fields", {}).get(last)
+    field = fields(kind).get(last)
     return None if field is None or field.is_required() else field.get_default(call_default_factory=True)
 
 
@@ -195,8 +235,9 @@ def number_rule(constraints: list[Any]) -> DataValidation:
 def expectation(kind: Any, constraints: list[Any]) -> str:
     """Return in words what an entry of a type and its constraints must be."""
     if get_origin(kind) is Literal:
-        *others, last = map(str, get_args(kind))
-        return f"{', '.join(others)} or {last}" if others else last
+        return either(get_args(kind))
+    if kind is bool:
+        return "true or false"
     if kind is str:
         return f"a text of 1 to {longest(constraints)} characters that does not begin with ="
     if get_origin(kind) is list:
@@ -205,7 +246,9 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
         if most is not None:
             return f"{least} entries" if least == most else f"a list of {least} to {most} entries"
         return f"a list of at least {least} entries" if least else "a list"
-    if isinstance(kind, type) and issubclass(kind, BaseModel):
+    if kinds(kind):
+        return f"the entries of a {either(kinds(kind))}"
+    if tables(kind):
         return f"the entries {listed(kind)}"
     bounds = [BOUNDS[type(c)].format(astuple(c)[0]) for c in known(constraints)]
     low, high = ([c for c in known(constraints) if isinstance(c, kinds)] for kinds in (Gt | Ge, Lt | Le))
@@ -214,10 +257,16 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
     return " ".join(["a whole number" if kind is int else "a number", " and ".join(bounds)]).strip()
 
 
-def listed(model: type[BaseModel]) -> str:
-    """Return the entries of a model in words, those that may be left out last."""
-    required = [name for name, field in model.model_fields.items() if field.is_required()]
-    optional = [name for name in model.model_fields if name not in required]
+def either(choices: Iterable[Any]) -> str:
+    """Return choices in words."""
+    *others, last = map(str, choices)
+    return f"{', '.join(others)} or {last}" if others else last
+
+
+def listed(kind: Any) -> str:
+    """Return the entries of a table in words, those that may be left out last."""
+    required = [name for name, field in fields(kind).items() if field.is_required()]
+    optional = [name for name in fields(kind) if name not in required]
     if not required:
         return f"{', '.join(optional)} (all optional)"
     return "; optional: ".join(filter(None, (", ".join(required), ", ".join(optional))))

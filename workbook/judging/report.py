@@ -150,10 +150,8 @@ class Report:
 
     @property
     def own_words(self) -> str:
-        """How many cells of the engineer's own were not evaluated; nothing where there are none."""
-        if not self.own:
-            return ""
-        return f"{self.not_evaluated:,} of {len(self.own):,} formula cells of your own were not evaluated"
+        """How many formulas are the engineer's own; nothing where there are none."""
+        return f"{len(self.own):,} formulas of your own, not checked" if self.own else ""
 
     @property
     def witness(self) -> str:

@@ -242,5 +242,9 @@ def resolve(entries: Model, laws: Laws) -> None:
         if name is None or (one.moves and name == "DWL"):
             known = [known for known in laws.names if not one.moves or known != "DWL"]
             said = "a dwell does not move" if name else f"no law is named {found(one.name)}"
-            raise EntryError(one.key, f"{said}; expected {nearest(one.name, known)}")
+            code = one.name.strip().upper()
+            more = (
+                f'add [laws.{code}] with family = "{code}", or take ' if code in ENTRIES and not name else "expected "
+            )
+            raise EntryError(one.key, f"{said}; {more}{nearest(one.name, known)}")
         object.__setattr__(one.entries, one.field, name)  # entries are frozen once they are whole

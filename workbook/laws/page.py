@@ -85,7 +85,7 @@ def name_of(one: NamedLaw) -> tuple[Quantity, Quantity]:
         given("@called", "Name of the law", "", "",
               one.name, f"{one.key}.called", align="center", source="by which a phase takes it"),
         constant("@built", "Named when the book was built", "", "",
-                 one.called, align="center", source="its sheet and its checks keep this name"),
+                 one.called, align="center", source="the sheet and its checks keep this name"),
     )  # fmt: skip
 
 

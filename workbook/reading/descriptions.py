@@ -23,6 +23,8 @@ from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import LONGEST, found
 
+LINE = re.compile(r"at line (\d+)")
+COMMA = re.compile(r"=\s*([-+]?\d+,\d+)(?![\w.])")
 Where = Callable[[str], str]
 DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
 
@@ -51,8 +53,18 @@ def parsed(text: str, path: Path) -> dict[str, Any]:
     except RecursionError as error:
         raise ReadError(f"{path}: not valid TOML for a description: values are nested too deep") from error
     except ValueError as error:  # one of TOML's, or a whole number of too many digits
-        said = str(error).partition(";")[0]
+        said = decimal_comma(text, error) or str(error).partition(";")[0]
         raise ReadError(f"{path}: not valid TOML: {said}") from error
+
+
+def decimal_comma(text: str, error: ValueError) -> str:
+    """Return what is wrong with the line of an error of TOML's where a number has a comma; nothing where none has."""
+    place = LINE.search(str(error))
+    lines = text.splitlines()[int(place[1]) - 1 :] if place else []
+    number = COMMA.search(lines[0].partition("#")[0]) if lines else None
+    if place is None or number is None:
+        return ""
+    return f"line {place[1]}: {number[1]} has a decimal comma; expected a point, {number[1].replace(',', '.')}"
 
 
 def counted(key: str) -> str:
@@ -96,10 +108,14 @@ def require_possible(template: Template[M], machine: M, where: Where) -> None:
 
 def told(fault: Any, model: type[BaseModel], where: Where) -> str:
     """Return one line: where, what was found, what is expected."""
-    key, rule = keys_of(fault["loc"])
+    key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, EntryError):
         return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
+    if fault["type"].startswith("union_tag"):
+        said = found(fault["input"].get(rules.KIND)) if fault["type"] == "union_tag_invalid" else ""
+        expected = rules.either(rules.kinds_at(model, rule.split(".")))
+        return f"{where(f'{key}.{rules.KIND}')}: {f'found {said}' if said else 'empty'}; expected {expected}"
     if fault["type"] == "extra_forbidden":
         above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
         kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")

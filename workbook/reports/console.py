@@ -89,7 +89,7 @@ def show_report(report: Report, console: Console, everything: bool = False) -> N
         lines.append(report.following_words)
     if report.own:
         first = ", ".join(report.own[:8]) + (" …" if len(report.own) > 8 else "")
-        lines.append(f"{report.own_words}, as they belong to nothing generated ({first})")
+        lines.append(f"{report.own_words} ({first})")
     lines += verdict(report)
     for line in lines:
         console.print(shown(line))

@@ -241,7 +241,7 @@ def remarks(report: Report) -> list[Element]:
     if report.own:
         said += [
             e("h3", f"Cells of your own ({len(report.own):,})"),
-            e("p", f"{report.own_words}, as they belong to nothing generated; the engine has no value for them."),
+            e("p", f"{report.own_words}: the engine has no value for them."),
             e("p", ", ".join(report.own), css="cell"),
         ]
     return said

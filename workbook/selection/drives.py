@@ -67,7 +67,7 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         constant("k", "number", "", "", rows),
         *named(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
         *named(view, "al", "acceleration", "α", "rad/s²", load.acceleration, scale=shaft.turning),
-        *named(view, "S", "torque behind the reducer", "S", "Nm", view.load.load.behind, scale=behind),
+        *named(view, "S", "output torque of the reducer", "S", "Nm", view.load.load.behind, scale=behind),
         *named(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,
                scale=max(float(shown(load.speed.max(), RPM)), 1e-3)),
         calc("driving", "where it drives the load", "", "Nm",

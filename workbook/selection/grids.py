@@ -105,7 +105,7 @@ def products(sheet: Sheet, view: Choosing) -> None:
     """Declare what the catalogue says of motors and reducers, what each makes of the axis, and what pairs sort by."""
     sheet.heading("Workings: motors, reducers, and what pairs are sorted by")
     names = ",".join(f'(@rank="{one}")*{n}' for n, one in enumerate(RANKS, 1))
-    sheet.rows(calc("@rank_no", "Number of what they are ranked by", "", "", f"=MAX({names})", view.rank, format="0"))
+    sheet.rows(calc("@rank_no", "Number of the criterion", "", "", f"=MAX({names})", view.rank, format="0"))
     sheet.row += 1
     motors(sheet, view)
     reducers(sheet, view)
@@ -185,7 +185,7 @@ def motors(sheet: Sheet, view: Choosing) -> None:
         *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){made.get(name, '')},0)",
                known[name][2])
           for name, label, unit, column in MOTOR_COLUMNS),
-        calc("knee", "peak torque holds to", "", "rpm",
+        calc("knee", "peak torque up to", "", "rpm",
              "=IF([on]=1,IF(COUNT(INDEX([motors.knee],[k]))=1,INDEX([motors.knee],[k]),[nmax]),0)",
              filled(shown(m.knee, RPM), n)),
         calc("fall", "fall beyond", "", "Nm/rpm",

@@ -23,7 +23,7 @@ ABOUT = (
 
 def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Quantity] = ()) -> Sheet:
     """Declare the sheet; ``axis`` is the entry that names one of several shafts, ``more`` are entries of the book."""
-    sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: what can do its cycle, best first.")
+    sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
     with sheet.scoped("sel_"):
         entries(sheet, view, [*named(axis), *more])
         asked(sheet, view)
@@ -80,7 +80,7 @@ def asked(sheet: Sheet, view: Choosing) -> None:
         calc("@wrms", "RMS acceleration", "α_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
         calc("@trms", "RMS torque", "S_rms", "Nm", "=SQRT(@square+@square_back)", load.torque_rms, scale=scale),
         calc("@wmax", "Largest speed", "ω", "rad/s", "=@speed+0", load.max_speed),
-        calc("@tmax", "Torque that the reducer must hold", "f S_max", "Nm", "=@factor*@smax", view.grid.behind,
+        calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@factor*@smax", view.grid.behind,
              scale=scale),
         result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
                view.grid.load_factor, scale=view.beta_scale, source="2 (α_rms S_rms + mean α S); S5, eq. (15)"),
@@ -100,14 +100,14 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
                view.motors.names[pair[0]] if pair else "none", align="left"),
         result("@reducer", "Proposed reducer", "", "", f'=IF({there},"none",{first.format("reducer")})',
                view.reducers.names[pair[1]] if pair else "none", align="left"),
-        result("@usable", "Pairs that can do it", "", "", f'=COUNTIF({whole(view, "word")},"yes")', usable, format="0"),
+        result("@usable", "Usable pairs", "", "", f'=COUNTIF({whole(view, "word")},"yes")', usable, format="0"),
         calc("@count", "… of these, ranked", "", "", f"=COUNT({whole(view, 'key')})", len(view.ranked), format="0",
              source="those that have the mass or cost they are ranked by"),
     )  # fmt: skip
     sheet.checks(
         *([check("@ok_axis", "Selection: its axis has a drive", known(view), True, rule=":chosen",
                  says=f'"{UNCHOSEN}"&@axis')] if axis else []),
-        check("@ok", "Selection: a motor and a reducer can do it", "SUM([@best.holds])>0", pair is not None,
+        check("@ok", "Selection: a motor and a reducer fit", "SUM([@best.holds])>0", pair is not None,
               says=Said("@message", message(view)))
     )  # fmt: skip
     sheet.heading("The pair that the drive has")
@@ -129,7 +129,7 @@ def own_pair(view: Choosing) -> list[Quantity]:
                source="T_N / T_rms"),
         result("@own_peak", "Peak torque of the motor", "T_max", "Nm", "=@held_top+0", own.peak, scale=torque,
                source="that of the drive's sheet"),
-        result("@own_speed", "Largest speed of the motor", "n", "rpm", "=@speed*@held_i*30/PI()", own.speed),
+        result("@own_speed", "Largest speed of the motor", "n_max", "rpm", "=@speed*@held_i*30/PI()", own.speed),
         result("@own_inertias", "Inertia ratio", "", "",
                "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),
         result("@own_spare", "Least reserve below the motor's curve", "", "Nm", "=@held_spare+0", own.spare,

@@ -147,7 +147,7 @@ def test_own_cells_in_the_committed_books(name, tmp_path):
     silent(book.path, book.count, present("pycel", "formualizer", "ironcalc", "formulon", "libreoffice"))
 
 
-def test_one_line_says_how_many_were_not_evaluated(filled, capsys):
+def test_one_line_says_how_many_are_not_checked(filled, capsys):
     from rich.console import Console
 
     from workbook.reports.console import show_report
@@ -158,7 +158,7 @@ def test_one_line_says_how_many_were_not_evaluated(filled, capsys):
     assert (data["own_cells"]["formulas"], data["own_cells"]["not_evaluated"]) == (book.count, book.count)
     show_report(report, Console(width=500))
     (line,) = [text for text in capsys.readouterr().out.splitlines() if "not evaluated" in text]
-    assert line.startswith(f"{book.count:,} of {book.count:,} formula cells of your own were not evaluated")
+    assert line.startswith(f"{book.count:,} formulas of your own, not checked")
     outcome = Outcome(book.path, "agrees", report)
     when = datetime(2026, 1, 1, tzinfo=UTC)
     assert report.own_words in page([outcome], when)

@@ -118,7 +118,7 @@ def test_axes_are_told_apart_whatever_the_case_of_their_names():
 def driven(*phases, lead=10.0, **entries):
     """An axis on a screw without losses."""
     return axis(1, *phases) | {
-        "mechanism": {"kind": "lead screw", "size": lead, "efficiency": 1.0},
+        "mechanism": {"kind": "lead screw", "lead": lead, "efficiency": 1.0},
         "load": {"mass": 20.0},
         "motor": {"inertia": 10.0, "rated_torque": 60.0, "peak_torque": 450.0, "max_speed": 13000.0},
     } | entries  # fmt: skip
@@ -180,7 +180,7 @@ def test_a_drive_takes_a_law_that_turns_back(law, tmp_path):
 @pytest.mark.parametrize(
     ("entries", "said"),
     [
-        ({"motor": None}, "a drive has a mechanism and a motor"),
+        ({"mechanism": None}, "expected the mechanism that the motor drives"),
         ({"unit": "°"}, "a lead screw does not move an axis in °"),
         ({"load": {"inertia": 10000.0}}, "no entry of an axis in mm"),
     ],

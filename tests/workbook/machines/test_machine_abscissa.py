@@ -21,7 +21,7 @@ from workbook.writing.same import same_book
 LINE = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
 TO_AND_FRO = (("CIC", 20.0, 30.0), ("DWL", 0.0, 10.0), ("CIC", -20.0, 60.0))
 DRIVE = {
-    "mechanism": {"kind": "lead screw", "size": 20.0, "efficiency": 0.8},
+    "mechanism": {"kind": "lead screw", "lead": 20.0, "efficiency": 0.8},
     "load": {"mass": 30.0},
     "motor": {"inertia": 10.0, "rated_torque": 500.0, "peak_torque": 1500.0, "max_speed": 30000.0},
 }

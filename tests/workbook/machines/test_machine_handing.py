@@ -19,7 +19,7 @@ MACHINE = TEMPLATES["machine"]
 NAMED = ("LIN", "PO5", "PO7", "MSN", "SCV")
 SMALL = {"cycle": 36, "law": 4, "own_law": 4, "phases": 6}
 DRIVE = {
-    "mechanism": {"kind": "lead screw", "size": 20.0, "efficiency": 0.8},
+    "mechanism": {"kind": "lead screw", "lead": 20.0, "efficiency": 0.8},
     "load": {"mass": 30.0, "friction": 0.05, "force": 40.0},
     "motor": {"inertia": 10.0, "rated_torque": 5.0, "peak_torque": 15.0, "max_speed": 3000.0},
     "reducer": {"ratio": 2.0, "efficiency": 0.9},

@@ -6,10 +6,25 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from workbook.errors import InputError
 from workbook.reading.descriptions import checked
 
-CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank": 50.0, "rod": 200.0, "offset": 10.0, "position": 15.0}
-ROCKER = {"kind": "rocker", "efficiency": 1.0, "lever": 90.0, "link": 240.0, "offset": 95.0, "angle": 80.0}
+CRANK = {
+    "kind": "crank-slider",
+    "efficiency": 1.0,
+    "crank_radius": 50.0,
+    "rod_length": 200.0,
+    "offset": 10.0,
+    "start": 15.0,
+}
+ROCKER = {
+    "kind": "rocker",
+    "efficiency": 1.0,
+    "lever_length": 90.0,
+    "link_length": 240.0,
+    "offset": 95.0,
+    "start_angle": 80.0,
+}
 POINTS = [{"angle": 30.0 * k, "position": 13.0 * k + 0.2 * k * k} for k in range(6)]
 TABLE = {"kind": "table", "efficiency": 1.0, "points": POINTS}
 RISE = ((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP"))
@@ -106,10 +121,10 @@ def test_a_rocker_out_of_reach_fails_by_row_and_amount():
 @pytest.mark.parametrize(
     ("changed", "check", "said"),
     [
-        ({"position": 0.0}, "reach", "A1 row 1 reaches 0 mm, 0 mm beyond the inner dead centre"),
-        ({"position": 45.0}, "reach", "A1 row 1 reaches 60 mm, 4.866 mm beyond the outer dead centre"),
-        ({"rod": 40.0}, "linked", "the rod is not longer than crank and offset: the crank cannot turn round"),
-        ({"rod": None}, "sized", "a size of the mechanism is empty"),
+        ({"start": 0.0}, "reach", "A1 row 1 reaches 0 mm, 0 mm beyond the inner dead centre"),
+        ({"start": 45.0}, "reach", "A1 row 1 reaches 60 mm, 4.866 mm beyond the outer dead centre"),
+        ({"rod_length": 40.0}, "linked", "the rod is not longer than crank and offset: the crank cannot turn round"),
+        ({"rod_length": None}, "sized", "a size of the mechanism is empty"),
     ],
 )
 def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, said):
@@ -128,5 +143,9 @@ def test_an_axis_that_does_not_come_back_fails():
 
 
 def test_entries_of_another_mechanism_are_refused():
-    with pytest.raises(ValueError, match="a lead screw has no crank"):
-        small(linked(mechanism={"kind": "lead screw", "size": 10.0, "efficiency": 1.0, "crank": 5.0}))
+    data = small(linked(mechanism={"kind": "lead screw", "lead": 10.0, "efficiency": 1.0})).model_dump()
+    data["axes"][0]["mechanism"]["crank_radius"] = 5.0
+    with pytest.raises(InputError) as refused:
+        checked(TEMPLATE, data, str)
+    (line,) = refused.value.lines
+    assert line.startswith("axes.0.mechanism.crank_radius: unknown entry; expected one of kind, efficiency, lead; ")

@@ -7,6 +7,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import small
 from workbook.build import build, failing
 from workbook.judging.verify import verify
+from workbook.machines.machine.chain import UNTOLD
 from workbook.reading.descriptions import checked
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 
@@ -53,6 +54,15 @@ def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design(tmp_path):
     assert [fault.key for fault in machine.design.faults] == ["axes.0.motor.peak_torque"]
     build(machine, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
+
+
+def test_selection_finds_a_motor_for_a_drive_that_has_none_yet():
+    data = small([driven(*PHASES)]).model_dump() | {"selection": {"axis": "A1"}}
+    del data["axes"][0]["motor"]
+    said = failing(TEMPLATE.declare(checked(TEMPLATE, data, str)))
+    assert said[0] == "Drive A1: a motor is named or entered: " + UNTOLD
+    assert said[1].startswith("Without a result yet: Drive A1: RMS torque within")
+    assert not any("Selection" in line for line in said)
 
 
 @pytest.mark.parametrize(("limit", "value"), [("peak_torque", "drive1_smax"), ("max_speed", "drive1_speed")])

@@ -110,11 +110,13 @@ def drawn(seed):
         return dice.choice((0.0, dice.uniform(low, high)))
 
     load = {"mass": some(1, 60), "friction": some(0, 0.5), "slope": some(-60, 60), "force": some(-300, 300)}
-    kind = dice.choice(("lead screw", "rack and pinion", "belt"))
+    kind, size = dice.choice(
+        (("lead screw", "lead"), ("rack and pinion", "pinion_diameter"), ("belt", "pulley_diameter"))
+    )
     motor = DRIVE["motor"] | {"inertia": some(0, 20), "holding": dice.choice(("motor", "brake"))}
     return machine(axis(
         "A", *(phases or SEPTIC), shift=dice.choice((0.0, 77.0)), smoothness="velocity",
-        mechanism={"kind": kind, "size": dice.uniform(10, 80), "efficiency": dice.uniform(0.4, 1)}, motor=motor,
+        mechanism={"kind": kind, size: dice.uniform(10, 80), "efficiency": dice.uniform(0.4, 1)}, motor=motor,
         load=load | {"windows": WINDOWS[: dice.randint(0, 2)]},
         reducer={"ratio": dice.uniform(1, 5), "efficiency": dice.uniform(0.5, 1), "mean_torque": 30.0},
     ))  # fmt: skip

@@ -163,7 +163,7 @@ def test_a_motor_too_hot_is_built_and_fails():
     assert [fault.said for fault in hot.design.faults] == ["200 °C; expected less than the limit, 175 °C"]
     book = TEMPLATE.declare(hot)
     assert [q.label for _, q in book.checks if q.value == "FAIL" and not q.name.startswith("bus_")] == [
-        "Drive Slide: the motor is cooler than its limit"
+        "Drive Slide: ambient temperature below the limit"
     ]
 
 

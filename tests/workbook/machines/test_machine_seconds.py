@@ -26,7 +26,7 @@ OUT, BACK = {"start": 0.05, "stop": 0.095, "lift": 20.0, "law": "MTP"}, {
     "start": 0.2, "stop": 0.29, "lift": -20.0, "law": "CIC"
 }  # fmt: skip
 DRIVE = {
-    "mechanism": {"kind": "lead screw", "size": 20.0, "efficiency": 0.8},
+    "mechanism": {"kind": "lead screw", "lead": 20.0, "efficiency": 0.8},
     "load": {"mass": 30.0, "friction": 0.05, "windows": [{"start": 0.28, "stop": 0.07, "force": 40.0}]},
     "motor": {"inertia": 10.0, "rated_torque": 500.0, "peak_torque": 1500.0, "max_speed": 30000.0},
 }

@@ -35,7 +35,7 @@ def machine(rate=60.0, axes=None, **selection):
     """Two drives with losses, process forces and parts, and a small catalogue with curves."""
     first = driven(*RISE, load=LOAD, reducer={"ratio": 3.0, "efficiency": 0.8}, parts=PARTS)
     second = driven(*OTHER, load=LOAD, parts=PARTS, motor={"name": "M4"}, reducer={"name": "R2"}) | {"name": "B2"}
-    second["mechanism"] = second["mechanism"] | {"size": 20.0, "efficiency": 0.7}
+    second["mechanism"] = second["mechanism"] | {"lead": 20.0, "efficiency": 0.7}
     data = small([driven(*RISE)]).model_dump() | {"axes": axes or [first, second]}
     data["sizes"] |= {"motors": 6, "reducers": 5}
     data["master"]["rate"] = rate

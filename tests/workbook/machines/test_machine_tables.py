@@ -45,7 +45,7 @@ def test_an_axis_that_turns_agrees_too_at_a_table_of_which_points_are_left_empty
 def test_a_straight_table_is_a_pinion():
     """r = 20 mm: 20 mm a rad, by points of any distance; the pinion's drive goes by closed forms, not by nodes."""
     points = [(angle, angle * 0.017453292519943295 * 20.0) for angle in (-10.0, 25.0, 31.0, 90.0)]
-    pinion = {"kind": "rack and pinion", "size": 40.0, "efficiency": 0.85}
+    pinion = {"kind": "rack and pinion", "pinion_diameter": 40.0, "efficiency": 0.85}
     one, other = (computed(TEMPLATE, driven(mechanism)) for mechanism in (table(*points, efficiency=0.85), pinion))
     for name in FIGURES:
         if name != "ok_peak":

@@ -19,7 +19,7 @@ from workbook.machines.machine.timed import told_in_seconds
 from workbook.reading.descriptions import checked
 from workbook.writing.same import same_book
 
-SCREW = {"kind": "lead screw", "size": 10.0, "efficiency": 1.0}
+SCREW = {"kind": "lead screw", "lead": 10.0, "efficiency": 1.0}
 TURNING = {"kind": "rotary table", "efficiency": 0.8}
 TURNS = 2 * math.pi / 0.01  # of the screw, rad/m
 RISE = ((30, 90, 20.0, "CIC"), (180, 300, -20.0, "CIC"))

@@ -111,7 +111,9 @@ def drive(dice, seed):
     window = {"start": 0.0, "stop": dice.choice((360.0, dice.uniform(10, 350))), "force": 300.0, "resists": resists}
     return {
         "unit": "mm", "rate": dice.choice((None, dice.uniform(5, 300))), "parts": parts,
-        "mechanism": {"kind": "feed rollers", "size": dice.uniform(20, 500), "efficiency": dice.uniform(0.5, 1)},
+        "mechanism": {
+            "kind": "feed rollers", "roller_radius": dice.uniform(20, 500), "efficiency": dice.uniform(0.5, 1),
+        },
         "load": {"force": dice.choice((0.0, dice.uniform(-900, 900))), "windows": [window]},
         "motor": {
             "inertia": dice.choice((0.0, dice.uniform(1e-4, 0.1))), "rated_torque": dice.uniform(1, 500),

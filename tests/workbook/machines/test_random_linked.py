@@ -19,7 +19,7 @@ from tests.workbook.machines.test_random_machines import SAME, G, valid, window
 KINDS = {"crank-slider": CRANK, "rocker": ROCKER, "table": TABLE}
 TIE = "about_binds"
 """which of three equal drives binds hangs on rounding"""
-LENGTHS = ("crank", "rod", "position", "lever", "link", "offset")
+LENGTHS = {"crank_radius", "rod_length", "start", "lever_length", "link_length", "offset"}
 OTHER = {"inner": "outer", "outer": "inner", "ahead": "behind", "behind": "ahead", "forward": "backward",
          "backward": "forward"}  # fmt: skip
 
@@ -37,7 +37,7 @@ def drawn_axis(drawn, kind, viscous):
 
 def stroke(mechanism):
     """From dead centre to dead centre of a crank (mm)."""
-    r, rod, e = (mechanism[name] or 0.0 for name in ("crank", "rod", "offset"))
+    r, rod, e = (mechanism[name] or 0.0 for name in ("crank_radius", "rod_length", "offset"))
     return math.sqrt((rod + r) ** 2 - e**2) - math.sqrt((rod - r) ** 2 - e**2)
 
 
@@ -49,11 +49,11 @@ def turned_round(mechanism):
         return mechanism | {"points": points}
     offset = -(mechanism["offset"] or 0.0)
     if kind == "rocker":
-        return mechanism | {"offset": offset, "angle": -mechanism["angle"],
+        return mechanism | {"offset": offset, "start_angle": -mechanism["start_angle"],
                             "direction": OTHER[mechanism["direction"] or "forward"]}  # fmt: skip
     zero, branch = OTHER[mechanism["zero"] or "inner"], OTHER[mechanism["branch"] or "ahead"]
-    position = stroke(mechanism) - mechanism["position"]
-    return mechanism | {"offset": offset, "zero": zero, "branch": branch, "position": position}
+    start = stroke(mechanism) - mechanism["start"]
+    return mechanism | {"offset": offset, "zero": zero, "branch": branch, "start": start}
 
 
 def mirrored(axis):
@@ -69,9 +69,10 @@ def mirrored(axis):
 def scaled(axis, k):
     """The same k times as long, level, under forces that do the same work on its way."""
     load, mechanism = axis["load"], dict(axis["mechanism"])
-    for name in LENGTHS:
+    for name in mechanism.keys() & LENGTHS:
         mechanism[name] = None if mechanism[name] is None else k * mechanism[name]
-    mechanism["points"] = [one | {"position": k * one["position"]} for one in mechanism["points"]]
+    if "points" in mechanism:
+        mechanism["points"] = [one | {"position": k * one["position"]} for one in mechanism["points"]]
     weight, slope = load["mass"] * G, math.radians(load["slope"])
     forces = {"mass": load["mass"] / k**2, "friction": load["friction"] * k * math.cos(slope), "slope": 0.0,
               "force": (load["force"] + weight * math.sin(slope)) / k,

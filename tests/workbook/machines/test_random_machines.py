@@ -25,7 +25,7 @@ from workbook.reading.descriptions import checked
 
 G = 9.81
 SAME = ("rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "highest", "jtot", "pmax", "pmin")
-RACK = {"kind": "rack and pinion", "size": 50.0, "efficiency": 0.9}
+RACK = {"kind": "rack and pinion", "pinion_diameter": 50.0, "efficiency": 0.9}
 
 
 def told(request, number):
@@ -62,7 +62,7 @@ def mirrored(axis):
 
 def in_degrees(axis):
     """The same with the pinion's angle as the motion: behind a ratio of 1."""
-    load, radius = axis["load"], axis["mechanism"]["size"] / 2000
+    load, radius = axis["load"], axis["mechanism"]["pinion_diameter"] / 2000
     weight, slope = load["mass"] * G, math.radians(load["slope"])
     turning = {"inertia": 1e4 * load["mass"] * radius**2, "torque": (load["force"] + weight * math.sin(slope)) * radius,
                "friction_torque": load["friction"] * weight * abs(math.cos(slope)) * radius}  # fmt: skip

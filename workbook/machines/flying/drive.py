@@ -149,7 +149,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
            shown(view.limits[0], RPM), "0: no limit"),
         of("@reducer_peak", "Largest output torque of the reducer", "", "Nm", "reducer.tmax", view.limits[1],
            "0: no limit"),
-        calc("@still", "Speed taken as standstill, up to", "", "m/s", "=check_zero*MAX(ABS(fly_low),ABS(fly_high))",
+        calc("@still", "Standstill: speeds up to", "", "m/s", "=check_zero*MAX(ABS(fly_low),ABS(fly_high))",
              view.still, format="0E+00", scale=view.still),
     )  # fmt: skip
 

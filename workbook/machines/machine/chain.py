@@ -1,141 +1,22 @@
-"""What drives an axis of a machine: mechanism, load, parts, motor and reducer, as an engineer enters them."""
+"""What drives an axis of a machine beside its mechanism: load, parts, motor and reducer, as an engineer enters them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field
 
 from workbook.book.sentence import figure
 from workbook.drive.entries import Efficiency, RotatingParts
 from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, EmptyCell, Model, NotNegative, Number, Positive
 
-Kind = Literal[
-    "lead screw",
-    "conveyor",
-    "rack and pinion",
-    "belt",
-    "feed rollers",
-    "rotary table",
-    "gear train",
-    "crank-slider",
-    "rocker",
-    "table",
-]
-LARGE: dict[str, dict[str, Any]] = {
-    "crank-slider": {"crank": 1e4, "rod": 5e4, "position": 1e4},
-    "rocker": {"lever": 1e5, "link": 5e5, "offset": 1e5, "angle": 90.0},
-    "table": {"points": [{"angle": end, "position": end} for end in (-1e4, 1e4)]},
-}
-"""of mechanisms of a ratio that changes, sizes with which it reaches wherever an axis goes"""
-TURNING = ("rotary table", "gear train")
-BELTED = ("conveyor", "belt")
-"""mechanisms of which a belt moves with the load"""
-SCREWS = ("lead screw",)
-"""mechanisms whose losses are friction in a thread"""
-TABLE = "table"
-EITHER = (TABLE,)
-"""mechanisms of axes that travel, and of those that turn"""
-LINKED: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "crank-slider": (("crank", "rod"), ("offset", "zero", "branch", "position")),
-    "rocker": (("lever", "link", "angle"), ("offset", "slide", "direction")),
-    "table": (("points",), ()),
-}
-"""of each mechanism of a ratio that changes: the entries that it must have, and those that may be empty"""
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 """the name of one in the catalogue; empty where its figures are entered"""
-UNSIZED = "a size of the mechanism is empty"
-LEAST_POINTS = 2
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
-
-
-def size_by_kind(made: dict[str, Any]) -> None:
-    """Let the schema of a mechanism do without the size: not every kind has one."""
-    made["required"] = [name for name in made["required"] if name != "size"]
-
-
-class TablePoint(Model):
-    """A point of a table: an angle of the shaft in °, and the position of the load there, in mm or °."""
-
-    angle: Number = Field(description="Of a point of the table: angle of the shaft, in °")
-    position: Number = Field(description="Of a point of the table: position of the load, in the axis' unit")
-
-
-class MechanismEntry(Model):
-    """What makes the motor's turning the axis' motion: its size is a screw's lead, a diameter or a radius in mm."""
-
-    model_config = ConfigDict(json_schema_extra=size_by_kind)
-
-    kind: Kind = Field(description="What turns the motor's motion into the axis'")
-    size: Positive  # 1 where the axis turns with it, or other entries tell its size
-    efficiency: Efficiency
-    back_efficiency: Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)] | None = Field(
-        default=None,
-        description="Efficiency where the load drives it; 0 or less: it locks itself. If empty, 2 - 1/efficiency of a "
-        "screw, and the efficiency of all else",
-    )
-    method: Literal["physical", "document"] = Field(
-        default="physical",
-        description="Losses: by the flow of power through each stage, or over the efficiency always, as S4 has it",
-    )
-    belt: NotNegative | None = Field(default=None, description="Of a conveyor or a belt: mass of the belt, in kg")
-    crank: Positive | None = Field(default=None, description="Of a crank-slider: radius of the crank, in mm")
-    rod: Positive | None = Field(default=None, description="Of a crank-slider: length of the connecting rod, in mm")
-    offset: Number | None = Field(default=None, description="From the shaft to the slide's line, in mm; 0 if empty")
-    zero: Literal["inner", "outer"] | None = Field(
-        default=None, description="Of a crank-slider: the dead centre that positions grow from; inner if empty"
-    )
-    branch: Literal["ahead", "behind"] | None = Field(
-        default=None,
-        description="Whether the crank is ahead of the line from shaft to slide, or behind; ahead if empty",
-    )
-    position: NotNegative | None = Field(
-        default=None,
-        description="Of a crank-slider: how far from that dead centre the motion begins, in mm; 0 if empty",
-    )
-    lever: Positive | None = Field(default=None, description="Of a rocker: length of the lever, in mm")
-    link: Positive | None = Field(default=None, description="Of a rocker: length of the link, in mm")
-    angle: Number | None = Field(
-        default=None,
-        description="Of a rocker: the lever from the line's direction where the motion begins, in °",
-    )
-    slide: Literal["ahead", "behind"] | None = Field(
-        default=None,
-        description="Of a rocker: the slide ahead of the lever's end, or behind; ahead if empty",
-    )
-    direction: Literal["forward", "backward"] | None = Field(
-        default=None, description="Of a rocker: whether positions grow along the line's direction; forward if empty"
-    )
-    points: list[TablePoint] = Field(
-        default=[],
-        description="Of a table: the load's position over the shaft's angle, both strictly rising",
-    )
-
-    @model_validator(mode="before")
-    @classmethod
-    def _turns(cls, data: Any) -> Any:
-        turning = isinstance(data, dict) and data.get("kind") in (*TURNING, *LINKED)
-        return {"size": 1.0} | data if turning else data
-
-    def design_faults(self) -> Iterator[DesignError]:
-        """Yield a size that is missing of a mechanism of a ratio that changes."""
-        for name in LINKED.get(self.kind, ((), ()))[0]:
-            if name == "points" and len(self.points) < LEAST_POINTS:
-                yield DesignError(name, UNSIZED, "sized", LARGE[self.kind][name])
-            elif getattr(self, name) is None:
-                yield DesignError(name, UNSIZED, "sized", 1.0)
-
-    @property
-    def foreign(self) -> Iterator[str]:
-        """The entries that are of other mechanisms."""
-        own = {name for both in LINKED.get(self.kind, ()) for name in both}
-        others = {name for names in LINKED.values() for both in names for name in both} - own
-        others |= set() if self.kind in BELTED else {"belt"}
-        yield from (name for name in sorted(others) if getattr(self, name) not in (None, []))
 
 
 class PowerEntry(Model):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
-from workbook.machines.machine.chain import LARGE, LINKED
 from workbook.machines.machine.drive.linkages import apart, linkage_of
 from workbook.machines.machine.drive.reach import unreached_row
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.view import MovingAxis, Whole
 
 
@@ -25,7 +25,7 @@ def require_reached(axis: MovingAxis) -> None:
     i, given = axis.number, axis.given.mechanism
     if given is None:
         return
-    where, large = f"axes.{i - 1}.mechanism", given.model_dump() | LARGE[given.kind]
+    where, large = f"axes.{i - 1}.mechanism", given.model_dump() | given.LARGE
     said = apart(given, axis.given.unit)
     if said:
         raise DesignError(where, said, f"linked{i}", large)

@@ -22,15 +22,15 @@ P = TypeVar("P", MotorRow, ReducerRow)
 MOTOR = (
     ("inertia", "inertia", "J_m", "kg cm²", "with its brake"),
     ("rated_torque", "rated torque", "T_N", "Nm", ""),
-    ("peak_torque", "peak torque", "T_max", "Nm", ""),
-    ("max_speed", "largest speed", "n_max", "rpm", ""),
+    ("peak_torque", "peak torque", "T_M,max", "Nm", ""),
+    ("max_speed", "largest speed", "n_M,max", "rpm", ""),
 )
 REDUCER = (
     ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
     ("efficiency", "efficiency", "η_1", "", "1 if empty"),
-    ("inertia", "inertia at the input", "J_1", "kg cm²", ""),
-    ("peak_torque", "largest torque behind it", "", "Nm", "empty: no limit"),
-    ("mean_torque", "largest mean torque behind it", "", "Nm", "empty: no limit; the catalogue has none"),
+    ("inertia", "inertia at the input", "J_G", "kg cm²", ""),
+    ("peak_torque", "largest output torque", "", "Nm", "empty: no limit"),
+    ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit; the catalogue has none"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
 )
 IN_USE = {"inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax"}
@@ -138,7 +138,7 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
         rows.append(
             given(f"@{kind}_name", f"{kind.capitalize()} of the catalogue", "", "", entered.name or None,
                   f"{key}.{kind}.name", choices=f"={kind}_name", align="left",
-                  source="its name decides; leave it empty to enter the figures below")
+                  source="leave empty to enter the figures below")
         )  # fmt: skip
         rows += [
             given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
@@ -157,11 +157,11 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
 def temperature(motor: AxisMotor, key: str) -> list[Quantity]:
     """Return the rows of what lowers the rated torque of the motor."""
     return [
-        given("@temperature", "Temperature around the motor", "ϑ", "°C", motor.temperature, f"{key}.temperature",
+        given("@temperature", "Ambient temperature of the motor", "ϑ", "°C", motor.temperature, f"{key}.temperature",
               format="0.0##", source="empty: as rated"),
-        given("@rated_at", "Its rated torque holds at", "ϑ_N", "°C", motor.rated_at, f"{key}.rated_at",
+        given("@rated_at", "Ambient temperature of the rated torque", "ϑ_N", "°C", motor.rated_at, f"{key}.rated_at",
               format="0.0##"),
-        given("@winding", "Largest temperature of its winding", "ϑ_max", "°C", motor.limit, f"{key}.limit",
+        given("@winding", "Largest temperature of the winding", "ϑ_max", "°C", motor.limit, f"{key}.limit",
               format="0.0##", source="155 °C of class F"),
     ]  # fmt: skip
 
@@ -186,7 +186,7 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
                  getattr(reducer, name), source="0: no limit" if name in LIMITS else "")
         )  # fmt: skip
     rows += [
-        calc("@derate", "Motor: share of its rated torque that is left", "", "", f"={DERATING}", left,
+        calc("@derate", "Motor: share of the rated torque at the ambient temperature", "", "", f"={DERATING}", left,
              source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
         *(calc(IN_USE[name], f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={motor_figure(name, unit)}",
                getattr(motor, name), source="at its temperature" if name == "rated_torque" else "")
@@ -209,7 +209,7 @@ def in_si(formula: str, unit: str) -> str:
 def told(number: int, called: str) -> Quantity:
     """Return the check that the motor is named, or entered."""
     figures = ",".join(f"@own_motor_{name}" for name in IN_USE)
-    return check("@ok_told", f"{called}: the motor is named or entered",
+    return check("@ok_told", f"{called}: a motor is named or entered",
                  f'OR(@motor_name<>"",COUNT({figures})={len(IN_USE)})', True, rule=f"axes.{number - 1}.motor:told",
                  says=f'"{UNTOLD}"')  # fmt: skip
 
@@ -219,5 +219,5 @@ HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit,
 
 def cool(number: int, called: str) -> Quantity:
     """Return the check that the motor is cooler than its winding may get."""
-    return check("@ok_cool", f"{called}: the motor is cooler than its limit", "MAX(@temperature,@rated_at)<@winding",
+    return check("@ok_cool", f"{called}: ambient temperature below the limit", "MAX(@temperature,@rated_at)<@winding",
                  True, rule=f"axes.{number - 1}.motor:cool", says=HOT)  # fmt: skip

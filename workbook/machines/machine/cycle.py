@@ -100,7 +100,7 @@ def found(one: AxisRows) -> list[Quantity]:
     """Return where the samples of an axis lie: in which cycle, at which angle of its phases, in which piece."""
     late, told = f"[axes_taken.late.{one.axis.number}]", one.axis.told(one.machine.samples)
     return [
-        calc("n", "cycles of its phases begun before", "n", "",
+        calc("n", "cycles of its phases begun before", "c", "",
              f"=INT((MIN([theta],360-2*timing_eps)-{late}+timing_eps)/360)", told.cycles, format="0",
              source="the end of the turn has the left limit"),
         calc("p", "angle of its phases", "", "°", f"=[theta]-{late}-360*[n]", shown(told.x, DEGREE), format="0.0##",

@@ -23,20 +23,17 @@ from workbook.entries.types import (
     TogetherError,
 )
 from workbook.machines.machine.chain import (
-    EITHER,
-    LINKED,
     TRAVELLING_LOAD,
-    TURNING,
     TURNING_LOAD,
     AxisLoad,
     AxisMotor,
     AxisPart,
-    MechanismEntry,
     PowerEntry,
     Reducer,
 )
 from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
+from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
@@ -81,7 +78,7 @@ class Axis(Model):
     printed: Literal["S4"] | None = Field(
         default=None, description="A document whose printed figures a sheet of its own has beside those of the drive"
     )
-    mechanism: MechanismEntry | None = None
+    mechanism: Mechanism | None = None
     load: AxisLoad = AxisLoad()
     parts: list[AxisPart] = []  # noqa: RUF012 - frozen
     motor: AxisMotor | None = None
@@ -97,22 +94,23 @@ class Axis(Model):
         """Keep what it was called when the book was built in which it is found."""
         self._built = name if name != self.name else None
 
+    @model_validator(mode="before")
+    @classmethod
+    def _motor_to_choose(cls, data: Any) -> Any:
+        """Give a mechanism without a motor one without figures: the design is not finished, and Selection finds one."""
+        unchosen = isinstance(data, dict) and data.get("mechanism") is not None and data.get("motor") is None
+        return data | {"motor": {}} if unchosen else data
+
     @model_validator(mode="after")
     def _driven(self) -> Self:
-        if (self.mechanism is None) != (self.motor is None):
-            missing = "mechanism" if self.mechanism is None else "motor"
-            raise EntryError(missing, "empty; a drive has a mechanism and a motor")
+        if self.motor is not None and self.mechanism is None:
+            raise EntryError("mechanism", "empty; expected the mechanism that the motor drives")
         if self.motor is None:
             self._nothing_driven()
-        free = self.mechanism and self.mechanism.kind in EITHER
-        if self.mechanism and not free and (self.mechanism.kind in TURNING) != (self.unit == "°"):
+        if self.mechanism and self.unit not in self.mechanism.UNITS:
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
-        if self.mechanism and self.mechanism.kind in (*TURNING, *LINKED) and self.mechanism.size != 1.0:
-            raise EntryError("mechanism.size", f"a {self.mechanism.kind} has no size; expected none")
         if self.printed and self.mechanism and self.mechanism.kind not in PRINTED:
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
-        if self.mechanism and (name := next(self.mechanism.foreign, "")):
-            raise EntryError(f"mechanism.{name}", f"a {self.mechanism.kind} has no {name}; expected none")
         for name in TRAVELLING_LOAD if self.unit == "°" else TURNING_LOAD:
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of an axis in {self.unit}; expected none")
@@ -202,7 +200,7 @@ class AnyMachine(Exporting):
             if len(axis.parts) > self.sizes.rotors:
                 said = f"{len(axis.parts)} rows do not fit into {self.sizes.rotors}; raise sizes.rotors"
                 raise EntryError(f"axes.{i}.parts", said)
-            points = axis.mechanism.points if axis.mechanism else []
+            points = axis.mechanism.points if isinstance(axis.mechanism, Table) else []
             if len(points) > self.sizes.positions:
                 said = f"{len(points)} rows do not fit into {self.sizes.positions}; raise sizes.positions"
                 raise EntryError(f"axes.{i}.mechanism.points", said)

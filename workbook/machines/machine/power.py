@@ -64,7 +64,7 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.note(APART.format(bus.over.period))
     sheet.rows(*common(bus))
     missed = float(bus.off.sum())
-    sheet.checks(check("bus_fine", "Power: the samples tell the peak of the bus to 5 %",
+    sheet.checks(check("bus_fine", "Power: peak power of the bus is known to 5 %",
                        f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)+{LEAST}",
                        missed <= FINE * max(bus.peak, bus.burnt_peak) + si(LEAST, KW), "it may be higher by less",
                        says=amount("bus_off", shown(missed, KW), "it may be higher by ",
@@ -87,9 +87,9 @@ def totals(bus: Mains) -> list[Quantity]:
                shown(whole.resistor, KW), scale=size),
         result("power_year", "Energy a year", "E", "kWh", "=power_mains*power_hours",
                shown(whole.energy_a_year(bus.entered.hours), KWH), scale=size, format=YEAR),
-        result("power_least", "Mean power from the mains if all that comes back is used", "", "kW",
+        result("power_least", "Mean power from the mains, all regenerated energy used", "", "kW",
                "=MAX(0,power_mains-power_resistors)", shown(whole.least, KW), scale=size,
-               source="no bus can do better"),
+               source="lower bound"),
     ]  # fmt: skip
 
 
@@ -105,7 +105,7 @@ def common(bus: Mains) -> list[Quantity]:
         result("bus_mains_peak", "Peak power from the mains", "P_max", "kW",
                "=MAX(0,MAX([bus.sum]),MAX([power.proves]))", shown(bus.peak, KW), scale=size,
                source="of the samples, and what one drive's peak proves"),
-        calc("bus_net", "Mean power used up on the way", "", "kW",
+        calc("bus_net", "Mean power lost and used", "", "kW",
              "=SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))", shown(bus.net, KW), scale=size,
              source="from the points"),
         result("bus_mains", "Mean power from the mains", "P", "kW",
@@ -114,7 +114,7 @@ def common(bus: Mains) -> list[Quantity]:
         result("bus_resistor_peak", "Peak power in the brake resistor", "", "kW",
                "=MAX(0,0-MIN([bus.sum]),MAX([power.burns]))", shown(bus.burnt_peak, KW), scale=size),
         result("bus_resistor", "Mean power in the brake resistor", "", "kW", "=bus_mains-bus_net",
-               shown(found.resistor, KW), scale=size, source="mains less what is used up"),
+               shown(found.resistor, KW), scale=size, source="mains less losses and use"),
         result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours",
                shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, format=YEAR, source="of these drives"),
         result("bus_off", "The peaks may be higher by", "", "kW", f"={total('power.off')}",
@@ -141,9 +141,9 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
              [one.entered.name for one in driven], align="left"),
         calc("time", "cycle", "t_c", "s", [f"=60/{scope}rate" for scope in scopes],
              [one.course.time for one in driven]),
-        calc("driving", "its motor drives with", "E", "J", [f"={scope}energy+0" for scope in scopes],
+        calc("driving", "its motor, driving", "E", "J", [f"={scope}energy+0" for scope in scopes],
              [one.energy[0] for one in drives], scale=work),
-        calc("returned", "comes back to it", "", "J", [f"={scope}returned+0" for scope in scopes],
+        calc("returned", "regenerated", "", "J", [f"={scope}returned+0" for scope in scopes],
              [one.energy[1] for one in drives], scale=work),
         result("mains", "mean power from the mains", "P", "kW", "=[driving]/power_efficiency/[time]/1000",
                [shown(one.mains, KW) for one in each], scale=size),
@@ -156,7 +156,7 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
         calc("bus", "on the common bus", "", "", [f'=IF({scope}own_rate="",1,0)' for scope in scopes],
              [int(bus.shares(one)) for one in drives], format="0", source="1: yes"),
         calc("proves", "the bus takes at least", "", "kW", f"=[bus]*([peak]-{burnt})", shown(proves, KW).tolist(),
-             scale=size, source="its peak less what others give back at most"),
+             scale=size, source="its peak less the others' largest regeneration"),
         calc("burns", "the bus burns at least", "", "kW", f"=[bus]*([burnt]-{taken})", shown(burns, KW).tolist(),
              scale=size),
         calc("off", "the samples miss", "", "kW",

@@ -97,7 +97,7 @@ def pace(machine: Whole) -> list[Quantity]:
     if not over.paced:
         return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
     return [
-        result("about_rate", "Production rate", "n", "cycles/min", "=timing_rate", machine.machine.per_minute),
+        result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", machine.machine.per_minute),
         result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
     ]
 
@@ -136,9 +136,9 @@ def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list
     shortest_of = [shortest(least)] if over.measured else []
     said = f"{views[binding].driven.axis.given.name}: {rates[binding].limit}" if known else NONE_BINDS
     return [
-        result("about_highest", "Highest rate", "n_max", "cycles/min",
+        result("about_highest", "Highest rate", "N_max", "cycles/min",
                f'=IF(COUNT({column})=0,"{NONE_BINDS}",MIN({column}))', least, align="right",
-               source="of all drives; about"),
+               source="of all drives; approximate"),
         *shortest_of,
         result("about_binds", "Axis and limiting factor", "", "",
                f'=IF(COUNT({column})=0,"{NONE_BINDS}",{told[0]}&": "&{told[1]})', said, align="right",

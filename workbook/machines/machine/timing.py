@@ -52,7 +52,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
 def at_rate(machine: Whole) -> list[Quantity]:
     """Return the rows of a machine with a master shaft."""
     return [
-        given("timing_rate", "Production rate", "n", "cycles/min",
+        given("timing_rate", "Production rate", "N", "cycles/min",
               machine.machine.per_minute, "master.rate", format="0.0##", source="one a turn of the master shaft"),
         calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
         calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
@@ -68,7 +68,7 @@ def of_length(machine: Whole) -> list[Quantity]:
         given("timing_cycle", f"{what} of a cycle", symbol, over.unit, over.length, "master.cycle",
               format=over.format, source=f"phases, shifts, switches{forces} are in {over.unit} of it"),
         constant(in_unit(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
-        *([calc("timing_rate", "Production rate", "n", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
+        *([calc("timing_rate", "Production rate", "N", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
                 source="60 / t_c")] if over.paced else []),
         calc("timing_omega", "Speed of a turn a cycle" if over.paced else f"A turn a cycle, per {over.unit}", "ω",
              f"rad/{over.unit}", "=2*PI()/timing_cycle", machine.speed,

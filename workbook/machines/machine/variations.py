@@ -9,9 +9,10 @@ from engine.machine.grid import RANKS
 from workbook.laws.registry import Family
 from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, told_family, variations, vary_laws
-from workbook.machines.machine.chain import BELTED, LINKED, WINDOWS
+from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.choice import falling
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS
 from workbook.machines.machine.switching import TIMES
 from workbook.machines.machine.timed import in_units_of
 from workbook.motion.asked import smoothness_for
@@ -148,8 +149,9 @@ def linked(axis: dict[str, Any], i: int, k: int, room: int) -> None:
     if axis["mechanism"]["kind"] == "rocker":
         lever = 60.0 + 9 * k + i
         axis["mechanism"] |= {
-            "lever": lever, "link": lever * (2.1 + 0.3 * k), "offset": lever * (0.9, 1.05, 0.7, 1.2, 0.95, 1.0)[k],
-            "angle": 70.0 + 7 * k, "slide": ("behind", "ahead", None)[(i + k) % 3],
+            "lever_length": lever, "link_length": lever * (2.1 + 0.3 * k),
+            "offset": lever * (0.9, 1.05, 0.7, 1.2, 0.95, 1.0)[k], "start_angle": 70.0 + 7 * k,
+            "slide": ("behind", "ahead", None)[(i + k) % 3],
             "direction": ("forward", "backward", None)[k % 3],
         }  # fmt: skip
         to_and_fro(axis["phases"], -0.15 * lever, 0.35 * lever, k)
@@ -157,8 +159,8 @@ def linked(axis: dict[str, Any], i: int, k: int, room: int) -> None:
     crank, offset = 31.0 + 7 * k + i, (0.0, 9.0, -14.0, None, 5.5, 0.0)[(i + k) % SIX]
     rod = crank * (2.6 + 0.4 * k)
     axis["mechanism"] |= {
-        "crank": crank, "rod": rod, "offset": offset, "zero": ("inner", "outer", None)[k % 3],
-        "branch": ("behind", "ahead", None)[(i + k) % 3], "position": 0.3 * crank,
+        "crank_radius": crank, "rod_length": rod, "offset": offset, "zero": ("inner", "outer", None)[k % 3],
+        "branch": ("behind", "ahead", None)[(i + k) % 3], "start": 0.3 * crank,
     }  # fmt: skip
     to_and_fro(axis["phases"], 0.0, 1.3 * crank, k)
 
@@ -187,13 +189,15 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
     travels = axis["unit"] == "mm"
-    sized = travels and axis["mechanism"]["kind"] not in LINKED
-    axis["mechanism"] |= {
-        "size": 7.0 + 11 * k if sized else 1.0, "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
+    kind = axis["mechanism"]["kind"]
+    sized = MECHANISMS[kind].SIZE
+    axis["mechanism"] |= ({sized: 7.0 + 11 * k} if sized else {}) | {
+        "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
         "method": ("physical", "document")[(i + k) % 4 == 3],
-        "belt": 4.0 * k if axis["mechanism"]["kind"] in BELTED and k else None,
     }  # fmt: skip
-    if axis["mechanism"]["kind"] in LINKED:
+    if kind in BELTED:
+        axis["mechanism"]["belt_mass"] = 4.0 * k or None
+    if kind in LINKED:
         linked(axis, i, k, sizes["positions"])
     viscous = None if axis["load"]["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k]
     axis["load"] = {

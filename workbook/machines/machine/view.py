@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Container
 from functools import cached_property
 from itertools import permutations
-from typing import Any, Literal, get_args
+from typing import Any, Literal
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.clearance import ENDS, MOST_CLEARANCES, ClearanceEntry
 from workbook.machines.machine.lanes import Lane, named
+from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry
 from workbook.machines.machine.timed import Cycle, TimedMachine
 from workbook.motion.through import passed
@@ -231,7 +232,7 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     axes = []
     for i in range(1, entered.MOST_AXES + 1):
         units = [unit for unit in UNITS if unit_name(i, unit) in names]
-        kinds = [kind for kind in get_args(chain.Kind) if kind_name(i, kind) in names]
+        kinds = [kind for kind in MECHANISMS if kind_name(i, kind) in names]
         if units:
             drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
             load = LEAST.model_copy(update={"viscous": 0.0}) if viscous_name(i) in names else LEAST
@@ -279,10 +280,8 @@ LEAST = chain.AxisLoad()
 
 def driven_by(kind: str) -> dict[str, Any]:
     """Return the entries of some drive with a mechanism."""
-    told = {"kind": kind, "size": 1.0, "efficiency": 1.0} | chain.LARGE.get(kind, {})
-    mechanism = chain.MechanismEntry.model_validate(told)
     motor = chain.AxisMotor(inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
-    return {"mechanism": mechanism, "motor": motor}
+    return {"mechanism": some_mechanism(kind), "motor": motor}
 
 
 def kind_name(number: int, kind: str) -> str:

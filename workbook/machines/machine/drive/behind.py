@@ -11,6 +11,7 @@ import numpy as np
 
 from engine.machine.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
+from workbook.machines.machine.drive.parts import on_shaft
 from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.view import DriveView
 from workbook.selection.shaft import Figure, Shaft
@@ -59,7 +60,7 @@ def means(sheet: Sheet, view: DriveView) -> None:
              scale=alpha * behind),
         calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
         calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j_shaft+0", load.inertia),
-        calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", "=@j0-@jm-@j_reducer",
+        calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", f"={on_shaft('motor')}",
              driven.beside_motor, scale=driven.at_motor),
     )  # fmt: skip
 
@@ -91,18 +92,18 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
         Figure("smax", "largest torque", "Nm", "@smax", load.torque, behind),
         Figure("inertia", "inertia", "kg m²", "@ask_inertia", load.inertia),
         Figure("beside", "parts beside the motor", "kg m²", "@ask_beside", d.beside_motor),
-        Figure("brake", "a brake holds it at rest", "", '(@holding="brake")', float(d.holding == "brake")),
+        Figure("brake", "held by a brake at rest", "", '(@holding="brake")', float(d.holding == "brake")),
         Figure("by_power", "losses by the flow of power", "", '(@method="physical")',
                float(d.given.method == "physical")),
-        Figure("left", "rated torque left at its temperature", "", "@derate", d.left),
+        Figure("left", "rated torque available at the ambient temperature", "", "@derate", d.left),
         Figure("held_j", "inertia with its motor", "kg m²", "@j0", d.at_motor),
         Figure("held_jm", "its motor", "kg m²", "@jm", motor.inertia),
         Figure("held_i", "its reduction", "", "@i1", d.reducer.ratio),
         Figure("held_eta", "its efficiency", "", "@eta1", d.reducer.efficiency),
         Figure("held_rated", "its rated torque", "Nm", "@motor_rated", motor.rated_torque),
         Figure("held_peak", "its peak torque", "Nm", "@motor_peak", motor.peak_torque),
-        Figure("held_top", "what it is asked for", "Nm", "MAX(@tmax,0-@tmin)", top, torque),
-        Figure("held_spare", "left below its curve", "Nm", spare, left, torque),
+        Figure("held_top", "peak torque demand", "Nm", "MAX(@tmax,0-@tmin)", top, torque),
+        Figure("held_spare", "reserve below the motor's curve", "Nm", spare, left, torque),
         Figure("held_nmax", "its largest speed", "rpm", "@motor_nmax", motor.max_speed),
         Figure("held_row", "its row of motors", "", "@motor_row", motor.row),
         Figure("held_gear", "its row of reducers", "", "@reducer_row", d.reducer.row),

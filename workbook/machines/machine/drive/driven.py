@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cached_property
 from math import radians
+from typing import TypeVar
 
 import numpy as np
 
@@ -21,12 +22,13 @@ from engine.mechanisms.linkage import Linkage
 from engine.mechanisms.registry import LINKED
 from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
-from workbook.machines.machine.chain import SCREWS
 from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.chosen import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.drive.linkages import linkage_of
+from workbook.machines.machine.mechanism import SCREWS, Belted, MechanismEntry
 from workbook.machines.machine.view import MovingAxis
 
+M = TypeVar("M", bound=MechanismEntry)
 SHAFTS = ("motor", "mechanism")
 SCREW = "lead screw"
 
@@ -67,6 +69,12 @@ class Driven:
         """Size of the last element as the engine takes it: turns a metre of a screw, a length in m."""
         return shown(1.0, si(self.given.size, MM)) if self.given.kind == SCREW else si(self.given.size, MM)
 
+    def of_kind(self, model: type[M]) -> M:
+        """Return the mechanism as entered; raise TypeError where it is of another kind."""
+        if not isinstance(self.given, model):
+            raise TypeError(f"a {self.given.kind} is no {model.__name__}")
+        return self.given
+
     @cached_property
     def linkage(self) -> Linkage | None:
         """The mechanism, of one whose ratio depends on the position."""
@@ -91,7 +99,7 @@ class Driven:
     @property
     def belt(self) -> float:
         """Mass of the belt that moves with the load (kg)."""
-        return self.given.belt or 0.0
+        return self.given.belt_mass or 0.0 if isinstance(self.given, Belted) else 0.0
 
     @property
     def viscous(self) -> float:
@@ -189,7 +197,7 @@ class Driven:
 
     @property
     def at_motor(self) -> float:
-        """Inertia on the motor's shaft, with it (kg m²)."""
+        """Inertia on the motor's shaft, motor included (kg m²)."""
         return self.motor_used.inertia + self.mechanism.on_shaft(0)
 
     @property

@@ -10,19 +10,24 @@ from engine.mechanisms.rocker import rocker
 from engine.mechanisms.table import PositionTable
 from workbook.book.sentence import figure
 from workbook.entries.units import DEGREE, MM, si
-from workbook.machines.machine.chain import MechanismEntry, TablePoint
+from workbook.machines.machine.mechanism import CrankSlider, MechanismEntry, Rocker, Table, TablePoint
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
     """Return the mechanism that is entered, of an axis in a unit. Raises ValueError for sizes that cannot be."""
-    if given.kind == "table":
-        return PositionTable([(si(one.angle, DEGREE), si(one.position, unit)) for one in given.points])
-    offset = si(given.offset or 0.0, MM)
-    if given.kind == "rocker":
-        lever, link, angle = si(given.lever or 0.0, MM), si(given.link or 0.0, MM), si(given.angle or 0.0, DEGREE)
-        return rocker(lever, link, offset, angle, given.slide != "behind", -1 if given.direction == "backward" else 1)
-    crank, rod, position = (si(one or 0.0, MM) for one in (given.crank, given.rod, given.position))
-    return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", position)
+    match given:
+        case Table():
+            return PositionTable([(si(one.angle, DEGREE), si(one.position, unit)) for one in given.points])
+        case Rocker():
+            lever, link, offset = (si(one or 0.0, MM) for one in (given.lever_length, given.link_length, given.offset))
+            angle, sense = si(given.start_angle or 0.0, DEGREE), -1 if given.direction == "backward" else 1
+            return rocker(lever, link, offset, angle, given.slide != "behind", sense)
+        case CrankSlider():
+            crank, rod, offset, start = (
+                si(one or 0.0, MM) for one in (given.crank_radius, given.rod_length, given.offset, given.start)
+            )
+            return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", start)
+    raise ValueError(f"a {given.kind} has a constant ratio")
 
 
 FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
@@ -34,7 +39,7 @@ APART = {
 
 def apart(given: MechanismEntry, unit: str) -> str:
     """Return what is wrong with sizes that do not go together; nothing where they do."""
-    if given.kind == "table":
+    if isinstance(given, Table):
         return unlike_table(given.points, unit)
     try:
         linkage_of(given, MM)

@@ -12,7 +12,7 @@ def loads(driven: Driven, key: str) -> list[Quantity]:
     rows: tuple[tuple[str, str, str, str, str], ...] = (
         ("mass", "Mass that travels", "m", "kg", ""),
         ("friction", "Coefficient of friction", "μ", "", "opposes the motion"),
-        ("slope", "Slope", "θ", "°", "rising with positive travel"),
+        ("slope", "Slope", "γ", "°", "rising with positive travel"),
         ("force", "Force against positive travel", "F", "N", "always, also at rest"),
     ) if driven.travels else (
         ("inertia", "Inertia that turns", "J", "kg cm²", ""),

@@ -18,7 +18,7 @@ NO_LIMIT = "–"
 NOTE = "exact at the rate that is entered; elsewhere to about 1 %"
 ABOUT = (
     "Without motion a torque T_0 stands; I = T − T_0 grows with the square of the rate. At √x times the rate "
-    "the torque is T_0 + x I: of each limit, 1/x is the share of the square of the rate that is used."
+    "the torque is T_0 + x I: of each limit, 1/x is the share that grows with the square of the rate that is used."
 )
 SPEEDS = ("motor speed", "reducer input speed")
 USES = {
@@ -68,7 +68,7 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
         calc("@mixed", "Mean of T_0 I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
              scale=size),
         calc("@grow", "Mean of I²", "C", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
-        calc("@smean0", "Mean torque behind the reducer at no speed", "", "Nm", f"={cubic('S0')}",
+        calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
              points.cubic_mean(view.load.standing_behind), scale=view.scales.behind),
     )  # fmt: skip
     each = names(view)
@@ -83,11 +83,11 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
              source="0: none"),
         calc("stands", "at no speed", "", "", [f"={STANDS[name]}" for name in each],
              [in_units(name, one.standing) for name, one in zip(each, found, strict=True)], scale=view.scales.torque),
-        calc("use", "share of the square of the rate", "1/x", "", [f"={USES[name]}" for name in each],
+        calc("use", "share that grows with the square of the rate", "1/x", "", [f"={USES[name]}" for name in each],
              [one.use for one in found], scale=1.0),
-        calc("rate", "held up to", "n", "cycles/min",
+        calc("rate", "met up to", "N", "cycles/min",
              f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,IF([use]<=0,"{NO_LIMIT}",@rate/SQRT([use]))))',
-             [rate(view, one) for one in found], align="right", source="n/√(share)"),
+             [rate(view, one) for one in found], align="right", source="N/√(share)"),
     )  # fmt: skip
 
 
@@ -114,7 +114,7 @@ def highest(view: DriveView) -> Sequence[Quantity]:
     most, name, _ = view.highest
     rates = "[@held.rate]"
     return [
-        result("@highest", "Highest rate at which it holds all limits", "n_max", "cycles/min",
+        result("@highest", "Highest rate within all limits", "N_max", "cycles/min",
                f'=IF(COUNT({rates})=0,"{NONE_BINDS}",MIN({rates}))', most, align="right", source=NOTE),
         result("@binds", "limiting factor", "", "",
                f'=IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@held.name],MATCH(MIN({rates}),{rates},0)))', name,

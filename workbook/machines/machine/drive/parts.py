@@ -49,3 +49,8 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
              filled([shown(part.reflected, KG_CM2) for part in turned], rows), source="n J (ω_i/ω)²"),
         rules=[SIZED, ALONE, BORED, GEARED],
     )  # fmt: skip
+
+
+def on_shaft(shaft: str) -> str:
+    """Return the formula of the inertia (kg m²) of all parts on a shaft, the motor's or the mechanism's."""
+    return f'SUMPRODUCT(([@parts.shaft]="{shaft}")*[@parts.all])/10000'

@@ -138,9 +138,9 @@ def torques(view: DriveView, load: LoadPoints, turning: Ratio, of: Column) -> li
     size = view.scales
     inner = "@i2" if not view.varies else "[g]"
     return [
-        calc("S", "torque behind the reducer", "T_1", "Nm",
+        calc("S", "output torque of the reducer", "T_1", "Nm",
              f"={LOSS2.format('[F]')}/{inner}+@j1*{turning.acceleration}", of(load.behind), scale=size.behind,
-             source="F/(η_2 φ') + J_1 φ̈"),
+             source="F/(η_2 φ') + J_p φ̈"),
         result("T", "torque of the motor", "T", "Nm",
                f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*@i1*{turning.acceleration})", of(DrivePoints(load).torque),
                scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈"),
@@ -157,9 +157,9 @@ def standing(view: DriveView, ratio: str) -> list[Quantity]:
         return f"ABS([{torque}]-[{none}])/({limit}-SIGN([{torque}]-[{none}])*[{none}])"
 
     columns = [
-        calc("S0", "behind the reducer, at no speed", "T_1,0", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
+        calc("S0", "output torque of the reducer, without inertia", "T_1,0", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
              of(load.standing_behind), scale=size.behind, source="F_r/(η_2 φ')"),
-        calc("T0", "of the motor, at no speed", "T_0", "Nm", f"=IF({BRAKED},0,{LOSS1.format('[S0]')})",
+        calc("T0", "torque of the motor, without inertia", "T_0", "Nm", f"=IF({BRAKED},0,{LOSS1.format('[S0]')})",
              of(points.standing), scale=size.torque, source="T_1,0/(η_1 i_1)"),
         calc("up", "share of the peak torque", "", "", f"={use('T', 'T0', '@motor_peak')}",
              of(growing_use(points.torque, points.standing, peak)), scale=1.0,

@@ -11,18 +11,18 @@ from workbook.drive.motor import falling_table, limit_checks, limits_table, plan
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine import chosen
-from workbook.machines.machine.chain import BELTED, SCREWS, UNSIZED
 from workbook.machines.machine.drive import behind, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.intervals import cuts_table, intervals_table
 from workbook.machines.machine.drive.loads import loads
 from workbook.machines.machine.drive.mechanisms import registry
-from workbook.machines.machine.drive.parts import parts_table
+from workbook.machines.machine.drive.parts import on_shaft, parts_table
 from workbook.machines.machine.drive.peaks import peaks_table, top
 from workbook.machines.machine.drive.points import points_table, samples_table
 from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.windows import windows_check, windows_table
+from workbook.machines.machine.mechanism import BELTED, SCREWS, UNSIZED
 from workbook.machines.machine.view import kind_name
 
 CHART_COLUMN = 10
@@ -85,9 +85,9 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     sheet.heading("Enter")
     sheet.rows(
         calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left",
-             source="its sheet keeps the name that it was built with"),
+             source="the sheet keeps the name that the axis was built with"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
-        given("@own_rate", "Rate that it is sized at, if not the machine's", "n", "cycles/min", driven.entered.rate,
+        given("@own_rate", "Rate that it is sized at, if not the machine's", "N", "cycles/min", driven.entered.rate,
               f"{key}.rate", format="0.0##", source="empty: the machine's"),
         *size,
         given("@eta2", "Efficiency of the mechanism", "η_2", "",
@@ -119,8 +119,8 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
     sheet.rows(
         calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
              OWN if own else MACHINES, align="right"),
-        calc("@rate", "the rate", "n", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
-        result("@jtot", "Inertia at the motor, without it",
+        calc("@rate", "the rate", "N", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
+        result("@jtot", "External inertia at the motor's shaft",
                "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000", shown(view.inertia, KG_CM2),
                source="the largest over the stroke" if view.varies else "Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
@@ -131,7 +131,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
                scale=size.torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
                points.rms_torque, scale=size.torque, source="√(Σ share T²), to 0.1 %"),
-        result("@speed", "Motor speed, largest", "n", "rpm", speed_of(view), shown(view.speed, RPM), scale=size.rpm,
+        result("@speed", "Motor speed, largest", "n_max", "rpm", speed_of(view), shown(view.speed, RPM), scale=size.rpm,
                source="i_1 φ' ẏ" if view.varies else "C_v h/t, through the ratio"),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
                shown(points.mean_speed, RPM), scale=size.rpm, source="of |n| over the cycle; with T_rms the RMS point"),
@@ -145,17 +145,17 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
                reducer[0].value, scale=size.behind),
         result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}",
                reducer[1].value, scale=size.behind, source="³√(∫|n||T_1|³ dt/∫|n| dt)"),
-        result("@energy", "Energy that the motor drives with", "E", "J",
+        result("@energy", "Energy of the motor, driving", "E", "J",
                "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving, scale=size.work,
                source="at its shaft, a cycle; to 3 %"),
-        result("@returned", "Energy that comes back to it", "", "J",
+        result("@returned", "Energy of the motor, regenerated", "", "J",
                "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned, scale=size.work),
-        result("@power", "Mean power at its shaft", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
+        result("@power", "Mean power at the motor's shaft", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
                shown((driving - returned) / driven.course.time, KW), scale=size.power),
         result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
                shown(max(0.0, points.top(points.power)), KW), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
-               shown(min(0.0, -points.top(-points.power)), KW), scale=size.power, source="what comes back"),
+               shown(min(0.0, -points.top(-points.power)), KW), scale=size.power, source="regenerated"),
         *max_rate.highest(view),
     )  # fmt: skip
 
@@ -218,7 +218,7 @@ def curve_check(view: DriveView, mends: Said) -> Quantity:
     """Return the check that the torque stays below the curve; that the curve is level where the book knows no other."""
     called = view.driven.called
     if not view.knows_falling:
-        return check("@ok_curve", f"{called}: the motor's peak torque holds up to its largest speed",
+        return check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed",
                      f"IF(@motor_row=0,0,IF({LISTED}=0,0,{DROP}))=0", not view.driven.catalogued_falling.fall,
                      says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
     says = amount("0-@spare", -view.spare, "", " Nm more than the motor has at its speed")
@@ -298,14 +298,14 @@ def losses(view: DriveView) -> list[Quantity]:
     back = [1.0 / stage.efficiency if document else float(stage.back_efficiency or 0.0) for stage in (mechanism,)]
     held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
     return [
-        calc("@back1", "Factor of the reducer, load driving", "f_1", "", '=IF(@method="document",1/@eta1,@eta1)',
+        calc("@back1", "Loss factor of the reducer, load driving", "f_1", "", '=IF(@method="document",1/@eta1,@eta1)',
              1.0 / reducer.efficiency if document else reducer.efficiency,
              source="η; by S4 1/η, as where it is driven"),
-        calc("@back2", "Factor of the mechanism, load driving", "f_2", "",
+        calc("@back2", "Loss factor of the mechanism, load driving", "f_2", "",
              f'=IF(@method="document",1/@eta2,IF(@eta2_back="",{back_default(driven.given.kind)},@eta2_back))',
-             back[0], scale=1.0, source="0 or less: it locks itself, and must be driven"),
-        calc("@hold2", "Factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
-             source="0: it holds its load by itself"),
+             back[0], scale=1.0, source="0 or less: self-locking, driven down by the motor"),
+        calc("@hold2", "Loss factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
+             source="0: self-locking"),
     ]  # fmt: skip
 
 
@@ -323,18 +323,15 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     first = float(view.load.first.min())
     shaft = m.on_shaft(1) + m.on_shaft(m.last) / first**2
 
-    def on(shaft: str) -> str:
-        return f'SUMPRODUCT(([@parts.shaft]="{shaft}")*[@parts.all])/10000'
-
     sheet.heading(
         "Workings: the chain",
         "S1: C_m = J_m/τ ω̇ + τ (C_r + J_tot ω̇), τ = 1/i_1 and ω̇ of the mechanism's shaft; with losses τ over η_1.",
     )
     sheet.rows(
         constant("@built", "Axis, named when the book was built", "", "", driven.entered.called, align="left",
-                 source="its sheet and its checks keep this name"),
+                 source="the sheet and its checks keep this name"),
         *gravity,
-        calc("@faster", "Its rate over the machine's", "", "", "=@rate/timing_rate",
+        calc("@faster", "Rate of the drive over the machine's", "", "", "=@rate/timing_rate",
              shown(driven.axis.speed, one.axis.speed)),
         calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=timing_omega*@faster",
              driven.axis.speed),
@@ -343,22 +340,23 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         *sizes,
         calc("@tau", "Ratio of the reducer as S1 has it", "τ", "", "=1/@i1", 1.0 / m.stages[0].ratio,
              source="mechanism over motor"),
-        calc("@j0", "Inertia on the motor's shaft, with it", "J_m", "kg m²",
-             f"=@jm+@j_reducer+{on('motor')}", driven.at_motor, source="motor, reducer, parts"),
-        calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²", f"={on('mechanism')}", m.on_shaft(1)),
+        calc("@j0", "Inertia on the motor's shaft, motor included", "J_0", "kg m²",
+             f"=@jm+@j_reducer+{on_shaft('motor')}", driven.at_motor, source="motor, reducer, parts"),
+        calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²", f"={on_shaft('mechanism')}",
+             m.on_shaft(1)),
         calc("@j_shaft", "Inertia at the mechanism's shaft", "J_tot", "kg m²", f"=@j1+@m/{ratio}^2", shaft,
-             source="J_p + m/φ'²"),
+             source=f"J_p + m/φ'²{', largest over the stroke' if view.varies else ''}"),
         *losses(view),
         calc("@steady", "Constant load force", "", force, steady, load.torque, scale=size.force,
-             source="F + m g sin θ" if travels else ""),
+             source="F + m g sin γ" if travels else ""),
         calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady/{ratio}",
              load.torque / first, scale=size.behind, source="F_r/φ', F_r R of rollers"),
         calc("@rub", "Friction", "", force, rubbing, load.friction, scale=size.force,
-             source="μ m g cos θ" if travels else ""),
+             source="μ m g cos γ" if travels else ""),
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.fastest),
         calc("@amax", "Greatest acceleration", "ÿ", "m/s²" if travels else "rad/s²",
              f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
-        calc("@still", "Speed taken as standstill, up to", "", "m/s" if travels else "rad/s",
+        calc("@still", "Standstill: speeds up to", "", "m/s" if travels else "rad/s",
              "=check_zero*@vmax*@omega", view.cycle.still, format="0E+00", scale=max(view.cycle.still, 1e-12)),
     )  # fmt: skip

@@ -7,13 +7,14 @@ from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.linkages import APART
 from workbook.machines.machine.drive.mechanisms import slides
+from workbook.machines.machine.mechanism import CrankSlider
 
 INNER = "SQRT(MAX(0,(@l-@r)^2-@e^2))"
 OUTER = "SQRT((@l+@r)^2-@e^2)"
 ENDS = {"low": ("inner dead centre", "outer dead centre"), "high": ("outer dead centre", "inner dead centre")}
 FITS = "@l>@r+ABS(@e)"
 HOLDS = "rod longer than crank and offset"
-SIZED = "COUNT(@crank,@rod)=2"
+SIZED = "COUNT(@crank_radius,@rod_length)=2"
 WITHIN = "between its dead centres"
 entered, ratios, angle = slides.entered, slides.ratios, slides.angle
 
@@ -25,18 +26,19 @@ def wrong(driven: Driven) -> str:
 
 def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
-    e, key = driven.given, f"{key}.mechanism"
+    e, key = driven.of_kind(CrankSlider), f"{key}.mechanism"
     return [
-        given("@crank", "Radius of the crank", "r", "mm", e.crank, f"{key}.crank", format="0.0##"),
-        given("@rod", "Length of the connecting rod", "l", "mm", e.rod, f"{key}.rod", format="0.0##"),
+        given("@crank_radius", "Radius of the crank", "r", "mm", e.crank_radius, f"{key}.crank_radius", format="0.0##"),
+        given("@rod_length", "Length of the connecting rod", "l", "mm", e.rod_length, f"{key}.rod_length",
+              format="0.0##"),
         given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
               format="0.0##", source="0 if empty"),
         given("@zero", "Positions grow from the dead centre", "", "", e.zero, f"{key}.zero", align="left",
               source="inner, or outer; inner if empty"),
         given("@branch", "The crank is, of the line from shaft to slide", "", "", e.branch, f"{key}.branch",
               align="left", source="ahead, or behind; ahead if empty"),
-        given("@position", "From there to where the motion begins", "y_0", "mm", e.position,
-              f"{key}.position", format="0.0##", source="0 if empty: then it rests in the dead centre"),
+        given("@start", "Distance from there where the motion begins", "y_0", "mm", e.start,
+              f"{key}.start", format="0.0##", source="0 if empty: then it rests in the dead centre"),
     ]  # fmt: skip
 
 
@@ -45,17 +47,17 @@ def sizes(driven: Driven) -> list[Quantity]:
     one = slides.slide_of(driven.linkage)
     low, high, *_ = one.reach
     return [
-        calc("@r", "Lever", "r", "m", "=@crank/1000", one.lever),
-        calc("@l", "Link", "l", "m", "=@rod/1000", one.link),
+        calc("@r", "Lever", "r", "m", "=@crank_radius/1000", one.lever),
+        calc("@l", "Link", "l", "m", "=@rod_length/1000", one.link),
         calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
         calc("@side", "Lever ahead (1) or behind (−1)", "s", "", '=IF(@branch="behind",0-1,1)', one.side, format="0"),
         calc("@sense", "Positions grow away from the shaft (1)", "", "", '=IF(@zero="outer",0-1,1)', one.direction,
              format="0"),
         calc("@x0", "Slide from the shaft where the motion begins", "x_0", "m",
-             f"=IF(@zero=\"outer\",{OUTER}-@position/1000,{INNER}+@position/1000)", one.zero,
+             f"=IF(@zero=\"outer\",{OUTER}-@start/1000,{INNER}+@start/1000)", one.zero,
              source="√((l ± r)² − e²) in the dead centres"),
-        calc("@low", "Lowest position that is reached", "", "m", "=0-@position/1000", low, source="a dead centre"),
-        calc("@high", "Highest position", "", "m", f"={OUTER}-{INNER}-@position/1000", high, source="the other one"),
+        calc("@low", "Lowest position that is reached", "", "m", "=0-@start/1000", low, source="a dead centre"),
+        calc("@high", "Highest position", "", "m", f"={OUTER}-{INNER}-@start/1000", high, source="the other one"),
         *slides.begun(one),
     ]  # fmt: skip
 

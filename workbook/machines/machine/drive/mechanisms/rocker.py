@@ -12,10 +12,11 @@ from workbook.entries.units import DEGREE, si
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.linkages import APART
 from workbook.machines.machine.drive.mechanisms import slides
+from workbook.machines.machine.mechanism import Rocker
 
 FITS = "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(SIN(@theta-ATAN2(@x0,@e)))>=check_zero,@high<@none,@low>0-@none)"
 HOLDS = "lever, link and slide where the motion begins"
-SIZED = "COUNT(@lever,@link,@angle)=3"
+SIZED = "COUNT(@lever_length,@link_length,@start_angle)=3"
 WITHIN = "between its dead centres"
 entered, ratios, angle = slides.entered, slides.ratios, slides.angle
 
@@ -27,14 +28,14 @@ def wrong(driven: Driven) -> str:
 
 def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
-    e, key = driven.given, f"{key}.mechanism"
+    e, key = driven.of_kind(Rocker), f"{key}.mechanism"
     return [
-        given("@lever", "Length of the lever", "r", "mm", e.lever, f"{key}.lever", format="0.0##"),
-        given("@link", "Length of the link", "l", "mm", e.link, f"{key}.link", format="0.0##"),
+        given("@lever_length", "Length of the lever", "r", "mm", e.lever_length, f"{key}.lever_length", format="0.0##"),
+        given("@link_length", "Length of the link", "l", "mm", e.link_length, f"{key}.link_length", format="0.0##"),
         given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
               format="0.0##", source="0 if empty"),
-        given("@angle", "Lever from the line where the motion begins", "ψ_0", "°", e.angle,
-              f"{key}.angle", format="0.0##"),
+        given("@start_angle", "Lever from the line where the motion begins", "ψ_0", "°", e.start_angle,
+              f"{key}.start_angle", format="0.0##"),
         given("@slide", "The slide is, of the lever's end", "", "", e.slide, f"{key}.slide", align="left",
               source="ahead, or behind; ahead if empty"),
         given("@direction", "Positions grow along the line", "", "", e.direction, f"{key}.direction", align="left",
@@ -49,11 +50,11 @@ def sizes(driven: Driven) -> list[Quantity]:
     ahead = "SQRT(MAX(0,@l^2-(@r*SIN(@theta)-@e)^2))"
     back = '@direction="backward"'
     return [
-        calc("@r", "Lever", "r", "m", "=@lever/1000", one.lever),
-        calc("@l", "Link", "l", "m", "=@link/1000", one.link),
+        calc("@r", "Lever", "r", "m", "=@lever_length/1000", one.lever),
+        calc("@l", "Link", "l", "m", "=@link_length/1000", one.link),
         calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
-        calc("@theta", "Lever where the motion begins", "", "rad", "=RADIANS(@angle)",
-             si(driven.given.angle or 0.0, DEGREE)),
+        calc("@theta", "Lever where the motion begins", "", "rad", "=RADIANS(@start_angle)",
+             si(driven.of_kind(Rocker).start_angle or 0.0, DEGREE)),
         calc("@sense", "Positions grow along the line (1)", "", "", f"=IF({back},0-1,1)", one.direction, format="0"),
         calc("@x0", "Slide where the motion begins", "x_0", "m",
              f'=@r*COS(@theta)+IF(@slide="behind",0-1,1)*{ahead}', one.zero, source="r cos ψ ± √(l² − (r sin ψ − e)²)"),

@@ -20,6 +20,7 @@ from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.linkages import FALLS
 from workbook.machines.machine.drive.mechanisms.column import Column
+from workbook.machines.machine.mechanism import Table
 
 SIZED = "@count>=2"
 FITS = "SUM([@curve.falls])=0"
@@ -41,7 +42,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
 
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the points."""
-    e, key, unit = driven.given.points, f"axes.{driven.number - 1}.mechanism.points.*", driven.entered.unit
+    e, key, unit = driven.of_kind(Table).points, f"axes.{driven.number - 1}.mechanism.points.*", driven.entered.unit
     sheet.row += 1
     sheet.table(
         "@points", "Points of the table: leave spare rows empty", rows,
@@ -59,7 +60,8 @@ def sizes(driven: Driven) -> list[Quantity]:
     low, high, *_ = one.reach
     base = driven.axis.base
     return [
-        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(driven.given.points), format="0"),
+        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(driven.of_kind(Table).points),
+             format="0"),
         calc("@low", "Lowest position that is reached", "", base, "=INDEX([@curve.y],1)", low, scale=high - low),
         calc("@high", "Highest position", "", base, "=INDEX([@curve.y],MAX(1,@count))", high, scale=high - low),
         calc("@near_end", "So near to an end counts as beyond it", "", base, "=0-check_zero*(@high-@low)",

@@ -1,0 +1,220 @@
+"""The mechanisms of an axis' drive as an engineer enters them: a model for each kind, with its own sizes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Any, ClassVar, Literal, get_args
+
+from pydantic import Field
+
+from workbook.drive.entries import Efficiency
+from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
+
+UNSIZED = "a size of the mechanism is empty"
+LEAST_POINTS = 2
+
+
+def sized(label: str) -> Any:
+    """Return the field of a size in mm; the sheet of the drive has its ``label`` too."""
+    return Field(title=label, description=label, json_schema_extra={"unit": "mm"})
+
+
+def size(label: str, note: str = "") -> Any:
+    """Return the field of a size in mm that may be empty, until the design is finished or for good."""
+    return Field(default=None, title=label, description=f"{label}{note}", json_schema_extra={"unit": "mm"})
+
+
+class MechanismEntry(Model):
+    """What makes the motor's turning the axis' motion."""
+
+    SIZE: ClassVar[str] = ""
+    """the entry that sets the ratio, of a kind with a constant one that is not 1"""
+    UNITS: ClassVar[tuple[str, ...]] = ("mm",)
+    """of axes that it moves"""
+    NEEDED: ClassVar[tuple[str, ...]] = ()
+    """sizes that may be empty in an unfinished design only"""
+    LARGE: ClassVar[dict[str, Any]] = {}
+    """sizes of a mechanism whose ratio changes, with which it reaches wherever an axis goes"""
+
+    kind: str
+    efficiency: Efficiency = Field(description="Efficiency of the mechanism")
+    back_efficiency: Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)] | None = Field(
+        default=None,
+        description="Efficiency where the load drives it; 0 or less: it locks itself. If empty, 2 - 1/efficiency of a "
+        "screw, and the efficiency of all else",
+    )
+    method: Literal["physical", "document"] = Field(
+        default="physical",
+        description="Losses: by the flow of power through each stage, or over the efficiency always, as S4 has it",
+    )
+
+    @property
+    def size(self) -> float:
+        """The size that sets a constant ratio, in mm; 1 of a kind that has none."""
+        return getattr(self, self.SIZE) if self.SIZE else 1.0
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield the sizes that are missing of a mechanism whose ratio changes."""
+        for name in self.NEEDED:
+            if getattr(self, name) is None:
+                yield DesignError(name, UNSIZED, "sized", 1.0)
+
+
+class Belted(MechanismEntry):
+    """A mechanism of which a belt moves with the load."""
+
+    belt_mass: NotNegative | None = Field(
+        default=None, description="Mass of the belt; it moves with the load", json_schema_extra={"unit": "kg"}
+    )
+
+
+class LeadScrew(MechanismEntry):
+    """A screw and its nut: the axis travels the lead a revolution."""
+
+    SIZE: ClassVar[str] = "lead"
+
+    kind: Literal["lead screw"]
+    lead: Positive = sized("Lead of the screw")
+
+
+class Conveyor(Belted):
+    """A belt over rollers that carries the load."""
+
+    SIZE: ClassVar[str] = "roller_diameter"
+
+    kind: Literal["conveyor"]
+    roller_diameter: Positive = sized("Diameter of the roller")
+
+
+class RackAndPinion(MechanismEntry):
+    """A pinion on a rack."""
+
+    SIZE: ClassVar[str] = "pinion_diameter"
+
+    kind: Literal["rack and pinion"]
+    pinion_diameter: Positive = sized("Pitch diameter of the pinion")
+
+
+class Belt(Belted):
+    """A belt over pulleys that pulls the load."""
+
+    SIZE: ClassVar[str] = "pulley_diameter"
+
+    kind: Literal["belt"]
+    pulley_diameter: Positive = sized("Pitch diameter of the pulley")
+
+
+class FeedRollers(MechanismEntry):
+    """Rollers that feed a web or film."""
+
+    SIZE: ClassVar[str] = "roller_radius"
+
+    kind: Literal["feed rollers"]
+    roller_radius: Positive = sized("Radius of the rollers")
+
+
+class RotaryTable(MechanismEntry):
+    """A table that turns with the reducer's output shaft."""
+
+    UNITS: ClassVar[tuple[str, ...]] = ("°",)
+
+    kind: Literal["rotary table"]
+
+
+class GearTrain(MechanismEntry):
+    """A shaft that turns with the reducer's output shaft."""
+
+    UNITS: ClassVar[tuple[str, ...]] = ("°",)
+
+    kind: Literal["gear train"]
+
+
+class CrankSlider(MechanismEntry):
+    """A crank that moves a slide by a connecting rod; the motion is that of the slide."""
+
+    NEEDED: ClassVar[tuple[str, ...]] = ("crank_radius", "rod_length")
+    LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1e4, "rod_length": 5e4, "start": 1e4}
+
+    kind: Literal["crank-slider"]
+    crank_radius: Positive | None = size("Radius of the crank")
+    rod_length: Positive | None = size("Length of the connecting rod")
+    offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
+    zero: Literal["inner", "outer"] | None = Field(
+        default=None, description="The dead centre that positions grow from; inner if empty"
+    )
+    branch: Literal["ahead", "behind"] | None = Field(
+        default=None,
+        description="Whether the crank is ahead of the line from shaft to slide, or behind; ahead if empty",
+    )
+    start: NotNegative | None = size("Distance from that dead centre where the motion begins", "; 0 if empty")
+
+
+class Rocker(MechanismEntry):
+    """A lever that moves a slide by a link; the motion is that of the slide."""
+
+    NEEDED: ClassVar[tuple[str, ...]] = ("lever_length", "link_length", "start_angle")
+    LARGE: ClassVar[dict[str, Any]] = {"lever_length": 1e5, "link_length": 5e5, "offset": 1e5, "start_angle": 90.0}
+
+    kind: Literal["rocker"]
+    lever_length: Positive | None = size("Length of the lever")
+    link_length: Positive | None = size("Length of the link")
+    offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
+    start_angle: Number | None = Field(
+        default=None,
+        description="Angle of the lever from the direction of the slide's line where the motion begins",
+        json_schema_extra={"unit": "°"},
+    )
+    slide: Literal["ahead", "behind"] | None = Field(
+        default=None, description="Whether the slide is ahead of the lever's end, or behind; ahead if empty"
+    )
+    direction: Literal["forward", "backward"] | None = Field(
+        default=None, description="Whether positions grow along the line's direction; forward if empty"
+    )
+
+
+class TablePoint(Model):
+    """A point of a table: an angle of the shaft in °, and the position of the load there, in mm or °."""
+
+    angle: Number = Field(description="Angle of the shaft", json_schema_extra={"unit": "°"})
+    position: Number = Field(description="Position of the load there, in the axis' unit")
+
+
+class Table(MechanismEntry):
+    """Any mechanism whose position is known over the angle of its shaft, point by point."""
+
+    UNITS: ClassVar[tuple[str, ...]] = ("mm", "°")
+    LARGE: ClassVar[dict[str, Any]] = {"points": [{"angle": end, "position": end} for end in (-1e4, 1e4)]}
+
+    kind: Literal["table"]
+    points: list[TablePoint] = Field(
+        default=[],
+        description="The load's position over the shaft's angle, both strictly rising",
+    )
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield points of which there are too few."""
+        if len(self.points) < LEAST_POINTS:
+            yield DesignError("points", UNSIZED, "sized", self.LARGE["points"])
+
+
+Mechanism = Annotated[
+    LeadScrew | Conveyor | RackAndPinion | Belt | FeedRollers | RotaryTable | GearTrain | CrankSlider | Rocker | Table,
+    Field(discriminator="kind"),
+]
+MECHANISMS: dict[str, type[MechanismEntry]] = {
+    get_args(model.model_fields["kind"].annotation)[0]: model for model in get_args(get_args(Mechanism)[0])
+}
+"""the models by kind"""
+LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE)
+"""mechanisms whose ratio changes"""
+BELTED = tuple(kind for kind, model in MECHANISMS.items() if issubclass(model, Belted))
+"""mechanisms of which a belt moves with the load"""
+SCREWS = ("lead screw",)
+"""mechanisms whose losses are friction in a thread"""
+
+
+def some_mechanism(kind: str) -> MechanismEntry:
+    """Return a mechanism of a kind with any sizes."""
+    model = MECHANISMS[kind]
+    sizes = {model.SIZE: 1.0} if model.SIZE else model.LARGE
+    return model.model_validate({"kind": kind, "efficiency": 1.0} | sizes)
