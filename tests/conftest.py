@@ -1,6 +1,8 @@
 """Settings for all tests: what is drawn at random, and which tests are the quick ones."""
 
 import gc
+import os
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -18,6 +20,9 @@ settings.register_profile("night", settings.default, deadline=None, max_examples
 
 
 def pytest_configure(config):
+    remembered = tempfile.TemporaryDirectory()  # what commands remember of books lies there, and not with the user
+    config.add_cleanup(remembered.cleanup)
+    os.environ |= dict.fromkeys(("XDG_CACHE_HOME", "LOCALAPPDATA"), remembered.name)
     given = config.getoption("--hypothesis-seed", None)
     tiers.night = given or 0
     settings.load_profile("day" if given is None else "night")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from engine.cams.course import Course
@@ -12,7 +13,8 @@ from engine.timing import Switch
 class CamAxis:
     """An axis over a cycle of its master: its course and the units of both.
 
-    ``repeats`` says whether the cycle follows upon itself: it comes back, or a feed goes on from where it is.
+    ``repeats`` says whether the cycle follows upon itself: it comes back, or a feed goes on from where it is. ``shaft``
+    gives the angle of the motor's shaft, where it has a drive; it raises ValueError for what the mechanism cannot do.
     """
 
     name: str
@@ -20,6 +22,7 @@ class CamAxis:
     x_unit: str
     y_unit: str
     repeats: bool = True
+    shaft: Callable[[], CamAxis] | None = None
 
     @property
     def units(self) -> tuple[str, str, str, str]:

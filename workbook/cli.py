@@ -245,6 +245,14 @@ def regenerate(
     make.regenerate(book, output, force)
 
 
+Of = Annotated[
+    str, typer.Option(metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft.")
+]
+Fresh = Annotated[
+    bool, typer.Option("--fresh", help="Verify the book again, also where these bytes were verified before.")
+]
+
+
 @app.command()
 def export(
     book: Book,
@@ -269,9 +277,11 @@ def export(
             "written. May be given several times.",
         ),
     ] = None,
+    of: Of = "load",
     unverified: Annotated[
         bool, typer.Option("--unverified", help="Do not ask whether the book agrees; the file says so.")
     ] = False,
+    fresh: Fresh = False,
     separator: Annotated[str, typer.Option(metavar="semicolon|comma|tab", help="Between columns of text.")] = (
         "semicolon"
     ),
@@ -293,8 +303,8 @@ def export(
     """
     from workbook.commands import export as exporting
 
-    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified, equidistant)
-    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report, switches))
+    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified, equidistant, of)
+    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report, switches, fresh))
 
 
 Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
@@ -338,7 +348,9 @@ def compare(
     tolerance: Annotated[
         list[str] | None, typer.Option(metavar="a=1%", help="Largest error of y, v, a or j as a share of its peak.")
     ] = None,
+    of: Of = "load",
     unverified: Annotated[bool, typer.Option("--unverified", help="Do not ask whether the book agrees.")] = False,
+    fresh: Fresh = False,
     as_json: Json = False,
 ) -> None:
     """Compare what a controller makes of a cam table with an axis of a book, or its switches with the book's.
@@ -347,7 +359,7 @@ def compare(
     """
     from workbook.commands import cams
 
-    raise typer.Exit(cams.compare(book, file, axis, source, tolerance or (), unverified, as_json, switches))
+    raise typer.Exit(cams.compare(book, file, axis, source, tolerance or (), unverified, as_json, switches, of, fresh))
 
 
 @app.command()

@@ -12,7 +12,8 @@ from engine.cams.course import SAME
 from engine.cams.identify import THINNED
 from workbook import build as making
 from workbook.commands import switching
-from workbook.commands.export import chosen, tolerated, trusted
+from workbook.commands.export import LOAD, SHAFT, chosen, require_side, shafts, tolerated
+from workbook.commands.trusted import opened, vouched
 from workbook.controllers import certificates, described
 from workbook.controllers.files import read_table, text_of
 from workbook.controllers.handing import certified
@@ -96,23 +97,28 @@ def title(name: str) -> str:
 
 def compare(
     book: Path, file: Path, axis: str | None, source: str, tolerance: Sequence[str], unverified: bool, as_json: bool,
-    switches: bool = False,
+    switches: bool = False, of: str = LOAD, fresh: bool = False,
 ) -> int:  # fmt: skip
     """Compare what a controller makes of a file with an axis of a book, or with its switches; return the exit code."""
     target = target_named(source)
+    require_side(of)
     if switches == (axis is not None):
         raise TargetError("expected either --axis NAME or --switches")
     if switches:
         switching.lanes_of(file, target)  # what cannot be read is told before the book is verified
     held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
     table = None if switches else read_table(file, target)
-    machine, _ = trusted(book, unverified)
-    if machine is None:
+    read = opened(book)
+    if read is None:
         return DISAGREES
-    if table is None:
-        lanes = TEMPLATES[machine.template].switches(machine)
-        return switching.compared(book, lanes, file, target, as_json)
-    (meant,) = chosen(TEMPLATES[machine.template].axes(machine), axis, machine.template)
+    template = TEMPLATES[read.machine.template]
+    meant = None if table is None else chosen(template.axes(read.machine), axis, template.name)[0]
+    if meant and of == SHAFT:
+        (meant,) = shafts([meant], everything=False)
+    if vouched(book, read, unverified, fresh) is None:
+        return DISAGREES
+    if table is None or meant is None:
+        return switching.compared(book, template.switches(read.machine), file, target, as_json)
     course = meant.course
     for given, own in zip(table.x[[0, -1]], course.edges[[0, -1]], strict=True):
         if abs(float(given) - float(own)) > max(NEAR, SAME) * course.total:

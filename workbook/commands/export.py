@@ -1,45 +1,47 @@
-"""From a verified book to a controller's file, with the certificate of what an independent reader finds in it."""
+"""From a verified book to a controller's file, with the certificate of what a reader of its own finds in it."""
 
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as replaced
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-from workbook import __version__
-from workbook import build as making
 from workbook.axes import CamAxis, CamSwitch
 from workbook.build import write_text
 from workbook.commands import switching
 from workbook.commands.switching import Switched, switched, takes
+from workbook.commands.trusted import opened, vouched
 from workbook.controllers import certificates, files
 from workbook.controllers.automatic import automatic
 from workbook.controllers.handing import Made, allowed, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine
-from workbook.errors import TargetError
+from workbook.errors import TargetError, WriteError
 from workbook.exits import AGREES, DISAGREES
-from workbook.judging.one import digest, state
-from workbook.judging.verify import verify
 from workbook.reports import cams, page
-from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.reports.terminal import ERR, OUT, say, say_data
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, replace
 
 AUTO = "auto"
+LOAD, SHAFT = "load", "shaft"
 SEPARATORS = {"semicolon": ";", "comma": ",", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
 
 @dataclass(frozen=True)
 class Asked:
-    """What is asked of an export beside the book: a number of points or None for the fewest, what is tolerated."""
+    """What is asked of an export beside the book: a number of points or None for the fewest, what is tolerated.
+
+    ``of`` is the load or the motor's shaft.
+    """
 
     target: Target
     points: int | None
@@ -49,6 +51,7 @@ class Asked:
     separator: str
     decimal: str
     unverified: bool
+    of: str
 
 
 @dataclass(frozen=True)
@@ -62,10 +65,12 @@ class Exported:
 
 
 def asked_for(
-    to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool, equal: bool = False
+    to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool, equal: bool = False,
+    of: str = LOAD,
 ) -> Asked:  # fmt: skip
     """Return what is asked for; raise TargetError where it cannot be meant."""
     target = target_named(to)
+    require_side(of)
     if equal and target.spacing == "breaks":
         raise TargetError(f"{to} has segments between the breaks of a motion; expected no --equidistant")
     target = replaced(target, spacing="equal") if equal else target
@@ -82,7 +87,13 @@ def asked_for(
         raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
     held = dict(map(tolerated, tolerance))
     return Asked(target, None if points == AUTO else int(points), held or dict(target.tolerance), bool(held),
-                 SEPARATORS[separator], DECIMALS[decimal], unverified)  # fmt: skip
+                 SEPARATORS[separator], DECIMALS[decimal], unverified, of)  # fmt: skip
+
+
+def require_side(of: str) -> None:
+    """Raise TargetError for a side of an axis that there is none of."""
+    if of not in (LOAD, SHAFT):
+        raise TargetError(f"--of {of}: expected {LOAD} or {SHAFT}")
 
 
 def tolerated(text: str) -> tuple[str, float]:
@@ -95,7 +106,7 @@ def tolerated(text: str) -> tuple[str, float]:
 
 def export(
     book: Path, axis: str | None, asked: Asked, output: Path | None, everything: bool, force: bool, as_json: bool,
-    report: Path | None = None, switches: bool = False,
+    report: Path | None = None, switches: bool = False, fresh: bool = False,
 ) -> int:  # fmt: skip
     """Write an axis of a book, its switches, or all of it as a target's files; return the exit code."""
     if [axis is not None, everything, switches].count(True) != 1:
@@ -105,24 +116,21 @@ def export(
         refuse_itself(output, book)
         refuse_existing(output, force)
         refuse_one_for_two(output, report)
-    machine, mark = trusted(book, asked.unverified)
-    if machine is None:
+    read = opened(book)
+    if read is None:
         return DISAGREES
-    template = TEMPLATES[machine.template]
-    known = template.axes(machine)
-    axes = [] if switches else chosen(known, axis, machine.template)
-    called = dict(zip((one.name for one in known), slugs([one.name for one in known]), strict=True))
-    lanes = asked_lanes(asked.target, template.switches(machine), switches, everything)
-    what = [*(called[one.name] for one in axes), *(["switches"] if lanes else [])]
-    paths = places(book, what, asked, output, everything)
-    for path in paths:
-        refuse_existing(path, force)
+    plan = planned(read.machine, axis, asked, everything, switches)
+    paths = places(book, plan.names, asked, output, everything)
+    refuse_any_existing(paths, force)
     refuse_one_for_two(*paths, report)
+    mark = vouched(book, read, asked.unverified, fresh)
+    if mark is None:
+        return DISAGREES
     with ERR.status("Exporting …"):
-        found = [exported(machine, one, called[one.name], asked, mark, path)
-                 for one, path in zip(axes, paths, strict=False)]  # fmt: skip
-        signs = asked.separator, asked.decimal
-        turned = switched(identified(machine), lanes, asked.target, signs, mark, paths[-1]) if lanes else None
+        told, signs = identified(read.machine), (asked.separator, asked.decimal)
+        found = [exported(told, one, name, asked, mark, path)
+                 for one, name, path in zip(plan.axes, plan.names, paths, strict=False)]  # fmt: skip
+        turned = switched(told, plan.lanes, asked.target, signs, mark, paths[-1]) if plan.lanes else None
     tell(found, turned, asked, as_json)
     if missed(found, turned, asked):
         return DISAGREES
@@ -133,6 +141,57 @@ def export(
         replace(path, lambda draft, text=text: write_text(draft, text), force)  # type: ignore[misc]
         say(ERR if as_json else OUT, f"Wrote {path.absolute()}")
     return AGREES
+
+
+class Plan(NamedTuple):
+    """The axes to export, the switches, and what each file is called: those of the axes, then the switches'."""
+
+    axes: list[CamAxis]
+    lanes: Sequence[CamSwitch]
+    names: list[str]
+
+
+def planned(machine: Machine, axis: str | None, asked: Asked, everything: bool, switches: bool) -> Plan:
+    """Return what is to be exported of a machine; raise TargetError where it has not what is asked for."""
+    template = TEMPLATES[machine.template]
+    known = template.axes(machine)
+    called = dict(zip((one.name for one in known), slugs([one.name for one in known]), strict=True))
+    axes = [] if switches else chosen(known, axis, machine.template)
+    lanes = asked_lanes(asked.target, template.switches(machine), switches, everything)
+    names = [called[one.name] for one in axes]
+    if asked.of == SHAFT:
+        axes = shafts(axes, everything)
+        names = [f"{called[one.name]}_shaft" for one in axes]
+        axes = [replaced(one, name=f"{one.name}, its motor's shaft") for one in axes]
+    return Plan(axes, lanes, [*names, *(["switches"] if lanes else [])])
+
+
+def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
+    """Return the angles of the motors' shafts of axes; raise TargetError for one without a drive that was named."""
+    found = []
+    for one in axes:
+        if one.shaft is None:
+            said = f"{one.name} has no drive, and so no motor's shaft"
+            if not everything:
+                raise TargetError(f"{said}; expected --of load")
+            say(ERR, f"{said}: it is left out", "yellow")
+            continue
+        try:
+            found.append(one.shaft())
+        except ValueError as error:
+            raise TargetError(f"{one.name}: its mechanism cannot do this motion: {error}") from None
+    return found
+
+
+def refuse_any_existing(paths: Sequence[Path], force: bool) -> None:
+    """Raise WriteError, which names all of them, where files are there that may not be replaced."""
+    there = [path for path in paths if os.path.lexists(path)]
+    if there and not force:
+        verb = "exists" if len(there) == 1 else "exist"
+        raise WriteError(f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
+                         "there, -o names another place)")  # fmt: skip
+    for path in paths:
+        refuse_existing(path, force)
 
 
 def asked_lanes(target: Target, lanes: Sequence[CamSwitch], only: bool, everything: bool) -> Sequence[CamSwitch]:
@@ -178,35 +237,6 @@ def missed(found: Sequence[Exported], turned: Switched | None, asked: Asked) -> 
     return bool(lines)
 
 
-def trusted(book: Path, unverified: bool) -> tuple[Machine | None, tuple[str, ...]]:
-    """Return the machine of a book that verify found right, or that is not to be asked, and the header's lines on it.
-
-    None, after it was said why, where a book disagrees or its design is unfinished.
-    """
-    before = state(book)
-    lines: list[str] = []
-    if unverified:
-        lines.append("NOT VERIFIED: nobody compared the book with the engine")
-    else:
-        with ERR.status(shown(f"Verifying {book} …")):
-            report = verify(book)
-        if not report.agrees:
-            said = f"{len(report.findings):,} cells of the book are not what the engine computes"
-            say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
-            return None, ()
-        lines += [f"the design FAILS: {check.line}" for check in report.failing]
-    machine, _ = making.inputs(book)
-    if machine.design.replaced:
-        say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].said}); nothing is exported", "red")
-        return None, ()
-    for line in lines:
-        say(ERR, f"Warning: {line}", "yellow")
-    mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {digest(book)}"
-    if before != state(book):
-        raise TargetError(f"{book}: it changed while it was read; try again")
-    return machine, (mark, *lines)
-
-
 def chosen(axes: Sequence[CamAxis], name: str | None, template: str) -> list[CamAxis]:
     """Return the axis of a name, or all; raise TargetError where there is none."""
     if not axes:
@@ -247,9 +277,9 @@ def slug(name: str) -> str:
 
 
 def exported(
-    machine: Machine, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path
+    machine: str, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path
 ) -> Exported:  # fmt: skip
-    """Return the text of an axis's file, and the certificate of what an independent reader finds in it."""
+    """Return the text of the file of a machine's axis, and the certificate of what a reader of its own finds in it."""
     target = asked.target
     if asked.points is None:
         made = automatic(target, axis, asked.tolerance)
@@ -257,7 +287,7 @@ def exported(
         made = certified(target, tabulated(target, axis, asked.points), axis.course)
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     header = tuple(visible(line) for line in (
-        f"{identified(machine)}, axis {axis.name}: {target.title}",
+        f"{machine}, axis {axis.name}: {target.title}",
         files.header(made.points, " or ".join(made.certificates), equal, units),
         *mark,
         *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),

@@ -7,6 +7,7 @@ from datetime import datetime
 from pathlib import Path
 
 from workbook.cluster import cores, pool
+from workbook.commands.trusted import keep
 from workbook.judging import many
 from workbook.judging.sent import unseen
 from workbook.judging.verify import present
@@ -40,6 +41,9 @@ def verify(
         with summary.progress(ERR, len(targets)) as done:
             outcomes = many.verify_many(targets, asked, workers, done, beside, bool(told)) + failed
     alone = len(books) == 1 and not many.is_folder(books[0])
+    for one in outcomes if alone else ():
+        if one.report is not None:
+            keep(one.sha256, one.report)
     summary.show(outcomes, OUT, ERR, as_json, alone, everything)
     when = datetime.now().astimezone()
     page.write(report, lambda: page.page(outcomes, when), force)

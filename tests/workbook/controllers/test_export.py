@@ -10,7 +10,9 @@ import pytest
 
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
+from workbook import remembered
 from workbook.build import build
+from workbook.commands import trusted
 from workbook.commands.export import chosen, slugs
 from workbook.controllers.automatic import automatic
 from workbook.controllers.files import read_table
@@ -20,11 +22,26 @@ from workbook.controllers.registry import target
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
 
 
 @pytest.fixture(autouse=True)
 def _read_once(monkeypatch, read_once):
     monkeypatch.setattr(making, "inputs", read_once)
+
+
+@pytest.fixture
+def verified(monkeypatch, tmp_path):
+    """The books that verify is asked of, nothing being remembered before."""
+    asked, verify = [], trusted.verify
+
+    def counted(path, **given):
+        asked.append(path)
+        return verify(path, **given)
+
+    monkeypatch.setattr(trusted, "verify", counted)
+    monkeypatch.setattr(remembered, "folder", lambda: tmp_path / "remembered")
+    return asked
 
 
 def test_an_axis_is_written_with_its_certificate_and_never_twice_unasked(run, book, tmp_path) -> None:
@@ -213,3 +230,82 @@ def test_all_axes_of_every_template_go_to_every_target_and_can_be_read(template,
         assert files
         for path in files:
             assert read_table(path, target(name)).x.size >= 2
+
+
+def test_with_all_axes_nothing_is_written_where_one_file_exists_and_all_of_these_are_named(
+    run, book, tmp_path, verified
+):
+    for name in ("two-Press.csv", "two-Feed_2.csv"):
+        (tmp_path / name).write_text("mine", "utf-8")
+    code, _, err = run("export", book, "--all", "--to", "csv")
+    assert code == 2
+    assert all(f"{name}" in " ".join(err.split()) for name in ("two-Press.csv", "two-Feed_2.csv"))
+    assert (tmp_path / "two-Press.csv").read_text("utf-8") == "mine"
+    assert verified == []  # told before the book is verified
+
+
+def test_what_verify_said_of_the_same_bytes_is_remembered(run, book, tmp_path, verified) -> None:
+    given = ("export", book, "--axis", "press", "--to", "csv", "--force")
+    assert [run(*given)[0] for _ in range(3)] == [0, 0, 0]
+    assert len(verified) == 1
+    assert run(*given, "--fresh")[0] == 0
+    assert len(verified) == 2
+    verified.clear()
+    assert run("compare", book, "two-Press.csv", "--axis", "Press", "--from", "csv")[0] == 0
+    assert verified == []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(remembered, "program", lambda: "another one")
+        assert run(*given)[0] == 0
+    assert len(verified) == 1
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"program": 1}', "\x00"])
+def test_a_memory_that_is_damaged_is_none(text, tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr(remembered, "folder", lambda: tmp_path)
+    remembered.remember("verdict", "ab", {"findings": 0})
+    assert remembered.recall("verdict", "ab")["findings"] == 0
+    remembered.place("verdict", "ab").write_text(text, "utf-8")
+    assert remembered.recall("verdict", "ab") is None
+
+
+def test_a_folder_that_takes_nothing_is_no_fault(tmp_path, monkeypatch) -> None:
+    (tmp_path / "file").write_text("no folder", "utf-8")
+    monkeypatch.setattr(remembered, "folder", lambda: tmp_path / "file")
+    remembered.remember("verdict", "ab", {})
+    assert remembered.recall("verdict", "ab") is None
+
+
+SHAFTS = {"MC01": 8.0 * 300.0 / 134.0 * 180.0 / np.pi, "MC02": 360.0}
+"""largest angle in degrees: i s/R of feed rollers behind a reducer, a turn a lead of 20 mm"""
+
+
+def test_the_motors_shaft_goes_out_as_an_angle(run, tmp_path) -> None:
+    workbook_of = read_machine(FOLDER / "machine.toml")
+    for axis in TEMPLATES["machine"].axes(workbook_of):
+        assert (axis.shaft is not None) == (axis.name in SHAFTS)
+        if axis.shaft is not None:
+            seen = axis.shaft()
+            assert np.ptp(seen.course.at(np.linspace(0.0, 360.0, 3_601)).y) == pytest.approx(SHAFTS[axis.name])
+            assert (seen.y_unit, seen.x_unit, seen.repeats) == ("°", "°", axis.repeats)
+
+
+def test_behind_a_crank_the_shafts_angle_is_that_of_its_geometry_and_is_certified(run, tmp_path) -> None:
+    """The ram's crank worked out anew, by the triangle of crank, rod and the line from the shaft to the slide."""
+    described = read_machine(FOLDER / "machine-linkages.toml")
+    ram, entry = TEMPLATES["machine"].axes(described)[0], described.axes[0].mechanism
+    tolerance = {"y": 1e-4, "a": 0.01}
+    made = automatic(target("csv"), ram.shaft(), tolerance)
+    assert made.excess(tolerance) <= 1.0
+    inner = np.sqrt((entry.rod - entry.crank) ** 2 - entry.offset**2)
+    x = inner + entry.position + ram.course.at(made.table.x).y
+    apart = np.hypot(x, entry.offset)
+    turned = np.arccos((entry.crank**2 + apart**2 - entry.rod**2) / (2.0 * entry.crank * apart))
+    angle = np.degrees(turned + np.arctan2(entry.offset, x)) * described.axes[0].reducer.ratio
+    assert np.abs(made.table.y - made.table.y[0]) == pytest.approx(np.abs(angle - angle[0]), abs=1e-4)
+
+
+def test_an_axis_without_a_drive_has_no_shaft(run, book) -> None:
+    code, _, err = run("export", book, "--axis", "Press", "--to", "csv", "--of", "shaft", "--unverified")
+    assert (code, "expected --of load" in " ".join(err.split())) == (2, True)
+    code, _, err = run("export", book, "--axis", "Press", "--to", "csv", "--of", "motor", "--unverified")
+    assert (code, "--of motor: expected load or shaft" in err) == (2, True)

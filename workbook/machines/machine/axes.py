@@ -2,26 +2,57 @@
 
 from __future__ import annotations
 
-from engine.cams.course import course_of_motion, turned
+from dataclasses import replace
+from functools import partial
+
+from engine.cams.composed import Seen, composed
+from engine.cams.course import Course, course_of_motion, turned
+from engine.laws.base import Array
 from engine.timing import Switch
 from workbook.axes import CamAxis, CamSwitch
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.units import DEGREE, shown
 from workbook.laws.library import laws
+from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.view import MovingAxis, Whole
+
+ANGLE_UNIT = "°"
 
 
 def axes(machine: AnyMachine) -> list[CamAxis]:
     """Return the axes of a machine."""
-    return [cam(one, machine.over) for one in Whole(machine, laws(machine.laws)).axes]
+    return [cam(one, machine) for one in Whole(machine, laws(machine.laws)).axes]
 
 
-def cam(one: MovingAxis, over: Abscissa) -> CamAxis:
+def cam(one: MovingAxis, machine: AnyMachine) -> CamAxis:
     """Return an axis as a controller can be given it."""
-    told = course_of_motion(one.motion, over.shown(shown(1.0, DEGREE)), shown(1.0, one.unit))
+    over, driven = machine.over, one.given.motor is not None
     repeats = one.given.repeats and one.axis.closes
-    return CamAxis(one.given.name, turned(told, one.typed.shift), over.unit, one.given.unit, repeats)
+    told = CamAxis(one.given.name, course(one, over, shown(1.0, one.unit)), over.unit, one.given.unit, repeats)
+    return replace(told, shaft=partial(shaft, one, machine, told)) if driven else told
+
+
+def course(one: MovingAxis, over: Abscissa, y: float) -> Course:
+    """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
+    return turned(course_of_motion(one.motion, over.shown(shown(1.0, DEGREE)), y), one.typed.shift)
+
+
+def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
+    """Return the angle of the motor's shaft of an axis, in degrees: before the reducer, and where its load is at 0, 0.
+
+    Behind a mechanism whose ratio depends on the position, 0 is where that counts its angle from. Raises ValueError
+    where the mechanism cannot bring its load to a position.
+    """
+    driven = Driven(one, machine.selection)
+    if driven.linkage is None:
+        return replace(load, course=course(one, machine.over, shown(driven.mechanism.ratio, DEGREE)), y_unit=ANGLE_UNIT)
+    linkage, degrees = driven.linkage, shown(driven.stage.ratio, DEGREE)
+
+    def angle(y: Array) -> Seen:
+        return Seen(*(degrees * each for each in linkage.shaft(y)))
+
+    return replace(load, course=composed(course(one, machine.over, 1.0), angle), y_unit=ANGLE_UNIT)
 
 
 def switches(machine: AnyMachine) -> list[CamSwitch]:

@@ -1,0 +1,71 @@
+"""What was found out of a file, remembered by the file's SHA-256 and by this version of the program, from run to run.
+
+It lies where the system keeps what may be lost: ``~/.cache/motionbook``, ``~/Library/Caches/motionbook`` on macOS,
+``%LOCALAPPDATA%\\motionbook\\Cache`` on Windows.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import platform
+import sys
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from workbook.errors import WriteError
+from workbook.writing.place import replace
+
+SOURCES = Path(__file__).parents[1]
+MOST = 1_000_000  # bytes of what is remembered of a file
+
+
+def recall(what: str, sha256: str) -> dict[str, Any] | None:
+    """Return what is remembered of a file; None where nothing is, or what a changed program remembered."""
+    with suppress(OSError, ValueError, RuntimeError):  # the last of a system that knows no home
+        path = place(what, sha256)
+        if path.stat().st_size <= MOST:
+            known = json.loads(path.read_bytes())
+            if isinstance(known, dict) and known.get("program") == program():
+                return known
+    return None
+
+
+def remember(what: str, sha256: str, data: dict[str, Any]) -> None:
+    """Remember ``data`` of a file; where that cannot be written, it is found out again another time."""
+    text = json.dumps(data | {"program": program()}).encode()
+
+    def write(draft: Path) -> None:
+        draft.write_bytes(text)
+
+    with suppress(OSError, RuntimeError, WriteError):
+        replace(place(what, sha256), write, overwrite=True)
+
+
+def place(what: str, sha256: str) -> Path:
+    """Return where something of a file is remembered."""
+    return folder() / f"{sha256}.{what}.json"
+
+
+def folder() -> Path:
+    """Return the folder by the convention of the system; raise RuntimeError where it knows no home."""
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "motionbook" / "Cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "motionbook"
+    named = Path(os.environ.get("XDG_CACHE_HOME") or "")
+    return (named if named.is_absolute() else Path.home() / ".cache") / "motionbook"
+
+
+@cache
+def program() -> str:
+    """Return what tells this program from another: its modules by name, size and time of change, and Python."""
+    told = hashlib.sha256(f"{sys.version} {platform.machine()}".encode())
+    for room in ("engine", "workbook"):
+        for path in sorted((SOURCES / room).rglob("*.py")):
+            known = path.stat()
+            told.update(f"{path.relative_to(SOURCES)} {known.st_size} {known.st_mtime_ns}".encode())
+    return told.hexdigest()
