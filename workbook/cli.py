@@ -195,7 +195,9 @@ def verify(
 
 @app.command()
 def study(
-    path: Annotated[Path, typer.Argument(metavar="STUDY.toml", help="What varies, what must hold, what is best.")],
+    path: Annotated[
+        Path | None, typer.Argument(metavar="STUDY.toml", help="What varies, what is constrained, what is best.")
+    ] = None,
     output: Annotated[
         Path | None,
         to("RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study."),
@@ -206,18 +208,25 @@ def study(
         int | None, typer.Option(min=1, metavar="N", help="Build and verify the book of the N-th best design.")
     ] = None,
     jobs: Jobs = None,
+    results: Annotated[
+        Path | None, typer.Option("--results", metavar="BASE", help="List the results of a machine by name, and stop.")
+    ] = None,
     unverified: Annotated[bool, typer.Option("--unverified", help="Do not verify the book of the best.")] = False,
     force: Force = False,
 ) -> None:
     """Work out many designs of a machine: laws, angles, motors, reducers, any entry; find the best.
 
-    Writes the designs with their results, a page with the front, and what --pick needs. The engine works them out
-    without books; the best one is built and verified.
+    Writes the designs with their results, a page with the front, and what --pick needs. Feasible is a design whose book
+    has no FAIL, and whose results keep to the constraints. The best one is built and verified.
 
     Exit code 0: there are feasible designs. 1: a design's book disagrees. 2: it cannot be done. 3: none is feasible.
     """
     from workbook.commands import study as studying
 
+    if results is not None:
+        raise typer.Exit(studying.listing(results))
+    if path is None:
+        raise typer.BadParameter("expected STUDY.toml, or --results BASE")
     raise typer.Exit(studying.study(path, output, scheduler, jobs, resume, pick, unverified, force))
 
 

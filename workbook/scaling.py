@@ -6,7 +6,7 @@ once, by the names that its book gives them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -30,18 +30,24 @@ class Column(NamedTuple):
 
 
 Worked = dict[str, Callable[[], Any]]
-Results = Mapping[str, Callable[[], Any]]
-"""by name, what works a result out"""
+
+
+class Results(NamedTuple):
+    """By name what works a result out; which of them are checks, and which take each design by itself."""
+
+    named: Mapping[str, Callable[[], Any]]
+    checks: Collection[str]
+    slow: Collection[str]
 
 
 class Scaling(NamedTuple, Generic[M]):
     """What of a kind of machine only scales.
 
     ``part`` returns to which part of the machine the entry at a key belongs, empty for all others; one entry of a part
-    may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these. ``off`` tells
-    by which share a book may be off a result of that name, where the book finds it by points.
+    may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these. ``most``
+    gives by name what results are at most if nothing else is told, where entries at these keys vary.
     """
 
     part: Callable[[str], str]
     results: Callable[[M, Mapping[str, Column]], Results]
-    off: Callable[[str], float] = lambda name: 0.0
+    most: Callable[[M, Collection[str]], Mapping[str, float]]

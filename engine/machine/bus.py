@@ -15,7 +15,7 @@ from numpy.polynomial import chebyshev
 from engine.laws.base import Array
 from engine.machine.course import Course, Stretch, parts
 from engine.machine.demand import Energy
-from engine.machine.geared import Works
+from engine.machine.many import Works
 from engine.machine.searching import Function, crossed, integral, largest
 
 HOUR = 3600.0  # s

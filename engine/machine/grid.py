@@ -18,8 +18,7 @@ from engine.choice.catalogue import Motors, Reducers
 from engine.choice.task import Task
 from engine.drivetrain import Motor
 from engine.laws.base import Array
-from engine.machine.geared import Gears
-from engine.machine.point_load import PointLoad
+from engine.machine.point_load import Gears, PointLoad
 
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
 RANKS: tuple[str, ...] = get_args(Rank)
@@ -58,7 +57,7 @@ def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike) -> Gears:
     """Return motors with their reducers in a line: J (kg m²), i, η."""
     each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency)))
     lined = [one.reshape(-1) for one in each]
-    return Gears(lined[0], lined[1], lined[2], np.zeros(lined[0].size, dtype=np.intp))
+    return Gears(*lined)
 
 
 class Used(NamedTuple):

@@ -7,6 +7,7 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -15,8 +16,23 @@ import numpy as np
 
 from engine.drivetrain.losses import gives_back
 from engine.laws.base import Array
-from engine.machine.geared import Gears
 from engine.machine.quadrature import LoadPoints
+
+AT_ONCE = 1 << 18
+"""values of which arrays are made"""
+
+
+class Gears(NamedTuple):
+    """Motors with their reducers, arrays of one length: J (kg m²) on the motor's shaft, i, η."""
+
+    inertia: Array
+    ratio: Array
+    efficiency: Array
+
+    def parts(self, width: int) -> Iterator[slice]:
+        """Yield which of them follow each other with no more than :data:`AT_ONCE` values, ``width`` for each."""
+        step = max(1, AT_ONCE // width)
+        yield from (slice(begin, begin + step) for begin in range(0, len(self.inertia), step))
 
 
 class Points(NamedTuple):
@@ -85,5 +101,10 @@ class PointLoad:
 
     def peak(self, some: Gears) -> Array:
         """Return the largest torque of motors at the points (Nm)."""
-        parts = some.parts(self.points.speed.size)
+        parts = (Gears(*(values[one] for values in some)) for one in some.parts(self.points.speed.size))
         return np.concatenate([np.abs(self.torques(one)).max(axis=1) for one in parts])
+
+
+def shares_of(limit: Array, value: Array) -> Array:
+    """Return the limit over the quantity; 0 where nothing is asked for."""
+    return np.divide(limit, value, out=np.zeros(np.broadcast(limit, value).shape), where=value != 0.0)

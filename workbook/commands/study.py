@@ -13,20 +13,27 @@ from tempfile import TemporaryDirectory
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from workbook.build import write_text
-from workbook.cluster import pool
+from workbook.build import described, write_text
+from workbook.cluster import cores, pool
 from workbook.errors import InputError, ReadError, WriteError
 from workbook.exits import AGREES, DISAGREES, FAILS
 from workbook.reports import study as page
 from workbook.reports.terminal import ERR, OUT, say
+from workbook.scaling import Results
 from workbook.studies import tables
+from workbook.studies.evaluate import Evaluator
 from workbook.studies.folder import Parts, read
 from workbook.studies.judged import Judged, picked
-from workbook.studies.named import Named, require_names
+from workbook.studies.named import Named, listed, require_names
+from workbook.studies.pace import paced
 from workbook.studies.plan import Plan, read_study
-from workbook.studies.run import pieces, run
+from workbook.studies.run import run
 from workbook.studies.summary import Summary
+from workbook.templates import TEMPLATES
 from workbook.writing.place import refuse_existing, replace
+
+SHORT, LONG = 4.0, 5.0
+"""seconds: a study that takes fewer is worked out by this process alone; one that takes more is announced"""
 
 
 def study(
@@ -35,7 +42,6 @@ def study(
 ) -> int:  # fmt: skip
     """Run a study, or pick a design of one that was run; return the exit code."""
     plan = read_study(path)
-    named = require_names(plan, str(path))
     book = output if pick is not None else None
     results = Path(f"{path.stem}.csv") if output is None or book is not None else output
     if book is not None and book.suffix.lower() != ".xlsx":
@@ -43,9 +49,9 @@ def study(
     tables.require_format(results)
     if pick is not None and not plan.study.goals:
         raise InputError([f"{path}: --pick takes the best, and no objective is told; expected minimise or maximise"])
-    told = results.with_suffix(".json")
-    found = known(plan, told) if pick is not None else None
+    found = at_hand(plan, results) if pick is not None else None
     if found is None:
+        named = require_names(plan, str(path))
         found = ran(plan, results, named, scheduler, jobs, resume, unverified, force)
     if pick is None or not found.feasible:
         return AGREES if found.feasible else FAILS
@@ -70,11 +76,16 @@ def ran(
     for one in (results, *others):
         refuse_existing(one, over)
     begin = time.perf_counter()
-    small = plan.space.way.kind != "evolution" and sum(1 for _ in zip(pieces(plan.space), range(2), strict=False)) < 2
-    with pool(1 if small and scheduler is None else jobs, scheduler) as workers, parts.opened(resume, force):
+    with ERR.status("Measuring how long a design takes …"):
+        pace = paced(plan)
+    parts.step, seconds = pace.step(plan.space), pace.seconds(plan.space)
+    at_once = 1 if seconds < SHORT else jobs or cores()
+    for line in announced(plan, seconds, None if scheduler else at_once):
+        say(ERR, line)
+    with pool(at_once, scheduler) as workers, parts.opened(resume, force):
         with interruptible(parts), progress(plan.space.size) as done:
             found = run(plan, parts, workers, done)
-        names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, "feasible", "impossible"]
+        names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, *tables.ENDS]
         rows = [parts.rows(number) for number in sorted(parts.complete())]
         replace(results, lambda draft: tables.join(names, rows, draft, results.suffix.lower()), over)
     seconds = time.perf_counter() - begin
@@ -89,19 +100,70 @@ def ran(
     return found
 
 
+def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
+    """Return in a line how long a study takes that is not done at once, and which results make it slow."""
+    if seconds / (at_once or 1) < LONG:
+        return []
+    evaluator = Evaluator(plan)
+    slow = [name for name in plan.study.names if name in evaluator.usual.slow]
+    why = f"{', '.join(evaluator.from_books)}: from a book of each design" if evaluator.from_books else ""
+    why = why or (f"{', '.join(slow)}: of each design by itself" if slow else "")
+    took = f"{at_once} cores" if at_once and at_once > 1 else "one core"
+    said = f"{plan.space.size:,} designs take up to about {lasting(seconds / (at_once or 1))} on {took}"
+    return [f"{said} ({why}; study --results lists what is fast)" if why else said]
+
+
+def lasting(seconds: float) -> str:
+    """Return a time in words."""
+    for size, unit in ((86400.0, "days"), (3600.0, "hours"), (60.0, "minutes")):
+        if seconds >= 2.0 * size:
+            return f"{seconds / size:,.0f} {unit}"
+    return f"{seconds:.0f} seconds"
+
+
+def listing(base: Path) -> int:
+    """Print which results a study of a machine may ask for: first what is fast."""
+    machine = described(base)
+    template = TEMPLATES[machine.template]
+    usual = template.scaling.results(machine, {}) if template.scaling else Results({}, (), ())
+    for heading, names in listed(template.declare(machine), usual):
+        say(OUT, f"{heading}: {len(names):,}", "bold")
+        for name, (words, unit) in names:
+            say(OUT, f"  {name}  {words}" + (f" [{unit}]" if unit else ""))
+    return AGREES
+
+
 def saved(plan: Plan, found: Summary) -> str:
     """Return what is known of a study, as a text that --pick reads."""
     return json.dumps({"digest": plan.digest} | asdict(found), ensure_ascii=False, indent=1) + "\n"
 
 
-def known(plan: Plan, path: Path) -> Summary | None:
-    """Return what is known of a study that was run, None where that was another one, or none."""
+def at_hand(plan: Plan, results: Path) -> Summary | None:
+    """Return what is known of a study that was run, however its results are called; None where it was not.
+
+    Raises ReadError where its own results are damaged, or those of the study before it was changed.
+    """
+    own = results.with_suffix(".json")
+    for path in (own, *sorted(results.parent.glob("*.json"))):
+        found = known(plan, path, path == own)
+        if found is not None:
+            return found
+    if own.exists():
+        said = "results of this study before it or its machine was changed"
+        raise ReadError(f"{own}: {said}; run it again with --force, and then pick")
+    return None
+
+
+def known(plan: Plan, path: Path, own: bool) -> Summary | None:
+    """Return what a file tells of a study; None where it is another one's, or none."""
     try:
         data = json.loads(read(path) or "{}")
         if data.pop("digest", "") != plan.digest:
             return None
         return Summary.of_json(json.dumps(data))
     except (ValueError, TypeError, KeyError, AttributeError) as error:
+        if not own:
+            return None
         raise ReadError(f"{path}: no results of a study; delete it, and run the study again") from error
 
 
@@ -143,7 +205,9 @@ def show(plan: Plan, found: Summary, results: Path, seconds: float) -> None:
         OUT,
         f"{found.designs:,} designs in {seconds:.1f} s: {found.feasible:,} feasible, {found.impossible:,} impossible",
     )
-    for line in page.exclusions(plan.study, found):
+    for line in page.unranked(found):
+        say(OUT, line, "yellow")
+    for line in page.exclusions(plan, found):
         say(OUT, line, "" if found.feasible else "yellow")
     if not found.feasible:
         say(OUT, "No design is feasible.", "red")

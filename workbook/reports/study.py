@@ -34,7 +34,7 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
     )
     counts = f"{found.designs:,} designs, {found.feasible:,} feasible, {found.impossible:,} impossible."
     body = [e("h1", study.title), e("p", versions, css="quiet"), e("p", counts)]
-    body += [e("p", line) for line in exclusions(study, found)]
+    body += [e("p", line) for line in unranked(found)]
     if judged:
         body.append(e("p", judged_line(judged), css="agrees" if judged.holds else "disagrees"))
     body += best(plan, found, named)
@@ -42,14 +42,42 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
         e("h2", "What varied"),
         table(("entry", "values"), [varied(one) for one in plan.space.dimensions], ()),
     ]
-    if study.constraints:
-        rows = [[heading(name, named), bounds(bound)] for name, bound in study.constraints.items()]
-        body += [e("h2", "What must hold"), table(("result", "bounds"), rows, ())]
+    body += constraints(plan, found, named)
     if found.reasons:
         rows = [[reason, f"{count:,}"] for reason, count in found.reasons.items()]
         body += [e("h2", "Why designs are impossible"), table(("reason", "designs"), rows, (1,))]
     body += [e("h2", "What was fixed"), table(("entry", "value"), [[*pair] for pair in fixed(plan)], ())]
     return document(study.title, body)
+
+
+def constraints(plan: Plan, found: Summary, named: Named) -> list[Element]:
+    """Return the table of what excludes designs, and in words what does not."""
+    rows = [
+        [heading(name, named), bounds(plan.bounds.get(name, "OK")), f"{count:,}", f"{found.alone.get(name, 0):,}"]
+        for name, count in excluding(plan, found)
+    ]
+    said = [e("h2", "Constraints"), table(("result", "bounds", "excludes", "of these alone"), rows, (2, 3))]
+    idle = [name for name, count in found.excluded.items() if not count and name not in plan.bounds]
+    if idle:
+        said.append(e("p", f"Checks of the book that exclude none: {', '.join(idle)}."))
+    if plan.study.off:
+        said.append(e("p", f"Switched off: {', '.join(plan.study.off)}."))
+    return said
+
+
+def excluding(plan: Plan, found: Summary) -> list[tuple[str, int]]:
+    """Return how many designs each constraint excludes: those told first, then checks that exclude any."""
+    counts = {name: found.excluded.get(name, 0) for name in plan.bounds}
+    checks = sorted(found.excluded.items(), key=lambda one: -one[1])
+    return [*counts.items(), *((name, count) for name, count in checks if count and name not in counts)]
+
+
+def unranked(found: Summary) -> list[str]:
+    """Return in a line how many feasible designs have no place among the best since they lack an objective's value."""
+    if not found.unranked:
+        return []
+    lacks = [f"{name} has no value in {count:,}" for name, count in found.without.items() if count]
+    return [f"{found.unranked:,} of {found.feasible:,} feasible designs cannot be ranked: {', '.join(lacks)}"]
 
 
 def best(plan: Plan, found: Summary, named: Named) -> list[Element]:
@@ -138,11 +166,11 @@ def bounds(bound: Bound | str) -> str:
     return ", ".join(f"{word} {end:g}" for word, end in ends if end is not None)
 
 
-def exclusions(study: Study, found: Summary) -> list[str]:
+def exclusions(plan: Plan, found: Summary) -> list[str]:
     """Return in a line each how many designs a constraint excludes."""
     return [
-        f"{name} ({bounds(study.constraints[name])}) excludes {count:,}, {found.alone.get(name, 0):,} of them alone"
-        for name, count in found.excluded.items()
+        f"{name} ({bounds(plan.bounds.get(name, 'OK'))}) excludes {count:,}, {found.alone.get(name, 0):,} of them alone"
+        for name, count in excluding(plan, found)
     ]
 
 
@@ -151,7 +179,8 @@ def judged_line(judged: Judged) -> str:
     if judged.differing:
         return f"The book of the design differs from the study: {', '.join(judged.differing)}."
     cells = f"{judged.cells:,} formula cells {'agree' if judged.agrees else 'DISAGREE'}"
-    return f"The book of the best design: {cells}; its results are the study's to {judged.deviation:.1e}."
+    said = f"The book of the design: {cells}; its results are the study's to {judged.deviation:.1e}."
+    return said + (f" Its checks that FAIL: {', '.join(judged.failing)}." if judged.failing else "")
 
 
 def figure(value: Any) -> str:

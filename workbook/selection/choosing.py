@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from engine.choice import Motors, Reducers
 from engine.laws.base import Array
-from engine.machine.geared import shares_of
 from engine.machine.grid import RANKS, Curve, Grid, Used, Wanted, gears, reserve
+from engine.machine.point_load import shares_of
 from workbook.book.rows import filled
 from workbook.entries.units import KG_CM2, RPM, shown, si
 from workbook.selection.catalogue import MotorRow, ReducerRow

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from workbook.book.declare import Book
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
-from workbook.scaling import Column
+from workbook.scaling import Column, Results
 from workbook.studies.model import Bound
 from workbook.studies.plan import Plan
 from workbook.studies.space import Dimension
@@ -29,12 +29,13 @@ NOTHING = "this result has no value"
 class Table:
     """Designs by their numbers from ``begin``: entries by dimension, results by name, why one is impossible.
 
-    A result is NaN, or an empty text, where there is none.
+    A result is NaN, or an empty text, where there is none. ``fails`` says by constraint which designs break it.
     """
 
     begin: int
     entries: tuple[Column, ...]
     results: Mapping[str, Values]
+    fails: Mapping[str, NDArray[np.bool_]]
     reasons: Values
 
     def __len__(self) -> int:
@@ -45,62 +46,126 @@ class Table:
         """Which designs there can be."""
         return np.asarray(self.reasons == "")
 
+    @cached_property
+    def feasible(self) -> NDArray[np.bool_]:
+        """Which designs keep to all constraints."""
+        return np.asarray(~np.logical_or.reduce([~self.possible, *self.fails.values()]))
+
+
+class Found(NamedTuple):
+    """What is found of designs that are worked out together; why there is nothing, if so."""
+
+    results: Mapping[str, Any]
+    fails: Mapping[str, Any]
+    reason: str = ""
+
 
 class Evaluator:
-    """What works designs of a plan out; the machine of the last design is kept."""
+    """What works designs of a plan out; the machine of the last design is kept.
 
-    def __init__(self, plan: Plan) -> None:
-        self.plan, self.names = plan, plan.study.names
+    Checks that take each design by itself are asked of those that keep to all else, unless ``thorough``.
+    """
+
+    def __init__(self, plan: Plan, thorough: bool = False) -> None:
+        self.plan, self.names, self.thorough = plan, plan.study.names, thorough
         self._last: tuple[tuple[Any, ...], Machine | str] | None = None
+
+    @cached_property
+    def usual(self) -> Results:
+        """The results of the base that come without a book."""
+        scaling = self.plan.template.scaling
+        return scaling.results(self.plan.base, {}) if scaling else Results({}, (), ())
+
+    @property
+    def from_books(self) -> list[str]:
+        """The results that need a book of each design."""
+        return [name for name in {**dict.fromkeys(self.names), **self.plan.bounds} if name not in self.usual.named]
 
     @cached_property
     def swift(self) -> bool:
         """Whether all results come without a book."""
-        scaling = self.plan.template.scaling
-        return scaling is not None and set(self.names) <= set(scaling.results(self.plan.base, {}))
+        return self.plan.template.scaling is not None and not self.from_books
 
     def table(self, begin: int, columns: Sequence[Column]) -> Table:
         """Return the results of designs that are numbered from ``begin``."""
         count = len(columns[0].places)
-        found: dict[str, list[Values]] = {name: [] for name in self.names}
-        reasons: list[Values] = []
+        found: list[tuple[Found, int]] = []
         for first, last in groups(columns, self._outer, count):
             some = [Column(one.values, one.places[first:last]) for one in columns]
-            values, reason = self._group(some, last - first)
-            reasons.append(np.full(last - first, reason, dtype=object))
-            for name in self.names:
-                found[name].append(np.broadcast_to(np.asarray(values.get(name, np.nan)), last - first))
-        whole = {name: together(each) for name, each in found.items()}
-        return Table(begin, tuple(columns), whole, np.concatenate(reasons))
+            found.append((self._group(some, last - first), last - first))
+        results = {name: together([wide(one.results.get(name, np.nan), n) for one, n in found]) for name in self.names}
+        constraints = dict.fromkeys(name for one, _ in found for name in one.fails)
+        fails = {
+            name: np.concatenate([wide(one.fails.get(name, False), n) for one, n in found]) for name in constraints
+        }
+        reasons = np.concatenate([np.full(n, one.reason, dtype=object) for one, n in found])
+        return Table(begin, tuple(columns), results, fails, reasons)
 
     @cached_property
     def _outer(self) -> list[int]:
         """The dimensions in which a design is worked out by itself."""
         return [k for k, one in enumerate(self.plan.space.dimensions) if not (self.swift and one.part)]
 
-    def _group(self, columns: Sequence[Column], count: int) -> tuple[dict[str, Any], str]:
-        """Return results of designs that are worked out together, or why there are none."""
+    def _group(self, columns: Sequence[Column], count: int) -> Found:
+        """Return what is found of designs that are worked out together."""
         dimensions = self.plan.space.dimensions
         chosen = {dimensions[k]: columns[k].values[columns[k].places[0]] for k in self._outer}
         machine = self._machine(chosen)
         if isinstance(machine, str):
-            return {}, machine
+            return Found({}, {}, machine)
         try:
             if not self.swift:
-                book = self.plan.template.declare(machine)
-                return {name: of_book(book, name) for name in self.names}, ""
+                return self._of_book(self.plan.template.declare(machine))
             scaled = {one.key: column for one, column in zip(dimensions, columns, strict=True) if one.part}
-            scaling = self.plan.template.scaling
-            results = scaling.results(machine, scaled) if scaling else {}
-            return {name: results[name]() for name in self.names}, ""
+            return self._scaled(machine, scaled, count)
         except (ValueError, ArithmeticError) as error:  # what the engine refuses
-            return {}, str(error).replace("\n", " ")
+            return Found({}, {}, str(error).replace("\n", " "))
+
+    def _of_book(self, book: Book) -> Found:
+        """Return what the book of a design says."""
+        values = {name: of_book(book, name) for name in {**dict.fromkeys(self.names), **self.plan.bounds}}
+        checks = {q.name: q.value != "OK" for _, q in book.checks if not self.plan.study.is_off(q.name)}
+        return Found(values, checks | self._beyond(values))
+
+    def _beyond(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return which designs do not keep to bounds."""
+        return {name: ~keeps(bound, np.asarray(values[name])) for name, bound in self.plan.bounds.items()}
+
+    def _scaled(self, machine: Machine, scaled: Mapping[str, Column], count: int) -> Found:
+        """Return what is found of designs that differ only in what scales."""
+        scaling = self.plan.template.scaling
+        assert scaling is not None  # noqa: S101 - of a plan that is swift
+        asked = scaling.results(machine, scaled)
+        values = {name: asked.named[name]() for name in {**dict.fromkeys(self.names), **self.plan.bounds}}
+        fails = self._beyond(values)
+        checks = [name for name in asked.checks if name not in fails and not self.plan.study.is_off(name)]
+        fails |= {name: asked.named[name]() != "OK" for name in checks if name not in asked.slow}
+        kept = np.flatnonzero(
+            ~np.logical_or.reduce([wide(False, count), *(wide(one, count) for one in fails.values())])
+        )
+        left = np.arange(count) if self.thorough else kept
+        if left.size:
+            some = asked if left.size == count else scaling.results(machine, taken(scaled, left, count))
+            for name in (one for one in checks if one in asked.slow):
+                fails[name] = np.zeros(count, dtype=bool)
+                fails[name][left] = some.named[name]() != "OK"
+        return Found(values, fails)
 
     def _machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         values = tuple(chosen.values())
         if self._last is None or self._last[0] != values:
             self._last = values, self.plan.machine(chosen)
         return self._last[1]
+
+
+def wide(values: Any, count: int) -> Values:
+    """Return a value for each of so many designs."""
+    return np.broadcast_to(np.asarray(values), count)
+
+
+def taken(scaled: Mapping[str, Column], rows: NDArray[np.intp], count: int) -> dict[str, Column]:
+    """Return the entries of some of so many designs."""
+    return {key: Column(one.values, wide(one.places, count)[rows]) for key, one in scaled.items()}
 
 
 def groups(columns: Sequence[Column], outer: Sequence[int], count: int) -> Iterator[tuple[int, int]]:

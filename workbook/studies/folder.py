@@ -19,24 +19,37 @@ from workbook.writing.place import unwritten
 LOCK, TOLD = "lock", "study.json"
 OWN = re.compile(r"\.?part-[0-9]{8}\.(json|csv|parquet)")
 """the files of a part, and what was written of one when the process ended; no others are read or removed"""
+STEP = 64
 
 
 class Parts:
-    """The folder of a study's parts."""
+    """The folder of a study's parts, of ``step`` designs each: of one that goes on, of as many as it began with."""
 
-    def __init__(self, results: Path, digest: str, size: int) -> None:
-        self.results, self.digest, self.size = results, digest, size
+    def __init__(self, results: Path, digest: str, size: int, step: int = STEP) -> None:
+        self.results, self.digest, self.size, self.step = results, digest, size, step
         self.folder = results.with_name(f"{results.name}.parts")
         self.suffix = results.suffix.lower()
 
     @property
     def _told(self) -> str:
-        return json.dumps({"digest": self.digest, "size": self.size, "suffix": self.suffix})
+        return json.dumps(self._whose | {"step": self.step})
+
+    @property
+    def _whose(self) -> dict[str, Any]:
+        return {"digest": self.digest, "size": self.size, "suffix": self.suffix}
 
     @property
     def mine(self) -> bool:
         """Whether parts of this very study lie there."""
-        return read(self.folder / TOLD) == self._told
+        return self._begun.items() >= self._whose.items()
+
+    @property
+    def _begun(self) -> dict[str, Any]:
+        """What is noted of the study that lies there."""
+        with suppress(ValueError):
+            noted = json.loads(read(self.folder / TOLD))
+            return noted if isinstance(noted, dict) else {}
+        return {}
 
     @property
     def held(self) -> str:
@@ -64,7 +77,9 @@ class Parts:
     def _begin(self, resume: bool, force: bool) -> None:
         """See what lies in the folder: nothing, parts of this study, or of another."""
         told = self.folder / TOLD
-        if not (resume and self.mine):
+        if resume and self.mine:
+            self.step = int(self._begun.get("step", self.step))
+        else:
             if told.exists() and not force:
                 raise WriteError(f"{self.folder}: {self._refused}")
             for one in self._own():

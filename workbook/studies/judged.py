@@ -17,17 +17,22 @@ from workbook.studies.summary import Design
 
 @dataclass(frozen=True)
 class Judged:
-    """A design's book: its largest deviation from the study's results, what differs, whether every cell agrees."""
+    """A design's book: its largest deviation from the study's results, what differs, whether every cell agrees.
+
+    ``failing`` are its checks that FAIL, ``unasked`` those of them that are no constraints of the study.
+    """
 
     deviation: float
     differing: tuple[str, ...]
+    failing: tuple[str, ...]
+    unasked: tuple[str, ...]
     cells: int
     agrees: bool
 
     @property
     def holds(self) -> bool:
         """Whether the book says what the study said."""
-        return self.agrees and not self.differing
+        return self.agrees and not self.differing and self.failing == self.unasked
 
 
 def machine_of(plan: Plan, design: Design) -> Any:
@@ -47,10 +52,10 @@ def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
     pairs = {name: (value, of_book(book, name)) for name, value in design.results.items() if in_book(book, name)}
     apart = {name: deviation(*both) for name, both in pairs.items()}
     report = verify(path)
-    scaling = plan.template.scaling
-    allowed = {name: max(TOLERANCE, scaling.off(name) if scaling else 0.0) for name in apart}
-    differing = tuple(name for name, value in apart.items() if not value <= allowed[name])
-    return Judged(max(apart.values(), default=0.0), differing, report.compared, report.agrees)
+    differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
+    failing = tuple(q.name for _, q in book.checks if q.value != "OK")
+    unasked = tuple(filter(plan.study.is_off, failing))
+    return Judged(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
 
 
 def in_book(book: Any, name: str) -> bool:

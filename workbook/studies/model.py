@@ -1,7 +1,8 @@
-"""What a study is asked: a base description, what varies, results to keep, what must hold, what is best."""
+"""What a study is asked: a base description, what varies, results to keep, constraints, what is best."""
 
 from __future__ import annotations
 
+from fnmatch import fnmatchcase
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import ConfigDict, Field, model_validator
@@ -11,6 +12,8 @@ from workbook.entries.types import EntryError, Model, Number
 
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 MOST_KEYS = 20
+OFF = "off"
+"""instead of a bound: a check of the book that is no constraint"""
 
 
 class Vary(Model):
@@ -123,7 +126,21 @@ class Study(Model):
     @property
     def names(self) -> list[str]:
         """The results to keep: those asked for, objectives and what is constrained."""
-        return list(dict.fromkeys([*self.results, *self.minimise, *self.maximise, *self.constraints]))
+        return list(dict.fromkeys([*self.results, *self.minimise, *self.maximise, *self.bounds]))
+
+    @property
+    def bounds(self) -> dict[str, Bound | str]:
+        """The constraints that are told, by the names of results."""
+        return {name: bound for name, bound in self.constraints.items() if bound != OFF}
+
+    @property
+    def off(self) -> list[str]:
+        """What is no constraint although the book checks it: names, or patterns such as ``drive2_*``."""
+        return [name for name, bound in self.constraints.items() if bound == OFF]
+
+    def is_off(self, name: str) -> bool:
+        """Return whether a check of the book is no constraint."""
+        return any(fnmatchcase(name, pattern) for pattern in self.off)
 
     @property
     def goals(self) -> dict[str, float]:

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
+from fnmatch import filter as matching
 from typing import NamedTuple
 
 from workbook.book.declare import Book
 from workbook.errors import InputError
-from workbook.studies.evaluate import of_book
+from workbook.scaling import Results
+from workbook.studies.evaluate import Evaluator, of_book
 from workbook.studies.model import Bound
 from workbook.studies.paths import nearest
 from workbook.studies.plan import Plan, book_names
 
 UNITS = {"mass": "kg"}
+ROW = re.compile(r"(.+)\.(\d+)")
 
 
 class Label(NamedTuple):
@@ -25,27 +30,54 @@ Named = dict[str, Label]
 
 
 def require_names(plan: Plan, where: str) -> Named:
-    """Return the labels of the results that are asked for; raise InputError for one that there is not."""
-    book = plan.template.declare(plan.base)
-    scaling = plan.template.scaling
-    swift = scaling.results(plan.base, {}) if scaling else {}
-    known = dict.fromkeys([*swift, *book_names(book)])
+    """Return the labels of results and constraints; raise InputError for a name that there is not."""
+    book, usual, study = plan.template.declare(plan.base), Evaluator(plan).usual, plan.study
+    known = dict.fromkeys([*usual.named, *book_names(book)])
+    checks = [q.name for _, q in book.checks]
     lines = []
-    for name in plan.study.names:
+    for pattern in study.off:
+        if not matching([*checks, *known], pattern):
+            lines.append(f"{where}: constraints: no check is named {pattern!r}; expected {nearest(pattern, checks)}")
+    for name in study.names:
         if name not in known:
             lines.append(f"{where}: no result is named {name!r}; expected {nearest(name, known)}")
             continue
-        value = swift[name]() if name in swift else of_book(book, name)
+        value = usual.named[name]() if name in usual.named else of_book(book, name)
         text = isinstance(plain(value), str)
-        if name in plan.study.goals and text:
+        if name in study.goals and text:
             lines.append(f"{where}: {name} is a text, {plain(value)!r}; expected a number to minimise or maximise")
-        bound = plan.study.constraints.get(name)
+        bound = study.bounds.get(name)
         if bound is not None and text == isinstance(bound, Bound):
             expected = f'{name} = "OK"' if text else f"{name} = {{ max = ... }}"
             lines.append(f"{where}: constraints: {name} is {'a text' if text else 'a number'}; expected {expected}")
     if lines:
         raise InputError(lines)
-    return {name: label(book, name) for name in plan.study.names}
+    return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.bounds, *checks])}
+
+
+def listed(book: Book, usual: Results) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
+    """Yield headings and the names below them: what comes without a book, design by design, and with one.
+
+    Rows of a table are one name: ``axis1.v.1…3``.
+    """
+    inputs = {name for name, block in book.blocks.items() for q in block.quantities if q.role == "input"}
+    named = dict.fromkeys(name for name in book_names(book) if name.partition(".")[0] not in inputs)
+    fast = [name for name in usual.named if name not in usual.slow]
+    slow = [name for name in usual.named if name in usual.slow]
+    others = [name for name in named if name not in usual.named]
+    for heading, names in (("Fast", fast), ("Each design by itself", slow), ("From a book of each design", others)):
+        yield heading, [(name, label(book, name.partition("…")[0])) for name in gathered(names)]
+
+
+def gathered(names: list[str]) -> Iterator[str]:
+    """Yield names, those of a table's rows as one."""
+    rows: dict[str, list[str]] = {}
+    for name in names:
+        found = ROW.fullmatch(name)
+        rows.setdefault(found[1] if found else name, []).append(found[2] if found else "")
+    for name, numbers in rows.items():
+        last = f"…{numbers[-1]}" if len(numbers) > 1 else ""
+        yield f"{name}.{numbers[0]}{last}" if numbers[0] else name
 
 
 def plain(value: object) -> object:

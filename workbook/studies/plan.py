@@ -24,7 +24,7 @@ from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
 from workbook.reading.descriptions import counted, parsed, write_machine
-from workbook.studies.model import Study, Vary
+from workbook.studies.model import Bound, Study, Vary
 from workbook.studies.paths import below, changed, held, nearest, path_of, table_of, written
 from workbook.studies.space import Dimension, Space, arranged
 from workbook.templates import TEMPLATES, AnyTemplate
@@ -59,6 +59,15 @@ class Plan:
         """What tells a study from another: its own words, the machine's, the version."""
         said = [workbook.__version__, self.study.model_dump_json(), write_machine(self.base)]
         return hashlib.sha256(json.dumps(said).encode()).hexdigest()
+
+    @cached_property
+    def bounds(self) -> dict[str, Bound | str]:
+        """What results must keep to besides the checks of the book: as told, and of drives that vary by default."""
+        scaling = self.template.scaling
+        keys = [".".join(path) for one in self.space.dimensions for path in one.paths]
+        most = scaling.most(self.base, keys) if scaling else {}
+        usual = {name: Bound(max=value) for name, value in most.items() if not self.study.is_off(name)}
+        return usual | self.study.bounds
 
     @cached_property
     def data(self) -> dict[str, Any]:

@@ -19,8 +19,6 @@ from workbook.studies.plan import Plan
 from workbook.studies.space import Shares, Space
 from workbook.studies.summary import Summary, merged, summed
 
-MOST_ROWS = 20_000  # of a part
-MOST_GROUPS = 64  # of designs worked out together, in a part
 POPULATION = 15  # designs of a generation for each range, scipy's own figure
 
 
@@ -55,16 +53,14 @@ def work(piece: Piece, plan: bytes, suffix: str) -> Done:
     columns = space.columns(piece.begin, piece.end) if piece.shares is None else space.shared(piece.shares)
     table = one.table(piece.begin, columns)
     labels = [dimension.label for dimension in space.dimensions]
-    rows = tables.part(tables.columns(study, labels, table), suffix)
+    rows = tables.part(tables.columns(labels, table), suffix)
     return Done(rows, summed(study, labels, table, scored=piece.shares is not None))
 
 
-def pieces(space: Space) -> Iterator[Piece]:
-    """Yield the parts of all designs."""
-    inner = min(space.inner, MOST_ROWS)
-    rows = max(1, min(MOST_GROUPS, MOST_ROWS // inner)) * inner
-    for number, begin in enumerate(range(0, space.size, rows)):
-        yield Piece(number, begin, min(begin + rows, space.size))
+def pieces(space: Space, step: int) -> Iterator[Piece]:
+    """Yield the parts of all designs, of so many each."""
+    for number, begin in enumerate(range(0, space.size, step)):
+        yield Piece(number, begin, min(begin + step, space.size))
 
 
 def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object]) -> Summary:
@@ -76,7 +72,7 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
     if plan.space.way.kind == "evolution":
         running.evolve()
     else:
-        running.do(pieces(plan.space))
+        running.do(pieces(plan.space, parts.step))
     return merged(plan.study, (parts.summary(number) for number in sorted(parts.complete())))
 
 
@@ -127,7 +123,7 @@ class Running:
 
         def tried(_: object, population: Iterable[Any]) -> list[float]:
             shares = np.array(list(population)).reshape(-1, ranges)
-            generation = list(parted(shares, *begun))
+            generation = list(parted(shares, begun[0], begun[1], self.parts.step))
             begun[0], begun[1] = generation[-1].end, generation[-1].number + 1
             self.do(generation)
             return [score for piece in generation for score in self.parts.summary(piece.number).scores]
@@ -146,9 +142,9 @@ def nothing(_: Sequence[float]) -> float:
     raise NotImplementedError
 
 
-def parted(shares: Shares, begin: int, number: int) -> Iterator[Piece]:
-    """Yield the parts of a generation."""
-    for at in range(0, len(shares), MOST_GROUPS):
-        some = shares[at : at + MOST_GROUPS]
+def parted(shares: Shares, begin: int, number: int, step: int) -> Iterator[Piece]:
+    """Yield the parts of a generation, of so many designs each."""
+    for at in range(0, len(shares), step):
+        some = shares[at : at + step]
         yield Piece(number, begin + at, begin + at + len(some), some)
         number += 1

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.choice.front import front
-from workbook.studies.evaluate import Table, keeps
+from workbook.studies.evaluate import Table
 from workbook.studies.model import Study
 
 BEST = 20  # designs that are kept for one objective
@@ -35,6 +35,10 @@ class Summary:
     designs: int = 0
     impossible: int = 0
     feasible: int = 0
+    unranked: int = 0
+    """how many of these lack a value of an objective"""
+    without: dict[str, int] = field(default_factory=dict)
+    """how many of them have none of each"""
     excluded: dict[str, int] = field(default_factory=dict)
     alone: dict[str, int] = field(default_factory=dict)
     """how many designs a constraint excludes that keep to all others"""
@@ -59,23 +63,22 @@ MOST_REASONS = 20
 
 def summed(study: Study, labels: list[str], table: Table, scored: bool = False) -> Summary:
     """Return what is known of the designs of a table."""
-    possible = table.possible
-    kept = {name: keeps(bound, table.results[name]) for name, bound in study.constraints.items()}
-    feasible = possible & np.logical_and.reduce([*kept.values(), possible])
-    misses = np.sum([~one for one in kept.values()], axis=0) if kept else np.zeros(len(table))
-    reasons, counts = np.unique(table.reasons[~possible].astype(str), return_counts=True)
-    found = Summary(
-        len(table), int((~possible).sum()), int(feasible.sum()),
-        {name: int((possible & ~one).sum()) for name, one in kept.items()},
-        {name: int((possible & ~one & (misses == 1)).sum()) for name, one in kept.items()},
-        dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
-    )  # fmt: skip
+    possible, feasible = table.possible, table.feasible
+    misses = np.sum([*table.fails.values(), ~possible], axis=0)
     rows = np.flatnonzero(feasible)
     points = goals(study, table.results, rows)
+    reasons, counts = np.unique(table.reasons[~possible].astype(str), return_counts=True)
+    found = Summary(
+        len(table), int((~possible).sum()), int(feasible.sum()), int((~np.isfinite(points)).any(axis=1).sum()),
+        dict(zip(study.goals, (~np.isfinite(points)).sum(axis=0).tolist(), strict=True)),
+        {name: int((possible & one).sum()) for name, one in table.fails.items()},
+        {name: int((possible & one & (misses == 1)).sum()) for name, one in table.fails.items()},
+        dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
+    )  # fmt: skip
     best = leading(points)
     found.best = [design(table, labels, int(rows[k])) for k in best]
     if scored:
-        found.scores = scores(study, table, feasible).tolist()
+        found.scores = scores(study, table).tolist()
     return found
 
 
@@ -95,14 +98,12 @@ def leading(points: NDArray[np.float64]) -> NDArray[np.intp]:
     return np.asarray(some[front(points[some])]) if points.shape[1] else np.zeros(0, dtype=np.intp)
 
 
-def scores(study: Study, table: Table, feasible: NDArray[np.bool_]) -> NDArray[np.float64]:
+def scores(study: Study, table: Table) -> NDArray[np.float64]:
     """Return by what a search goes: the objective, or how much is overstepped, worse than any objective."""
     (objective,) = goals(study, table.results, np.arange(len(table))).T
-    over = np.zeros(len(table))
-    for name, bound in study.constraints.items():
-        over += ~keeps(bound, table.results[name])
+    over = np.sum([*table.fails.values(), ~table.possible], axis=0)
     return np.where(
-        feasible & np.isfinite(objective), objective, np.where(table.possible, WORST * (0.5 + over), np.inf)
+        table.feasible & np.isfinite(objective), objective, np.where(table.possible, WORST * (0.5 + over), np.inf)
     )
 
 
@@ -124,7 +125,9 @@ def merged(study: Study, found: Iterable[Summary]) -> Summary:
         whole.designs += one.designs
         whole.impossible += one.impossible
         whole.feasible += one.feasible
-        for sums, more in ((whole.excluded, one.excluded), (whole.alone, one.alone), (whole.reasons, one.reasons)):
+        whole.unranked += one.unranked
+        for sums, more in ((whole.without, one.without), (whole.excluded, one.excluded), (whole.alone, one.alone),
+                           (whole.reasons, one.reasons)):  # fmt: skip
             for name, count in more.items():
                 sums[name] = sums.get(name, 0) + count
         whole.reasons = dict(sorted(whole.reasons.items(), key=lambda each: -each[1])[:MOST_REASONS])

@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 
 from workbook.errors import WriteError
-from workbook.studies.evaluate import Table, keeps
-from workbook.studies.model import Study
+from workbook.studies.evaluate import Table
 
 FORMATS = (".csv", ".parquet")
+ENDS = ("feasible", "fails", "impossible")
+"""the last columns of a table"""
 EXTRA = "Parquet wants the package pyarrow: pip install pyarrow; or name the results .csv"
 
 
@@ -30,17 +31,23 @@ def require_format(path: Path) -> None:
             raise WriteError(f"{path}: {EXTRA}") from error
 
 
-def columns(study: Study, labels: list[str], table: Table) -> dict[str, list[Any]]:
-    """Return the columns of a table: number, entries, results, whether it is feasible, why it is impossible."""
+def columns(labels: list[str], table: Table) -> dict[str, list[Any]]:
+    """Return the columns of a table: number, entries, results, whether it is feasible, and why not."""
     found: dict[str, list[Any]] = {"design": list(range(table.begin + 1, table.begin + len(table) + 1))}
     for label, one in zip(labels, table.entries, strict=True):
         found[label] = np.array(list(one.values), dtype=object)[one.places].tolist()
-    feasible = table.possible
     for name, values in table.results.items():
         found[name] = [None if value != value else value for value in values.tolist()]
-    for name, bound in study.constraints.items():
-        feasible = feasible & keeps(bound, table.results[name])
-    return found | {"feasible": np.where(feasible, "yes", "no").tolist(), "impossible": table.reasons.tolist()}
+    ends = np.where(table.feasible, "yes", "no").tolist(), failing(table), table.reasons.tolist()
+    return found | dict(zip(ENDS, ends, strict=True))
+
+
+def failing(table: Table) -> list[str]:
+    """Return the names of the constraints that each design does not keep to."""
+    said = np.full(len(table), "", dtype=object)
+    for name, fails in table.fails.items():
+        said[fails] += f" {name}"
+    return [names.lstrip() for names in said]
 
 
 def part(found: dict[str, list[Any]], suffix: str) -> bytes:

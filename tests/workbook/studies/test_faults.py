@@ -173,7 +173,7 @@ def test_a_command_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, 
 @POSIX
 @pytest.mark.parametrize("kills", [3, pytest.param(25, marks=pytest.mark.nightly)])
 def test_a_command_killed_at_any_time_goes_on_to_the_same_bytes(tmp_path, monkeypatch, kills):
-    monkeypatch.setattr("workbook.studies.run.MOST_GROUPS", 4)
+    monkeypatch.setattr("workbook.studies.pace.MOST_ROWS", 4)
     study = written(tmp_path, laws("MTP", "CUB"), stops(80, 120, 16), **GOALS)
     begin = time.monotonic()
     assert forked(study, tmp_path / "whole.csv", False).ended() == 0

@@ -15,6 +15,11 @@ from workbook.entries.abscissa import Abscissa
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.drive.view import DriveView
 
+FINE = 0.05
+"""of the peak: by more the samples must not miss the drives' peaks"""
+LEAST = 1.0
+"""W that count as nothing"""
+
 
 class Mains:
     """Drives over one turn; those that run at the machine's rate share a bus."""
@@ -124,6 +129,11 @@ class Mains:
         mains, resistor = (np.array([getattr(one, name) for one in self.most]) for name in ("mains", "resistor"))
         missed = np.maximum(mains - self.drawn.max(axis=1), resistor + self.drawn.min(axis=1))
         return np.asarray(self.on_bus * missed)
+
+    @property
+    def fine(self) -> bool:
+        """Whether the samples tell the peaks, but for :data:`FINE` of them."""
+        return bool(self.off.sum() <= FINE * max(self.peak, self.burnt_peak) + LEAST)
 
     @property
     def net_off(self) -> float:

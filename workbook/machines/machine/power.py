@@ -8,17 +8,13 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.rows import total
 from workbook.book.sentence import amount
 from workbook.entries.abscissa import Abscissa
-from workbook.entries.units import KW, shown, si
-from workbook.machines.machine.mains import Mains
+from workbook.entries.units import KW, shown
+from workbook.machines.machine.mains import FINE, LEAST, Mains
 
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 TOGETHER = "Drives use what others give back; what is left goes into one resistor."
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
-FINE = 0.05
-"""of the peak: by more the samples must not miss the drives' peaks"""
-LEAST = 0.001
-"""kW that count as nothing"""
 CHART_COLUMN = 10
 YEAR = '#,##0.0;-#,##0.0;"–"'
 """format of the energy of a year: a dash where no hours of running are entered"""
@@ -65,8 +61,8 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.rows(*common(bus))
     missed = float(bus.off.sum())
     sheet.checks(check("bus_fine", "Power: peak power of the bus is known to 5 %",
-                       f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)+{LEAST}",
-                       missed <= FINE * max(bus.peak, bus.burnt_peak) + si(LEAST, KW), "it may be higher by less",
+                       f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)+{shown(LEAST, KW)}",
+                       bus.fine, "it may be higher by less",
                        says=amount("bus_off", shown(missed, KW), "it may be higher by ",
                                    " kW: build the book with more samples, sizes.cycle")))  # fmt: skip
     sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)

@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
 from engine.machine.bus import Means, together
-from engine.machine.geared import constant
 from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of, turn_time
+from workbook.entries.texts import place_of
 from workbook.entries.units import KW, PER_MINUTE, shown, si
 from workbook.laws.family import COEFFICIENTS
 from workbook.laws.library import laws, named
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.apart import Apart
-from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.mains import Mains
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.power import KWH
-from workbook.machines.machine.studied_drives import ONE, EachStudied, Studied, told
-from workbook.machines.machine.truth import share_off
+from workbook.machines.machine.selecting.view import Choosing
+from workbook.machines.machine.studied_drives import ONE, Studied, told
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling, Worked
 
@@ -41,26 +41,42 @@ def part(key: str) -> str:
 
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
-    whole = Whole(machine, laws(machine.laws))
-    rows = Rows(machine)
+    whole, rows = Whole(machine, laws(machine.laws)), Rows(machine)
     rate = columns.get(MASTER, Column([machine.per_minute], ONE.places))
     faster = ratio_of(rate.each, machine.per_minute)
     found: Worked = {
         "about_rate": lambda: rate.each, "timing_rate": lambda: rate.each,
         "about_cycle": partial(cycles, rate), "timing_cycle": partial(cycles, rate),
     }  # fmt: skip
-    for one in named(machine.laws):
-        if one.page.has_sheet:
-            found |= {one.own(f"@{name}"): partial(getattr, one.law.coefficients, name) for name, *_ in COEFFICIENTS}
+    checks = of_laws(machine, found)
     drives = []
     for axis in whole.axes:
         found |= of_axis(axis, faster)
+        checks |= checks_of_axis(axis, rows)
         if axis.given.mechanism and axis.given.motor:
-            drives.append(drive_of(axis, rows, columns))
+            drives.append(Studied(axis, machine, columns, partial(rows.of, axis.number)))
             found |= drives[-1].results
+            checks |= drives[-1].checks
     for k in range(1, len(machine.clearances) + 1):
         found |= of_clearance(rows, k)
-    return found | (of_drives(machine, drives) if drives else {})
+        checks[f"clear{k}_kept"] = partial(kept, rows, k)
+    found |= of_drives(machine, drives) if drives else {}
+    slow = checks_of_drives(machine, drives) if drives else {}
+    each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
+    every = ("about_highest", "about_binds") if drives else ()
+    return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every})
+
+
+def of_laws(machine: AnyMachine, found: Worked) -> Worked:
+    """Enter the coefficients of laws; return the checks of their sheets."""
+    checks: Worked = {}
+    for one in named(machine.laws):
+        if one.page.has_sheet:
+            found |= {one.own(f"@{name}"): partial(getattr, one.law.coefficients, name) for name, *_ in COEFFICIENTS}
+            for q in one.page.verdicts(one, machine.sizes):
+                if not q.rule:
+                    checks[one.own(q.name)] = partial(np.array, q.value)
+    return checks
 
 
 def cycles(rate: Column) -> Any:
@@ -73,28 +89,34 @@ class Rows:
 
     def __init__(self, machine: AnyMachine) -> None:
         self.machine = machine
+        self._made: dict[int, AxisRows] = {}
 
     @cached_property
-    def each(self) -> list[AxisRows]:
-        """The axes."""
-        shelf = LawShelf(self.machine.laws, self.machine.sizes, bool(self.machine.laws.of("LIN")))
-        whole = Whole(self.machine, shelf.laws)
-        return [AxisRows(whole, axis, shelf.stack) for axis in whole.axes]
+    def shelf(self) -> LawShelf:
+        """The laws."""
+        return LawShelf(self.machine.laws, self.machine.sizes, self.hands_over)
+
+    @cached_property
+    def whole(self) -> Whole:
+        """The machine."""
+        return Whole(self.machine, self.shelf.laws)
+
+    @property
+    def hands_over(self) -> bool:
+        """Whether phases may hand velocity over."""
+        return bool(self.machine.laws.of("LIN"))
 
     def of(self, number: int) -> AxisRows:
         """Return an axis by its number, from 1."""
-        return self.each[number - 1]
+        if number not in self._made:
+            self._made[number] = AxisRows(self.whole, self.whole.axes[number - 1], self.shelf.stack)
+        return self._made[number]
 
     @cached_property
     def apart(self) -> list[Apart]:
         """The clearances."""
-        return [Apart(one, k, self.each) for k, one in enumerate(self.machine.clearances, 1)]
-
-
-def drive_of(axis: MovingAxis, rows: Rows, columns: Mapping[str, Column]) -> Studied:
-    """Return the drive of an axis with many motors and reducers, at many rates."""
-    kind = Studied if constant(Driven(axis, rows.machine.selection).course) else EachStudied
-    return kind(axis, rows.machine, columns, partial(rows.of, axis.number))
+        each = [self.of(axis.number) for axis in self.whole.axes]
+        return [Apart(one, k, each) for k, one in enumerate(self.machine.clearances, 1)]
 
 
 def of_axis(axis: MovingAxis, faster: Any) -> Worked:
@@ -112,9 +134,19 @@ def of_axis(axis: MovingAxis, faster: Any) -> Worked:
     }
     return phases | each | {
         f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit),
+    }  # fmt: skip
+
+
+def checks_of_axis(axis: MovingAxis, rows: Rows) -> Worked:
+    """Return the checks of an axis alone that its entries do not decide."""
+    i, given = axis.number, axis.given
+    found: Worked = {
+        f"axis{i}_position": lambda: told(axis.motion.complete),
         f"axis{i}_smooth": lambda: told(not shortfalls(axis.motion, given.smoothness, given.repeats)),
         f"axis{i}_closes": lambda: told(axis.axis.closes),
-    }  # fmt: skip
+    }
+    ends = rows.of(i).ends if rows.hands_over else None
+    return found | ({q.name: partial(np.array, q.value) for q in ends.checks(f"axis{i}", "")} if ends else {})
 
 
 def of_move(axis: MovingAxis, k: int, figure: str, faster: Any, power: int) -> Any:
@@ -132,8 +164,42 @@ def of_clearance(rows: Rows, k: int) -> Worked:
     return {
         f"clearances.gap.{k}": lambda: rows.apart[k - 1].gap.least,
         f"clearances.at.{k}": lambda: rows.apart[k - 1].over.shown(rows.apart[k - 1].place),
-        f"clear{k}_kept": lambda: told(rows.apart[k - 1].kept),
     }
+
+
+def kept(rows: Rows, k: int) -> Any:
+    """Return whether the gap of a clearance is left."""
+    return told(rows.apart[k - 1].kept)
+
+
+def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
+    """Return the checks of all drives together: the bus, and the choice for the axis that is named for it."""
+    found: Worked = {"bus_fine": partial(bus_fine, machine, drives)}
+    choice = machine.selection
+    chosen = [one for one in drives if choice.axis and place_of(choice.axis, [one.axis.given.name]) == 0]
+    return found | ({"sel_ok": partial(choice_found, machine, chosen[0])} if chosen else {})
+
+
+def bus_fine(machine: AnyMachine, drives: list[Studied]) -> Any:
+    """Return whether the samples tell the peak of the bus, of each design."""
+    designs = [tuple(each) for each in zip(*lined([one.designs for one in drives]), strict=True)]
+    fine: dict[Any, bool] = {}
+    for design in dict.fromkeys(designs):
+        views = [one.sampled(own) for one, own in zip(drives, design, strict=True)]
+        fine[design] = Mains(views, machine.power).fine
+    return told(np.array([fine[design] for design in designs]))
+
+
+def lined(designs: list[list[Any]]) -> list[list[Any]]:
+    """Return the designs of drives, of which some differ in nothing, as many of each."""
+    count = max(map(len, designs))
+    return [one if len(one) == count else one * count for one in designs]
+
+
+def choice_found(machine: AnyMachine, drive: Studied) -> Any:
+    """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
+    each = [Choosing(machine.selection, machine.sizes, [base]).proposed is not None for base in drive.bases]
+    return told(np.array(each)[drive.rates.places])
 
 
 def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
@@ -179,4 +245,11 @@ def binding(drives: list[Studied]) -> Any:
     return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
 
-SCALING = Scaling(part, results, share_off)
+def most(machine: AnyMachine, keys: Collection[str]) -> dict[str, float]:
+    """Return the greatest inertia ratio of the drives whose motor or reducer varies by these keys."""
+    varied = {part(key) for key in keys}
+    own = [k for k in range(len(machine.axes)) if varied & {f"axes.{k}.motor", f"axes.{k}.reducer"}]
+    return {f"drive{k + 1}_inertias": machine.selection.inertia_ratio for k in own}
+
+
+SCALING = Scaling(part, results, most)

@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.laws.base import Array
 from engine.machine.bus import Means, means
-from engine.machine.geared import Geared, Gears, Torques, Works, mean_power, shares_of
+from engine.machine.falling import Falling
+from engine.machine.many import Extremes, Limits, Many, Works, mean_power
+from engine.machine.point_load import Gears, PointLoad, shares_of
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
 from workbook.entries.units import KG_CM2, KW, PER_MINUTE, RPM, shown, si
-from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, motor_in_use, reducer_in_use
+from workbook.machines.machine.chain import LINKED
+from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, falling_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.view import DriveView, settled_highest, with_motor
+from workbook.machines.machine.drive.view import DriveView, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.selecting.behind import load_of
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -27,6 +32,7 @@ from workbook.selection.catalogue import MotorRow, ReducerRow
 WEIGHED = ("mass", "cost")
 ONE = Column([None], np.zeros(1, dtype=np.intp))
 """of what does not differ"""
+OK, FAIL = "OK", "FAIL"
 
 
 class Studied:
@@ -43,87 +49,112 @@ class Studied:
         master = Column([machine.per_minute], ONE.places) if given is None else Column([given], ONE.places)
         self.rates = columns.get(f"{begin}.rate") or (columns.get("master.rate", master) if given is None else master)
 
-    def motor(self, value: Any) -> MotorInUse:
-        """Return the motor with another entry."""
-        return motor_in_use(changed(self.axis.given, "motor", self.motor_key, value), self.products)
-
-    def reducer(self, value: Any) -> ReducerInUse:
-        """Return the reducer with another entry."""
-        return reducer_in_use(changed(self.axis.given, "reducer", self.reducer_key, value), self.products)
+    def axis_with(self, motor: int, reducer: int, rate: int) -> Axis:
+        """Return the entries of the axis in a design, by the places of what differs in it."""
+        given = changed(self.axis.given, "motor", self.motor_key, self.motors.values[motor])
+        given = changed(given, "reducer", self.reducer_key, self.reducers.values[reducer])
+        return given if given.rate is None else given.model_copy(update={"rate": self.rates.values[rate]})
 
     @cached_property
     def motors_used(self) -> dict[str, Array]:
-        """The figures of the motor in each design."""
-        used = [self.motor(value) for value in self.motors.values]
-        return figures(used, self.motors, self.products.motors)
+        """The figures of the motor in each design; the knee (rad/s) and the fall (Nm s) of its curve."""
+        axes = [self.axis_with(k, 0, 0) for k in range(len(self.motors.values))]
+        falls = [falling_of(one.motor.name if one.motor else "", self.products) for one in axes]
+        curve = {name: np.array([getattr(one, name) for one in falls]) for name in Falling._fields}
+        used = [motor_in_use(one, self.products) for one in axes]
+        more = {name: values[self.motors.places] for name, values in curve.items()}
+        return figures(used, self.motors, self.products.motors) | more
 
     @cached_property
     def reducers_used(self) -> dict[str, Array]:
         """The figures of the reducer in each design."""
-        used = [self.reducer(value) for value in self.reducers.values]
+        used = [reducer_in_use(self.axis_with(0, k, 0), self.products) for k in range(len(self.reducers.values))]
         return figures(used, self.reducers, self.products.reducers)
 
     @cached_property
-    def driven(self) -> Driven:
-        """The drive as it is entered."""
-        return Driven(self.axis, self.products)
+    def bases(self) -> list[DriveView]:
+        """The drive as it is entered at each rate."""
+        return [DriveView(self.rows(), self.drive(0, 0, k)) for k in range(len(self.rates.values))]
 
     @cached_property
-    def geared(self) -> Geared:
-        """What the cycle asks for behind the reducer."""
-        return Geared(self.driven.demand.course, np.array([speed_of(rate) for rate in self.rates.values]))
+    def loads(self) -> list[PointLoad]:
+        """What the cycle asks for behind the reducer, at each rate."""
+        return [load_of(base) for base in self.bases]
 
-    @cached_property
-    def at_reducer(self) -> Array:
-        """Inertia of the reducer and of parts on the motor's shaft (kg m²)."""
-        return self.reducers_used["inertia"] + math.fsum(one.reflected for one in self.driven.parts if not one.shaft)
+    def of_rate(self, figure: Callable[[DriveView], float]) -> Array:
+        """Return a figure of each design that hangs on its rate alone."""
+        return np.array([figure(base) for base in self.bases])[self.rates.places]
 
     @cached_property
     def gears(self) -> Gears:
         """Motors with their reducers."""
         used = self.reducers_used
-        inertia = self.motors_used["inertia"] + self.at_reducer
-        return Gears(*np.broadcast_arrays(inertia, used["ratio"], used["efficiency"], self.rates.places))
-
-    @cached_property
-    def torques(self) -> Torques:
-        """Lowest and highest torques (Nm)."""
-        return self.geared.torques(self.gears)
-
-    @cached_property
-    def rms(self) -> Array:
-        """RMS torques (Nm)."""
-        return self.geared.rms_torque(self.gears)
-
-    @cached_property
-    def speed(self) -> Array:
-        """Largest speeds (rpm)."""
-        return shown(self.geared.speed(self.gears), RPM)
+        inertia = self.motors_used["inertia"] + self.beside
+        return Gears(*self._lined(inertia, used["ratio"], used["efficiency"]))
 
     @property
-    def mean_speed(self) -> Array:
-        """Mean speeds over the cycle (rpm)."""
-        return shown(self.geared.mean_speed(self.gears), RPM)
+    def beside(self) -> Array:
+        """Inertia of the reducer and of parts on the motor's shaft (kg m²)."""
+        return self.reducers_used["inertia"] + self.bases[0].driven.beside_motor
+
+    def _lined(self, *values: Any) -> list[Any]:
+        """Return arrays with a value for each design."""
+        return list(np.broadcast_arrays(*values, self.rates.places))[:-1]
+
+    def _at_rates(self) -> Iterator[tuple[NDArray[np.intp], float, Many]]:
+        """Yield which designs are at a rate, its time of a cycle (s), and their motors on the load."""
+        names = ("peak_torque", "knee", "fall")
+        limits = self._lined(*(self.motors_used[name] for name in names), self.gears.ratio)[:-1]
+        places = self._lined(self.rates.places, self.gears.ratio)[0]
+        for k, load in enumerate(self.loads):
+            some = np.flatnonzero(places == k)
+            many = Many(load, Gears(*(v[some] for v in self.gears)), Limits(*(v[some] for v in limits)))
+            yield some, self.bases[k].driven.course.time, many
+
+    def _gathered(self, made: Callable[[float, Many], tuple[Array, ...]]) -> list[Array]:
+        """Return figures of each design from those at each rate."""
+        each = [(some, made(time, many)) for some, time, many in self._at_rates()]
+        order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
+        return [np.concatenate(values)[order] for values in zip(*(found for _, found in each), strict=True)]
+
+    @cached_property
+    def extremes(self) -> Extremes:
+        """Peaks over the cycle."""
+        return Extremes(*self._gathered(lambda _, many: many.extremes))
 
     @cached_property
     def works(self) -> Works:
         """Energies (J)."""
-        return self.geared.works(self.gears)
+        return Works(*self._gathered(lambda time, many: many.works(time)))
+
+    @cached_property
+    def rms(self) -> Array:
+        """RMS torques (Nm)."""
+        return self._gathered(lambda _, many: (many.load.rms(many.gears),))[0]
+
+    def turning(self, speed: Callable[[DriveView], float]) -> Array:
+        """Return the speeds of motors (rpm) from that of the motor as entered (rad/s)."""
+        return shown(self.of_rate(lambda base: speed(base) / base.driven.reducer.ratio) * self.gears.ratio, RPM)
+
+    @cached_property
+    def speed(self) -> Array:
+        """Largest speeds (rpm)."""
+        return self.turning(lambda base: base.speed)
 
     @property
     def at_motor(self) -> Array:
         """Inertia at the motor, without it (kg m²)."""
-        return self.at_reducer + self.geared.inertia(self.gears.ratio)
+        return self.beside + self.loads[0].inertia / self.gears.ratio**2
 
     @cached_property
-    def behind(self) -> Any:
+    def behind(self) -> Array:
         """Largest torque behind the reducer (Nm)."""
-        return self.geared.behind[self.rates.places]
+        return self.of_rate(lambda base: base.reducer_checks[0].value)
 
     @cached_property
-    def mean_behind(self) -> Any:
+    def mean_behind(self) -> Array:
         """Mean torque behind the reducer (Nm)."""
-        return self.geared.moments.mean[self.rates.places]
+        return self.of_rate(lambda base: base.reducer_checks[1].value)
 
     def within(self, limit: str, value: Any) -> Any:
         """Return whether what is asked of the reducer is within its limit, 0 for none."""
@@ -139,11 +170,6 @@ class Studied:
         """Times of a cycle (s)."""
         return Column([turn_time(si(rate, PER_MINUTE)) for rate in self.rates.values], self.rates.places).each
 
-    @property
-    def power(self) -> Array:
-        """Mean powers (W)."""
-        return mean_power(self.works, self.time)
-
     @cached_property
     def mains(self) -> Means:
         """Mean powers from the mains and in the resistor (W)."""
@@ -157,41 +183,29 @@ class Studied:
 
     def drive(self, motor: int, reducer: int, rate: int) -> Driven:
         """Return the drive with a motor and a reducer at a rate."""
-        given, axis = changed(self.axis.given, "motor", self.motor_key, self.motors.values[motor]), self.axis
-        given = changed(given, "reducer", self.reducer_key, self.reducers.values[reducer])
-        at = self.rates.values[rate]
-        given = given if given.rate is None else given.model_copy(update={"rate": at})
-        return Driven(MovingAxis(given, axis.number, axis.library, speed_of(at)), self.products)
-
-    @cached_property
-    def drives(self) -> dict[tuple[int, int, int], Driven]:
-        """The drive of each design."""
-        return {one: self.drive(*one) for one in dict.fromkeys(self.designs)}
-
-    def each(self, figure: Callable[[Driven], float]) -> Array:
-        """Return a figure of each design's drive, which is worked out by itself."""
-        found = {one: figure(drive) for one, drive in self.drives.items()}
-        return np.array([found[one] for one in self.designs])
-
-    @cached_property
-    def highest_each(self) -> dict[tuple[int, int, int], Highest]:
-        """The highest rate of each drive, entered and read again until it stays, and the limit that binds there."""
-        return {one: settled_highest(view) for one, view in self.views.items()}
+        given, at, axis = self.axis_with(motor, reducer, rate), self.rates.values[rate], self.axis
+        return Driven(MovingAxis(given, axis.number, axis.library, speed_of(at), axis.typed, axis.over), self.products)
 
     @cached_property
     def views(self) -> dict[tuple[int, int, int], DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
-        rows, found = self.rows(), {}
-        loads: dict[int, DriveView] = {}
-        for one, drive in self.drives.items():
-            base = loads.setdefault(one[2], DriveView(rows, drive))
-            found[one] = with_motor(base, drive)
-        return found
+        return {one: with_motor(self.bases[one[2]], self.drive(*one)) for one in dict.fromkeys(self.designs)}
 
-    def viewed(self, figure: Callable[[DriveView], Any]) -> Array:
-        """Return a figure of each design's drive at these points."""
-        found = {one: figure(view) for one, view in self.views.items()}
-        return np.array([found[one] for one in self.designs])
+    def sampled(self, design: tuple[int, int, int]) -> DriveView:
+        """Return the drive of a design with its samples: those at one rate share their load."""
+        view, base = self.views[design], self.bases[design[2]]
+        view.samples = replace(base.samples, train=view.driven.train)
+        return view
+
+    @cached_property
+    def highest_each(self) -> dict[tuple[int, int, int], Highest]:
+        """The highest rate of each drive, and the limit that binds there."""
+        return {one: self._highest(view, self.rates.values[one[2]]) for one, view in self.views.items()}
+
+    def _highest(self, view: DriveView, rate: float) -> Highest:
+        """Return the highest rate of a drive that is at a rate, which the machine's entries do not tell."""
+        found = view.highest
+        return found._replace(rate=found.rate * rate / view.rate) if isinstance(found.rate, float) else found
 
     @property
     def highest(self) -> Array:
@@ -204,105 +218,89 @@ class Studied:
         return np.array([self.highest_each[one].limit for one in self.designs], dtype=object)
 
     @property
+    def below_curve(self) -> Any:
+        """Whether torques stay below the motor's curve; of a curve that the book does not know they do not."""
+        level = self.motors_used["fall"] == 0.0
+        return told(level | (self.extremes.spare >= 0.0) if self.products.knows_falling else level)
+
+    @property
     def results(self) -> dict[str, Callable[[], Any]]:
         """All of them by name, each worked out when it is called."""
+        each = self._asked | self._products
+        return {f"drive{self.axis.number}_{name}": value for name, value in each.items()}
 
-        def motor(figure: str) -> Array:
-            return self.motors_used[figure]
+    @property
+    def checks(self) -> dict[str, Callable[[], Any]]:
+        """The checks of its sheet that entries do not decide."""
+        return {f"drive{self.axis.number}_{name}": value for name, value in self._checks.items()}
 
-        def reducer(figure: str) -> Array:
-            return self.reducers_used[figure]
-
-        each: dict[str, Callable[[], Any]] = {
+    @property
+    def _asked(self) -> dict[str, Callable[[], Any]]:
+        """What the cycle asks of motors and reducers."""
+        motor = self.motors_used.__getitem__
+        found: dict[str, Callable[[], Any]] = {
+            "rate": lambda: self.rates.each,
             "jtot": lambda: shown(self.at_motor, KG_CM2),
             "inertias": lambda: shares_of(self.at_motor, motor("inertia")),
-            "tmax": lambda: self.torques.highest,
-            "tmin": lambda: self.torques.lowest,
+            "tmax": lambda: self.extremes.torque,
+            "tmin": lambda: self.extremes.torque_low,
             "rms": lambda: self.rms,
             "speed": lambda: self.speed,
-            "mean": lambda: self.mean_speed,
+            "mean": lambda: self.turning(lambda base: base.points.mean_speed),
             "res_rms": lambda: shares_of(motor("rated_torque"), self.rms),
-            "res_peak": lambda: shares_of(motor("peak_torque"), self.torques.peak),
+            "res_peak": lambda: shares_of(motor("peak_torque"), self.extremes.peak),
             "res_speed": lambda: shares_of(motor("max_speed"), self.speed),
             "smax": lambda: self.behind,
             "smean": lambda: self.mean_behind,
             "energy": lambda: self.works.driving,
             "returned": lambda: self.works.regenerated,
-            "power": lambda: shown(self.power, KW),
-            "pmax": lambda: self.each(lambda drive: shown(max(0.0, drive.demand.power.highest.value), KW)),
-            "pmin": lambda: self.each(lambda drive: shown(min(0.0, drive.demand.power.lowest.value), KW)),
-            "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
-            "ok_peak": lambda: told(self.torques.peak <= motor("peak_torque")),
-            "ok_speed": lambda: told(self.speed <= motor("max_speed")),
-            "ok_curve": lambda: told(self.viewed(below_curve)),
-            "ok_reducer_peak": lambda: self.within("peak_torque", self.behind),
-            "ok_reducer_mean": lambda: self.within("mean_torque", self.mean_behind),
-            "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
-            "i1": lambda: reducer("ratio"),
-            "rate": lambda: self.rates.each,
+            "power": lambda: shown(mean_power(self.works, self.time), KW),
+            "pmax": lambda: shown(np.maximum(0.0, self.extremes.power), KW),
+            "pmin": lambda: shown(np.minimum(0.0, self.extremes.power_low), KW),
             "highest": lambda: self.highest,
             "binds": lambda: self.binds,
         }
-        if self.products.knows_falling:
-            each["spare"] = lambda: self.viewed(lambda view: view.spare)
+        return found | ({"spare": lambda: self.extremes.spare} if self.products.knows_falling else {})
+
+    @property
+    def _products(self) -> dict[str, Callable[[], Any]]:
+        """The figures of motors and reducers themselves."""
+        motor = {"motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
+                 "motor_nmax": "max_speed"}  # fmt: skip
+        reducer = {"reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia",
+                   "reducer_peak": "peak_torque", "reducer_mean": "mean_torque",
+                   "reducer_nmax": "max_speed"}  # fmt: skip
+        found: dict[str, Callable[[], Any]] = {}
+        for name, figure in motor.items():
+            found[name] = partial(self._figure, "motors_used", figure)
+        for name, figure in reducer.items():
+            found[name] = partial(self._figure, "reducers_used", figure)
         for figure in WEIGHED:
-            each |= {
-                f"motor_{figure}": partial(motor, figure),
-                f"reducer_{figure}": partial(reducer, figure),
-                f"pair_{figure}": partial(self.pair, figure),
-            }
-        return {f"drive{self.axis.number}_{name}": value for name, value in each.items()}
+            found[f"motor_{figure}"] = partial(self._figure, "motors_used", figure)
+            found[f"reducer_{figure}"] = partial(self._figure, "reducers_used", figure)
+            found[f"pair_{figure}"] = partial(self.pair, figure)
+        return found
 
-
-class EachStudied(Studied):
-    """The drive of a mechanism of a changing ratio, or with viscous friction: each design by itself."""
-
-    @property
-    def at_motor(self) -> Array:
-        """Largest inertia at the motor over the cycle, without it (kg m²)."""
-        return self.viewed(lambda view: view.inertia)
-
-    @cached_property
-    def torques(self) -> Torques:
-        """Lowest and highest torques (Nm)."""
-        lowest = self.each(lambda drive: drive.demand.torque.lowest.value)
-        return Torques(lowest, self.each(lambda drive: drive.demand.torque.highest.value))
-
-    @cached_property
-    def rms(self) -> Array:
-        """RMS torques (Nm)."""
-        return self.each(lambda drive: drive.demand.rms_torque)
-
-    @cached_property
-    def speed(self) -> Array:
-        """Largest speeds (rpm)."""
-        return shown(self.each(lambda drive: drive.demand.speed.peak), RPM)
+    def _figure(self, products: str, figure: str) -> Array:
+        """Return a figure of the motors or the reducers in use."""
+        found: dict[str, Array] = getattr(self, products)
+        return found[figure]
 
     @property
-    def mean_speed(self) -> Array:
-        """Mean speeds over the cycle (rpm)."""
-        return shown(self.each(lambda drive: drive.demand.mean_speed), RPM)
-
-    @cached_property
-    def works(self) -> Works:
-        """Energies (J)."""
-        driving = self.each(lambda drive: drive.demand.energy.driving)
-        return Works(driving, self.each(lambda drive: drive.demand.energy.regenerated))
-
-    @cached_property
-    def behind(self) -> Any:
-        """Largest torques behind the reducers (Nm)."""
-        return self.each(lambda drive: drive.demand.shaft_torque(1).peak)
-
-    @cached_property
-    def mean_behind(self) -> Any:
-        """Mean torques behind the reducers (Nm)."""
-        return self.each(lambda drive: drive.demand.mean_shaft_torque(1))
-
-
-def below_curve(view: DriveView) -> bool:
-    """Return whether a motor's torque stays below its curve; of a curve that the book does not know it does not."""
-    return view.spare >= 0.0 if view.knows_falling else not view.driven.catalogued_falling.fall
+    def _checks(self) -> dict[str, Callable[[], Any]]:
+        """The checks of the drive's sheet."""
+        motor = self.motors_used.__getitem__
+        linked = self.axis.given.mechanism and self.axis.given.mechanism.kind in LINKED
+        closes = {"ok_back": lambda: told(self.axis.motion.closes)} if linked else {}
+        return closes | {
+            "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
+            "ok_peak": lambda: told(self.extremes.peak <= motor("peak_torque")),
+            "ok_speed": lambda: told(self.speed <= motor("max_speed")),
+            "ok_curve": lambda: self.below_curve,
+            "ok_reducer_peak": lambda: self.within("peak_torque", self.behind),
+            "ok_reducer_mean": lambda: self.within("mean_torque", self.mean_behind),
+            "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
+        }
 
 
 def figures(
@@ -335,4 +333,4 @@ def speed_of(rate: float) -> float:
 
 def told(ok: Any) -> Any:
     """Return verdicts in words."""
-    return np.where(ok, "OK", "FAIL")
+    return np.where(ok, OK, FAIL)

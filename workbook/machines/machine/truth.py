@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from workbook.book.sentence import rounded
@@ -16,17 +15,6 @@ from workbook.machines.machine.view import Whole
 
 RMS, PEAK, ENERGY, RATE = 1e-3, 5e-3, 0.03, 1e-3
 """by which share the sheets state that T_rms, peaks, energies and the highest rate may be off"""
-
-BY_POINTS = {
-    r"drive\d+_(energy|returned|power|pmin|pmax)|power_(?!ok_)\w+|power\.(mains|resistor)\.\d+|about_year": ENERGY,
-    r"drive\d+_(tmax|tmin|rms|smax|smean|speed|mean|jtot|inertias|res_\w+|spare|highest)|about_highest": PEAK,
-}
-"""Results of drives that a book finds by points, and by which share it may be off them"""
-
-
-def share_off(name: str) -> float:
-    """Return by which share a book may be off the exact result of a name; 0 for what it finds exactly."""
-    return next((share for names, share in BY_POINTS.items() if re.fullmatch(names, name)), 0.0)
 
 
 def drives_of(machine: AnyMachine) -> Iterator[DriveView]:

@@ -1,0 +1,58 @@
+"""Many motors behind many reducers at once: each is what the points of its own drive say."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from engine.machine.falling import Falling
+from engine.machine.many import Limits, Many, tops
+from engine.machine.point_load import Gears, PointLoad
+from engine.machine.quadrature import Cycle, DrivePoints, peak
+from engine.motion.pieces import motion_pieces
+from tests.engine.machine.machines import course_of
+
+INERTIA, RATIO, ETA = np.array([1e-3, 5e-3, 0.0, 2e-2]), np.array([3.0, 8.0, 12.0, 1.0]), np.array([0.9, 0.6, 1.0, 0.8])
+LIMITS = Limits(np.array([5.0, 80.0, 9.0, 300.0]), np.full(4, 30.0), np.array([0.0, 0.1, 0.0, 0.5]))
+
+
+def alone(points, limits, time):
+    """What the points of one drive say."""
+    power, (top, knee, fall) = points.power, limits
+    reserve = Falling(knee, fall).reserve(top, points.torque, points.speed).min()
+    works = [points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0)]
+    ends = [-points.top(-points.torque), points.top(points.torque), -points.top(-power), points.top(power)]
+    return [*ends, reserve, *works]
+
+
+def geared(course):
+    """Whether a reducer is all that it has before its mechanism."""
+    return len(course.train.drive.mechanism.stages) == 2
+
+
+@pytest.mark.parametrize("number", range(8))
+def test_each_is_what_its_points_say(number, monkeypatch):
+    course = next(one for one in map(course_of, range(100 * number, 100 * number + 100)) if geared(one))
+    load = Cycle(course, motion_pieces(course.motion), course.motion.tolerance).points()
+    drive = course.train.drive
+    first, *others = drive.mechanism.stages
+    monkeypatch.setattr("engine.machine.point_load.AT_ONCE", 2 * load.place.size)
+    found = Many(PointLoad(load, 0.0, 0.0, 0.0), Gears(INERTIA, RATIO, ETA), LIMITS)
+    works = found.works(course.time)
+    for k in range(len(INERTIA)):
+        stage = replace(first, ratio=RATIO[k], efficiency=ETA[k], back_efficiency=None)
+        parts = tuple(part for part in drive.mechanism.parts if part.shaft)
+        mechanism = replace(drive.mechanism, stages=(stage, *others), parts=parts)
+        own = replace(
+            load, train=replace(load.train, drive=replace(drive, mechanism=mechanism, motor_inertia=INERTIA[k]))
+        )
+        expected = alone(DrivePoints(own), [one[k] for one in LIMITS], course.time)
+        here = [*(values[k] for values in found.extremes), works.driving[k], works.regenerated[k]]
+        assert here == pytest.approx(expected, rel=1e-11, abs=1e-9 * max(map(abs, expected)))
+
+
+def test_the_tops_of_many_are_the_tops_of_each():
+    rng = np.random.default_rng(1)
+    place = np.sort(rng.uniform(0.0, 1.0, (5, 9)), axis=1) + np.arange(5)[:, None]
+    values = rng.normal(size=(300, 45)).round(1)
+    assert tops(values, place) == pytest.approx([peak(one.reshape(5, 9), place).top for one in values], rel=1e-12)
