@@ -18,14 +18,15 @@ from workbook.laws.family import COEFFICIENTS
 from workbook.laws.library import laws, named
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.apart import Apart
+from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mains import Mains
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.power import KWH
-from workbook.machines.machine.selecting.view import Choosing
 from workbook.machines.machine.studied_drives import ONE, Studied, told
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling, Worked
+from workbook.selection.choosing import Choosing
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
 MASTER = "master.rate"
@@ -198,7 +199,7 @@ def lined(designs: list[list[Any]]) -> list[list[Any]]:
 
 def choice_found(machine: AnyMachine, drive: Studied) -> Any:
     """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
-    each = [Choosing(machine.selection, machine.sizes, [base]).proposed is not None for base in drive.bases]
+    each = [Choosing(machine.selection, machine.sizes, [shaft_of(base)]).proposed is not None for base in drive.bases]
     return told(np.array(each)[drive.rates.places])
 
 
