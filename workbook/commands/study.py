@@ -80,9 +80,9 @@ def ran(
         pace = paced(plan)
     parts.step, seconds = pace.step(plan.space), pace.seconds(plan.space)
     at_once = 1 if seconds < SHORT else jobs or cores()
-    for line in announced(plan, seconds, None if scheduler else at_once):
-        say(ERR, line)
     with pool(at_once, scheduler) as workers, parts.opened(resume, force):
+        for line in announced(plan, seconds, None if scheduler else at_once):
+            say(OUT, line)
         with interruptible(parts), progress(plan.space.size) as done:
             found = run(plan, parts, workers, done)
         names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, *tables.ENDS]

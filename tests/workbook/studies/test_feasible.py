@@ -140,7 +140,7 @@ def test_a_slow_result_is_announced_with_its_time_before_it_begins(tmp_path, mon
     monkeypatch.setattr(command, "run", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
     with pytest.raises(KeyboardInterrupt):
         command.study(study, tmp_path / "r.csv", None, 2, False, None, True, False)
-    said = " ".join(capsys.readouterr().err.split())
+    said = " ".join(capsys.readouterr().out.split())
     assert "2 designs take up to about 2 minutes on 2 cores (MTP_k: from a book of each design;" in said
 
 
