@@ -18,12 +18,12 @@ from engine.machine.point_load import Gears, PointLoad, shares_of
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
 from workbook.entries.units import KG_CM2, KW, PER_MINUTE, RPM, shown, si
-from workbook.machines.machine.chain import LINKED
 from workbook.machines.machine.chosen import MotorInUse, ReducerInUse, falling_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.drive.behind import load_of
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion import AxisRows
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
