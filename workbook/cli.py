@@ -372,6 +372,18 @@ def compare(
 
 
 @app.command()
+def serve(
+    folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="The folder with your machines.")] = Path(),
+    port: Annotated[int, typer.Option(min=0, max=65535, help="The port; 0 takes a free one.")] = 0,
+    browse: Annotated[bool, typer.Option(help="Open the browser.")] = True,
+) -> None:
+    """Work in the browser: new machines, build, verify, compare. Nobody but this computer can reach it."""
+    from workbook.commands import serve as command
+
+    command.serve(folder, port, browse)
+
+
+@app.command()
 def oracle(
     book: Annotated[Path, typer.Argument(metavar="BOOK", help="Any workbook.")],
     output: Annotated[Path | None, to("FILE.py", "Where to write; else it is printed.")] = None,

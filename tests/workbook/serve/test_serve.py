@@ -1,0 +1,163 @@
+"""motionbook in the browser: each page by a person's steps, and what strangers must not be able to do."""
+
+import http.client
+import re
+import subprocess
+import sys
+from urllib.parse import urlencode
+
+import openpyxl
+import pytest
+
+from tests import cutting
+from workbook.build import build, write_inputs
+from workbook.serve.guarded import COOKIE
+
+BOUNDARY = "----boundary"
+ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
+
+
+class Answer:
+    """What the server answered."""
+
+    def __init__(self, response):
+        self.code, self.headers, self.body = response.status, response.headers, response.read()
+
+
+class Server:
+    """The command, serving a folder with the cutting machine in small tables."""
+
+    def __init__(self, root, host, token):
+        self.root, self.host, self.token = root, host, token
+
+    def ask(self, path, body=None, cookie=None, origin=None, **headers):
+        """Ask as the browser does; a body is posted."""
+        headers = {"Cookie": f"{COOKIE}={self.token if cookie is None else cookie}", "Host": self.host} | headers
+        if body is not None:
+            headers["Origin"] = origin or f"http://{self.host}"
+            headers.setdefault("Content-Type", "application/x-www-form-urlencoded")
+        connection = http.client.HTTPConnection(self.host, timeout=300)
+        connection.request("GET" if body is None else "POST", path, body, headers)
+        answer = Answer(connection.getresponse())
+        connection.close()
+        return answer
+
+    def form(self, **fields):
+        return urlencode(fields)
+
+    def upload(self, name, data):
+        head = f'--{BOUNDARY}\r\nContent-Disposition: form-data; name="book"; filename="{name}"\r\n\r\n'
+        body = head.encode() + data + f"\r\n--{BOUNDARY}--\r\n".encode()
+        return self.ask("/upload", body, **{"Content-Type": f"multipart/form-data; boundary={BOUNDARY}"})
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    """The command, running."""
+    root = tmp_path_factory.mktemp("serve") / "machines"
+    root.mkdir()
+    (root.parent / "secret.toml").write_text("outside")
+    machine = cutting.small(cycle=12, law=4, own_law=4)
+    write_inputs(machine, root / "cutting.toml")
+    build(machine, root / "cutting.xlsx")
+    command = [sys.executable, "-u", "-m", "workbook", "serve", str(root), "--no-browse"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        found = ADDRESS.match(process.stdout.readline())
+        yield Server(root, found[1], found[2])
+        process.send_signal(2)  # Ctrl+C
+        assert process.wait(20) == 0
+
+
+# --- a person's steps
+
+
+def test_a_new_machine_is_described_built_downloaded_and_verified(server):
+    done = server.ask("/new", server.form(template="machine", name="mine"))
+    assert (done.code, done.headers["Location"]) == (302, "/edit/mine.toml")
+    page = server.ask("/edit/cutting.toml").body.decode()
+    state = re.search(r'name="state" value="(\w+)"', page)[1]
+    text = (server.root / "cutting.toml").read_text(encoding="utf-8").replace('title = "', 'title = "Faster ')
+    saved = server.ask("/save", server.form(name="cutting.toml", state=state, text=text))
+    assert "/file/cutting-2.xlsx" in saved.body.decode()  # the book that was there stays
+    book = server.ask("/file/cutting-2.xlsx")
+    (server.root / "downloaded.xlsx").write_bytes(book.body)
+    report = server.ask("/verify", server.form(name="downloaded.xlsx")).body.decode()
+    assert "None: every formula cell computes what the engine computes" in report
+    home = server.ask("/").body.decode()
+    assert "agrees" in home
+
+
+def test_a_tampered_book_from_elsewhere_gets_the_report_of_the_command(server):
+    book = openpyxl.load_workbook(server.root / "cutting.xlsx")
+    sheet, cell = book.defined_names["drive1_tmax"].attr_text.replace("$", "").replace("'", "").split("!")
+    book[sheet][cell] = "=1+1"
+    book.save(server.root.parent / "tampered.xlsx")
+    report = server.upload("tampered.xlsx", (server.root.parent / "tampered.xlsx").read_bytes()).body.decode()
+    assert f"{sheet}!{cell}" in report
+    assert "the formula is not the one that was generated" in report
+    assert not (server.root / "tampered.xlsx").exists()
+
+
+def test_two_machines_are_compared(server):
+    text = (server.root / "cutting.toml").read_text(encoding="utf-8")
+    (server.root / "other.toml").write_text(text.replace("lift = 80.0", "lift = 84.0"), encoding="utf-8")
+    page = server.ask("/compare", server.form(old="cutting.toml", new="other.toml")).body.decode()
+    assert "MC03" in page
+    assert "84" in page
+
+
+def test_a_fault_in_a_description_is_shown_beside_what_was_entered(server):
+    page = server.ask("/edit/cutting.toml").body.decode()
+    state = re.search(r'name="state" value="(\w+)"', page)[1]
+    answer = server.ask(
+        "/save", server.form(name="cutting.toml", state=state, text='template = "nothing"')
+    ).body.decode()
+    assert "nothing" in answer
+    assert "<textarea" in answer
+
+
+def test_a_file_that_changed_meanwhile_is_not_overwritten(server):
+    answer = server.ask("/save", server.form(name="cutting.toml", state="0" * 64, text="lost"))
+    assert answer.code == 400
+    assert "changed since it was opened" in answer.body.decode()
+    assert (server.root / "cutting.toml").read_text(encoding="utf-8") != "lost"
+
+
+# --- strangers
+
+
+def test_only_who_has_the_token_is_answered(server):
+    assert server.ask("/", cookie="wrong").code == 403
+    assert server.ask("/build", server.form(name="cutting.toml"), cookie="wrong").code == 403
+    first = server.ask(f"/?token={server.token}", cookie="")
+    assert (first.code, first.headers["Location"]) == (302, "/")
+    assert "HttpOnly" in first.headers["Set-Cookie"]
+    assert "SameSite=Strict" in first.headers["Set-Cookie"]
+
+
+def test_another_host_and_another_origin_are_refused(server):
+    assert server.ask("/", Host="evil.example").code == 403
+    assert server.ask("/build", server.form(name="cutting.toml"), origin="http://evil.example").code == 403
+
+
+def test_no_path_leads_out_of_the_folder(server):
+    (server.root / "link.toml").symlink_to(server.root.parent / "secret.toml")
+    for name in ("..%2Fsecret.toml", "%2Fetc%2Fpasswd", ".hidden.toml", "link.toml", "none.xlsx"):
+        answer = server.ask(f"/file/{name}")
+        assert answer.code in (400, 404)
+        assert b"outside" not in answer.body
+    assert server.ask("/new", server.form(template="machine", name="../mine")).code == 400
+
+
+def test_hostile_names_and_titles_are_text(server):
+    (server.root / "<b>bold<b>.toml").write_text("x")
+    home = server.ask("/")
+    assert b"<b>" not in home.body
+    assert "script-src" not in home.headers["Content-Security-Policy"]
+    assert "default-src 'none'" in home.headers["Content-Security-Policy"]
+
+
+def test_an_upload_that_is_no_workbook_is_told(server):
+    answer = server.upload("bomb.xlsx", b"PK" + bytes(1000)).body.decode()
+    assert "Cannot be read" in answer
+    assert "bomb.xlsx" in answer

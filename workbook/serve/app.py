@@ -1,0 +1,232 @@
+"""The server: addresses, and what each page does by the commands of motionbook."""
+
+from __future__ import annotations
+
+import asyncio
+import secrets
+import tempfile
+import webbrowser
+from collections.abc import Callable
+from pathlib import Path
+
+from tornado.httpserver import HTTPServer
+from tornado.netutil import bind_sockets
+from tornado.web import Application
+
+from workbook.build import write_text
+from workbook.errors import MotionbookError, WriteError
+from workbook.intake import read_text
+from workbook.serve import pages
+from workbook.serve.folder import LARGEST, NAME, Folder, state
+from workbook.serve.guarded import Guarded
+from workbook.serve.work import Done, Work
+from workbook.writing.place import replace
+
+REPORT = "report.html"
+
+
+class Page(Guarded):
+    """A page that works on the folder."""
+
+    def initialize(self, folder: Folder, work: Work, verdicts: dict[str, str]) -> None:
+        """Take what all pages share."""
+        self.folder, self.work, self.verdicts = folder, work, verdicts
+
+    def argument(self, name: str) -> str:
+        """Return a field of the form."""
+        return str(self.get_body_argument(name))
+
+    def refuse(self, error: MotionbookError) -> None:
+        """Answer with the message of an error."""
+        self.set_status(400)
+        self.finish(pages.printed("This cannot be done", str(error), ""))
+
+    async def reported(self, path: Path, name: str) -> None:
+        """Verify a workbook and answer with its report."""
+        with tempfile.TemporaryDirectory() as folder:
+            report = Path(folder) / REPORT
+            done = await self.work.run("verify", path, "--report", report)
+            self.verdicts[name] = pages.VERDICTS.get(done.code, "cannot be read")
+            text = report.read_text(encoding="utf-8") if report.exists() else ""
+        self.finish(text or pages.printed(name, done.text, self.verdicts[name]))
+
+
+class Home(Page):
+    """The first page."""
+
+    def get(self) -> None:
+        """Show the folder."""
+        self.finish(pages.home(self.folder, self.verdicts, self.work.waiting))
+
+
+class Download(Page):
+    """A workbook or a description as a file."""
+
+    def get(self, name: str) -> None:
+        """Send the file."""
+        try:
+            path = self.folder.file(name)
+        except MotionbookError as error:
+            return self.refuse(error)
+        self.set_header("Content-Type", "application/octet-stream")
+        self.set_header("Content-Disposition", "attachment")
+        self.finish(path.read_bytes())
+        return None
+
+
+class New(Page):
+    """A new description."""
+
+    async def post(self) -> None:
+        """Write it, under a name that is free, and edit it."""
+        try:
+            path = self.folder.free(f"{self.argument('name')}.toml")
+        except MotionbookError as error:
+            return self.refuse(error)
+        done = await self.work.run("new", self.argument("template"), "-o", path)
+        if done.code:
+            self.finish(pages.printed("New machine", done.text, "not written"))
+        else:
+            self.redirect(f"/edit/{path.name}")
+        return None
+
+
+class Edit(Page):
+    """A description to be edited."""
+
+    def get(self, name: str) -> None:
+        """Show it."""
+        try:
+            path = self.folder.file(name)
+            text = read_text(path, "a description")
+        except MotionbookError as error:
+            return self.refuse(error)
+        self.finish(pages.editor(name, text, state(path)))
+        return None
+
+
+class Save(Page):
+    """A description that was edited."""
+
+    async def post(self) -> None:
+        """Save it unless it changed meanwhile, and build its workbook; show what is amiss beside the text."""
+        name, text = self.argument("name"), self.get_body_argument("text", strip=False).replace("\r\n", "\n")
+        try:
+            path = self.folder.file(name)
+            if state(path) != self.argument("state"):
+                raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
+            replace(path, lambda draft: write_text(draft, text), overwrite=True)
+        except MotionbookError as error:
+            return self.refuse(error)
+        done, target = await built(self.work, self.folder, path)
+        if done.code:
+            self.finish(pages.editor(name, text, state(path), done.text))
+        else:
+            self.finish(pages.printed(name, done.text, "", pages.link(f"/file/{target.name}", "Download")))
+        return None
+
+
+class Build(Page):
+    """A workbook made of a description."""
+
+    async def post(self) -> None:
+        """Build it under a name that is free."""
+        try:
+            path = self.folder.file(self.argument("name"))
+        except MotionbookError as error:
+            return self.refuse(error)
+        done, target = await built(self.work, self.folder, path)
+        links = [] if done.code else [pages.link(f"/file/{target.name}", "Download")]
+        self.finish(pages.printed(path.name, done.text, "", *links))
+        return None
+
+
+class Verify(Page):
+    """A workbook of the folder, verified."""
+
+    async def post(self) -> None:
+        """Answer with the report."""
+        try:
+            path = self.folder.file(self.argument("name"))
+        except MotionbookError as error:
+            return self.refuse(error)
+        await self.reported(path, path.name)
+        return None
+
+
+class Upload(Page):
+    """A workbook from elsewhere, verified and not kept."""
+
+    async def post(self) -> None:
+        """Answer with the report."""
+        files = self.request.files.get("book", [])
+        if len(files) != 1:
+            return self.refuse(WriteError("no workbook came; choose a file first"))
+        name = Path(files[0].filename).name
+        name = name if NAME.fullmatch(name) else "upload.xlsx"
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / name
+            path.write_bytes(files[0].body)
+            await self.reported(path, name)
+        return None
+
+
+class Compare(Page):
+    """Two files of the folder, compared."""
+
+    async def post(self) -> None:
+        """Answer with what differs."""
+        try:
+            old, new = (self.folder.file(self.argument(name)) for name in ("old", "new"))
+        except MotionbookError as error:
+            return self.refuse(error)
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / REPORT
+            done = await self.work.run("diff", old, new, "--html", page)
+            text = page.read_text(encoding="utf-8") if page.exists() else ""
+        self.finish(text or pages.printed("Comparison", done.text, ""))
+        return None
+
+
+class Missing(Guarded):
+    """An address at which there is nothing."""
+
+    def get(self) -> None:
+        """Say so."""
+        self.send_error(404)
+
+
+async def built(work: Work, folder: Folder, path: Path) -> tuple[Done, Path]:
+    """Build the workbook of a description under a name that is free; return how that ended, and the workbook."""
+    target = folder.free(f"{path.stem}.xlsx")
+    return await work.run("build", path, "-o", target), target
+
+
+def application(folder: Folder, token: str, hosts: list[str], work: Work) -> Application:
+    """Return the application that serves a folder to who has the token."""
+    shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
+    routes = [
+        (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
+        (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),
+    ]  # fmt: skip
+    handlers = [(path, page, shared) for path, page in routes]
+    return Application(handlers, token=token, hosts=hosts, default_handler_class=Missing)
+
+
+async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]) -> None:
+    """Serve a folder on this computer until it is interrupted."""
+    folder, token, work = Folder(path), secrets.token_urlsafe(24), Work()
+    sockets = bind_sockets(port, "127.0.0.1")
+    port = sockets[0].getsockname()[1]
+    hosts = [f"127.0.0.1:{port}", f"localhost:{port}"]
+    server = HTTPServer(application(folder, token, hosts, work), max_buffer_size=LARGEST + 2**20)
+    server.add_sockets(sockets)
+    address = f"http://127.0.0.1:{port}/?token={token}"
+    tell(address)
+    if browse:
+        webbrowser.open(address)
+    try:
+        await asyncio.Event().wait()
+    finally:
+        server.stop()
+        work.stop()

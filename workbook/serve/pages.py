@@ -1,0 +1,114 @@
+"""The pages: what is in the folder, a description to edit, what a command printed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from datetime import datetime
+from pathlib import Path
+from xml.etree.ElementTree import Element
+
+from workbook.reports.page import Content, document, e, table
+from workbook.serve.folder import Folder
+from workbook.templates import TEMPLATES
+
+VERDICTS = {0: "agrees", 1: "disagrees", 2: "cannot be read", 3: "agrees; the design fails its checks"}
+
+
+def home(folder: Folder, verdicts: Mapping[str, str], waiting: int) -> str:
+    """Return the first page: the folder's files with verdicts, a new machine, an upload, a comparison."""
+    rows = [row(path, verdicts) for path in folder.files()]
+    queue = [e("p", f"{waiting} commands run or wait for their turn.", css="quiet")] if waiting else []
+    body = [
+        e("h1", "motionbook"), e("p", str(folder.path), css="quiet"), *queue, e("h2", "Machines in this folder"),
+        table(("File", "Changed", "Verdict", ""), rows, ()) if rows else e("p", "No description and no workbook yet."),
+        e("h2", "New machine"), new(),
+        e("h2", "Verify a workbook from elsewhere"), upload(),
+        e("h2", "Compare two"), comparison([path.name for path in folder.files()]),
+    ]  # fmt: skip
+    return document("motionbook", body)
+
+
+def row(path: Path, verdicts: Mapping[str, str]) -> list[Content]:
+    """Return what the table says of a file, and what can be done with it."""
+    changed = f"{datetime.fromtimestamp(path.stat().st_mtime).astimezone():%Y-%m-%d %H:%M}"
+    if path.suffix.lower() == ".toml":
+        links = [link(f"/edit/{path.name}", "Edit"), post("/build", path.name, "Build")]
+    else:
+        links = [post("/verify", path.name, "Verify"), link(f"/file/{path.name}", "Download")]
+    return [path.name, changed, verdicts.get(path.name, "–"), e("span", *links)]
+
+
+def new() -> Element:
+    """Return the form that begins a machine."""
+    kinds = e("select", *(e("option", name, value=name) for name in TEMPLATES), name="template", id="template")
+    return form("/new", label("Kind", "template"), kinds, label("Name", "name"), text("name", "my-machine"),
+                button("Write a description"))  # fmt: skip
+
+
+def upload() -> Element:
+    """Return the form that takes a workbook from elsewhere."""
+    file = e("input", type="file", name="book", id="book", accept=".xlsx,.xlsm", required="required")
+    return form("/upload", label("Workbook", "book"), file, button("Verify"), enctype="multipart/form-data")
+
+
+def comparison(names: Sequence[str]) -> Element:
+    """Return the form that compares two files of the folder."""
+
+    def chosen(name: str) -> Element:
+        return e("select", *(e("option", one, value=one) for one in names), name=name, id=name)
+
+    return form("/compare", label("Old", "old"), chosen("old"), label("New", "new"), chosen("new"), button("Compare"))
+
+
+def editor(name: str, words: str, state: str, said: str = "") -> str:
+    """Return the page on which a description is edited; ``said`` are messages on what was entered."""
+    area = e("textarea", words, name="text", id="text", rows="34", cols="110", spellcheck="false")
+    told = [e("pre", said)] if said else []
+    fields = [hidden("name", name), hidden("state", state), e("p", label("Description", "text")), area,
+              e("p", button("Save and build"))]  # fmt: skip
+    return document(name, [e("h1", name), back(), *told, form("/save", *fields)])
+
+
+def printed(title: str, words: str, verdict: str, *links: Element) -> str:
+    """Return the page of what a command printed."""
+    return document(title, [e("h1", title), back(), e("p", verdict), e("pre", words), *links])
+
+
+def back() -> Element:
+    """Return the link to the first page."""
+    return e("p", link("/", "All machines"))
+
+
+def link(href: str, words: str) -> Element:
+    """Return a link with room behind it."""
+    return e("span", e("a", words, href=href), " ")
+
+
+def post(action: str, name: str, words: str) -> Element:
+    """Return a button that does something with a file."""
+    return form(action, hidden("name", name), button(words))
+
+
+def form(action: str, *content: Content, **attributes: str) -> Element:
+    """Return a form that is posted."""
+    return e("form", *content, action=action, method="post", **attributes)
+
+
+def label(words: str, name: str) -> Element:
+    """Return the label of a field."""
+    return e("label", f"{words} ", **{"for": name})
+
+
+def text(name: str, value: str) -> Element:
+    """Return a field of one line."""
+    return e("input", type="text", name=name, id=name, value=value, required="required")
+
+
+def hidden(name: str, value: str) -> Element:
+    """Return a field that is not shown."""
+    return e("input", type="hidden", name=name, value=value)
+
+
+def button(words: str) -> Element:
+    """Return what sends a form."""
+    return e("button", words, type="submit")
