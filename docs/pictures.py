@@ -25,7 +25,7 @@ PICTURES = (  # file, workbook, page of the printed book, left, top, width, heig
     ("summary.png", "machine", 1, 30, 30, 1112, 712),
     ("timing.png", "cutting-machine", 2, 30, 30, 1112, 696),
     ("drive.png", "cutting-machine", 7, 30, 30, 1112, 712),
-    ("selection.png", "flying-cutter", 6, 30, 30, 1112, 685),
+    ("selection.png", "flying-cutter", 9, 30, 30, 1112, 685),
     ("motion.png", "motion-composer", 2, 30, 30, 1112, 653),
     ("overlap.png", "indexing-overlap", 2, 30, 30, 1112, 685),
     ("actuator.png", "actuator-sizing", 5, 30, 30, 1112, 712),

@@ -16,6 +16,7 @@ from workbook.machines.flying.driving import ToolDrive
 from workbook.motion.cells import PieceRows
 from workbook.motion.sampled import place_columns, sampled
 
+BELOW_CHARTS = 45
 UNLISTED = "a name is not in the catalogue; expected one of its names, or an empty cell"
 
 
@@ -27,6 +28,7 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         outcome(sheet, view)
         sheet.checks(*checks(view))
         charts(sheet)
+        sheet.row = max(sheet.row, BELOW_CHARTS)
         sheet.not_printed_below()
         in_use(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
