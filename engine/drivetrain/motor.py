@@ -19,11 +19,7 @@ RATED_AT = 25.0
 WINDING_LIMIT = 175.0
 """°C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm"""
 
-CORNERS = ((0, -1), (1, -1), (1, 1), (0, 1), (0, -1))
-"""of the limits in the plane of speed and torque: whether at the largest speed; above or below"""
-
-
-FALLING_CORNERS = (
+CORNERS = (
     (0, 0, -1),
     (1, 0, -1),
     (1, 1, -1),
@@ -34,7 +30,8 @@ FALLING_CORNERS = (
     (0, 1, -1),
     (0, 0, -1),
 )
-"""the same where the peak torque falls: right side; at the largest speed, or where it begins to fall; above or below"""
+"""of the limits in the plane of speed and torque: right side; at the largest speed, or where the peak torque begins to
+fall; above or below"""
 
 
 @dataclass(frozen=True)
@@ -59,20 +56,13 @@ class Motor:
         """Return the motor with a share of its rated torque left: see :func:`derating`."""
         return replace(self, rated_torque=self.rated_torque * share)
 
-    def corners(self, lowest_speed: float) -> Corners:
+    def corners(self, lowest_speed: float, knee: float = 0.0, fall: float = 0.0) -> Corners:
         """Return the limits as a line round the plane of speed and torque, from the lower left corner.
 
         It begins at speed 0, or on the other side too where ``lowest_speed`` (rad/s) says that the motor turns
-        backward.
+        backward. The peak torque falls beyond ``knee`` (rad/s) by ``fall`` (Nm s), or not at all.
         """
-        left = -self.max_speed if lowest_speed < -STANDSTILL else 0.0
-        right, up = np.array(CORNERS, dtype=np.float64).T
-        speed = np.where(right > 0.0, self.max_speed, left)
-        return Corners(right > 0.0, speed, up * self.peak_torque, up * self.rated_torque)
-
-    def falling_corners(self, lowest_speed: float, knee: float, fall: float) -> Corners:
-        """Return the same with a peak torque that falls beyond a speed (rad/s) by so much (Nm s)."""
-        right, outer, up = np.array(FALLING_CORNERS, dtype=np.float64).T
+        right, outer, up = np.array(CORNERS, dtype=np.float64).T
         left = -1.0 if lowest_speed < -STANDSTILL else 0.0
         begins = knee if fall else self.max_speed
         speed = np.where(right > 0.0, 1.0, left) * np.where(outer > 0.0, self.max_speed, begins)
@@ -81,7 +71,7 @@ class Motor:
 
 
 class Corners(NamedTuple):
-    """A motor's limits in the plane of speed (rad/s) and torque (Nm): arrays of shape (5,), or (9,) if it falls.
+    """A motor's limits in the plane of speed (rad/s) and torque (Nm): arrays of shape (9,).
 
     ``right`` says of each corner whether it is at the largest speed.
     """

@@ -5,7 +5,7 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 
 from __future__ import annotations
 
-from engine.drivetrain.motor import CORNERS, FALLING_CORNERS, Corners, Reserve
+from engine.drivetrain.motor import CORNERS, Corners, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.sentence import NOTHING, Said, exceeding
@@ -30,33 +30,22 @@ def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quant
     ]  # fmt: skip
 
 
-def limits_table(sheet: Sheet, corners: Corners, backward: str) -> None:
-    """Declare the corners of the limits as the charts draw them; ``backward`` says whether the motor turns so too."""
-    right, up = zip(*CORNERS, strict=True)
+def limits_table(sheet: Sheet, corners: Corners, backward: str, falls: bool) -> None:
+    """Declare the corners of the limits as the charts draw them; ``backward`` says whether the motor turns so too.
+
+    Where the sheet knows motors whose peak torque ``falls``, it does by ``@fall`` (Nm/rpm) beyond ``@knee`` (rpm).
+    """
+    right, outer, up = zip(*CORNERS, strict=True)
+    begins = "IF(@fall=0,@motor_nmax,@knee)" if falls else "@motor_nmax"
+    peak = f"(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))" if falls else "@motor_peak"
     sheet.table(
         "@limits", "Limits of the motor, as drawn in the charts", len(CORNERS),
-        constant("side", "right side", "", "", list(right)),
-        constant("up", "upper side", "", "", list(up)),
-        calc("rpm", "speed", "n", "rpm",
-             f"=IF([side]=1,@motor_nmax,IF({backward},0-@motor_nmax,0))", shown(corners.speed, RPM)),
-        calc("peak", "peak torque", "T_M,max", "Nm", "=[up]*@motor_peak", corners.peak),
-        calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
-    )  # fmt: skip
-
-
-def falling_table(sheet: Sheet, corners: Corners, backward: str) -> None:
-    """Declare the same where the peak torque falls by ``@fall`` (Nm/rpm) beyond ``@knee`` (rpm)."""
-    right, outer, up = zip(*FALLING_CORNERS, strict=True)
-    begins = "IF(@fall=0,@motor_nmax,@knee)"
-    sheet.table(
-        "@limits", "Limits of the motor, as drawn in the charts", len(FALLING_CORNERS),
         constant("side", "right side", "", "", list(right)),
         constant("outer", "at the largest speed", "", "", list(outer)),
         constant("up", "upper side", "", "", list(up)),
         calc("rpm", "speed", "n", "rpm",
              f"=IF([side]=1,1,IF({backward},0-1,0))*IF([outer]=1,@motor_nmax,{begins})", shown(corners.speed, RPM)),
-        calc("peak", "peak torque", "T_M,max", "Nm", f"=[up]*(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))",
-             corners.peak),
+        calc("peak", "peak torque", "T_max", "Nm", f"=[up]*{peak}", corners.peak),
         calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
     )  # fmt: skip
 

@@ -267,10 +267,13 @@ def test_reserve_against_the_motors_limits():
 @pytest.mark.parametrize(("lowest", "left"), [(0.0, 0.0), (-STANDSTILL / 2, 0.0), (-1.0, -300.0)])
 def test_limits_are_a_closed_line_on_the_sides_that_the_motor_turns_to(lowest, left):
     right, speed, peak, rated = MOTOR.corners(lowest)
-    assert speed.tolist() == [left, 300.0, 300.0, left, left]
-    assert peak.tolist() == [-160.0, -160.0, 160.0, 160.0, -160.0]
-    assert (rated / peak).tolist() == [60 / 160] * 5
-    assert right.tolist() == [False, True, True, False, False]
+    assert speed.tolist() == [left, *[300.0] * 4, *[left] * 4]
+    assert peak.tolist() == [*[-160.0] * 3, *[160.0] * 4, -160.0, -160.0]
+    assert (rated / peak).tolist() == [60 / 160] * 9
+    assert right.tolist() == [False, *[True] * 4, *[False] * 4]
+    falling = MOTOR.corners(lowest, 100.0, 0.2)
+    assert falling.peak[[1, 2]].tolist() == [-160.0, -120.0]
+    assert falling.speed[[1, 2]].tolist() == [100.0, 300.0]
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, exceeding
-from workbook.drive.motor import falling_table, limit_checks, plane, rms_point
+from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.flying.driving import ToolDrive
@@ -32,7 +32,7 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         sheet.not_printed_below()
         in_use(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
-        falling_table(sheet, view.corners, "MIN([@pt.dir])<0")
+        limits_table(sheet, view.corners, "MIN([@pt.dir])<0", falls=True)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")
         intervals(sheet, view)

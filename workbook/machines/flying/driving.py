@@ -128,7 +128,7 @@ class ToolDrive:
     @property
     def corners(self) -> Corners:
         """The limits of the motor, as drawn."""
-        return self.motor.falling_corners(min(0.0, float(self.load.direction.min())), *self.falling)
+        return self.motor.corners(min(0.0, float(self.load.direction.min())), *self.falling)
 
     @cached_property
     def turns(self) -> tuple[Array, Array]:

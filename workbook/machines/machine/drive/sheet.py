@@ -7,7 +7,7 @@ from engine.drivetrain.losses import held_factor
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount, exceeding
-from workbook.drive.motor import falling_table, limit_checks, limits_table, plane, rms_point
+from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine import chosen
@@ -194,12 +194,9 @@ def curve_rows(view: DriveView) -> list[Quantity]:
 
 def corners_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the limits of the motor as the chart draws them."""
-    motor, falling = view.driven.motor, view.driven.falling
-    lowest, backward = min(0.0, float(view.cycle.direction.min())), "MIN([@iv.dir])<0"
-    if view.knows_falling:
-        falling_table(sheet, motor.falling_corners(lowest, *falling), backward)
-    else:
-        limits_table(sheet, motor.corners(lowest), backward)
+    lowest = min(0.0, float(view.cycle.direction.min()))
+    corners = view.driven.motor.corners(lowest, *view.driven.falling)
+    limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
 
 
 def checks(view: DriveView) -> list[Quantity]:
