@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Law
-from engine.laws.piece import POWERS, Piece, gains
+from engine.laws.piece import Piece, gains
 
 JUMP = 1e-9
 """of the law's C_v, of a and j of its C_a: a smaller jump is rounding"""
@@ -24,13 +24,12 @@ Rates = tuple[float, ...]
 class Meeting(NamedTuple):
     """The begin of a piece of a law, or of the rest behind it: rates there and at its end, and what jumps.
 
-    ``powers`` are 1, d, d² … of its duration d, ``angles`` the ωd + φ of both sines. ``before`` counts, from 1, the
-    last piece before that lasts; 0 is rest. ``order`` is the highest derivative of s that is continuous there, up to
+    ``angles`` are the ωd + φ of both sines at its end, after its duration d. ``before`` counts, from 1, the last piece
+    before that lasts; 0 is rest. ``order`` is the highest derivative of s that is continuous there, up to
     3; of a piece that does not last, 3. ``outer`` tells the law's ends from what is between them.
     """
 
     duration: float
-    powers: list[float]
     angles: tuple[float, float]
     begin: Rates
     end: Rates
@@ -52,7 +51,7 @@ def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
         lasts = piece.duration > 0.0
         jump = tuple(y - x for x, y in zip(ended, begin, strict=True)) if lasts else (0.0, 0.0, 0.0)
         outer = lasts and (behind or before == 0)
-        found.append(Meeting(piece.duration, *_measures(piece), begin, end, before, jump, _order(jump, scales), outer))
+        found.append(Meeting(piece.duration, _angles(piece), begin, end, before, jump, _order(jump, scales), outer))
         v = end[0]
         if lasts:
             before, ended = k, end
@@ -77,10 +76,10 @@ def _rates(piece: Piece, v: float) -> tuple[Rates, Rates]:
     return (v, float(a[0]), float(j[0])), (v + float(dv[1]), float(a[1]), float(j[1]))
 
 
-def _measures(piece: Piece) -> tuple[list[float], tuple[float, float]]:
-    """Return the powers of a piece's duration, and the angles of its sines at its end."""
+def _angles(piece: Piece) -> tuple[float, float]:
+    """Return the angles of a piece's sines at its end."""
     d = piece.duration
-    return [d**k for k in range(POWERS)], (piece.omega * d + piece.phase, piece.omega2 * d + piece.phase2)
+    return piece.omega * d + piece.phase, piece.omega2 * d + piece.phase2
 
 
 def _order(jump: tuple[float, ...], scales: tuple[float, ...]) -> int:

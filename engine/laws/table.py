@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Law, stage_of
-from engine.laws.piece import POWERS, Piece
+from engine.laws.piece import Piece
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,6 @@ class Carried:
         one, other = self.velocity_cosines
         return self.v + one * math.cos(self.piece.phase) + other * math.cos(self.piece.phase2)
 
-    @property
-    def curves(self) -> dict[str, tuple[float, ...]]:
-        """The coefficients of the polynomials of s, v and j, from the lowest power."""
-        a = self.piece.row[:POWERS]
-        v = self.position_slope, *(c / k for k, c in enumerate(a, 1))
-        s = self.position_constant, *(c / k for k, c in enumerate(v, 1))
-        return {"s": s, "v": v, "j": tuple(k * c for k, c in enumerate(a))[1:]}
-
 
 def _over(amplitude: float, divisor: float) -> float:
     return amplitude / divisor if divisor > 0.0 else 0.0
@@ -103,11 +95,6 @@ def located(pieces: Sequence[Piece], xi: Array) -> Place:
     rates = np.array([(piece.omega, piece.phase, piece.omega2, piece.phase2) for piece in pieces]).T
     omega, phi, omega2, phi2 = rates[:, k]
     return Place(k, u, omega * u + phi, omega2 * u + phi2)
-
-
-def powers(u: Array, highest: int) -> list[Array]:
-    """Return 1, u, u² … of places in their pieces."""
-    return [u**k for k in range(highest + 1)]
 
 
 def key(number: int, xi: float) -> float:

@@ -175,9 +175,9 @@ class Motion:
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
 
     def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:
-        """Return y, ẏ = y' w, ÿ = y'' w² at x, where the abscissa advances at the constant speed w."""
-        y, y1, y2, _ = self.at(x)
-        return TimeValues(y, y1 * speed, y2 * speed**2)
+        """Return y, ẏ = y' w, ÿ = y'' w² and the jerk y''' w³ at x, of an abscissa at the constant speed w."""
+        y, y1, y2, y3 = self.at(x)
+        return TimeValues(y, y1 * speed, y2 * speed**2, y3 * speed**3)
 
     def junctions(self, periodic: bool = True) -> tuple[Junction, ...]:
         """Return the jumps between the phases in order; of a periodic motion, the wrap last."""

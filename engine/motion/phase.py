@@ -19,11 +19,12 @@ class MotionValues(NamedTuple, Generic[Real]):
 
 
 class TimeValues(NamedTuple, Generic[Real]):
-    """Position y, velocity ẏ and acceleration ÿ in time."""
+    """Position y, velocity ẏ, acceleration ÿ and jerk in time."""
 
     y: Real
     v: Real
     a: Real
+    j: Real
 
 
 @dataclass(frozen=True)

@@ -152,7 +152,7 @@ def operating_points(law, n=3600):
     """The feeding group over a cycle at 100 pieces a minute, 0.6 s."""
     omega = shaft_speed(100 / 60)
     x = np.arange(n + 1) * (2 * np.pi / n)
-    _, v, a = machine(law)["MC01"].motion.at_speed(x, omega)
+    _, v, a, _ = machine(law)["MC01"].motion.at_speed(x, omega)
     return points_of(feeding_group(), v, a, time=x / omega)
 
 

@@ -111,8 +111,13 @@ class Block:
         if end:
             row = {".first": 1, ".last": self.size}.get(end) or int(end[1:])
             top = bottom = self.row + row - 1
+        first, last = self.ends(quantity)
+        return span(top, first, bottom, last)
+
+    def ends(self, quantity: str) -> tuple[int, int]:
+        """Return the sheet's numbers of the first and the last of some columns (``c0:c5``), of one twice the same."""
         first, _, last = quantity.partition(":")
-        return span(top, self.columns[first], bottom, self.columns[last or first])
+        return self.columns[first], self.columns[last or first]
 
     @property
     def blanked(self) -> tuple[Quantity, ...]:
@@ -452,7 +457,10 @@ class Book:
         return self.sheets[-1]
 
     def name(self, table: str, **columns: str) -> None:
-        """Give columns of a table defined names, for those that others look up: ``name("laws", law_cv="cv")``."""
+        """Give columns of a table defined names, for those that others look up.
+
+        ``name("laws", law_cv="cv")`` names a column, ``name("pieces", piece_c="c0:c5")`` several side by side.
+        """
         self.column_names |= {name: (table, column) for name, column in columns.items()}
 
     def cells(self) -> Iterator[Cell]:

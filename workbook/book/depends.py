@@ -196,9 +196,10 @@ class Dependence:
         return self._column(*book.column_names[name])
 
     def _column(self, table: str, column: str) -> Area:
-        """Return the area of a column of a table."""
+        """Return the area of a column of a table, or of several side by side."""
         block = self._book.blocks[table]
-        return placed(block, block.columns[column], 1)
+        first, last = block.ends(column)
+        return placed(block, first, last - first + 1)
 
 
 def placed(block: Block, column: int, columns: int) -> Area:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from engine.laws.entry import IncompleteError
-from workbook.laws.pages.pieces import OWN_ENTRIES
 from workbook.laws.registry import FAMILIES
+from workbook.laws.tops import OWN_ENTRIES
 
 
 class Text(NamedTuple):

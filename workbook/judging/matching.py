@@ -289,7 +289,8 @@ def declared_area(book: Book, name: str) -> Area:
         return area_of(declared_place(book.blocks[name]))
     table, column = book.column_names[name]
     block = book.blocks[table]
-    return area_of(Place(block.sheet.title, block.row, block.columns[column], block.size, 1))
+    first, last = block.ends(column)
+    return area_of(Place(block.sheet.title, block.row, first, block.size, last - first + 1))
 
 
 def cell_index(

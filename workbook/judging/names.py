@@ -39,16 +39,18 @@ def grown(match: Match) -> Iterator[Misled]:
 
 
 def columns(match: Match) -> Iterator[Misled]:
-    """Yield names of a table's column that are not that column."""
+    """Yield names of a table's column, or of several side by side, that are not those."""
     places = match.file.places
     for name, (table, column) in match.declared.column_names.items():
         block, place = match.declared.blocks[table], places.get(table)
         if place is None:
             continue
-        j = block.columns[column] - block.column
-        right, found = place.part(j), places.get(name)
-        if right.column and (found is None or found.corners != right.corners):
-            yield Misled(found or right, name, said(found), said(right))
+        first, last = (place.part(one - block.column) for one in block.ends(column))
+        right, found = (first.corners[0], last.corners[1]), places.get(name)
+        if first.column and last.column and (found is None or found.corners != right):
+            yield Misled(
+                found or first, name, said(found), said(first._replace(columns=last.column - first.column + 1))
+            )
 
 
 def strays(match: Match) -> Iterator[Misled]:

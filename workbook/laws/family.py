@@ -234,6 +234,11 @@ class Page:
         return tuple(name for name in ENTRIES if name in had | whole)
 
     @property
+    def of_pieces(self) -> Sequence[str]:
+        """The entries that its pieces may have: what its curves are made of."""
+        return self.columns
+
+    @property
     def second_sine(self) -> bool:
         """Whether a piece of the family has two sines."""
         return any(row.P2 != "=0" for row in self.pieces)

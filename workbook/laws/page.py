@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from engine.laws import Law
 from engine.laws.rise import Rise
@@ -52,7 +53,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         sheet.print_columns = BEHIND - 1
         sheet.one_page = True
         sheet.heading("Table")
-        samples(sheet, rise, entered.lift, sizes.law, stack)
+        samples(sheet, rise, entered.lift, sizes.law, stack, page.of_pieces)
         page.detail(sheet, one, stack, sizes)
     return sheet
 
@@ -144,19 +145,21 @@ def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
     )  # fmt: skip
 
 
-def samples(sheet: Sheet, rise: Rise, lift: float, n: int, stack: sampling.Pieces) -> None:
-    """Declare the sampled table: ξ, s, v, a, j and the dimensional y, ẏ, ÿ."""
+def samples(
+    sheet: Sheet, rise: Rise, lift: float, n: int, stack: sampling.Pieces, entries: Sequence[str]
+) -> None:  # fmt: skip
+    """Declare the sampled table: ξ, s, v, a, j and the dimensional y, ẏ, ÿ, by the ``entries`` that pieces may have."""
     xi = abscissae(n)
     y, yv, ya = rise.at(xi)
     sheet.table(
         "@samples", "The law over ξ = t / t_a, and the rise h in the time t_a", n + 1,
         constant("k", "sample", "k", "", list(range(n + 1))),
         calc("xi", "abscissa", "ξ", "", "=[k]/[@samples.k.last]", xi, source="k / N", format="0.0000"),
-        *stack.shape(rise.law, xi, role=result),
+        *stack.columns(dict(zip("svaj", rise.law.evaluate(xi), strict=True)), "svaj", result, entries),
         result("y", "position", "y", "mm", "=@h*[s]", shown(y, MM), scale=abs(lift), source="h s"),
         result("yv", "velocity", "ẏ", "m/s", "=@h_m/@t*[v]", yv, source="h v / t_a"),
         result("ya", "acceleration", "ÿ", "m/s²", "=@h_m/@t^2*[a]", ya, source="h a / t_a²"),
-        *stack.finding("@no", "xi", stack.locate(stack.number(rise.law), xi)),
+        *stack.finding("@no", "xi", stack.locate(stack.number(rise.law), xi), entries),
     )  # fmt: skip
 
 

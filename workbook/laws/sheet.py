@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.piece import POWERS
 from engine.laws.points import reach, slowest
 from engine.motion.handover import way
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
+from workbook.book.polynomial import LEAST
 from workbook.entries.machine import Sizes
 from workbook.laws.brief import LEAST_STAGE
 from workbook.laws.library import NamedLaw
@@ -36,12 +36,12 @@ def laws_sheet(
         constant("break_tolerance", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
                  source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
                         "of a jump"),
+        constant("u_least", "Least place in a piece", "u", "", LEAST, format="0E+00",
+                 source="added to each, so that u⁰ is 1 at its begin too: Excel has no 0^0"),
         constant("stage_least", "Least stage of a law", "", "", LEAST_STAGE, format="0E+00",
                  source="as a share of the rise; a stage is none, or lasts so long"),
     )  # fmt: skip
     stack(sheet, rows, stacked.second_sine)
-    sheet.row += 1
-    blocks(sheet, rows)
 
 
 def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
@@ -114,24 +114,10 @@ def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
 SECOND = {"piece_P2": "P2", "piece_omega2": "omega2", "piece_phi2": "phi2", "piece_ps2": "ps2", "piece_pv2": "pv2",
           "piece_pj2": "pj2"}  # fmt: skip
 """names of the columns of a second sine"""
-GAINED = (
-    "=[d]*([c0]+[d]*([c1]/2+[d]*([c2]/3+[d]*([c3]/4+[d]*([c4]/5+[d]*[c5]/6)))))"
-    "-[pv]*(COS([omega]*[d]+[phi])-COS([phi]))"
-)
+GAINED = "=SUMPRODUCT([c0:c5]/{1,2,3,4,5,6},[d]^{1,2,3,4,5,6})-[pv]*(COS([omega]*[d]+[phi])-COS([phi]))"
 TURNED2 = "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))"
-TRAVELLED = (
-    "=[s0]+[d]*([s1]+[d]*([c0]/2+[d]*([c1]/6+[d]*([c2]/12+[d]*([c3]/20+[d]*([c4]/30+[d]*[c5]/42))))))"
-    "-[ps]*SIN([omega]*[d]+[phi])-[s]"
-)
+TRAVELLED = "=[s0]-[s]+SUMPRODUCT([s1:c5]/{1,2,6,12,20,30,42},[d]^{1,2,3,4,5,6,7})-[ps]*SIN([omega]*[d]+[phi])"
 SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
-CURVES = {
-    "s": ("position", ("piece_s0", "piece_s1", *(f"piece_c{i}" for i in range(POWERS)))),
-    "v": ("velocity", ("piece_s1", *(f"piece_c{i}" for i in range(POWERS)))),
-    "j": ("jerk", tuple(f"piece_c{i}" for i in range(1, POWERS))),
-}
-"""the blocks of coefficients besides that of a: what each coefficient is a share, or a multiple, of"""
-FACTORS = {"s": ("", "", "/2", "/6", "/12", "/20", "/30", "/42"), "v": ("", "", "/2", "/3", "/4", "/5", "/6"),
-           "j": ("", "*2", "*3", "*4", "*5")}  # fmt: skip
 
 
 def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
@@ -158,6 +144,10 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         constant("number", "number", "", "", column("number")),
         constant("k", "piece", "k", "", column("k")),
         entry("d", "duration", "d"),
+        calc("s0", "constant of position", "S0", "",
+             both("=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])"), column("s0"), source="s_k + P/ω² sin φ"),
+        calc("s1", "slope of position", "S1", "",
+             both("=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])"), column("s1"), source="v_k + P/ω cos φ"),
         entry("c0", "constant", "c0"),
         entry("c1", "slope", "c1"),
         entry("c2", "quadratic", "c2"),
@@ -189,10 +179,6 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         calc("ds", "gain of position", "Δs", "",
              both(TRAVELLED, SWUNG2),
              column("ds"), scale=RISE, source="∫v over the piece"),
-        calc("s0", "constant of position", "S0", "",
-             both("=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])"), column("s0"), source="s_k + P/ω² sin φ"),
-        calc("s1", "slope of position", "S1", "",
-             both("=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])"), column("s1"), source="v_k + P/ω cos φ"),
         calc("key", "key", "", "",
              "=2*[number]+MIN(1,MAX(0,[xi]))", column("key"), source="2 · number + ξ_k, within its law"),
     )  # fmt: skip
@@ -202,19 +188,5 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         piece_c0="c0", piece_c1="c1", piece_c2="c2", piece_c3="c3", piece_c4="c4", piece_c5="c5",
         piece_P="P", piece_omega="omega", piece_phi="phi", piece_xi="xi",
         piece_ps="ps", piece_pv="pv", piece_pj="pj", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
-        piece_s0="s0", piece_s1="s1", piece_key="key", **(SECOND if second else {}),
-    )  # fmt: skip
-
-
-def blocks(sheet: Sheet, rows: list[Row]) -> None:
-    """Declare the coefficients of position, velocity and jerk of each piece, a block each."""
-    found = [row.curves for row in rows]
-    sheet.table(
-        "curves_of", "The same pieces: coefficients of position, velocity and jerk, from the lowest power", len(rows),
-        constant("r", "row", "r", "", list(range(1, len(rows) + 1))),
-        calc("law", "law", "", "", "=INDEX(piece_law,[r])", [row.law for row in rows]),
-        *(calc(f"{d}{k}", f"{words}, u^{k}", f"{d.upper()}{k}", "", f"=INDEX({name},[r]){factor}",
-               [one[d][k] for one in found])
-          for d, (words, names) in CURVES.items()
-          for k, (name, factor) in enumerate(zip(names, FACTORS[d], strict=True))),
+        piece_key="key", piece_y="s0:c5", piece_dy="s1:c5", piece_ddy="c0:c5", **(SECOND if second else {}),
     )  # fmt: skip

@@ -50,8 +50,6 @@ class Row:
     s0: float
     s1: float
     key: float
-    curves: dict[str, tuple[float, ...]]
-    """the coefficients of the polynomials of s, v and j, from the lowest power"""
 
 
 def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
@@ -75,7 +73,7 @@ def row(law: str, number: int, k: int, formulas: dict[str, str], place: Carried)
         law, number, k, piece, formulas, place.begin, piece.duration, c0, c1, c2, c3, c4, c5,
         piece.amplitude, piece.omega, piece.phase, piece.amplitude2, piece.omega2, piece.phase2,
         place.s, place.v, place.ds, place.dv, ps, pv, ps2, pv2, *place.jerk_cosines,
-        place.position_constant, place.position_slope, key(number, place.begin), place.curves,
+        place.position_constant, place.position_slope, key(number, place.begin),
     )  # fmt: skip
 
 

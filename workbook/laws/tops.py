@@ -10,6 +10,8 @@ from engine.laws.points import SLOPES, Points
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.laws.sampling import Pieces
 
+OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
+"""what is entered of a piece"""
 CREST = (
     "=IF([part]=0,0,IF([share]=0,[{f}],IF([{g}-1]*[{g}]<0,"
     "([{g}-1]*[{f}]-[{g}]*[{f}-1]-[{g}-1]*[{g}]*([u]-[u-1])/2)/([{g}-1]-[{g}]),[{f}])))"
@@ -51,8 +53,8 @@ def points_table(sheet: Sheet, at: Points, first: int, stack: Pieces) -> None:
         calc("part", "share of the rise", "", "", "=[weight]*INDEX([@pieces.d],[p])", at.part),
         calc("xi", "abscissa", "ξ", "", "=INDEX([@worked.xi],[p])+[u]", at.xi),
         calc("q", "piece row", "q", "", "=@first+[p]-1", p + (first - 1.0), format="0", source="on the sheet Laws"),
-        *stack.within("=[share]*INDEX([@pieces.d],[p])", "share of the duration", at.u, *angles),
-        *stack.columns(rates, "svaj"),
+        *stack.within("=[share]*INDEX([@pieces.d],[p])", "share of the duration", at.u, *angles, entries=OWN_ENTRIES),
+        *stack.columns(rates, "svaj", entries=OWN_ENTRIES),
         calc("b", "slope of the jerk", "b", "", BEND, rates["b"]),
         calc("va", "v · a", "", "", "=[v]*[a]", rates["va"]),
         calc("g", "slope of v · a", "", "", "=[a]^2+[v]*[j]", rates["g"], source="a² + v j"),

@@ -72,6 +72,10 @@ class Cells:
         """The formula of the velocity that is added on a piece; empty where none is."""
         return "[drift]" if self.ends else self.of_phase("drift") if self.drifts else ""
 
+    def named(self, column: str) -> str:
+        """Return the defined name of a column of the pieces' table; ``c`` is that of all coefficients."""
+        return f"{self.pieces.removesuffix('_pieces')}_{column}"
+
     def of_piece(self, column: str, q: str) -> str:
         """Return the formula of a figure of the piece that a sample has found."""
         return f"INDEX([{self.pieces}.{column}],[{q}])"
@@ -79,7 +83,7 @@ class Cells:
     def piece(self, x: str) -> str:
         """Return the formula, without its =, of the piece of a sample: the last that begins at or before it."""
         if self.degrees:
-            return f"MATCH(MIN([{x}]+{self.near},{self.end}-{self.near}),[{self.pieces}.begin],1)"
+            return f"MATCH(MIN([{x}]+{self.near},{self.end}-{self.near}),{self.named('at')},1)"
         return f"MATCH(MIN([{x}]/{self.end}+break_tolerance,1-break_tolerance),[{self.pieces}.share],1)"
 
     def unit(self, order: int) -> str:

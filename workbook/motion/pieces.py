@@ -7,6 +7,7 @@ from functools import partial
 from math import perm
 
 from engine.motion.pieces import MotionPiece
+from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
@@ -21,8 +22,7 @@ ABOUT = (
     "a piece of the phase's law, scaled by lift and duration."
 )
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
-DERIVATIVES = (("dy", "y'"), ("ddy", "y''"), ("dddy", "y'''"))
-"""the blocks of coefficients of the derivatives: what their columns' names begin with, and their symbols"""
+DERIVATIVES = ("y'", "y''", "y'''")
 ROOM = "as many as sizes.motion_pieces in the description says"
 Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]
@@ -89,7 +89,7 @@ def pieces_table(
     begin = f"MAX({at.of_phase('opens')},{origin})" if at.opens else origin
     share = calc("share", "begins at this share of the whole", "", "", f"=[begin]/{at.end}",
                  filled(rows.shares, room, 1.0), source="spare rows: 1")  # fmt: skip
-    sheet.table(
+    block = sheet.table(
         at.pieces, title, room,
         constant("r", "piece", "r", "", list(range(1, room + 1))),
         calc("p", "phase", "", "",
@@ -106,10 +106,18 @@ def pieces_table(
         *taken,
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
-        *(column for order in range(1, len(DERIVATIVES) + 1) for column in derivative(rows, order, of, sizes)),
         *more,
         blank=f"[r]>{at.count}",
     )  # fmt: skip
+    columns = {"at": "begin", "c": f"c0:c{rows.powers - 1}"} | ({"origin": "origin"} if at.opens else {})
+    columns |= {name: name for one in rows.sines for name in of_sine(one.mark)}
+    names = {at.named(name): column for name, column in columns.items()}
+    sheet.book.name(block.name, **{in_scope(name, sheet.scope): column for name, column in names.items()})
+
+
+def of_sine(mark: str) -> list[str]:
+    """Return the names of the columns of a sine."""
+    return [f"om{mark}", f"ph{mark}", *(amplitude(order, mark) for order in range(len(DERIVATIVES) + 1))]
 
 
 def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
@@ -130,20 +138,6 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
         formula = f"=({own}+{at.of_end(f'e{i}')})*{per}^{i}" if at.ends else f"={own}*{per}^{i}"
     return calc(f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, of(lambda piece: piece.c[i]), scale=sizes(i),
                 source=source)  # fmt: skip
-
-
-def derivative(rows: PieceRows, order: int, of: Column, sizes: Sizes) -> list[Quantity]:
-    """Return the block of coefficients of a derivative of the polynomial, from the lowest power."""
-    name, symbol = DERIVATIVES[order - 1]
-
-    def value(k: int) -> list[float]:
-        return of(lambda piece: perm(k + order, order) * piece.c[k + order])
-
-    return [
-        calc(f"{name}{k}", f"{NAMES[k]} of {symbol}", "", rows.at.unit(order),
-             f"={perm(k + order, order)}*[c{k + order}]", value(k), scale=sizes(order))
-        for k in range(rows.powers - order)
-    ]  # fmt: skip
 
 
 def turned(order: int, k: int, piece: MotionPiece) -> float:
@@ -174,5 +168,5 @@ def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quanti
         *(calc(amplitude(order, one.mark), f"amplitude of {symbol}{words}", "", at.unit(order),
                f"=[{amplitude(order - 1, one.mark)}]*[om{one.mark}]",
                of(partial(turned, order, k)), scale=sizes(order), source=f"A{one.mark} ω{RAISED[order]}")
-          for order, (_, symbol) in enumerate(DERIVATIVES, 1)),
+          for order, symbol in enumerate(DERIVATIVES, 1)),
     )  # fmt: skip

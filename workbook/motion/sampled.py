@@ -7,17 +7,17 @@ from math import perm
 
 from engine.laws.base import Array
 from engine.motion.pieces import MotionPiece
-from workbook.book.declare import Quantity, calc, constant
-from workbook.motion.cells import RAISED, Cells, PieceRows
-from workbook.motion.pieces import DERIVATIVES, amplitude
+from workbook.book.declare import Quantity, calc
+from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
+from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.pieces import amplitude
 
 POSITION = "c0 + c1 u + … + A sin x"
 TURNED = ("+{A}*SIN({x})", "+{A}*{om}*COS({x})", "-{A}*{om}^2*SIN({x})", "-{A}*{om}^3*COS({x})")
 """a sine A sin(ωu + φ) and its derivatives by u"""
 SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"
 """the same by the amplitude of each derivative"""
-BLOCKS = ("c", *(name for name, _ in DERIVATIVES))
-"""what the columns of coefficients of each derivative begin with"""
+FROM_START = "from its start; never 0, so that u⁰ is 1"
 
 
 def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
@@ -27,19 +27,27 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
     and names end with ``suffix``.
     """
     at, found = rows.at, rows.found(values)
-    q, local = f"q{suffix}", f"[{x}]-{at.of_piece('origin' if at.opens else 'begin', f'q{suffix}')}"
+    q = f"q{suffix}"
+    local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},[{q}])"
     return [
         calc(q, f"{of}piece", "q", "",
              f"={at.piece(x)}", found.row, format="0", source="last start at or below"),
-        constant(f"u0{suffix}", f"{of}u⁰", "", "", [1] * len(found.u)),
         calc(f"u{suffix}", f"{of}within piece", "u", at.x,
-             f"=RADIANS({local})" if at.degrees else f"={local}", found.u, source="from its start"),
-        *(calc(f"u{i}{suffix}", f"{of}u{RAISED[i]}", f"u{RAISED[i]}", f"{at.x}{RAISED[i]}" if at.x else "",
-               f"=[{_power(i - 1, suffix)}]*[u{suffix}]", found.u**i) for i in range(2, rows.powers)),
-        *(calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "x", "rad",
-               f"={at.of_piece(f'om{mark}', q)}*[u{suffix}]+{at.of_piece(f'ph{mark}', q)}", found.angles[k],
-               source="ωu + φ")
-          for k, ((*_, mark), which) in enumerate(zip(rows.sines, ("", "second "), strict=False))),
+             f"={f'RADIANS({local})' if at.degrees else local}{NOT_ZERO}", found.u + LEAST, source=FROM_START),
+        *arguments(rows, suffix, f"[{q}]", found.angles, of),
+    ]  # fmt: skip
+
+
+def arguments(
+    rows: PieceRows, suffix: str, q: str, angles: Sequence[Sequence[float] | Array], of: str = ""
+) -> list[Quantity]:
+    """Return the columns of the arguments of the sines at places u of pieces, whose row ``q`` names."""
+    at = rows.at
+    return [
+        calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "x", "rad",
+             f"=INDEX({at.named(f'om{mark}')},{q})*[u{suffix}]+INDEX({at.named(f'ph{mark}')},{q})", angles[k],
+             source="ωu + φ")
+        for k, ((*_, mark), which) in enumerate(zip(rows.sines, ("", "second "), strict=False))
     ]  # fmt: skip
 
 
@@ -51,47 +59,37 @@ def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
 def place_columns(
     rows: PieceRows, suffix: str, of: str, formula: str, u: Array, q: str, pieces: Sequence[MotionPiece]
 ) -> list[Quantity]:  # fmt: skip
-    """Return the columns of a place in each piece: u, its powers, and the arguments of the sines.
+    """Return the columns of a place in each piece: u, and the arguments of the sines.
 
     ``formula`` gives u, ``q`` names the row of the piece.
     """
-    at = rows.at
+    both = list(zip(pieces, u, strict=True))
+    angles = [[one.sines[k][1] * place + one.sines[k][2] for one, place in both] for k in range(len(rows.sines))]
     return [
-        constant(f"u0{suffix}", f"{of}: u⁰", "", "", [1] * len(u)),
-        calc(f"u{suffix}", f"{of}: u", "u", at.x, formula, u, scale=rows.end),
-        *(calc(f"u{i}{suffix}", f"{of}: u{RAISED[i]}", f"u{RAISED[i]}", f"{at.x}{RAISED[i]}" if at.x else "",
-               f"=[{_power(i - 1, suffix)}]*[u{suffix}]", u**i, scale=rows.end**i) for i in range(2, rows.powers)),
-        *(calc(f"x{mark}{suffix}", f"{of}: argument of the {which}sine", "x", "rad",
-               f"=INDEX([{at.pieces}.om{mark}],{q})*[u{suffix}]+INDEX([{at.pieces}.ph{mark}],{q})",
-               [one.sines[k][1] * place + one.sines[k][2] for one, place in zip(pieces, u, strict=True)],
-               source="ωu + φ")
-          for k, ((*_, mark), which) in enumerate(zip(rows.sines, ("", "second "), strict=False))),
+        calc(f"u{suffix}", f"{of}: u", "u", rows.at.x, f"{formula}{NOT_ZERO}", u + LEAST, scale=rows.end,
+             source=FROM_START),
+        *arguments(rows, suffix, q, angles, f"{of}: "),
     ]  # fmt: skip
 
 
 def at_place(rows: PieceRows, order: int, suffix: str, q: str) -> str:
     """Return the formula, without its =, of a derivative at a place of :func:`place_columns`."""
-    last, table = rows.powers - order - 1, rows.at.pieces
-    block = f"INDEX([{table}.{BLOCKS[order]}0:{BLOCKS[order]}{last}],{q},0)"
-    text = f"SUMPRODUCT({block},[{_power(0, suffix)}:{_power(last, suffix)}])" if last >= 0 else ""
+    at = rows.at
+    text = polynomial(f"INDEX({at.named('c')},{q},0)", f"[u{suffix}]", rows.powers, order)
     for *_, mark in rows.sines:
-        text += SINES[order].format(f"INDEX([{table}.{amplitude(order, mark)}],{q})", f"[x{mark}{suffix}]")
-    return text.removeprefix("+")
+        text += SINES[order].format(f"INDEX({at.named(amplitude(order, mark))},{q})", f"[x{mark}{suffix}]")
+    return text
 
 
 def at_begin(rows: PieceRows, order: int, q: str) -> str:
     """Return the formula, without its =, of a derivative where a piece begins."""
-    table = rows.at.pieces
-    text = f"INDEX([{table}.{BLOCKS[order]}0],{q})" if rows.powers > order else ""
+    at, factor = rows.at, perm(order, order)
+    text = f"{factor}*" if factor > 1 else ""
+    text += f"INDEX([{at.pieces}.c{order}],{q})"
     for *_, mark in rows.sines:
-        a, ph = (f"INDEX([{table}.{name}],{q})" for name in (amplitude(order, mark), f"ph{mark}"))
+        a, ph = (f"INDEX({at.named(name)},{q})" for name in (amplitude(order, mark), f"ph{mark}"))
         text += SINES[order].format(a, ph)
-    return text.removeprefix("+")
-
-
-def _power(i: int, suffix: str) -> str:
-    """Return the name of the column of a power of u."""
-    return f"u{'' if i == 1 else i}{suffix}"
+    return text
 
 
 def derivative(rows: PieceRows, order: int, suffix: str = "", place: str = "") -> str:

@@ -24,10 +24,7 @@ from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryEr
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, ENTRIES, LawSheet, Page, Stacked
 from workbook.laws.mending import missing
-from workbook.laws.tops import extremes, points_table
-
-OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
-"""what is entered of a piece"""
+from workbook.laws.tops import OWN_ENTRIES, extremes, points_table
 
 
 def not_slow(omega: float) -> float:
@@ -132,6 +129,11 @@ class OwnPage(Page):
     def name_entered(self, entry: Entry, entered: OwnLaw) -> str:
         """Return the name that is entered."""
         return entered.name
+
+    @property
+    def of_pieces(self) -> Sequence[str]:
+        """The entries of its pieces."""
+        return OWN_ENTRIES
 
     def reached(self, end: str) -> str:
         """Return the formula of the lowest or the highest s: of its extremes."""

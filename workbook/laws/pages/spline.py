@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Literal
@@ -101,6 +101,11 @@ VARIATIONS = (
 @dataclass(frozen=True, kw_only=True)
 class SplinePage(Page):
     """The page of a spline: any number of points, entered one by one."""
+
+    @property
+    def of_pieces(self) -> Sequence[str]:
+        """The entries of its pieces: of a straight acceleration."""
+        return ("c0", "c1")
 
     def reached(self, end: str) -> str:
         """Return the formula of the lowest or the highest s: of its extremes."""

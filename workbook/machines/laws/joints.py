@@ -7,7 +7,7 @@ from typing import Any
 
 from engine.laws.piece import POWERS
 from workbook.book.declare import Quantity, Sheet, calc, constant
-from workbook.laws.sampling import RAISED
+from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
 from workbook.machines.laws.view import Compared, Joined
 
 RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
@@ -18,7 +18,8 @@ ORDER = (
 """the least order of a law's joints: between its pieces, or, of codes that are 4 more, at its ends"""
 PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],piece_number,0)+[k]-1)"
 """behind the last piece the dwell's, law 1"""
-BLOCKS = {"a": "[pieces.c0:c5]", "j": "[curves_of.j0:j4]"}
+ORDERS = {"a": 0, "j": 1}
+"""of derivatives of the acceleration"""
 SINES = {
     "a": "+INDEX(piece_P{n},[q])*SIN({x})",
     "j": "+INDEX(piece_pj{n},[q])*COS({x})",
@@ -48,12 +49,11 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         constant("no", "number", "", "", of(lambda row: row.one.number), format="0"),
         constant("k", "piece", "k", "", of(lambda row: row.k), format="0"),
         calc("q", "piece row", "q", "", PIECE, of(view.row_of), format="0", source="on the sheet Laws"),
-        constant("d0", "power 0", "d⁰", "", of(lambda row: row.at.powers[0])),
         calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", of(lambda row: row.at.duration)),
-        *(calc(f"d{k}", f"power {k}", f"d{RAISED[k][1:]}", "", f"=[d]^{k}", [row.at.powers[k] for row in rows])
-          for k in range(2, POWERS)),
+        calc("u", "its end", "u", "", f"=[d]{NOT_ZERO}", of(lambda row: row.at.duration + LEAST),
+             source="never 0, so that u⁰ is 1"),
         *(calc(f"x{n}", f"argument of sine{words} at its end", "", "rad",
-               f"=INDEX(piece_omega{n},[q])*[d]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
+               f"=INDEX(piece_omega{n},[q])*[u]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
           for i, (n, words) in enumerate((("", ""), ("2", " 2"))[: 1 + view.stack.second_sine])),
         *(rate(name, i, at_end) for at_end in (False, True) for i, name in enumerate(RATES)),
         calc("p", "last before it that lasts", "", "",
@@ -81,8 +81,10 @@ def at_place(name: str, at_end: bool, second: bool) -> str:
     """Return the formula of v, a or j at the begin of a piece, or at its end."""
     if name == "v":
         return "=INDEX(piece_v,[q])" + ("+INDEX(piece_dv,[q])" if at_end else "")
-    block = BLOCKS[name]
-    text = f"SUMPRODUCT(INDEX({block},[q],0),[d0:d{block[-2]}])" if at_end else f"INDEX({block},[q],1)"
+    order = ORDERS[name]
+    text = f"INDEX(piece_c{order},[q])"
+    if at_end:
+        text = polynomial("INDEX(piece_ddy,[q],0)", "[u]", POWERS, order)
     for n in ("", "2") if second else ("",):
         text += SINES[name].format(n=n, x=f"[x{n}]" if at_end else f"INDEX(piece_phi{n},[q])")
     return f"={text}"

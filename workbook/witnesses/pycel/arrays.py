@@ -130,7 +130,7 @@ def _result(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
         return None if doubtful.any() else COMPARED[operator](a, b)
     elif operator == "Div" and np.all(b):
         made = a / b
-    elif operator == "Pow" and type(b) in NUMBERS and b in POWERS:
+    elif operator == "Pow" and ((type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)):
         made = a**b
     return made if made is not None and np.isfinite(made).all() else None
 

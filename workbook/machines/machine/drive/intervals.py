@@ -13,7 +13,7 @@ from workbook.machines.machine.drive.windows import acting
 
 MIDDLE = COUNT // 2 + 1
 """the number of the point in the middle of an interval"""
-LENGTH = "[end]-[begin]<timing_eps"
+LENGTH = "[len]<timing_eps"
 """the condition of a spare row: an interval of no length"""
 
 
@@ -67,6 +67,8 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
              view.of_intervals(lambda one: shown(one.begin, DEGREE), TURN), scale=TURN, format="0.0##"),
         calc("end", "ends at", "θ", "°", "=IF([k]=[@iv.k.last],360,SMALL([@cuts.at],[k]+1))",
              view.of_intervals(lambda one: shown(one.end, DEGREE), TURN), scale=TURN, format="0.0##"),
+        calc("len", "length", "", "°", "=[end]-[begin]",
+             view.of_intervals(lambda one: shown(one.end - one.begin, DEGREE), 0.0), scale=TURN, format="0.0##"),
         calc("mid", "in its middle", "θ", "°", f"=IF({LENGTH},[mid-1],([begin]+[end])/2)", view.of_intervals(middle),
              scale=TURN, format="0.0##", source="spare rows: as above"),
         calc("at", "of the master shaft", "", "°", f"={at}-360*INT({at}/360)", view.of_intervals(master), scale=TURN,

@@ -13,13 +13,13 @@ from engine.laws.base import Array
 from engine.machine.max_rate import falling_use, growing_use
 from engine.machine.quadrature import COUNT, DrivePoints, LoadPoints
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.polynomial import LEAST, NOT_ZERO
 from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.drive.mechanisms import registry
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.drive.view import DriveView
-from workbook.motion.cells import RAISED
-from workbook.motion.sampled import sampled
+from workbook.motion.sampled import FROM_START, arguments, sampled
 
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@back1,1/@eta1)*{0}/@i1"
@@ -82,7 +82,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         result("P", "power of the motor", "P", "kW", "=[T]*[n]*PI()/30000", of(shown(points.power, KW)),
                scale=size.power, source="T ω"),
         calc("share", "share of the cycle", "", "",
-             "=[w]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/360", of(load.share, 0.0), scale=1.0,
+             "=[w]*INDEX([@iv.len],[iv])/360", of(load.share, 0.0), scale=1.0,
              source="what it counts in a mean"),
         *standing(view, turning.ratio),
         blank="[share]=0",
@@ -102,24 +102,19 @@ def viscous(view: DriveView, v: str) -> str:
 def motion(view: DriveView) -> list[Quantity]:
     """Return the columns of the motion: place, powers of u, velocity and acceleration of the load."""
     rows, load, axis = view.one.pieces, view.load, view.driven.axis
-    of, table = view.by_point, f"axis{view.driven.number}_pieces"
+    of = view.by_point
     numbers = np.array([one.piece for one in view.cycle.intervals])[:, None]
     local, base = view.local, axis.base
     sines = np.array([one.sines for one in view.cycle.pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.sines))]
     return [
         calc("theta", "angle of its phases", "θ", "°",
-             "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))",
+             "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])",
              of(shown(load.place, DEGREE)), scale=360.0, format="0.0##"),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])", of(numbers + 1.0), format="0"),
-        constant("u0", "u⁰", "", "", 1),
-        calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX([{table}.begin],[q]))", of(local)),
-        *(calc(f"u{n}", f"u{RAISED[n]}", f"u{RAISED[n]}", f"rad{RAISED[n]}", f"=[u]^{n}", of(local**n))
-          for n in range(2, rows.powers if view.varies else rows.powers - 1)),
-        *(calc(f"x{one.mark}", "argument of the sine", f"x{one.mark}", "rad",
-               f"=INDEX([{table}.om{one.mark}],[q])*[u]+INDEX([{table}.ph{one.mark}],[q])", of(angle),
-               source="ωu + φ")
-          for one, angle in zip(rows.sines, angles, strict=True)),
+        calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX({rows.at.named('at')},[q])){NOT_ZERO}",
+             of(local + LEAST), source=FROM_START),
+        *arguments(rows, "", "[q]", [of(angle) for angle in angles]),
         calc("v", "velocity", "ẏ", f"{base}/s", f"=@omega*({sampled(rows, 1)})", of(load.velocity),
              scale=max(axis.fastest, 1e-9), source="y' ω"),
         calc("a", "acceleration", "ÿ", f"{base}/s²", f"=@omega^2*({sampled(rows, 2)})", of(load.acceleration),

@@ -1,0 +1,26 @@
+"""Polynomials in cells: coefficients that stand side by side, times constant factors and powers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import perm
+
+LEAST = 1e-30
+NOT_ZERO = "+u_least"
+"""the end of a formula of what is raised, :data:`LEAST`: Excel has no 0^0, and so little changes nothing else"""
+
+
+def polynomial(coefficients: str, x: str, count: int, order: int = 0) -> str:
+    """Return the formula, without its =, of a polynomial or of a derivative of it.
+
+    ``coefficients`` are those of 1, x, x² …, as many as ``count``, cells of a row; x is the place, and never 0: see
+    :data:`NOT_ZERO`. ``order`` is 0 for the polynomial itself.
+    """
+    powers = constants(max(k - order, 0) for k in range(count))
+    factors = f"{constants(perm(k, order) for k in range(count))}," if order else ""
+    return f"SUMPRODUCT({coefficients},{factors}{x}^{powers})"
+
+
+def constants(numbers: Iterable[int]) -> str:
+    """Return whole numbers as a row of constants in a formula."""
+    return f"{{{','.join(map(str, numbers))}}}"
