@@ -110,7 +110,7 @@ def operated(course, x):
     """Speed and torque of the motor at x, by the chain's own rules, sample by sample."""
     train, w = course.train, course.speed
     drive, m = train.drive, train.drive.mechanism
-    y, v, a = course.motion.at_speed(x, w)
+    y, v, a, _ = course.motion.at_speed(x, w)
     phase = phase_index(course.motion, x)
     moving = np.array([not isinstance(p.law, Dwell) and p.lift != 0 for p in course.motion.phases])[phase]
     going = np.where(moving, np.sign(v), 0.0)
