@@ -296,10 +296,11 @@ def test_behind_a_crank_the_shafts_angle_is_that_of_its_geometry_and_is_certifie
     tolerance = {"y": 1e-4, "a": 0.01}
     made = automatic(target("csv"), ram.shaft(), tolerance)
     assert made.excess(tolerance) <= 1.0
-    inner = np.sqrt((entry.rod - entry.crank) ** 2 - entry.offset**2)
-    x = inner + entry.position + ram.course.at(made.table.x).y
+    crank, rod = entry.crank_radius, entry.rod_length
+    inner = np.sqrt((rod - crank) ** 2 - entry.offset**2)
+    x = inner + entry.start + ram.course.at(made.table.x).y
     apart = np.hypot(x, entry.offset)
-    turned = np.arccos((entry.crank**2 + apart**2 - entry.rod**2) / (2.0 * entry.crank * apart))
+    turned = np.arccos((crank**2 + apart**2 - rod**2) / (2.0 * crank * apart))
     angle = np.degrees(turned + np.arctan2(entry.offset, x)) * described.axes[0].reducer.ratio
     assert np.abs(made.table.y - made.table.y[0]) == pytest.approx(np.abs(angle - angle[0]), abs=1e-4)
 
