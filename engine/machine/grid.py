@@ -47,10 +47,13 @@ class Curve(NamedTuple):
 
 def reserve(load: PointLoad, pair: tuple[float, float, float], curve: Curve) -> float:
     """Return the least that is left below a motor's curve at the points (Nm), for J, i and η."""
-    torque = load.torques(gears(*pair))[0]
-    speed = pair[1] * load.points.speed
-    left = curve.peak - curve.fall * np.maximum(0.0, speed - curve.knee) - np.abs(torque)
-    return float(left.min())
+    return curve.peak - max(float(load.peak(gears(*pair))[0]), falling(load, pair, curve))
+
+
+def falling(load: PointLoad, pair: tuple[float, float, float], curve: Curve) -> float:
+    """Return the largest |T| + f (n − n_1) at the points (Nm): what they ask of the falling part of a curve."""
+    torque, speed = load.torques(gears(*pair))[0], pair[1] * load.points.speed
+    return float((np.abs(torque) + curve.fall * (speed - curve.knee)).max())
 
 
 def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike) -> Gears:

@@ -61,7 +61,7 @@ def by_rms(points: DrivePoints, rated: float, moves: bool = True) -> Share:
 def growing_use(torque: Array, standing: Array, limit: float) -> Array:
     """Return at each point the use by a limit of torque (Nm): |I| over what S leaves of it in the direction of I."""
     grows = torque - standing
-    return np.asarray(np.abs(grows) / (limit - np.sign(grows) * standing))
+    return np.maximum(grows / (limit - standing), -grows / (limit + standing))
 
 
 def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:

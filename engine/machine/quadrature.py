@@ -195,17 +195,12 @@ class Cycle:
         """Return the points of all intervals. Raises OutOfReachError where the mechanism cannot bring its load."""
         begin, end = (np.array([getattr(one, name) for one in self.intervals])[:, None] for name in ("begin", "end"))
         number = np.arange(len(begin))[:, None] + np.zeros(COUNT, dtype=np.intp)
-        share = (end - begin) / self.course.told.total * WEIGHTS
-        return self.at(number, begin + (end - begin) * SHARES, share)
-
-    def at(self, number: NDArray[np.intp], place: Array, share: Array | float = 0.0) -> LoadPoints:
-        """Return points at places, each with the number of its interval, and what it counts in a mean."""
+        share, place = (end - begin) / self.course.told.total * WEIGHTS, begin + (end - begin) * SHARES
         y, v, a = (self._derivative(number, place, order) for order in range(3))
         direction = np.where(np.abs(v) > self.still, np.sign(v), self.direction[number])
         steady, friction = (level[number] for level in self.levels)
         first, second = self.course.train.ratio(y)
-        counts = share + np.zeros(place.shape)
-        return LoadPoints(self.course.train, place, y, v, a, direction, steady, friction, first, second, counts)
+        return LoadPoints(self.course.train, place, y, v, a, direction, steady, friction, first, second, share)
 
     def _derivative(self, number: NDArray[np.intp], place: Array, order: int) -> Array:
         """Return a derivative of the motion by time at places, each in an interval."""
@@ -216,6 +211,25 @@ class Cycle:
     @cached_property
     def _rows(self) -> Rows:
         return rows_of(self.pieces)
+
+
+class Between(NamedTuple):
+    """Places between points: the last point before each, counted from 0, and the share of the way to the next one."""
+
+    point: NDArray[np.intp]
+    share: Array
+
+    def of(self, values: Array) -> Array:
+        """Return a quantity there, by a straight line from point to point."""
+        y = values.ravel()
+        return np.asarray(y[self.point] + self.share * (y[self.point + 1] - y[self.point]))
+
+
+def between(points: Array, places: Array, near: float) -> Between:
+    """Return where places lie between points in order; one that is ``near`` the next point counts as at it."""
+    x = points.ravel()
+    point = np.searchsorted(x, np.minimum(places + near, x[-1] - near), side="right") - 1
+    return Between(point, (places - x[point]) / (x[point + 1] - x[point]))
 
 
 class Peak(NamedTuple):

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import re
-from math import floor, isfinite, log10
 from typing import Any, NamedTuple
 
 DIGITS = 9
 """decimals that are shown of an entry, at most"""
-FINE, LEAST, MOST = 4, 1, 6
-"""digits that are shown of an amount, and decimals at least and at most"""
-NOUGHT = 1e-9
-"""beside an amount, so that it has a size"""
+PLACES = 4
+"""decimals that are shown of an amount, at most"""
 LARGEST = 1e9
 """of the entries that are shown"""
 BEYOND = "beyond 1E9"
@@ -40,7 +37,7 @@ def number(text: str) -> float:
 
 def near(one: float, other: float) -> bool:
     """Whether two figures differ by no more than their rounding."""
-    return abs(one - other) <= _ROUNDED * 10.0 ** -decimals(one) + 1e-9 * abs(one)
+    return abs(one - other) <= _ROUNDED * 10.0**-PLACES + 1e-9 * abs(one)
 
 
 def figure(value: float) -> str:
@@ -85,10 +82,9 @@ def amount(cell: str, value: float, before: str, after: str) -> Said:
 
 
 def bound(cell: str, value: float, before: str, after: str) -> Said:
-    """Return a sentence on an amount of at least 0 up to which something holds: rounded for people, and never up."""
-    places = decimals(value)
-    said = f"{round(max(0.0, value - 0.5 / 10.0**places), places):.15g}"
-    return around(f"ROUND(MAX(0,{cell}-0.5/10^{digits(cell)}),{digits(cell)})", said, before, after)
+    """Return a sentence on an amount of at least 0 up to which something holds: to one decimal, and never up."""
+    said = f"{round(max(0.0, value - 0.05), 1):.15g}"
+    return around(f"ROUND(MAX(0,{cell}-0.05),1)", said, before, after)
 
 
 def around(shows: str, shown: str, before: str, after: str) -> Said:
@@ -105,19 +101,9 @@ def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Sa
 
 def shown(cell: str) -> str:
     """Return the formula that rounds an amount for people."""
-    return f"ROUND({cell},{digits(cell)})"
-
-
-def digits(cell: str) -> str:
-    """Return the formula of how many decimals are shown of an amount."""
-    return f"MAX({LEAST},MIN({MOST},{FINE - 1}-INT(LOG10(ABS({cell})+{NOUGHT:.9f}))))"
+    return f"ROUND({cell},{PLACES})"
 
 
 def rounded(value: float) -> str:
     """Return an amount as sentences show it."""
-    return f"{round(value, decimals(value)) + 0.0:.15g}"
-
-
-def decimals(value: float) -> int:
-    """Return how many decimals are shown of an amount: of a size of 1 to 10 three, so that four digits count."""
-    return max(LEAST, min(MOST, FINE - 1 - floor(log10(abs(value) + NOUGHT)))) if isfinite(value) else LEAST
+    return f"{round(value, PLACES) + 0.0:.15g}"

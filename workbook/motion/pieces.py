@@ -23,7 +23,7 @@ ABOUT = (
 )
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
 DERIVATIVES = ("y'", "y''", "y'''")
-ROOM = "as many as sizes.motion_pieces in the description says"
+ROOM = "as many as sizes.motion_pieces says"
 Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]
 """of the n-th derivative of the motion: what deviations are measured by at least"""
@@ -55,13 +55,14 @@ def pieces_in_all(rows: PieceRows) -> Quantity:
     return calc(at.count, "Pieces in all", "", "", f"=SUM([{at.phases}.pieces])", len(rows.pieces), format="0")
 
 
-def room_check(name: str, at: Cells, number: int = 1, of: str = "") -> Quantity:
-    """Return the check that the table of pieces has room for all ``of`` the axis of a number."""
+def room_check(name: str, at: Cells, number: int = 1, of: str = "", cuts: str = "") -> Quantity:
+    """Return the check that the table of pieces has room for all ``of`` the axis of a number, with ``cuts`` in them."""
     label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
-    rows = f"MAX([{at.pieces}.r])"
+    rows = f"[{at.pieces}.r.last]"
     before, between, after = CROWDED.split("{}")
-    says = "&".join([*([quoted(before)] if before else []), at.count, quoted(between), rows, quoted(after)])
-    return check(name, label, f"{at.count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
+    count = f"{at.count}+{cuts}" if cuts else at.count
+    says = "&".join([*([quoted(before)] if before else []), count, quoted(between), rows, quoted(after)])
+    return check(name, label, f"{count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
 
 
 def pieces_table(

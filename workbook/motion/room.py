@@ -49,7 +49,7 @@ def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
     least = rest + at_once * max(machine.sizes.pieces, *counts(machine.laws).values())
     room = machine.sizes.motion_pieces
     if room is None:
-        room = max(least, most) + FEW
+        room = max(least, most + FEW)
         object.__setattr__(machine, "sizes", machine.sizes.model_copy(update={"motion_pieces": room}))
     if room < least:
         raise EntryError("sizes.motion_pieces", f"{room} pieces are too few; expected at least {least}")

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from engine.machine.grid import falling
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
@@ -94,10 +95,9 @@ def figures(view: Choosing) -> list[Quantity]:
     def motor(name: str) -> str:
         return there(f"INDEX([@motors.{name}],MAX(1,[m]))")
 
-    speed = "[i]*[@points.n]"
-    spare = (
-        f"[tp]-SUMPRODUCT(MAX((({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*({speed}-[knee])*({speed}>[knee])))"
-    )
+    beyond = f"(({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*([i]*[@points.n]-[knee])"
+    asked = [falling(view.load, one, view.curve(m)) for one, (m, _) in zip(each, pairs, strict=True)]
+    scale = max([*(abs(one.peak) for one in view.listed), *map(abs, asked), 1e-3])
     return [
         calc("j", "inertia with the motor", "J", "kg m²",
              there("INDEX([@motors.jm],MAX(1,[m]))+INDEX([@reducers.jt],MAX(1,[r]))"), of([one[0] for one in each])),
@@ -106,6 +106,9 @@ def figures(view: Choosing) -> list[Quantity]:
         calc("tp", "motor's peak torque", "", "Nm", motor("peak"), of([float(m.peak_torque[k]) for k, _ in pairs])),
         calc("knee", "holds to", "n_1", "rpm", motor("knee"), of([shown(float(m.knee[k]), RPM) for k, _ in pairs])),
         calc("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), of([float(fall[k]) for k, _ in pairs])),
-        calc("spare", "reserve below the motor's curve", "", "Nm", there(spare), of([one.spare for one in view.listed]),
-             scale=max([*(abs(one.peak) for one in view.listed), 1e-3])),
+        calc("asked", "asked of what falls", "", "Nm", there(f"SUMPRODUCT(MAX({beyond}))"), of(asked), scale=scale,
+             source="|T| + f (n − n_1), at most"),
+        calc("spare", "reserve below the motor's curve", "", "Nm",
+             there("[tp]-MAX(INDEX([@best.peak],[place]),[asked])"), of([one.spare for one in view.listed]),
+             scale=scale),
     ]  # fmt: skip

@@ -66,15 +66,13 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         "@points", "The points of its cycle", len(rows),
         constant("k", "number", "", "", rows),
         *named(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
-        *named(view, "al", "acceleration", "α", "rad/s²", load.acceleration, scale=shaft.turning),
-        *named(view, "S", "output torque of the reducer", "S", "Nm", view.load.load.behind, scale=behind),
+        *named(view, "al", "acceleration", "α", "rad/s²", load.acceleration, "@turns*{}", scale=shaft.turning),
+        *named(view, "S", "output torque of the reducer", "S", "Nm", load.driving + load.driven,
+               "IF(AND([dir]=0,@brake=1),0,{})", scale=behind, source="0 where a brake holds the motor"),
         *named(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,
                scale=max(float(shown(load.speed.max(), RPM)), 1e-3)),
-        calc("driving", "where it drives the load", "", "Nm",
-             "=IF(OR(@by_power*[S]*[dir]<0,AND([dir]=0,@brake=1)),0,[S])", of(load.driving), scale=behind,
-             source="none that a brake holds"),
-        calc("driven", "where the load drives it", "", "Nm", "=IF(@by_power*[S]*[dir]<0,[S],0)",
-             of(load.driven), scale=behind),
+        calc("driving", "where it drives the load", "", "Nm", "=IF(@by_power*[S]*[dir]<0,0,[S])", of(load.driving),
+             scale=behind, source="else the load drives the motor"),
     )  # fmt: skip
 
 

@@ -12,12 +12,13 @@ def whole(view: Choosing, table: str) -> str:
 
 def torque_of(inertia: str, ratio: str, eta: str) -> str:
     """Return the formula of the torques of a motor at the points of the cycle."""
-    return f"{inertia}*{ratio}*[@points.al]+[@points.driving]/({eta}*{ratio})+[@points.driven]*{eta}/{ratio}"
+    behind = f"[@points.driving]/{eta}+([@points.S]-[@points.driving])*{eta}"
+    return f"{inertia}*{ratio}*[@points.al]+({behind})/{ratio}"
 
 
 def peak_of(inertia: str, ratio: str, eta: str) -> str:
     """Return the formula of the peak torque of a motor; no program takes ABS of an array in MAX alike."""
-    return f"SUMPRODUCT(MAX((({torque_of(inertia, ratio, eta)})^2)^0.5))"
+    return f"SUMPRODUCT(MAX(({torque_of(inertia, ratio, eta)})^2))^0.5"
 
 
 def rms_of(inertia: str, ratio: str, eta: str) -> str:

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
@@ -84,15 +85,18 @@ def test_speed_and_torque_against_differentiated_angles():
     value = computed(TEMPLATE, small(linked(), cycle=720))
     time, r, rod, e = 0.3 / 720, 0.05, 0.2, 0.01
     inner = math.sqrt((rod - r) ** 2 - e**2) + 0.015
-    x = [inner + y / 1000 for y in value("cycle1", "y")]
-    angle = [
-        math.atan2(e, s) + math.acos((r**2 + s**2 + e**2 - rod**2) / (2 * r * math.hypot(s, e))) for s in x
-    ]  # fmt: skip
-    assert value("drive1_cycle", "phi") == pytest.approx([angle[0] - one for one in angle], abs=1e-12)
-    motion = [-one for one in angle]
-    for k in range(60, 660, 7):
-        rate = (motion[k + 1] - motion[k - 1]) / (2 * time)
-        assert value("drive1_cycle", "v")[k] * value("drive1_cycle", "g")[k] == pytest.approx(rate, abs=0.03)
+
+    def angle(y):
+        """The crank from where the motion begins, of positions in m."""
+        x = inner + np.array([0.0, *y])
+        found = np.arctan2(e, x) + np.arccos((r**2 + x**2 + e**2 - rod**2) / (2 * r * np.hypot(x, e)))
+        return found[0] - found[1:]
+
+    assert value("drive1_pt", "phi") == pytest.approx(angle(value("drive1_pt", "y")), abs=1e-12)
+    told, places = np.gradient(angle(np.array(value("cycle1", "y")) / 1000), time), value("cycle1", "theta")
+    rates = np.array(value("drive1_pt", "v")) * value("drive1_pt", "g")
+    assert rates == pytest.approx(np.interp(value("drive1_pt", "theta"), places, told), abs=0.05)
+    assert value("drive1_cycle", "n") == pytest.approx(told * 30 / np.pi, abs=0.02 * np.abs(told).max() * 30 / np.pi)
 
 
 @pytest.mark.parametrize("slide", ["ahead", "behind"])

@@ -196,6 +196,7 @@ class ToolDrive:
             Figure("held_nmax", "its largest speed", "rpm", "drive_motor_nmax", shown(motor.max_speed, RPM)),
             Figure("held_row", "its row of motors", "", "drive_motor_row", m + 1),
             Figure("held_gear", "its row of reducers", "", "drive_reducer_row", r + 1),
+            Figure("turns", "acceleration of its shaft over that of its points", "", "1", 1.0),
         ]  # fmt: skip
         return Choosing(self.chosen, self.sizes, [self._shaft(figures)])
 

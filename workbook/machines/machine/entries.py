@@ -251,9 +251,10 @@ class AnyMachine(Exporting):
         raise TogetherError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", names[0])])
 
     def _find_room(self) -> None:
-        """Settle the room for the pieces of an axis: those of its phases, and a rest between each two."""
+        """Settle the room for the pieces of an axis: of its phases and rests, cut by the edges of process forces."""
         number = counts(self.laws)
-        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) for axis in self.axes_turned]
+        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
+                  for axis in self.axes_turned]  # fmt: skip
         room = settle(self, max(needed), 2 * self.sizes.phases + 1)
         found = [
             DesignError(f"axes.{i}.phases", CROWDED.format(count, room), rule_of(i + 1), [*map(at_rest, axis.phases)])

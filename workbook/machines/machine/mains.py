@@ -10,7 +10,6 @@ import numpy as np
 from engine.laws.base import Array
 from engine.machine.bus import Means, Peaks, means, peaks, together
 from engine.machine.demand import Energy
-from engine.machine.quadrature import DrivePoints
 from workbook.entries.abscissa import Abscissa
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.drive.view import DriveView
@@ -62,7 +61,7 @@ class Mains:
     def drawn(self) -> Array:
         """What each drive on the bus draws at the samples (W), below 0 what it gives back; none of the others."""
         eta = self.entered.efficiency
-        power = np.array([DrivePoints(one.samples).power for one in self.drives])
+        power = np.array([one.sampled[1] for one in self.drives])
         return self.on_bus[:, None] * np.where(power > 0.0, power / eta, power * eta)
 
     @cached_property

@@ -265,7 +265,7 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
         *within_check(one),
         check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{lift}", motion.complete,
               says=amount(lack, shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
-        room_check(f"{t}_room", one.at, i, label),
+        room_check(f"{t}_room", one.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
         *(one.ends.checks(t, f"{label}: ") if one.ends else []),
         one.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         check(f"{t}_closes", f"{label}: the cycle closes",

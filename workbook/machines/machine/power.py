@@ -165,11 +165,11 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
     """Declare the power of the bus at the samples of the cycle: each drive's, and their sum."""
     machine, size = bus.drives[0].one.machine, shown(bus.size, KW)
     over, rows = bus.over, len(machine.angles)
-    loss = "({p}*(1/power_efficiency+power_efficiency)+ABS({p})*(1/power_efficiency-power_efficiency))/2"
     columns = [f"d{one.driven.number}" for one in bus.drives]
 
     def drawn(row: int, number: int) -> str:
-        return f"=[power.bus.{row}]*{loss.format(p=f'INDEX([drive{number}_cycle.power],[k]+1)')}"
+        power = f"INDEX([drive{number}_cycle.power],[k]+1)"
+        return f"=[power.bus.{row}]*MAX({power}/power_efficiency,{power}*power_efficiency)"
 
     time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle1.time],[k]+1)", machine.times,
                 format=over.format) if over.measured else \

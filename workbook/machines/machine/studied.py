@@ -186,7 +186,7 @@ def bus_fine(machine: AnyMachine, drives: list[Studied]) -> Any:
     designs = [tuple(each) for each in zip(*lined([one.designs for one in drives]), strict=True)]
     fine: dict[Any, bool] = {}
     for design in dict.fromkeys(designs):
-        views = [one.sampled(own) for one, own in zip(drives, design, strict=True)]
+        views = [one.views[own] for one, own in zip(drives, design, strict=True)]
         fine[design] = Mains(views, machine.power).fine
     return told(np.array([fine[design] for design in designs]))
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -190,12 +189,6 @@ class Studied:
     def views(self) -> dict[tuple[int, int, int], DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
         return {one: with_motor(self.bases[one[2]], self.drive(*one)) for one in dict.fromkeys(self.designs)}
-
-    def sampled(self, design: tuple[int, int, int]) -> DriveView:
-        """Return the drive of a design with its samples: those at one rate share their load."""
-        view, base = self.views[design], self.bases[design[2]]
-        view.samples = replace(base.samples, train=view.driven.train)
-        return view
 
     @cached_property
     def highest_each(self) -> dict[tuple[int, int, int], Highest]:

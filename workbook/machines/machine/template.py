@@ -116,8 +116,9 @@ def in_short(axis: MovingAxis, view: DriveView | None) -> InShort:
 def name_points(book: Book, view: DriveView) -> None:
     """Give the columns of a drive's points names that the sheet Selection chooses by."""
     if asks(view):
-        drive = f"drive{view.driven.number}"
-        book.column_names |= {f"{drive}_{column}": (f"{drive}_pt", column) for column in ("dir", "al", "S", "n")}
+        drive, alpha = f"drive{view.driven.number}", "al" if view.varies else "a"
+        columns = {"dir": "dir", "al": alpha, "S": "S", "n": "n"}
+        book.column_names |= {f"{drive}_{name}": (f"{drive}_pt", column) for name, column in columns.items()}
 
 
 def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:

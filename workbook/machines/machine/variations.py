@@ -75,7 +75,8 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         axis["position"] = 0.0 if driven and not constant else (k - 2) * (7.5 + i)
         suited = handing(data["laws"]) if constant else shaped(data["laws"]) if driven else data["laws"]
         made = phases(i, turn, sizes["phases"], suited)
-        axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1)
+        cuts = 2 * len(forces(i, k, 1.0)) if driven else 0
+        axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1 - cuts)
         if driven:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])

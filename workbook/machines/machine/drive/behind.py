@@ -34,6 +34,11 @@ def turning(view: DriveView) -> float:
     return max(float(np.abs(view.load.turning).max()), 1e-9)
 
 
+def turns_of(view: DriveView) -> float:
+    """Return the acceleration of the shaft behind the reducer over the one that the points have, φ̈ or ÿ."""
+    return 1.0 if view.varies else view.driven.mechanism.ratio_from(1)
+
+
 def means(sheet: Sheet, view: DriveView) -> None:
     """Declare the five means over the cycle, and what else hangs on no motor and no reducer."""
     if not asks(view):
@@ -41,24 +46,29 @@ def means(sheet: Sheet, view: DriveView) -> None:
     driven, load, alpha, behind = view.driven, load_of(view), turning(view), view.scales.behind
     own, mixed, mixed_back, square, square_back = load.squares
 
-    def mean(where: str, one: str) -> str:
-        return f"=SUMPRODUCT([@pt.share]*{where}*{FREE},[@pt.{one}],[@pt.S])"
+    column, by = ("al", "") if view.varies else ("a", "@i2*")
+
+    def mean(where: str, one: str, by: str = "") -> str:
+        return f"={by}SUMPRODUCT([@pt.share]*{where}*{FREE},[@pt.{one}],[@pt.S])"
 
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
     sheet.rows(
-        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", "=SUMPRODUCT([@pt.share],[@pt.al],[@pt.al])", own,
+        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴",
+             f"={by}{by}SUMPRODUCT([@pt.share],[@pt.{column}],[@pt.{column}])", own,
              scale=alpha**2),
         calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²", mean(DRIVES, "S"), square,
              scale=behind**2),
         calc("@ask_square_back", "… where the load drives it", "", "Nm²", mean(BACK, "S"), square_back,
              scale=behind**2),
-        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean(DRIVES, "al"), mixed,
+        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean(DRIVES, column, by), mixed,
              scale=alpha * behind),
-        calc("@ask_product_back", "… where the load drives it", "", "W/s", mean(BACK, "al"), mixed_back,
+        calc("@ask_product_back", "… where the load drives it", "", "W/s", mean(BACK, column, by), mixed_back,
              scale=alpha * behind),
         calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
+        calc("@ask_turns", "Acceleration of that shaft over the one that the points have", "", "",
+             "=1" if view.varies else "=@i2+0", turns_of(view), source="the load's, of a constant ratio"),
         calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j_shaft+0", load.inertia),
         calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", f"={on_shaft('motor')}",
              driven.beside_motor, scale=driven.at_motor),
@@ -107,4 +117,5 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
         Figure("held_nmax", "its largest speed", "rpm", "@motor_nmax", motor.max_speed),
         Figure("held_row", "its row of motors", "", "@motor_row", motor.row),
         Figure("held_gear", "its row of reducers", "", "@reducer_row", d.reducer.row),
+        Figure("turns", "acceleration of its shaft over that of its points", "", "@ask_turns", turns_of(view)),
     ]  # fmt: skip

@@ -25,8 +25,8 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)]
     sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)]
     sheet.table(
-        "@cuts", "Where an interval can begin", view.rows,
-        constant("k", "number", "k", "", list(range(1, view.rows + 1))),
+        "@cuts", "Where an interval can begin", len(edges),
+        constant("k", "number", "k", "", list(range(1, len(edges) + 1))),
         constant("window", "process force", "", "", windows, format="0;;"),
         constant("side", "its begin (1) or end (2)", "", "", sides, format="0;;"),
         calc("edge", "angle of its phases", "θ", "°",
@@ -65,7 +65,7 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
         constant("k", "interval", "k", "", list(range(1, view.rows + 1))),
         calc("begin", "begins at", "θ", "°", "=SMALL([@cuts.at],[k])",
              view.of_intervals(lambda one: shown(one.begin, DEGREE), TURN), scale=TURN, format="0.0##"),
-        calc("end", "ends at", "θ", "°", "=IF([k]=[@iv.k.last],360,SMALL([@cuts.at],[k]+1))",
+        calc("end", "ends at", "θ", "°", "=SMALL([@cuts.at],[k]+1)",
              view.of_intervals(lambda one: shown(one.end, DEGREE), TURN), scale=TURN, format="0.0##"),
         calc("len", "length", "", "°", "=[end]-[begin]",
              view.of_intervals(lambda one: shown(one.end - one.begin, DEGREE), 0.0), scale=TURN, format="0.0##"),

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from engine.machine.max_rate import Share, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.sentence import Said, bound
+from workbook.book.sentence import Said, Sentence, bound
 from workbook.entries.units import RPM, shown
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 
@@ -21,13 +21,22 @@ ABOUT = (
     "the torque is T_0 + x I: of each limit, 1/x is the share that grows with the square of the rate that is used."
 )
 SPEEDS = ("motor speed", "reducer input speed")
+
+
+def grown(torque: str, limit: str) -> str:
+    """Return the formula of the largest share of a limit of torque: |I| over what T_0 leaves of it at each point."""
+    now, none = f"[@pt.{torque}]", f"[@pt.{torque}0]"
+    ways = f"({now}-{none})/({limit}-{none})", f"({none}-{now})/({limit}+{none})"
+    return f"MAX({','.join(f'SUMPRODUCT(MAX({way}))' for way in ways)})"
+
+
 USES = {
     "RMS torque": "IF(OR(@speed=0,[stands]>=[limit]),0,"
     "(SQRT(@mixed^2+@grow*([limit]^2-[stands]^2))+@mixed)/([limit]^2-[stands]^2))",
-    "peak torque": "MAX([@pt.up])",
+    "peak torque": grown("T", "@motor_peak"),
     "motor speed": "(@speed/[limit])^2",
     "reducer input speed": "IF([limit]=0,0,(@speed/[limit])^2)",
-    "reducer peak torque": "MAX([@pt.us])",
+    "reducer peak torque": f"IF([limit]=0,0,{grown('S', '@reducer_peak')})",
     "reducer mean torque": "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))",
     "torque below the curve": "MAX(MAX([@pt.uc]),MAX([@pt.ub]))",
 }
@@ -119,10 +128,17 @@ def highest(view: DriveView) -> Sequence[Quantity]:
         result("@binds", "limiting factor", "", "",
                f'=IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@held.name],MATCH(MIN({rates}),{rates},0)))', name,
                align="right"),
+        calc("@mends", "In words", "", "", f'=IF(COUNT(@highest)=0,"no limit",{mends(view).says})',
+             Sentence(mends(view).said if isinstance(most, float) else "no limit"), align="left"),
     ]  # fmt: skip
 
 
 def mending(view: DriveView) -> Said:
     """Return what would mend a limit that is not held: the rate up to which all are."""
+    return Said('"; "&@mends', f"; {mends(view).said}")
+
+
+def mends(view: DriveView) -> Said:
+    """Return the sentence on the rate up to which the drive holds all limits."""
     most = view.highest.rate
-    return bound("@highest", most if isinstance(most, float) else 0.0, "; the drive holds all up to ", " cycles/min")
+    return bound("@highest", most if isinstance(most, float) else 0.0, "the drive holds all up to ", " cycles/min")

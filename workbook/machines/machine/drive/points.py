@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.laws.base import Array
-from engine.machine.max_rate import falling_use, growing_use
+from engine.machine.max_rate import falling_use
 from engine.machine.quadrature import COUNT, DrivePoints, LoadPoints
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST, NOT_ZERO
@@ -37,20 +36,23 @@ def ratio_of(view: DriveView, a: str) -> Ratio:
     """Return them for an acceleration of the load."""
     if view.varies:
         return Ratio("[g]", "[al]")
-    return Ratio("@i2", "[al]" if asks(view) else f"@i2*{a}")
+    return Ratio("@i2", f"@i2*{a}")
 
 
 def asks(view: DriveView) -> bool:
-    """Return whether the book has a sheet Selection, which reads the acceleration of the mechanism's shaft."""
+    """Return whether the book has a sheet Selection, which reads the points of the drives."""
     return view.one.machine.machine.selection.axis is not None
 
 
-def shaft(view: DriveView, load: LoadPoints, of: Column) -> Quantity:
-    """Return the column of the acceleration of the mechanism's shaft."""
-    formula = "=[h]*[v]^2+[g]*[a]" if view.varies else "=@i2*[a]"
-    return calc("al", "acceleration of the shaft", "φ̈", "rad/s²", formula, of(load.turning),
-                scale=max(float(np.abs(view.load.turning).max()), 1e-9),
-                source="φ'' ẏ² + φ' ÿ" if view.varies else "i_2 ÿ")  # fmt: skip
+def linked(view: DriveView) -> list[Quantity]:
+    """Return the columns of a mechanism whose ratio changes: ratio, angle and acceleration of its shaft."""
+    page, load, of = registry.linkage_page(view.driven), view.load, view.by_point
+    return [
+        *page.ratios(view.driven, load.position, of),
+        page.angle(view.driven, load.position, of),
+        calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.turning),
+             scale=max(float(np.abs(load.turning).max()), 1e-9), source="φ'' ẏ² + φ' ÿ"),
+    ]  # fmt: skip
 
 
 def points_table(sheet: Sheet, view: DriveView) -> None:
@@ -72,8 +74,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         calc("R", "resisting force", "F_r", force_unit(view),
              "=INDEX([@iv.steady],[iv])+[dir]*INDEX([@iv.friction],[iv])", of(load.resisting), scale=size.force,
              source="without inertia"),
-        *(registry.linkage_page(view.driven).ratios(view.driven, load.position, of) if view.varies else ()),
-        *([shaft(view, load, of)] if view.varies or asks(view) else ()),
+        *(linked(view) if view.varies else ()),
         calc("F", "force at the load", "F", force_unit(view), f"=[R]+@m*[a]{viscous(view, '[v]')}", of(load.force),
              scale=size.force, source="F_r + m ÿ"),
         *torques(view, load, turning, of),
@@ -143,24 +144,13 @@ def torques(view: DriveView, load: LoadPoints, turning: Ratio, of: Column) -> li
 
 
 def standing(view: DriveView, ratio: str) -> list[Quantity]:
-    """Return the columns for the highest rate: torques without motion, and what grows with the rate of each limit."""
-    driven, points, load, size, of = view.driven, view.points, view.load, view.scales, view.by_point
-    reducer, peak = driven.reducer.limits.peak_torque, driven.motor.peak_torque
-    geared = growing_use(load.behind, load.standing_behind, reducer) if np.isfinite(reducer) else 0.0 * load.place
-
-    def use(torque: str, none: str, limit: str) -> str:
-        return f"ABS([{torque}]-[{none}])/({limit}-SIGN([{torque}]-[{none}])*[{none}])"
-
+    """Return the columns for the highest rate: torques without motion, and what grows with the rate below a curve."""
+    points, load, size, of = view.points, view.load, view.scales, view.by_point
     columns = [
         calc("S0", "output torque of the reducer, without inertia", "T_1,0", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
              of(load.standing_behind), scale=size.behind, source="F_r/(η_2 φ')"),
         calc("T0", "torque of the motor, without inertia", "T_0", "Nm", f"=IF({BRAKED},0,{LOSS1.format('[S0]')})",
              of(points.standing), scale=size.torque, source="T_1,0/(η_1 i_1)"),
-        calc("up", "share of the peak torque", "", "", f"={use('T', 'T0', '@motor_peak')}",
-             of(growing_use(points.torque, points.standing, peak)), scale=1.0,
-             source="|T − T_0| of what T_0 leaves"),
-        calc("us", "share of the reducer's", "", "", f"=IF(@reducer_peak=0,0,{use('S', 'S0', '@reducer_peak')})",
-             of(geared), scale=1.0, source="0: it has no limit"),
     ]  # fmt: skip
     return [*columns, *(curve(view) if view.knows_falling else ())]
 
@@ -185,51 +175,4 @@ def curve(view: DriveView) -> list[Quantity]:
              use("[T]-[T0]", "@corner-[T0]"), view.by_point(shares[0]), scale=1.0, source="of torques forward"),
         calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), view.by_point(shares[1]), scale=1.0,
              source="of torques backward"),
-    ]  # fmt: skip
-
-
-def samples_table(sheet: Sheet, view: DriveView) -> None:
-    """Declare the drive at the samples of the cycle: for its charts and for the sheet Power."""
-    i, load, size = view.driven.number, view.samples, view.scales
-    drive = DrivePoints(load)
-    v, a = f"@faster*INDEX([cycle{i}.v],[k]+1)", f"@faster^2*INDEX([cycle{i}.a],[k]+1)"
-    turning = Ratio("[g]", "[al]") if view.varies else Ratio("@i2", f"@i2*{a}")
-    reached = f"MIN(INDEX([cycle{i}.p],[k]+1)+timing_eps,360-timing_eps)"
-    speed, hardest = ("[v]", "[a]") if view.varies else (v, a)
-
-    def of(values: Array) -> list[float]:
-        return [float(value) for value in values]
-
-    sheet.heading("Table over the cycle")
-    sheet.table(
-        "@cycle", "The drive over the cycle", len(load.place),
-        result("torque", "torque of the motor", "T", "Nm", "=[T]+0", of(drive.torque), scale=size.torque),
-        result("power", "power of the motor", "P", "kW", f"=[T]*@i1*{turning.ratio}*{speed}/1000",
-               of(shown(drive.power, KW)), scale=size.power, source="T ω"),
-        *(linked(view, (v, a), of) if view.varies else ()),
-        constant("k", "sample", "k", "", list(range(len(load.place)))),
-        calc("iv", "interval", "", "", f"=MATCH({reached},[@iv.begin],1)", view.sampled, format="0"),
-        calc("dir", "direction", "", "", f"=IF(ABS({speed})>@still,SIGN({speed}),INDEX([@iv.dir],[iv]))",
-             of(load.direction), format="0"),
-        calc("F", "force at the load", "F", force_unit(view),
-             f"=INDEX([@iv.steady],[iv])+[dir]*INDEX([@iv.friction],[iv])+@m*{hardest}{viscous(view, speed)}",
-             of(load.force), scale=size.force, source="F_r + m ÿ"),
-        *torques(view, load, turning, of),
-    )  # fmt: skip
-
-
-def linked(view: DriveView, rates: tuple[str, str], of: Column) -> list[Quantity]:
-    """Return the columns of a mechanism whose ratio changes: its angle at samples, and what leads there."""
-    i, driven, load = view.driven.number, view.driven, view.samples
-    page, base = registry.linkage_page(driven), driven.axis.base
-    y = f"(INDEX([cycle{i}.y],[k]+1)-INDEX([cycle{i}.n],[k]+1)*[axes.travel.{i}])"
-    return [
-        page.angle(driven, load.position, of),
-        calc("y", "position", "y", base, f"={y}/1000" if driven.travels else f"=RADIANS({y})", of(load.position),
-             scale=driven.axis.motion.size(0)),
-        calc("v", "velocity", "ẏ", f"{base}/s", f"={rates[0]}", of(load.velocity), scale=driven.axis.fastest),
-        calc("a", "acceleration", "ÿ", f"{base}/s²", f"={rates[1]}", of(load.acceleration),
-             scale=driven.axis.hardest),
-        *page.ratios(driven, load.position, of),
-        shaft(view, load, of),
     ]  # fmt: skip

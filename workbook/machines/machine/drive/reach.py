@@ -19,14 +19,19 @@ def reach_table(sheet: Sheet, view: DriveView) -> None:
     """Declare by how much each phase leaves the reach."""
     i, axis, n = view.driven.number, view.driven.axis, view.one.machine.machine.sizes.phases
     reaches = [axis.motion.reaches[k] for k in axis.entered]
-    low, high, *_ = reach_of(view)
-    unit, size = axis.base, axis.motion.size(0)
+    low, high, *ends = reach_of(view)
+    unit, size, page = axis.base, axis.motion.size(0), registry.linkage_page(view.driven)
+    sheet.rows(*(
+        calc(f"@{which}_end", f"{label} position: what is there", "", "", f"={page.end(which)}", name, align="left")
+        for which, label, name in zip(("low", "high"), ("Lowest", "Highest"), ends, strict=True)
+    ))  # fmt: skip
 
     def of(name: str) -> str:
         return f"=IF(INDEX([axis{i}.span],[k])>0,INDEX([axis{i}_steps.{name}],2*[k]),(@low+@high)/2)"
 
     lows, highs = (filled([one[k] for one in reaches], n, (low + high) / 2) for k in (0, 1))
     under, over = [low - one for one in lows], [one - high for one in highs]
+    sheet.row += 1
     sheet.table(
         "@reach", "What each phase reaches", n,
         constant("k", "row", "k", "", list(range(1, n + 1))),
@@ -36,7 +41,16 @@ def reach_table(sheet: Sheet, view: DriveView) -> None:
         calc("over", "above it by", "", unit, "=[high]-@high", over, scale=size),
         calc("out", "is out of it", "", "", "=IF(MAX([under],[over])>0-@near_end,1,0)", 0, format="0;;",
              source="1 where it is"),
+        calc("says", "in words", "", "", beyond(view), "", align="left"),
     )  # fmt: skip
+
+
+def beyond(view: DriveView) -> str:
+    """Return the formula of what is said of a phase that leaves the reach."""
+    unit, shows = view.driven.entered.unit, "*1000" if view.driven.travels else "*180/PI()"
+    place, end = (f"IF([under]>=[over],{low},{high})" for low, high in (("[low]", "[high]"), ("@low_end", "@high_end")))
+    by = rounding(f"MAX(0,[under],[over]){shows}")
+    return f'=IF([out]=0,"",[k]&" reaches "&ROUND({place}{shows},9)&" {unit}, "&{by}&" {unit} beyond the "&{end})'
 
 
 def reach_of(view: DriveView) -> Reach:
@@ -49,22 +63,7 @@ def reach_of(view: DriveView) -> Reach:
 def reach_check(view: DriveView) -> Quantity:
     """Return the check that every position is reached."""
     driven, i = view.driven, view.driven.number
-    row = "MATCH(1,[@reach.out],0)"
-
-    def at(name: str) -> str:
-        return f"INDEX([@reach.{name}],{row})"
-
-    def outward(metres: str) -> str:
-        return f"({metres})*1000" if driven.travels else f"DEGREES({metres})"
-
-    unit, lower = driven.entered.unit, f"{at('under')}>={at('over')}"
-    place = f"IF({lower},{at('low')},{at('high')})"
-    end = f"IF({lower},{registry.linkage_page(driven).end('low')},{registry.linkage_page(driven).end('high')})"
-    by = outward(f"MAX(0,{at('under')},{at('over')})")
-    says = (
-        f'[axes.name.{i}]&" row "&{row}&" reaches "&ROUND({outward(place)},9)&" {unit}, "'
-        f'&{rounding(by)}&" {unit} beyond the "&{end}'
-    )
+    says = f'[axes.name.{i}]&" row "&INDEX([@reach.says],MATCH(1,[@reach.out],0))'
     return check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
                  registry.linkage_page(driven).WITHIN, f":reach{i}", says)  # fmt: skip
 

@@ -18,8 +18,9 @@ from workbook.machines.machine.drive.loads import loads
 from workbook.machines.machine.drive.mechanisms import registry
 from workbook.machines.machine.drive.parts import on_shaft, parts_table
 from workbook.machines.machine.drive.peaks import peaks_table, top
-from workbook.machines.machine.drive.points import points_table, samples_table
+from workbook.machines.machine.drive.points import points_table
 from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
+from workbook.machines.machine.drive.samples import samples_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.windows import windows_check, windows_table
 from workbook.machines.machine.mechanism import BELTED, SCREWS, UNSIZED
@@ -27,8 +28,7 @@ from workbook.machines.machine.view import kind_name
 
 CHART_COLUMN = 10
 MACHINES, OWN = "the machine's rate", "a rate of its own"
-LISTED = "COUNT(INDEX([motors.end],MAX(1,@motor_row)))"
-DROP = "MAX(0,@motor_peak-INDEX([motors.end],MAX(1,@motor_row)))"
+END = "INDEX([motors.end],MAX(1,@motor_row))"
 LEVEL = (
     "its peak torque falls beyond a speed, and this book knows none that does: give it to the description, and build"
 )
@@ -176,17 +176,27 @@ def curve_reserve(view: DriveView) -> list[Quantity]:
 
 
 def curve_rows(view: DriveView) -> list[Quantity]:
-    """Return the rows of the curve of the motor in use."""
+    """Return the rows of the curve of the motor in use: in books that know none that falls, by how much it does."""
+    falling, peak = view.driven.catalogued_falling, view.driven.motor.peak_torque
+    row, motors = view.driven.motor_used.row, view.driven.products.motors
+    listed = row > 0 and motors[row - 1].end_torque is not None
+    rows = [
+        calc("@listed", "Motor: a peak torque at its largest speed is given", "", "",
+             f"=IF(@motor_row=0,0,COUNT({END}))", int(listed), format="0", source="1 yes, 0 no"),
+        calc("@drop", "Motor: its peak torque falls to there by", "", "Nm",
+             f"=IF(@listed=0,0,MAX(0,@motor_peak-{END}))",
+             falling.fall * (view.driven.motor.max_speed - falling.knee), scale=peak),
+    ]  # fmt: skip
     if not view.knows_falling:
-        return []
-    falling, peak = view.driven.falling, view.driven.motor.peak_torque
+        return rows
     corner = falling.corner(peak) if falling.fall else 0.0
     return [
+        *rows,
         calc("@knee", "Motor: its peak torque holds up to", "n_1", "rpm",
              "=IF(@motor_row=0,0,INDEX([motors.knee],MAX(1,@motor_row))+0)", shown(falling.knee, RPM),
              source="0: up to its largest speed"),
         calc("@fall", "Motor: fall of its peak torque beyond", "f", "Nm/rpm",
-             f"=IF(@motor_row=0,0,IF({LISTED}=0,0,{DROP}/(@motor_nmax-@knee)))", shown(falling.fall, PER_RPM)),
+             "=IF(@listed=0,0,@drop/(@motor_nmax-@knee))", shown(falling.fall, PER_RPM)),
         calc("@corner", "Motor: the falling line at no speed", "", "Nm", "=IF(@fall=0,0,@motor_peak+@fall*@knee)",
              corner, source="T_max + f n_1; 0: it does not fall"),
     ]  # fmt: skip
@@ -216,7 +226,7 @@ def curve_check(view: DriveView, mends: Said) -> Quantity:
     called = view.driven.called
     if not view.knows_falling:
         return check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed",
-                     f"IF(@motor_row=0,0,IF({LISTED}=0,0,{DROP}))=0", not view.driven.catalogued_falling.fall,
+                     "@drop=0", not view.driven.catalogued_falling.fall,
                      says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
     says = amount("0-@spare", -view.spare, "", " Nm more than the motor has at its speed")
     return check("@ok_curve", f"{called}: torque below the motor's curve", "OR(@fall=0,@spare>=0)",

@@ -13,7 +13,7 @@ from engine.drivetrain.motor import LimitCheck, Reserve, reserve
 from engine.laws.base import Array
 from engine.machine.limits import Judged, Limits
 from engine.machine.max_rate import Share, shares
-from engine.machine.quadrature import COUNT, Cycle, DrivePoints, Interval, LoadPoints
+from engine.machine.quadrature import COUNT, Between, Cycle, DrivePoints, Interval, LoadPoints, between
 from engine.machine.rate import highest_rate
 from engine.timing import shaft_speed
 from workbook.book.rows import filled
@@ -52,8 +52,8 @@ class DriveView:
 
     @property
     def rows(self) -> int:
-        """Rows of the table of intervals: one for each piece of the motion, two for each process force."""
-        return self.room + 2 * WINDOWS
+        """Rows of the table of intervals: one for each piece of the motion and each edge of a process force in it."""
+        return self.room
 
     @property
     def varies(self) -> bool:
@@ -81,23 +81,19 @@ class DriveView:
         return DrivePoints(self.load)
 
     @cached_property
-    def samples(self) -> LoadPoints:
-        """The load at the samples of the sheet Cycle."""
+    def between(self) -> Between:
+        """Where the samples of the sheet Cycle lie between the points."""
         told = self.driven.axis.told(self.one.machine.samples).x
-        begins = np.array([one.begin for one in self.cycle.intervals])
-        near = self.cycle.near
-        reached = np.minimum(told + near, self.cycle.course.told.total - near)
-        number = np.searchsorted(begins, reached, side="right") - 1
-        return self.cycle.at(number, told)
+        return between(self.load.place, told, self.cycle.near)
 
-    @property
-    def sampled(self) -> list[int]:
-        """The interval, from 1, of each sample."""
-        told = self.driven.axis.told(self.one.machine.samples).x
-        begins = np.array([one.begin for one in self.cycle.intervals])
-        near = self.cycle.near
-        reached = np.minimum(told + near, self.cycle.course.told.total - near)
-        return [int(number) for number in np.searchsorted(begins, reached, side="right")]
+    @cached_property
+    def sampled(self) -> tuple[Array, Array]:
+        """The motor's torque (Nm) and its power (W) at the samples: of a constant ratio at the speed that it has."""
+        torque, axis = self.between.of(self.points.torque), self.driven.axis
+        if self.varies:
+            return torque, torque * self.between.of(self.points.speed)
+        moving = axis.motion.at_speed(axis.told(self.one.machine.samples).x, axis.speed)
+        return torque, torque * self.driven.mechanism.ratio * moving.v
 
     def of_intervals(self, figure: Any, spare: Any = None) -> list[Any]:
         """Return a figure of each interval; spare rows have that of the last, or another."""

@@ -1,0 +1,47 @@
+"""The drive at the samples of the cycle, for its charts and for the sheet Power: between points by straight lines."""
+
+from __future__ import annotations
+
+from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.entries.units import KW, RPM, shown
+from workbook.machines.machine.drive.view import DriveView
+
+ABOUT = "Between two points the torque is that of a straight line, right to about 1 %; at the points it is as above."
+
+
+def samples_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare torque and power of the motor at the samples of the cycle."""
+    i, size, (torque, power) = view.driven.number, view.scales, view.sampled
+    at = f"INDEX([cycle{i}.p],[k]+1)"
+    speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*INDEX([cycle{i}.v],[k]+1)/1000"
+    here, there = "INDEX([@pt.theta],[at])", "INDEX([@pt.theta],[at]+1)"
+    sheet.heading("Table over the cycle", ABOUT)
+    sheet.table(
+        "@cycle", "The drive over the cycle", len(torque),
+        result("torque", "torque of the motor", "T", "Nm", line("T"), torque, scale=size.torque),
+        result("power", "power of the motor", "P", "kW", f"=[torque]*{speed}", shown(power, KW), scale=size.power,
+               source="T ω"),
+        *shaft(view),
+        constant("k", "sample", "k", "", list(range(len(torque)))),
+        calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),[@pt.theta],1)",
+             view.between.point + 1.0, format="0"),
+        calc("s", "share of the way to the next", "", "", f"=({at}-{here})/({there}-{here})", view.between.share,
+             scale=1.0),
+    )  # fmt: skip
+
+
+def line(column: str) -> str:
+    """Return the formula of a quantity between two points."""
+    return f"=INDEX([@pt.{column}],[at])*(1-[s])+INDEX([@pt.{column}],[at]+1)*[s]"
+
+
+def shaft(view: DriveView) -> list[Quantity]:
+    """Return the columns of a ratio that changes: the angle of the mechanism's shaft, and the motor's speed."""
+    if view.driven.linkage is None:
+        return []
+    angle = view.driven.linkage.shaft(view.load.position).angle
+    return [
+        calc("phi", "angle of the shaft", "φ", "rad", line("phi"), view.between.of(angle), scale=1.0),
+        calc("n", "speed of the motor", "n", "rpm", line("n"), shown(view.between.of(view.points.speed), RPM),
+             scale=view.scales.rpm),
+    ]  # fmt: skip
