@@ -59,11 +59,6 @@ class Handover:
     contrary: bool = False
 
     @property
-    def sides(self) -> tuple[Side, Side]:
-        """Both ends."""
-        return self.begin, self.end
-
-    @property
     def way(self) -> int:
         """How the law that is named meets its neighbours."""
         return way(self.phase.named)

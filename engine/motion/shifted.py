@@ -17,6 +17,8 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
+LOST = 1e-9
+"""of the size of a figure: less is rounding"""
 SAME = 1e-12
 """of the cycle: breaks so near to each other are one"""
 
@@ -132,3 +134,19 @@ def gap_curve(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, 
     columns[0] += offset
     sines = tuple((factor * a, w, phi) for factor, curve in curves for a, w, phi in curve.sines)
     return Curve(tuple(columns.tolist()), sines)
+
+
+def keeps(gap: float, least: float, size: float) -> bool:
+    """Return whether a gap is at least the least that is asked for, but for rounding of its size."""
+    return gap >= least - LOST * size
+
+
+def gap_size(axes: Sequence[tuple[float, Shifted]], offset: float) -> float:
+    """Return how large a gap grows: |offset| + Σ |factor| max|y|."""
+    return abs(offset) + math.fsum(abs(f) * max(map(abs, one.motion.reach)) for f, one in axes)
+
+
+def turned(angle: float, late: float, cycle: float, near: float = 0.0) -> float:
+    """Return the place in the cycle of a place in a motion that is so late; so near before its begin it is on that."""
+    place = angle + late
+    return place - cycle * math.floor((place + near) / cycle)

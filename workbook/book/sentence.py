@@ -50,13 +50,6 @@ def entered(value: float) -> str:
     return f"{round(value, DIGITS) + 0.0:.15g}"
 
 
-def figure_of(cell: str) -> str:
-    """Return the formula that shows what is entered in a cell."""
-    small = f"ROUND(MIN(MAX({cell},-{LARGEST:.0f}),{LARGEST:.0f}),{DIGITS})"  # pycel rounds before it asks
-    number = f'IF(ABS({cell})<{LARGEST:.0f},{small}&"",{quoted(BEYOND)})'
-    return f'IF(ISNUMBER({cell}),{number},"empty")'
-
-
 def quoted(text: str) -> str:
     """Return a text as formulas write it."""
     return '"' + text.replace('"', '""') + '"'

@@ -13,7 +13,7 @@ LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
 CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
 VELOCITY = "=IF([span]>0,INDEX(law_cv,[no])*ABS([h])/[span],0)"
 ACCELERATION = f"=IF([span]>0,{CA}*ABS([h])/[span]^2,0)"
-JERK = '=IF(ABS([h])*[span]>0,IF(ISNUMBER(INDEX(law_cj,[no])),INDEX(law_cj,[no])*ABS([h])/[span]^3,"∞"),0)'
+JERK = '=IF(ABS([h])*[span]>0,IF(INDEX(law_cj,[no])="∞","∞",INDEX(law_cj,[no])*ABS([h])/[span]^3),0)'
 LOW = "=IF([span]>0,[y0]+MIN([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
 HIGH = "=IF([span]>0,[y0]+MAX([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
 RMS = "IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)"
@@ -26,7 +26,7 @@ def kind(given: str, ends: str = "") -> str:
     """
     still, other = "[lift]=0", '"return"'
     if ends:
-        still, other = f"AND([lift]=0,INDEX([{ends}.mode],[k])=0)", 'IF([lift]<0,"return","turn")'
+        still, other = f"ABS([lift])+INDEX([{ends}.mode],[k])=0", 'IF([lift]<0,"return","turn")'
     return f'=IF([{given}]="","spare",IF(OR([law]="DWL",{still}),"dwell",IF([lift]>0,"rise",{other})))'
 
 

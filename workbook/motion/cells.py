@@ -58,6 +58,11 @@ class Cells:
         return f"INDEX([{self.ends}.{column}],[p])"
 
     @property
+    def asked(self) -> str:
+        """The table of what is asked for at the ends of phases."""
+        return self.ends.replace("_ends", "_asked")
+
+    @property
     def lift(self) -> str:
         """The formula of what the law of a piece is multiplied by."""
         return "[hp]" if self.ends else self.of_phase("h")

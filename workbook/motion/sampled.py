@@ -9,12 +9,10 @@ from engine.laws.base import Array
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, calc
 from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
-from workbook.motion.cells import Cells, PieceRows
+from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import amplitude
 
 POSITION = "c0 + c1 u + … + A sin x"
-TURNED = ("+{A}*SIN({x})", "+{A}*{om}*COS({x})", "-{A}*{om}^2*SIN({x})", "-{A}*{om}^3*COS({x})")
-"""a sine A sin(ωu + φ) and its derivatives by u"""
 SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"
 """the same by the amplitude of each derivative"""
 FROM_START = "from its start; never 0, so that u⁰ is 1"
@@ -89,42 +87,4 @@ def at_begin(rows: PieceRows, order: int, q: str) -> str:
     for *_, mark in rows.sines:
         a, ph = (f"INDEX({at.named(name)},{q})" for name in (amplitude(order, mark), f"ph{mark}"))
         text += SINES[order].format(a, ph)
-    return text
-
-
-def derivative(rows: PieceRows, order: int, suffix: str = "", place: str = "") -> str:
-    """Return the formula, without its =, of a derivative of the motion: 0 is y; at another ``place`` of its piece."""
-    at, q, u = rows.at, f"q{suffix}", place or f"[u{suffix}]"
-    text = ""
-    for i in range(rows.powers - 1, order - 1, -1):
-        share = perm(i, order)
-        term = at.of_piece(f"c{i}", q)
-        scaled = term if share == 1 else f"{share}*{term}"
-        text = f"{scaled}+{u}*({text})" if text else scaled
-    if place:
-        return text + "".join(_turned(at, order, mark, q, u) for *_, mark in rows.sines)
-    return text + "".join(_sine(at, order, mark, q, u, suffix) for *_, mark in rows.sines)
-
-
-def in_piece(rows: PieceRows, order: int, u: str) -> str:
-    """Return the formula, without its =, of a derivative of a piece in its own row; ``u`` is empty at its begin."""
-    text, highest = "", rows.powers - 1 if u else order
-    for i in range(highest, order - 1, -1):
-        share = perm(i, order)
-        scaled = f"[c{i}]" if share == 1 else f"{share}*[c{i}]"
-        text = f"{scaled}+{u}*({text})" if text else scaled
-    for *_, mark in rows.sines:
-        x = f"[om{mark}]*{u}+[ph{mark}]" if u else f"[ph{mark}]"
-        text += TURNED[order].format(A=f"[A{mark}]", om=f"[om{mark}]", x=x)
-    return f"({text})"
-
-
-def _turned(at: Cells, order: int, mark: str, q: str, u: str) -> str:
-    a, om, ph = (at.of_piece(f"{name}{mark}", q) for name in ("A", "om", "ph"))
-    return TURNED[order].format(A=a, om=om, x=f"{om}*{u}+{ph}")
-
-
-def _sine(at: Cells, order: int, mark: str, q: str, u: str, suffix: str) -> str:
-    a, om, ph = (at.of_piece(f"{name}{mark}", q) for name in ("A", "om", "ph"))
-    x = f"{om}*{u}+{ph}" if mark else f"[x{suffix}]"
-    return TURNED[order].format(A=a, om=om, x=x)
+    return text.removeprefix("+")

@@ -218,7 +218,7 @@ class Joints:
 
     def _lines(self, each: Sequence[Told]) -> list[Quantity]:
         """Return the columns of the slopes, where the phases on both sides are straight."""
-        table = self.rows.at.ends
+        table = self.rows.at.asked
         if not table:
             return []
         slopes = (f"INDEX([{table}.slope],{row})" for row in ("MAX([from],1)", "[p]"))

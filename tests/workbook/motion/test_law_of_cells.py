@@ -9,8 +9,7 @@ from workbook.judging.matching import is_formula
 
 LONGEST, DEEPEST, WIDEST = 200, 4, 40
 SHEETS = re.compile(r"Cycle \d+|Pieces|Export")
-BOOKS = ("machine", "machine-seconds", "motion-composer-example-1", "cutting-machine")
-"""of what hands velocities over (motion-composer-example-3), the sheet Pieces has longer formulas yet"""
+BOOKS = ("machine", "machine-seconds", "motion-composer-example-1", "motion-composer-example-3", "cutting-machine")
 
 
 def depth(formula):

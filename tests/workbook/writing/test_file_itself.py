@@ -15,7 +15,6 @@ from openxml_audit import FileFormat, OpenXmlValidator
 from spreadsheet_auditor.audit import main as audit
 
 from engine.laws.mended import NONE
-from engine.motion.turning import PARTS
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.book.limits import EXPECTED, MESSAGES
@@ -29,8 +28,7 @@ CLOSED = {
     "Polynomial 3-4-5": {"15", "45", "686", "6075"},
     "Polynomial 4-5-6-7": {"10", "11", "16", "35", "70", "105", "525", "58800"},
 }  # and of the coefficients of these families, by the sheets of their laws
-BRACKETS = {str(PARTS), str(PARTS - 1), str(PARTS**2)}  # of a search: round after round so many times smaller
-DRIVES = {"0.5", "10", "16", "25"} | BRACKETS  # and of a drive's stretches: derivatives of a polynomial of degree 5
+DRIVES = {"0.5", "10", "16", "25"}  # and of a drive's stretches: derivatives of a polynomial of degree 5
 TURN = {"360"}  # degrees of a turn
 NOTHING = {repr(NONE), repr(NONE).upper()}  # of a size: below it there is none
 SHOWN = {f"{LARGEST:.0f}", f"{NOUGHT:.9f}", str(FINE - 1), str(MOST)}  # of sentences: of entries and amounts

@@ -13,7 +13,7 @@ from engine.laws import Entry, Law, Piece
 from engine.laws.knots import Knots, given_rows
 from engine.laws.spline import EXAMPLE, MOST, NARROWEST, Spline
 from workbook.book.declare import Quantity, Sheet, check, given
-from workbook.book.sentence import Said, figure, figure_of
+from workbook.book.sentence import Said, figure
 from workbook.entries.types import DesignError, Model, Number, Share
 from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
 from workbook.laws.knots import intervals_table, points_table, solution, worked_out
@@ -171,7 +171,7 @@ class SplinePage(Page):
             check("@lead", f"{name}: the points lead from 0 to 1", lead, True, "", f"{one.key}:lead",
                   spelled(LEAD, *ends)),
             check("@rise", f"{name}: the points follow each other", "SUM([@solved.narrow])=0", True, "",
-                  f"{one.key}:rise", spelled(RISE, f"({narrow}+1)", f"INDEX([@points.xi],{narrow}+1)",
+                  f"{one.key}:rise", spelled(RISE, f"{narrow}+1", f"INDEX([@points.xi],{narrow}+1)",
                                             f"INDEX([@points.xi],{narrow})")),
             check("@ends", f"{name} ends at s = 1", "ABS([@samples.s.last]-1)<check_zero", True,
                   says=Said('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")),
@@ -187,7 +187,7 @@ def spelled(text: str, *cells: str) -> str:
     first, *others = text.split("{}")
     parts = [f'"{first}"'] if first else []
     for cell, words in zip(cells, others, strict=True):
-        parts += [figure_of(cell), *([f'"{words}"'] if words else [])]
+        parts += [cell, *([f'"{words}"'] if words else [])]
     return "&".join(parts)
 
 

@@ -1,25 +1,33 @@
-"""The sheet Clearances: how near axes come to each other that must stay apart, exact by the motions' pieces."""
+"""The sheet Clearances: how near axes come to each other that must stay apart, and where."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
+import numpy as np
 
-from engine.motion.nearing import NODES, Nearing
-from engine.motion.turning import PARTS
+from engine.laws.base import Array
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.book.sentence import Said, rounded
-from workbook.book.sentence import shown as figure
+from workbook.book.sentence import Said, amount
 from workbook.entries.turn import TURN
-from workbook.machines.machine.apart import GRID, Apart, begins
-from workbook.motion.sampled import derivative
+from workbook.entries.units import DEGREE, shown
+from workbook.machines.machine.apart import Apart
+from workbook.motion.sampled import finding, sampled
 
 ABOUT = (
-    "The turn is cut where a piece of either axis begins, and into {} parts: in each the gap has one lowest place at "
-    "most. Where its slope turns from falling to rising, that place is narrowed by counting points."
+    "The gap is worked out where a piece of either axis begins or has its middle; between two of these places it is "
+    "taken as a parabola, by the slope at the first, and worked out at the lowest point of all parabolas."
 )
-LATE = "([{0}]-[axes_taken.late.{1}])"
-FINER = ("", "/100", "/10000")
+AT = 3
+"""decimals of a place in a sentence"""
+EXACT = "at most 0.1 % of what both axes move above the exact one"
+AXES = "ab"
+OF = "first axis: ", "second axis: "
+"""what the names of their columns end with, and their labels begin with"""
+LOWEST = (("theta", "nearest"), ("angle", "near"))
+"""the columns of an angle, and of whether the gap is least there: of points, and of parabolas"""
+PLACE = (
+    "IF([clear{n}_least.gap.first]<=[clear{n}_least.gap.last]+check_zero*[gaps.size.{n}],"
+    "[clear{n}_least.theta.first],[clear{n}_least.theta.last])"
+)
 PRINTED = 12
 """columns: what is entered, and the least gaps"""
 
@@ -37,9 +45,10 @@ def clearances_sheet(book: Book, apart: list[Apart]) -> None:
     sheet.checks(*(kept(one) for one in apart))
     sheet.not_printed_below()
     for one in apart:
-        sheet.heading(f"Workings: clearance {one.number}", ABOUT.format(NODES))
-        breaks(sheet, one)
-        stretches(sheet, one)
+        sheet.heading(f"Workings: clearance {one.number}", ABOUT)
+        least(sheet, one)
+        points(sheet, one)
+        cuts(sheet, one)
     sheet.print_columns, sheet.folded = PRINTED, PRINTED + 1
 
 
@@ -74,10 +83,9 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
         given("offset", "offset", "", "", [one.given.offset for one in apart], "clearances.*.offset", format="0.0##"),
         given("least", "gap to be left", "", "", [one.given.least for one in apart], "clearances.*.least",
               format="0.0##"),
-        result("gap", "least gap", "", "", each("MIN([clear{n}_st.least])"), [one.gap.least for one in apart],
-               scale=max(one.size for one in apart), source="exact, in the unit of the first axis"),
-        result("at", "at", over.symbol, over.unit,
-               each(over.told("INDEX([clear{n}_st.place],MATCH(1,[clear{n}_st.near],0))")),
+        result("gap", "least gap", "", "", each("MIN([clear{n}_least.gap])"), [one.least for one in apart],
+               scale=max(one.size for one in apart), source=EXACT),
+        result("at", "at", over.symbol, over.unit, each(over.told(PLACE)),
                [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
     )  # fmt: skip
     sheet.workings(
@@ -87,8 +95,6 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
              source="times the first factor"),
         calc("k2", "likewise of the other axis", "", "", scale(1, "factor2"), [one.scales[1] for one in apart],
              source="times the second factor"),
-        calc("steep", "slope of the gap, at most", "", "",
-             each("ABS([k1])*MAX([axis{i}.y1])+ABS([k2])*MAX([axis{j}.y1])"), [one.steep for one in apart]),
     )  # fmt: skip
     sheet.rows(*(calc(one.name, f"Clearance {one.number}", "", "", f"=[clearances.name.{one.number}]",
                       one.given.name, align="left") for one in apart))  # fmt: skip
@@ -96,104 +102,112 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
 
 def kept(one: Apart) -> Quantity:
     """Return the check of a clearance."""
-    n = one.number
-    gap, least, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
-    lacking, unit = f"{least}-{gap}", one.rows[0].axis.given.unit
-    says = f'[clearances.name.{n}]&": "&{figure(gap)}&" {unit} at "&{figure(at)}&"{one.over.after}, "&{figure(lacking)}'
-    short = rounded(one.given.least - one.gap.least)
+    n, after, unit = one.number, one.over.after, one.rows[0].axis.given.unit
+    gap, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
+    place = amount(gap, one.least, ": ", f" {unit} at ")
+    says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
     said = (
-        f"{one.given.name}: {rounded(one.gap.least)} {unit} at {rounded(one.over.shown(one.place))}{one.over.after}, "
+        f"{one.given.name}{place.said}{round(one.over.shown(one.place), AT):.15g}{after}; "
+        f"expected at least {one.given.least:.15g} {unit}"
     )
-    condition = f"{gap}>={least}-check_zero*[gaps.size.{n}]"
-    return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", condition, one.kept,
-                 says=Said(f'{says}&" {unit} too little"', f"{said}{short} {unit} too little"))  # fmt: skip
+    return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", f"{gap}>={entered}-check_zero*[gaps.size.{n}]",
+                 one.kept, says=Said(says, said))  # fmt: skip
 
 
-def place_of(k: int, one: Nearing) -> float:
-    """Return the lowest place of a stretch after a round."""
-    return one.places[k]
-
-
-def breaks(sheet: Sheet, one: Apart) -> None:
-    """Declare where a stretch can begin."""
-    formulas = []
-    for rows in one.rows:
-        i = rows.axis.number
-        for r in range(1, len(begins(rows)) + 1):
-            told = f"([axis{i}_pieces.begin.{r}]+[axes_taken.late.{i}])"
-            formulas.append(f"={told}-360*INT(({told}+timing_eps)/360)")
-    formulas += [f"={at:.15g}+0" for at in (*GRID, TURN)]
-    sheet.table(
-        f"clear{one.number}_breaks", "Where a stretch can begin", len(formulas),
-        constant("n", "number", "", "", list(range(1, len(formulas) + 1))),
-        calc("at", one.over.angle, "θ", "°", formulas, one.breaks, scale=TURN, format="0.0##"),
-    )  # fmt: skip
-
-
-def found(one: Apart, end: int) -> list[Quantity]:
-    """Return which cycle and which piece of an axis each stretch has, and where it begins in it."""
-    rows, mark = one.rows[end], ("1", "2")[end]
-    i, told = rows.axis.number, one.told(end)
-    angle = f"([b]+[e])/2-[axes_taken.late.{i}]"
-    begin = f"INDEX([axis{i}_pieces.begin],[q{mark}])"
+def positions(one: Apart, end: int, angles: Array) -> list[Quantity]:
+    """Return the columns of an axis' position at angles of the column theta: cycles begun, piece, u, position."""
+    rows, mark, of = one.rows[end], AXES[end], OF[end]
+    i, axis, told = rows.axis.number, rows.axis, one.told(end, angles)
+    late, metres = f"[axes_taken.late.{i}]", axis.given.unit == "mm"
+    place = sampled(rows.pieces, 0, mark)
+    own = f"({place})*1000" if metres else f"DEGREES({place})"
     return [
-        calc(f"n{mark}", "cycles", "n", "", f"=INT(({angle}+timing_eps)/360)", [one[0] for one in told], format="0"),
-        calc(f"q{mark}", "piece", "q", "", f"=MATCH({angle}-360*[n{mark}],[axis{i}_pieces.begin],1)",
-             [one[1] for one in told], format="0"),
-        calc(f"u{mark}", "from", "u", "rad", f"=RADIANS([b]-[axes_taken.late.{i}]-360*[n{mark}]-{begin})",
-             [one[2] for one in told], scale=1.0),
+        calc(f"n{mark}", f"{of}cycles of its phases begun before", "n", "",
+             f"=INT((MIN([theta],360-2*timing_eps)-{late}+timing_eps)/360)", told.cycles, format="0"),
+        calc(f"p{mark}", f"{of}angle of its phases", "", "°", f"=[theta]-{late}-360*[n{mark}]", shown(told.x, DEGREE),
+             format="0.0##", scale=TURN, source="θ − shift − 360 n"),
+        *finding(rows.pieces, f"p{mark}", told.x, of, mark),
+        calc(f"y{mark}", f"{of}position", "y", axis.given.unit, f"={own}+[n{mark}]*[axes.travel.{i}]",
+             one.positions(end, angles), scale=one.size),
     ]  # fmt: skip
 
 
-def stretches(sheet: Sheet, one: Apart) -> None:
-    """Declare the stretches, each with its least gap."""
-    n, of = one.number, one.of
-    first, second = (rows.axis.number for rows in one.rows)
-    breaks_at = f"[clear{n}_breaks.at]"
-    same, lost = f"check_zero*[gaps.size.{n}]", f"check_zero*[gaps.steep.{n}]"
-    begin = ["=0*[k]", *("=IF([e-1]>=360-timing_eps,[b-1],[e-1])" for _ in range(1, one.room))]
+def gap(one: Apart, angles: Array) -> Quantity:
+    """Return the column of the gap at angles."""
+    n = one.number
+    entered = f"[clearances.offset.{n}]+[clearances.factor1.{n}]*[ya]+[clearances.factor2.{n}]*[yb]"
+    return calc("gap", "gap", "", "", f"={entered}", one.gaps(angles), scale=one.size,
+                source="offset + factor · position + factor · position")  # fmt: skip
 
-    def both(order: int) -> Callable[[str], str]:
-        def at(w: str) -> str:
-            each = [derivative(rows.pieces, order, mark, f"([u{mark}]+{w})")
-                    for rows, mark in zip(one.rows, "12", strict=True)]  # fmt: skip
-            return f"[gaps.k1.{n}]*({each[0]})+[gaps.k2.{n}]*({each[1]})"
 
-        return at
-
-    slope = both(1)
-    moved = f"[clearances.factor1.{n}]*[n1]*[axes.travel.{first}]+[clearances.factor2.{n}]*[n2]*[axes.travel.{second}]"
-
-    def gap(w: str) -> str:
-        return f"[clearances.offset.{n}]+{moved}+{both(0)(w)}"
-
-    def narrower(k: int) -> str:
-        at, step = ("" if k == 0 else f"[w{k}]+"), f"[h]{FINER[k]}"
-        count = f"MIN({PARTS - 1},SUMPRODUCT(({slope(f'({at}{step}*[grid.at])')}<0-{lost})*1))"
-        return f"=IF([x]=0,0,{at}{step}*({count}{'+0.5' if k == 2 else ''})/{PARTS})"
-
-    size = one.size
+def least(sheet: Sheet, one: Apart) -> None:
+    """Declare the positions of both axes, and the gap, at the lowest of the points and at that of the parabolas."""
+    n = one.number
+    at, angles = f"clear{n}_points", one.lowest_at
+    lowest, between = (f"INDEX([{at}.{angle}],MATCH(1,[{at}.{near}],0))" for angle, near in LOWEST)
     sheet.table(
-        f"clear{n}_st", "Stretches", one.room,
-        constant("k", "stretch", "k", "", list(range(1, one.room + 1))),
-        calc("b", "begins at", "θ", "°", begin, one.ends(0), scale=TURN, format="0.0##"),
-        calc("e", "ends at", "θ", "°", f"=SMALL({breaks_at},SUMPRODUCT(({breaks_at}<=[b]+timing_eps)*1)+1)",
-             one.ends(1), scale=TURN, format="0.0##"),
-        *found(one, 0), *found(one, 1),
-        calc("h", "width", "", "rad", "=RADIANS([e]-[b])", of(lambda p: p.high - p.low), scale=1.0),
-        calc("s0", "slope at its begin", "", "", f"={slope('0')}", of(lambda p: p.slopes[0]), scale=one.steep),
-        calc("s1", "at its end", "", "", f"={slope('[h]')}", of(lambda p: p.slopes[1]), scale=one.steep),
-        calc("x", "has a lowest place inside", "", "", f"=IF(AND([s0]<0-{lost},[s1]>{lost}),1,0)",
-             of(lambda p: int(p.turns)), format="0"),
-        *(calc(f"w{k + 1}", "where" if k == 2 else "not before", "", "rad", narrower(k),
-               of(partial(place_of, k)), scale=1.0) for k in range(len(FINER))),
-        calc("g0", "gap at its begin", "", "", f"={gap('0')}", of(lambda p: p.gaps[0]), scale=size),
-        calc("g1", "at its end", "", "", f"={gap('[h]')}", of(lambda p: p.gaps[1]), scale=size),
-        calc("gm", "inside", "", "", f"={gap('[w3]')}", of(lambda p: p.gaps[2]), scale=size),
-        calc("least", "least", "", "", "=MIN([g0],[g1],[gm])", of(lambda p: p.least), scale=size),
-        calc("near", "is the least of all", "", "", f"=IF([least]<=[clearances.gap.{n}]+{same},1,0)", of(one.near),
-             format="0"),
-        calc("place", "there", "θ", "°",
-             f"=IF([gm]<MIN([g0],[g1])-{same},[b]+DEGREES([w3]),IF([g1]<[g0]-{same},[e],[b]))",
-             of(one.where), scale=TURN, format="0.0##"),
+        f"clear{n}_least", "Where the gap is least", len(LOWEST),
+        constant("k", "lowest", "", "", [1, 2], source="1 point, 2 parabola"),
+        calc("theta", one.over.angle, "θ", "°", f"=IF([k]=1,{lowest},{between})", angles, scale=TURN, format="0.0##"),
+        *positions(one, 0, angles), *positions(one, 1, angles), gap(one, angles),
+    )  # fmt: skip
+
+
+def velocity(one: Apart, end: int) -> Quantity:
+    """Return the column of an axis' geometric velocity at the points."""
+    rows = one.rows[end]
+    return calc(f"v{AXES[end]}", f"{OF[end]}geometric velocity", "y'", rows.at.unit(1),
+                f"={sampled(rows.pieces, 1, AXES[end])}", one.velocities[end],
+                scale=rows.axis.motion.size(1))  # fmt: skip
+
+
+def points(sheet: Sheet, one: Apart) -> None:
+    """Declare the gap and its slope at points of the cycle, and the lowest point of the parabola before each."""
+    n, angles, low = one.number, one.angles, one.lowest
+    at, size, first = f"[clear{n}_cuts.begina:middleb]", one.size, "=IF([k]=1,0,{})"
+    lost, last, end = f"check_zero*[gaps.size.{n}]", len(angles), f"MAX([clear{n}_points.k])"
+    sheet.table(
+        f"clear{n}_points", "The gap over the turn", last,
+        constant("k", "point", "k", "", list(range(1, last + 1))),
+        calc("theta", one.over.angle, "θ", "°", f"=IF([k]={end},360,MAX(0,SMALL({at},MAX(1,[k]-1))*([k]>1)))",
+             angles, scale=TURN, format="0.0##", source="0, the places below in their order, 360"),
+        *positions(one, 0, angles), *positions(one, 1, angles), gap(one, angles),
+        velocity(one, 0), velocity(one, 1),
+        calc("slope", "slope of the gap", "", "1/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", one.slopes,
+             scale=float(np.abs(one.slopes).max()), source="factor · y' + factor · y'"),
+        calc("fall", "by the slope before, it rises", "a", "",
+             first.format("[slope-1]*RADIANS([theta]-[theta-1])"), low.fall, scale=size),
+        calc("rise", "it rises", "b", "", first.format("[gap]-[gap-1]"), low.rise, scale=size),
+        calc("share", "lowest at this share of the way", "z", "",
+             f"=IF(AND([fall]<0-{lost},[fall]<2*[rise]),[fall]/(2*([fall]-[rise])),1)", low.share,
+             source="a/(2(a − b)) between both points, else 1"),
+        calc("low", "lowest gap on the way", "", "", "=IF([share]<1,[gap-1]+[fall]*[share]/2,[gap])", low.gap,
+             scale=size, source="gap before + a z/2"),
+        *(calc(near, f"{words} is the least of all", "", "",
+               f"=IF([{name}]<=MIN([clear{n}_points.{name}])+{lost},1,0)", one.near(values), format="0")
+          for near, name, words, values in (("nearest", "gap", "gap", one.gaps(angles)),
+                                            ("near", "low", "lowest gap", low.gap))),
+        calc("angle", "lowest at", "θ", "°", "=IF([share]<1,[theta-1]+[share]*([theta]-[theta-1]),[theta])",
+             low.angle, scale=TURN, format="0.0##"),
+    )  # fmt: skip
+
+
+def cuts(sheet: Sheet, one: Apart) -> None:
+    """Declare where the pieces of both axes begin and have their middle, from 0 to 360°."""
+    columns = []
+    for end, rows in enumerate(one.rows):
+        i, mark, of = rows.axis.number, AXES[end], OF[end]
+        begin, middle = one.cuts(end)
+        late = f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"
+        half = f"[begin{mark}]+DEGREES(INDEX([axis{i}_pieces.d],[r])/2)"
+        columns += [
+            calc(f"begin{mark}", f"{of}a piece begins", "θ", "°", f"={late}-360*INT(({late}+timing_eps)/360)", begin,
+                 scale=TURN, format="0.0##"),
+            calc(f"middle{mark}", f"{of}its middle", "θ", "°", f"={half}-360*INT(({half}+timing_eps)/360)", middle,
+                 scale=TURN, format="0.0##"),
+        ]  # fmt: skip
+    room = one.rows[0].machine.room
+    sheet.table(
+        f"clear{one.number}_cuts", "The pieces of both axes over the turn", room,
+        constant("r", "piece", "r", "", list(range(1, room + 1))), *columns,
     )  # fmt: skip

@@ -44,6 +44,13 @@ class Lane:
         """How long each time lasts (degrees)."""
         return [shown(span, DEGREE) for span in self.each(self.switch.spans, 0.0)]
 
+    @property
+    def until_next(self) -> list[float]:
+        """From the begin of each time to the next begin of the switch (degrees); a turn where there is no other."""
+        told = [(k, time.start) for k, time in enumerate(self.times) if time.told and time.start is not None]
+        later = {k: min(((b - a) % TURN for j, b in told if j != k), default=TURN) for k, a in told}
+        return [later.get(k, 0.0) for k in range(TIMES)]
+
     def outline(self, floor: int, height: float, near: float) -> list[tuple[float, float]]:
         """Return the corners of its lane: angle (degrees) and height; a bar no wider than ``near`` is none."""
         bars = chain.from_iterable(self.each(self.switch.bars, NONE))

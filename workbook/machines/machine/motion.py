@@ -10,14 +10,15 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
-from workbook.machines.machine.handing import StepEnds
+from workbook.machines.machine.boundary.carried import taken
+from workbook.machines.machine.boundary.extremes import InPieces
+from workbook.machines.machine.boundary.handing import Handing
+from workbook.machines.machine.boundary.tables import place_boundaries
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of
-from workbook.motion.ends import ends_tables
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.smooth import RATES, Joints
-from workbook.motion.turns import WORDS, grids
 
 Figure = Callable[[int, Phase], Any]
 STEPS = "Steps of axis {}: its phases, and the rests between them"
@@ -31,11 +32,7 @@ class AxisRows:
         self.steps = machine.machine.sizes.phases + machine.machine.sizes.phases + 1
         self.pieces: PieceRows = rows_of(self.at, axis.motion, stack, self.steps, axis.places)
         self.joints = Joints.of(self.pieces, axis.motion, self.asked)
-        self.ends = (
-            StepEnds(self.pieces, axis, f"COUNT([{self.name}.stop])", machine.over, self.wraps)
-            if machine.hands_over
-            else None
-        )
+        self.ends = Handing(self.pieces, axis, machine.over) if machine.hands_over else None
 
     @property
     def name(self) -> str:
@@ -72,7 +69,7 @@ class AxisRows:
         )  # fmt: skip
 
 
-def pieces_sheet(book: Book, axes: list[AxisRows], apart: bool) -> None:
+def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
     """Declare the sheet of the motions as pieces."""
     sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
     sheet.unprinted = True
@@ -81,17 +78,12 @@ def pieces_sheet(book: Book, axes: list[AxisRows], apart: bool) -> None:
         sheet.rows(pieces_in_all(one.pieces), *one.joints.order())
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
-        taken = ends.taken(room) if ends else []
-        columns = ends.turns.of_pieces(room) if ends else []
-        columns += ends.rests_of_pieces(room) if ends and one.axis.given.motor else []
+        columns, halves = (InPieces(ends).columns(room), taken(ends, room)) if ends else ([], [])
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
-                     *columns, taken=taken)  # fmt: skip
+                     *columns, taken=halves)  # fmt: skip
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
-    ends_tables(sheet, [(f"axis {one.axis.number}", one.ends) for one in axes if one.ends])
-    if apart and not any(one.ends for one in axes):
-        sheet.heading("Grid and rule", "What clearances find crossings with.")
-        grids(sheet)
+    place_boundaries(sheet, [one.ends for one in axes if one.ends])
     sheet.print_columns = 20
 
 
@@ -121,7 +113,7 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
     def own(column: str, formula: str) -> str:
         return handed.own(column, formula) if handed else formula
 
-    more = meeting(one, handed, each, of) if handed else []
+    more = greatest(one, each, of) if handed else []
     sheet.table(
         f"{t}_steps", STEPS.format(axis.number), one.steps,
         constant("k", "step", "k", "", list(range(1, one.steps + 1))),
@@ -144,28 +136,17 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
     )  # fmt: skip
 
 
-def meeting(
-    one: AxisRows, handed: StepEnds, each: Callable[[str, str], list[str]], of: Callable[[Figure, Any], list[Any]]
-) -> list[Quantity]:
-    """Return the columns of the steps by which phases meet: peaks, y' and y'' at both ends, kinds of these."""
-    t, at, motion = one.name, one.at, one.axis.motion
-    ends = motion.ends
-    peaks: tuple[tuple[str, int, Figure], ...] = (
-        ("y1", 1, lambda _, p: p.y1_max), ("y2", 2, lambda _, p: p.y2_max)
+def greatest(
+    one: AxisRows, each: Callable[[str, str], list[str]], of: Callable[[Figure, Any], list[Any]]
+) -> list[Quantity]:  # fmt: skip
+    """Return the columns of the greatest velocity and acceleration of each step."""
+    figures: tuple[tuple[str, str, Figure], ...] = (
+        ("y1", "velocity", lambda _, p: p.y1_max), ("y2", "acceleration", lambda _, p: p.y2_max)
     )  # fmt: skip
-    rates: tuple[tuple[str, int, int, Figure], ...] = (
-        ("v", 0, 1, lambda k, _: ends[k].begin.y1), ("v", 1, 1, lambda k, _: ends[k].end.y1),
-        ("a", 0, 2, lambda k, _: ends[k].begin.y2), ("a", 1, 2, lambda k, _: ends[k].end.y2),
-    )  # fmt: skip
-    words = "its start", "its end"
     return [
-        *(calc(name, f"greatest {WORDS[order]}", "", at.unit(order), each("=0*[k]", f"=[{t}.{name}.{{}}]"),
-               of(figure, 0.0), scale=motion.size(order))
-          for name, order, figure in peaks),
-        *(calc(f"{name}{end}", f"{WORDS[order]} at {words[end]}", "", at.unit(order),
-               f"=IF([span]>0,{handed.at_end(name, end)},0)", of(figure, 0.0), scale=motion.size(order))
-          for name, end, order, figure in rates),
-        *handed.kinds(),
+        calc(name, f"greatest {word}", "", one.at.unit(order), each("=0*[k]", f"=[{one.name}.{name}.{{}}]"),
+             of(figure, 0.0), scale=one.axis.motion.size(order))
+        for order, (name, word, figure) in enumerate(figures, 1)
     ]  # fmt: skip
 
 

@@ -15,7 +15,6 @@ from workbook.entries.units import shown
 from workbook.laws import phases as joined
 from workbook.laws.phases import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY, jerks
 from workbook.machines.machine.entries import OPEN_DRIVE
-from workbook.machines.machine.handing import doubled
 from workbook.machines.machine.motion import AxisRows
 from workbook.motion.pieces import room_check
 from workbook.motion.through import entries
@@ -44,6 +43,11 @@ def moving(one: AxisRows, figure: Callable[[Movement], float]) -> list[float]:
     return [figure(moves[k]) if k in moves else 0.0 for k in range(one.machine.machine.sizes.phases)]
 
 
+def doubled(formula: str) -> str:
+    """Return a formula that takes a figure of the same row, of which phases stand in every second."""
+    return formula.replace(",[k])", ",2*[k])")
+
+
 def own(one: AxisRows, column: str, formula: str) -> str:
     """Return a formula of each phase: that of its own ends, if phases of the book hand over, or the law's."""
     return doubled(one.ends.own(column, formula)) if one.ends else formula
@@ -66,10 +70,10 @@ def passing(one: AxisRows) -> list[Quantity]:
     """Return the entries of where phases meet, and the kind of both ends; none where all of them begin at rest."""
     if not one.ends:
         return []
-    n, kinds = one.machine.machine.sizes.phases, [both.kinds for _, both in one.ends.numbered]
+    n, kinds = one.machine.machine.sizes.phases, [both.kinds for _, both in one.ends.phases]
 
     def end(name: str, word: str, values: list[str]) -> Quantity:
-        return result(name, f"kind of its {word}", "", "", f"=INDEX([{one.name}_steps.{name}],2*[k])",
+        return result(name, f"kind of its {word}", "", "", f"=INDEX([{one.name}_kinds.{name}],2*[k])",
                       filled(values, n, ""), align="center",
                       source="R rest, G velocity, U reversal, B both")  # fmt: skip
 

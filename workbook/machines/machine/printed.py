@@ -17,7 +17,7 @@ NONE = "-"
 LOSSY = "/@i/(@eta1*@eta2)"
 INERTIA = f"(@j0-@jm+@j1/@i1^2/@eta1+@m/@i{LOSSY})"
 RESISTS = f"(@rub+@steady){LOSSY}"
-ACCELERATES = f"(@jm+{INERTIA})*@i*@amax"
+ALL, RESISTING = "[@printed.here.3]", "[@printed.here.6]"
 
 
 class Printed(NamedTuple):
@@ -49,10 +49,10 @@ FIGURES = (
             "printed “48 A = π”, which reads 48π"),
     Printed("Largest acceleration of the motor", "rad/s²", "@i*@amax", "1460.4π", 2.058, (4523.893, 2.057613),
             "1460.4π comes from 0.2/6 s rounded to 0.033 s; exactly 1440π"),
-    Printed("Torque accelerating", "Nm", f"{RESISTS}+{ACCELERATES}", 0.103, 1.5343, (0.1021457, 1.536194),
+    Printed("Torque accelerating", "Nm", f"{RESISTING}+{ALL}*@i*@amax", 0.103, 1.5343, (0.1021457, 1.536194),
             "follows the rounded acceleration"),
-    Printed("Torque at uniform speed", "Nm", RESISTS, 0.0113, 1.508, (0.01133007, 1.509848)),
-    Printed("Torque decelerating", "Nm", f"{RESISTS}-{ACCELERATES}", -0.0805, 1.4816, (-0.0794856, 1.483502),
+    Printed("Torque at uniform speed", "Nm", RESISTING, 0.0113, 1.508, (0.01133007, 1.509848)),
+    Printed("Torque decelerating", "Nm", f"{RESISTING}-{ALL}*@i*@amax", -0.0805, 1.4816, (-0.0794856, 1.483502),
             "follows the rounded acceleration"),
     Printed("RMS torque at 25 °C", "Nm", "@rms", 0.044, 0.147, (0.0437990, 1.439627),
             "0.147 is misprinted by a factor of about ten"),

@@ -163,7 +163,7 @@ def of_whole(axis: MovingAxis, figure: str, faster: Any, power: int) -> Any:
 def of_clearance(rows: Rows, k: int) -> Worked:
     """Return the results of a clearance, from 1."""
     return {
-        f"clearances.gap.{k}": lambda: rows.apart[k - 1].gap.least,
+        f"clearances.gap.{k}": lambda: rows.apart[k - 1].least,
         f"clearances.at.{k}": lambda: rows.apart[k - 1].over.shown(rows.apart[k - 1].place),
     }
 

@@ -8,18 +8,20 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown
-from workbook.machines.machine.lanes import named
-from workbook.machines.machine.phases import goes_beyond
+from workbook.machines.machine.lanes import Lane, named
+from workbook.machines.machine.phases import going_beyond
 from workbook.machines.machine.switching import HALF, TIMES
 from workbook.machines.machine.timing import LANE_SHARE
 from workbook.machines.machine.view import Whole
 
 NUMBERS = range(1, TIMES + 1)
-SPAN = '=IF(OR([start{0}]="",[stop{0}]=""),0,{1}-{2}+IF([stop{0}]<[start{0}],360,0))'
-BEYOND = "IF([span{1}]>0,[span{0}]-({2}-{3}-360*INT(({2}-{3})/360)),0)"
-STILL = 'IF(AND([start{0}]<>"",[stop{0}]<>"",[span{0}]<=check_zero),{0},{1})'
-LATE = "IF([over{0}]>check_zero,{0},{1})"
-AFTER = "IF({2}-360>check_zero,{0},{1})"
+FIRST = 'MATCH("?*",{0},0)'
+"""the number of the first time with a text in a column"""
+NEXT = (
+    "SUMPRODUCT(MIN({0}.begin]-[begin]-360*({0}.begin]>=[begin]+360)+360*({0}.begin]<[begin])"
+    "+360*({0}.t]=[t])+360*({0}.used]=0)))"
+)
+"""from the begin of a time to the next begin of its switch: a turn where there is no other"""
 UPS = (0, 1, 1, 0)
 
 
@@ -36,6 +38,9 @@ def switches_sheet(book: Book, machine: Whole) -> None:
     if machine.over.measured:
         sheet.checks(*(within(lane.number, machine.over) for lane in machine.lanes))
     sheet.not_printed_below()
+    sheet.heading("Workings: the times of each switch")
+    for lane in machine.lanes:
+        times_of(sheet, lane, machine.over)
     corners(sheet, machine)
     sheet.print_columns = 16
 
@@ -55,7 +60,8 @@ def entries(sheet: Sheet, machine: Whole) -> None:
     shown_as, source = (calc, "in all") if over.measured else (result, "at the production rate")
     per = over.unit if over.measured else "s"
     lasting = [
-        shown_as("on", "on in all", "", "°", f"={summed('span')}", [shown(one.switch.total, DEGREE) for one in lanes]),
+        shown_as("on", "on in all", "", "°", [f"=SUM([switch{one.number}_times.span])" for one in lanes],
+                 [shown(one.switch.total, DEGREE) for one in lanes]),
         result("time", "on for", over.lasting, per, "=RADIANS([on])/timing_omega",
                [one.switch.seconds(machine.speed) for one in lanes], source=source),
     ]  # fmt: skip
@@ -65,73 +71,59 @@ def entries(sheet: Sheet, machine: Whole) -> None:
         constant("k", "number", "k", "", [lane.number for lane in lanes]),
         *times,
         *(reversed(lasting) if over.measured else lasting),
-        *(calc(f"span{t}", f"time {t} lasts", "", "°", span(t, over), [one.spans[t - 1] for one in lanes],
-               scale=TURN, format="0.0##") for t in NUMBERS),
-        *(calc(f"over{t}", f"time {t} beyond another", "", "°", beyond_another(t, over), 0.0, scale=TURN,
-               format="0.0##", source="on where another begins") for t in NUMBERS),
-        calc("still", "does not last", "", "", f"={first(STILL)}", 0, format="0;;", source="number of the time"),
-        calc("late", "goes on too long", "", "", f"={first(LATE)}", 0, format="0;;", source="number of the time"),
-        *([calc("after", "goes beyond the cycle", "", "", f"={after(over)}", 0, format="0;;",
-                source="number of the time")] if over.measured else []),
         rules=[HALF],
     )  # fmt: skip
     sheet.rows(*(calc(named(one.number), f"Switch {one.number}", "", "", f"=[switches.name.{one.number}]",
                       one.given.name, align="left") for one in lanes))  # fmt: skip
 
 
-def summed(column: str) -> str:
-    """Return the formula of the sum of a column of each time."""
-    return "+".join(f"[{column}{t}]" for t in NUMBERS)
+def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
+    """Declare the times of a switch: begin, end and duration, the next begin, and what is wrong with each."""
+    i, times, after = lane.number, lane.times, over.after
+    block, name = f"[switches.start1:stop{TIMES}]", f"switch{i}_times"
+    start, stop = f"INDEX({block},{i},2*[t]-1)", f"INDEX({block},{i},2*[t])"
+    more = f'"is on "&ROUND({over.told("[span]-[next]")},9)&"{after} beyond the begin of another"'
+    wrong = f'IF([span]<=check_zero,"does not last",IF([span]-[next]>check_zero,{more},""))'
+    beyond = going_beyond(over.told("MAX([begin],[end])"), over)
+    late = calc("late", "beyond the cycle", "", "", f'=IF(MAX([begin],[end])-360>check_zero,{beyond},"")', "",
+                align="left")  # fmt: skip
+    sheet.table(
+        name, f"Switch {i}: its times in degrees of the {over.period}", TIMES,
+        constant("t", "time", "", "", list(NUMBERS)),
+        calc("used", "is entered", "", "", f'=IF(OR({start}="",{stop}=""),0,1)', [int(time.told) for time in times],
+             format="0"),
+        calc("begin", "on from", "", "°", f"={over.in_degrees(start)}", [time.start or 0.0 for time in times],
+             scale=TURN, format="0.0##"),
+        calc("end", "to", "", "°", f"={over.in_degrees(stop)}", [time.stop or 0.0 for time in times], scale=TURN,
+             format="0.0##"),
+        calc("span", "lasts", "", "°", "=IF([used]=0,0,[end]-[begin]+IF([end]<[begin],360,0))", lane.spans, scale=TURN,
+             format="0.0##"),
+        calc("next", "to the next begin", "", "°", f"=IF([used]=0,0,{NEXT.format(f'[{name}')})", lane.until_next,
+             scale=TURN, format="0.0##"),
+        calc("wrong", "what is wrong", "", "", f'=IF([used]=0,"",{wrong})', "", align="left"),
+        *([late] if over.measured else []),
+    )  # fmt: skip
 
 
-def span(t: int, over: Abscissa) -> str:
-    """Return the formula of how long a time lasts."""
-    return SPAN.format(t, *(over.in_degrees(f"[{end}{t}]") for end in ("stop", "start")))
-
-
-def beyond_another(t: int, over: Abscissa) -> str:
-    """Return the formula of how long a time goes on after another has begun."""
-    begin = over.in_degrees(f"[start{t}]")
-    others = ",".join(BEYOND.format(t, other, over.in_degrees(f"[start{other}]"), begin)
-                      for other in NUMBERS if other != t)  # fmt: skip
-    return f"=IF([span{t}]=0,0,MAX(0,{others}))"
-
-
-def first(condition: str) -> str:
-    """Return the formula of the number of the first time of which a condition holds; 0 of none."""
-    found = "0"
-    for t in reversed(NUMBERS):
-        found = condition.format(t, found)
-    return found
+def first(i: int, column: str) -> str:
+    """Return the formula of the sentence on the first time of a switch with a text in a column."""
+    texts = f"[switch{i}_times.{column}]"
+    at = FIRST.format(texts)
+    return f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})'
 
 
 def within(i: int, over: Abscissa) -> Quantity:
     """Return the check that no time of a switch goes on beyond the cycle."""
-    time = f"[switches.after.{i}]"
-    last = f"CHOOSE(MAX(1,{time}),{','.join(f'MAX([switches.start{t}.{i}],[switches.stop{t}.{i}])' for t in NUMBERS)})"
-    return check(f"switch{i}_within", f"Switch {i}: no time goes on beyond the cycle", f"[switches.after.{i}]=0", True,
-                 rule=over.rule("switches", i, "ends"),
-                 says=goes_beyond(f'[switches.name.{i}]&" time "', time, last, over))  # fmt: skip
-
-
-def after(over: Abscissa) -> str:
-    """Return the formula of the number of the first time that goes on beyond the cycle; 0 of none."""
-    found = "0"
-    for t in reversed(NUMBERS):
-        found = AFTER.format(t, found, over.in_degrees(f"MAX([start{t}],[stop{t}])"))
-    return found
+    return check(f"switch{i}_within", f"Switch {i}: no time goes on beyond the cycle",
+                 f'COUNTIF([switch{i}_times.late],"?*")=0', True, rule=over.rule("switches", i, "ends"),
+                 says=first(i, "late"))  # fmt: skip
 
 
 def apart(i: int, over: Abscissa) -> Quantity:
     """Return the check that each time of a switch lasts, and is over where another begins."""
-    still, late = f"[switches.still.{i}]", f"[switches.late.{i}]"
-    most = over.told(f"CHOOSE(MAX(1,{late}),{','.join(f'[switches.over{t}.{i}]' for t in NUMBERS)})")
-    says = (
-        f'[switches.name.{i}]&" time "&IF({still}>0,{still}&" does not last",'
-        f'{late}&" is on "&ROUND({most},9)&"{over.after} beyond the begin of another")'
-    )
     return check(f"switch{i}_apart", f"Switch {i}: each time lasts, and is over where another begins",
-                 f"{still}+{late}=0", True, rule=over.rule("switches", i, "apart"), says=says)  # fmt: skip
+                 f'COUNTIF([switch{i}_times.wrong],"?*")=0', True, rule=over.rule("switches", i, "apart"),
+                 says=first(i, "wrong"))  # fmt: skip
 
 
 def corners(sheet: Sheet, machine: Whole) -> None:
@@ -169,7 +161,7 @@ def angles(i: int, over: Abscissa) -> list[str]:
     first, last = (f"[cycle1.{over.column}.{end}]" for end in ("first", "last"))
     found = [f"={first}"]
     for t in NUMBERS:
-        start, span = over.in_degrees(f"[switches.start{t}.{i}]"), f"[switches.span{t}.{i}]"
+        start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
         begin, end = f"[switches.start{t}.{i}]", over.told(f"MIN({start}+{span},360)")
         again, rest = f"={first}", over.told(f"MAX({start}+{span}-360,0)")
         begin, end, rest = (f"=IF({span}>0,{place},0)" for place in (begin, end, rest))
@@ -182,7 +174,7 @@ def heights(i: int, floor: int, over: Abscissa) -> list[str]:
     line = "={}+[up]*IF({}>timing_eps,timing_lane,0)"
     found = [line.format(floor, "[cycle1.theta.last]")]
     for t in NUMBERS:
-        start, span = over.in_degrees(f"[switches.start{t}.{i}]"), f"[switches.span{t}.{i}]"
+        start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
         widths = f"MIN({span},360-{start})", f"({start}+{span}-360)"
         found += [line.format(floor, width) for width in widths for _ in UPS]
     return [*found, line.format(floor, "[cycle1.theta.last]")]

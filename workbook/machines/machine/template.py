@@ -74,8 +74,7 @@ def declare(given: AnyMachine) -> Book:
         if view := drives.get(one.axis.number):
             drive_sheet(book, view)
             name_points(book, view)
-    apart = [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
-    clearances_sheet(book, apart)
+    clearances_sheet(book, [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)])
     power_sheet(book, bus)
     if given.selection.axis is not None:
         shafts = [shaft_of(view) for view in drives.values()]
@@ -85,7 +84,7 @@ def declare(given: AnyMachine) -> Book:
     printed_sheets(book, drives.values())
     shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     cycle_sheets(book, machine, rows)
-    pieces_sheet(book, rows, bool(apart))
+    pieces_sheet(book, rows)
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, ("S1", "S3", "S4"))

@@ -7,23 +7,30 @@ from collections.abc import Iterator
 from workbook.book.sentence import rounded
 from workbook.entries.units import RPM, shown
 from workbook.laws.shelf import LawShelf
+from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion import AxisRows
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MovingAxis, Whole
 
-RMS, PEAK, ENERGY, RATE = 1e-3, 5e-3, 0.03, 1e-3
-"""by which share the sheets state that T_rms, peaks, energies and the highest rate may be off"""
+RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4
+"""by which share the sheets state that T_rms, peaks, energies, the highest rate, a least gap and the extremes of phases
+that meet at speed may be off"""
+
+
+def axes_of(machine: AnyMachine) -> list[AxisRows]:
+    """Return the axes of a machine as its book has them."""
+    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
+    whole = Whole(machine, shelf.laws)
+    return [AxisRows(whole, axis, shelf.stack) for axis in whole.axes]
 
 
 def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
     """Yield the drives of a machine."""
-    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
-    whole = Whole(machine, shelf.laws)
-    for axis in whole.axes:
-        if axis.given.mechanism and axis.given.motor:
-            yield DriveView(AxisRows(whole, axis, shelf.stack), Driven(axis, machine.selection))
+    for rows in axes_of(machine):
+        if rows.axis.given.mechanism and rows.axis.given.motor:
+            yield DriveView(rows, Driven(rows.axis, machine.selection))
 
 
 def rates(machine: AnyMachine) -> list[str]:
@@ -50,7 +57,26 @@ def truths(machine: AnyMachine) -> list[str]:
     lines = []
     for view in drives_of(machine):
         lines += [*results_of(view), *rate_of(view)]
-    return lines
+    rows = axes_of(machine)
+    gaps = (gap_of(Apart(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
+    return [*lines, *filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
+
+
+def extremes_of(axis: MovingAxis) -> Iterator[str]:
+    """Yield a line for each phase that meets its neighbours at speed, and is found slower than its sheet states."""
+    for i, k in enumerate(axis.entered, 1):
+        exact, told = axis.joined.motion.phases[k], axis.motion.phases[k]
+        for what, true, said in (("velocity", exact.y1_max, told.y1_max), ("acceleration", exact.y2_max, told.y2_max)):
+            if abs(said - true) > MOTION * true:
+                yield f"{axis.given.name} row {i}: the greatest {what} is {rounded(100.0 * (true / said - 1.0))} % more"
+
+
+def gap_of(one: Apart) -> str:
+    """Return the line on a least gap, empty where it is as exact as its sheet states."""
+    exact, unit = one.exact.least, one.rows[0].axis.given.unit
+    if abs(one.least - exact) <= GAP * one.change + 1e-9 * one.size:
+        return ""
+    return f"{one.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(one.least)}"
 
 
 def results_of(view: DriveView) -> Iterator[str]:

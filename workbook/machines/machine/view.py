@@ -23,6 +23,7 @@ from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.clearance import ENDS, MOST_CLEARANCES, ClearanceEntry
 from workbook.machines.machine.lanes import Lane, named
+from workbook.machines.machine.measured import measured
 from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
 from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry
 from workbook.machines.machine.timed import Cycle, TimedMachine
@@ -68,10 +69,10 @@ class MovingAxis:
         phases = range(len(self.given.phases))
         return sorted([*(i + i for i in self.rests), *(i + i + 1 for i in phases)])
 
-    @property
+    @cached_property
     def motion(self) -> Motion:
-        """The motion over a turn: m, or rad, over rad."""
-        return self.joined.motion
+        """The motion over a turn: m, or rad, over rad; extremes of phases that meet at speed are those at points."""
+        return measured(self.joined.motion)
 
     @cached_property
     def passed(self) -> dict[int, Rates]:

@@ -1,10 +1,8 @@
 """A place in a cycle that rounding puts a hair before the cycle's end is on its begin, as spreadsheet cells have it."""
 
-from itertools import pairwise
-
 import pytest
 
-from engine.machine.bent import stretches, turned
+from engine.motion.shifted import turned
 
 NEAR = 1e-6
 
@@ -18,10 +16,3 @@ def test_what_lies_a_rounding_beside_the_begin_is_on_it(late, off):
 @pytest.mark.parametrize("angle", [1e-5, 15.0, 180.0, 360.0 - 1e-5, 360.0 + 15.0, -15.0])
 def test_elsewhere_it_is_the_place_in_the_cycle(angle):
     assert turned(angle, 0.0, 360.0, NEAR) == pytest.approx(angle % 360.0, abs=1e-12)
-
-
-def test_a_cut_on_either_side_of_the_end_makes_no_stretch_of_its_own():
-    for cut in (-6e-14, 0.0, 6e-14, 360.0 - 6e-14, 360.0):
-        spans = stretches([cut, 120.0], 360.0, NEAR)
-        assert len(spans) == 2
-        assert all(one[1] == other[0] for one, other in pairwise(spans))
