@@ -8,16 +8,17 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from openpyxl.cell.cell import Cell
-from openpyxl.formatting.rule import Rule
 from openpyxl.worksheet.worksheet import Worksheet
+from pydantic import BaseModel
 
-from workbook.book import quantity
 from workbook.book.declare import Book, Sheet
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.shown.blank import Blanks
-from workbook.judging.shown.charts import drawn, paired
-from workbook.judging.shown.conditional import Rules
+from workbook.judging.shown.charts import paired
+from workbook.judging.shown.drawn import drawn
+from workbook.judging.shown.looks import Looks
+from workbook.judging.shown.rules import Rules
+from workbook.judging.shown.seen import Told, seen
 from workbook.judging.structure import structure
 from workbook.reading.files import BookFile
 
@@ -49,10 +50,10 @@ def not_carried(file: BookFile, declared: Book, template: str) -> list[str]:
 
 def own_things(match: Match, ours: set[str]) -> list[str]:
     """Return a line for each kind of thing that someone put on a generated sheet beside its cells, and for names."""
-    lines = []
+    lines, known = [], known_rules(match)
     for sheet in match.file.workbook.worksheets:
         if sheet.title in ours:
-            for what, where in on_sheet(match, sheet).items():
+            for what, where in on_sheet(match, sheet, known).items():
                 if where:
                     lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
     declared = {name.casefold() for name, _ in match.declared.names()}
@@ -64,7 +65,15 @@ def own_things(match: Match, ours: set[str]) -> list[str]:
     return lines
 
 
-def on_sheet(match: Match, sheet: Worksheet) -> dict[str, list[str]]:
+def known_rules(match: Match) -> set[int]:
+    """Return the conditional formats of a file that are those of a fresh build, by their identity."""
+    told = Told()
+    rules = Rules(match, Looks(match, BaseModel, told), told)
+    rules.judge(list(seen(match, [])))
+    return rules.known
+
+
+def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[str]]:
     """Return what stands on a sheet that is none of the generated book's, by kind: the cells, or what it is called."""
     declared = next(one for one in match.declared.sheets if sheet.title in titles(match, one))
     words = {text.text for text in declared.texts}
@@ -75,25 +84,13 @@ def on_sheet(match: Match, sheet: Worksheet) -> dict[str, list[str]]:
     held = list(drawn(match, sheet.title))
     paired_charts = {id(found) for _, found in paired(match, declared, held)}
     charts = [chart.at.a1 for chart in held if id(chart) not in paired_charts]
-    own = Rules(sheet, lambda at: None)
-    known = Blanks(match, {sheet.title: own}).known
-    rules = [
-        str(area.sqref) for area in sheet.conditional_formatting
-        if any(id(rule) not in known and not of_ours(rule) for rule in area.rules)
-    ]  # fmt: skip
+    rules = [str(a.sqref) for a in sheet.conditional_formatting if any(id(rule) not in known for rule in a.rules)]
     return {"texts and numbers": kept, "notes": notes, "charts": charts, "conditional formats": rules}
 
 
 def titles(match: Match, sheet: Sheet) -> set[str]:
     """Return where the blocks of a declared sheet are in the file."""
     return {match.file.places[block.name].sheet for block in sheet.blocks if block.name in match.file.places}
-
-
-def of_ours(rule: Rule) -> bool:
-    """Whether a conditional format is one that colours OK or FAIL, or figures beyond their limit."""
-    verdict = rule.operator == "equal" and rule.formula in (['"OK"'], ['"FAIL"'])
-    beyond = rule.operator == "between" and rule.formula[1:] == [f"{quantity.MOST:.0f}"]
-    return rule.type == "cellIs" and (verdict or beyond)
 
 
 def drawn_in(path: Path) -> dict[str, int]:

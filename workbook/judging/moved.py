@@ -7,10 +7,10 @@ shape. Names follow only where all of their cells were cut.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
+from xml.etree.ElementTree import Element
 
 from openpyxl.utils import quote_sheetname
-from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
@@ -19,6 +19,7 @@ from workbook.judging.layout import titled
 from workbook.judging.matching import Match, Pair, is_formula
 from workbook.judging.report import LAYOUT, Finding
 from workbook.reading.files import BookFile
+from workbook.reading.package import tag
 
 HALF = 2
 
@@ -120,21 +121,18 @@ def replace(file: BookFile, back: Mapping[Address, Address]) -> None:
         for cell in cells.values():
             if cell.data_type == "f" and isinstance(cell.value, str):
                 cell.value = f"={followed(cell.value[1:], title, back)}"
-    for page in file.workbook.worksheets:
-        for source in sources(page):
-            source.f = followed(source.f, page.title, back)
+    for title, source in sources(file):
+        source.text = followed(source.text or "", title, back)
     file.mended = True
     file.__dict__.pop("contents", None)
 
 
-def sources(page: Worksheet) -> Iterator[Any]:
-    """Yield what the charts of a sheet draw, as the references that they have."""
-    for chart in getattr(page, "_charts"):  # noqa: B009 - the stubs hide it
-        for series in chart.series:
-            bars = series.errBars
-            drawn = [series.tx, *(getattr(series, name, None) for name in ("xVal", "yVal", "cat", "val"))]
-            for data in (*drawn, *((bars.plus, bars.minus) if bars is not None else ())):
-                yield from filter(None, (getattr(data, kind, None) for kind in ("numRef", "strRef")))
+def sources(file: BookFile) -> Iterator[tuple[str, Element]]:
+    """Yield the references from which the charts of a file take their figures, each with its sheet."""
+    for title, drawings in file.inspected.drawings.items() if file.inspected else ():
+        for drawing in drawings:
+            if drawing.chart is not None:
+                yield from ((title, one) for one in drawing.chart.iter() if tag(one) == "f" and one.text)
 
 
 def followed(text: str, sheet: str, back: Mapping[Address, Address]) -> str:

@@ -21,8 +21,8 @@ CAUSES = ORDER[:7]
 """the kinds from which wrong values follow elsewhere"""
 FOLLOWS = "follows"
 """The kind of what is wrong only because of other cells."""
-NOTICE = "notice"
-"""The kind of what is reworded or gone, and misleads nobody."""
+SHOWN, NOTICE = "shown", "notice"
+"""The kinds of what may be read otherwise, and of what is reworded or gone and misleads nobody."""
 OK, FAIL = "OK", "FAIL"
 
 

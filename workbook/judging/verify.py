@@ -111,7 +111,7 @@ def judge(
         comparison.require_answers(named)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
-        displayed(match, comparison.values, report)
+        displayed(match, type(machine), comparison.values, report)
         comparison.elsewhere(computed)
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))

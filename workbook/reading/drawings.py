@@ -1,4 +1,4 @@
-"""Where drawings lie over the cells of a sheet: charts, pictures, and shapes that are filled."""
+"""What lies over the cells of a sheet: charts, pictures, shapes, and notes that are always shown."""
 
 from __future__ import annotations
 
@@ -6,12 +6,17 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
-from workbook.reading.package import links, tag
+from workbook.reading.package import Link, links, tag
+from workbook.reading.points import without_points
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW
 
 OPAQUE = ("graphicFrame", "pic", "sp")
 """what an anchor may hold that hides the cells behind it (ISO/IEC 29500-1, 20.5.2)"""
+PIXEL = 9525
+"""EMU"""
+Read = Callable[[str], bytes]
+"""gives a part of the file, empty for one that there is not"""
 
 
 class Corner(NamedTuple):
@@ -24,46 +29,81 @@ class Corner(NamedTuple):
 
 
 class Anchor(NamedTuple):
-    """Where a drawing lies: from a corner to another, or over a width and a height (EMU)."""
+    """Where a drawing lies: from a corner to another, or over a width and a height (EMU); the root of its chart."""
 
     first: Corner
     last: Corner | None
     size: tuple[int, int]
+    chart: Element | None = None
 
 
-def anchored(parts: Mapping[str, bytes], sheet: str, read: Callable[[str], bytes]) -> list[Anchor]:
-    """Return where the drawings of a sheet lie that hide what is behind them.
+def anchored(parts: Mapping[str, bytes], sheet: str, read: Read) -> list[Anchor]:
+    """Return the drawings of a sheet that hide what is behind them, the lowest first.
 
-    ``sheet`` is its part, ``parts`` are those with relationships, and ``read`` gives any, empty for one that is none.
+    ``sheet`` is its part, and ``parts`` are those with relationships.
     """
-    drawings = [read(link.target) for link in links(parts, sheet) if link.kind == "drawing"]
+    found = []
+    for link in links(parts, sheet):
+        if link.kind == "drawing":
+            charts = {one.id: one for one in links(parts, link.target)}
+            found += list(anchors(parsed(link, read), charts, read))
+        elif link.kind == "vmlDrawing":
+            found += notes(read(link.target))
+    return found
+
+
+def parsed(link: Link, read: Read) -> Element:
+    """Return the root of a drawing or a chart; raise Refusal where it is no XML."""
+    data = read(link.target)
     try:
-        return [anchor for data in drawings if data for anchor in anchors(fromstring(data))]
+        return fromstring(without_points(link.target, data)) if data else Element("nothing")
     except ParseError:
-        raise Refusal(f"damaged: a drawing of the sheet in {shown(sheet)} is no XML; {SAVE_AS}") from None
+        raise Refusal(f"damaged: the {link.kind} in {shown(link.target)} is no XML; {SAVE_AS}") from None
 
 
-def anchors(root: Element) -> Iterator[Anchor]:
+def anchors(root: Element, charts: Mapping[str, Link], read: Read) -> Iterator[Anchor]:
     """Yield the anchors of a drawing that hold what hides."""
     for element in root.iter():  # one that newer programs alone know stands within an alternative
         if not tag(element).endswith("Anchor"):
             continue
         held = {tag(child): child for child in element}
+        if any(one.get("hidden") in ("1", "true") for one in element.iter() if tag(one) == "cNvPr"):
+            continue
         if not any(tag(one) in OPAQUE and not see_through(one) for one in element.iter()):
             continue
+        ids = [value for one in element.iter() if tag(one) == "chart" for value in one.attrib.values()]
+        chart = next((charts[name] for name in ids if name in charts), None)
         yield Anchor(
             corner(held["from"]) if "from" in held else Corner(0, 0, *pair(held.get("pos"), "x", "y")),
             corner(held["to"]) if "to" in held else None,
             pair(held.get("ext"), "cx", "cy"),
+            parsed(chart, read) if chart is not None else None,
         )
 
 
 def see_through(shape: Element) -> bool:
-    """Whether a shape has no fill."""
-    if tag(shape) != "sp":
+    """Whether a shape has neither a fill nor a text."""
+    if tag(shape) != "sp" or any(tag(one) == "t" and (one.text or "").strip() for one in shape.iter()):
         return False
     look = next((child for child in shape if tag(child) == "spPr"), None)
     return look is not None and any(tag(child) == "noFill" for child in look)
+
+
+def notes(data: bytes) -> Iterator[Anchor]:
+    """Yield where the notes and buttons of a sheet lie that are always shown (VML; ISO/IEC 29500-4, 19.4)."""
+    try:
+        root = fromstring(data)
+    except ParseError:  # programs read more than XML here, and openpyxl none of it
+        return
+    for shape in root.iter():
+        if tag(shape) != "shape" or "visibility:hidden" in shape.get("style", "").replace(" ", ""):
+            continue
+        place = next((one.text or "" for one in shape.iter() if tag(one) == "Anchor"), "")
+        numbers = [whole(text) for text in place.split(",")]
+        if len(numbers) == 8:
+            left, right, top, down, *rest = numbers
+            ends = (left, top, right * PIXEL, down * PIXEL), (rest[0], rest[2], rest[1] * PIXEL, rest[3] * PIXEL)
+            yield Anchor(Corner(*ends[0]), Corner(*ends[1]), (0, 0))
 
 
 def corner(element: Element) -> Corner:

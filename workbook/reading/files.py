@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import re
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -23,7 +23,6 @@ from workbook.errors import ReadError
 from workbook.intake import require_file
 from workbook.reading.cells import fill
 from workbook.reading.contents import Cells, Contents, entered
-from workbook.reading.drawings import Anchor
 from workbook.reading.guard import Inspected, guard
 from workbook.reading.points import Bare
 from workbook.reading.refusal import SAVE_AS
@@ -52,7 +51,7 @@ class BookFile:
     ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that. ``fits`` are
     the tables whose rows or columns are not those of their names, as whoever knows the tables finds them;
     ``mended`` is one in which cells were put back into their tables, so that it is not as the file is;
-    ``drawings`` are where drawings lie on each sheet; ``bare`` is a copy of contents and names alone.
+    ``inspected`` is what openpyxl does not read; ``bare`` is a copy of contents and names alone.
     """
 
     path: Path
@@ -62,7 +61,7 @@ class BookFile:
     saved: Cells = field(default_factory=dict)
     fits: dict[str, Fit] = field(default_factory=dict)
     mended: bool = False
-    drawings: Mapping[str, list[Anchor]] = field(default_factory=dict)
+    inspected: Inspected | None = None
     bare: bool = False
 
     def value(self, address: Address) -> Any:
@@ -116,7 +115,7 @@ class BookFile:
 
 
 def open_book(path: Path, shown: bool = True) -> BookFile:
-    """Open a workbook for reading; ``shown`` false, without charts and saved values, which no formula asks for.
+    """Open a workbook for reading; ``shown`` false, without saved values, which no formula asks for.
 
     Raises ReadError, in one line, where the file is missing, locked, of another kind, damaged, or larger than
     a workbook may be (:mod:`workbook.reading.guard`).
@@ -125,21 +124,21 @@ def open_book(path: Path, shown: bool = True) -> BookFile:
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
     inspected = guard(path)
-    workbook = parsed(path, inspected, shown)
+    workbook = parsed(path, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
     saved = saved_values(path, inspected) if shown else {}
-    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved, drawings=inspected.drawings)
+    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved, inspected=inspected)
 
 
-def parsed(path: Path, inspected: Inspected, drawn: bool = True) -> Workbook:
-    """Let openpyxl read a file that passed the guard, all but its rows; raise ReadError where it cannot."""
+def parsed(path: Path, inspected: Inspected) -> Workbook:
+    """Let openpyxl read a file that passed the guard, but for rows and drawings; raise ReadError where it cannot."""
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints one of its complaints
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
             reader = ExcelReader(str(path), keep_links=False)
             reader.archive.close()
-            reader.archive = Bare(path, inspected.parts, drawn)
+            reader.archive = Bare(path, inspected.parts)
             reader.read()
             for sheet in reader.wb.worksheets:
                 fill(sheet, inspected.sheets[sheet.title], reader.shared_strings)

@@ -14,12 +14,13 @@ from copy import copy
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
+from xml.etree.ElementTree import Element, fromstring
 
 from workbook.errors import ReadError
 from workbook.reading.count import Count
 from workbook.reading.drawings import Anchor, anchored
-from workbook.reading.package import needed, package
-from workbook.reading.points import without_points
+from workbook.reading.package import needed, package, tag
+from workbook.reading.points import without_points, without_rows
 from workbook.reading.refusal import SAVE_AS, Refusal, shown
 from workbook.reading.rows import Rows
 from workbook.reading.scan import Scan
@@ -44,7 +45,8 @@ class Inspected:
     """What is known of a file before it is parsed.
 
     That is what an engineer should know of it, the rows of each sheet by its title, those of each part, the part
-    with the texts that several cells share, and where drawings lie on each sheet.
+    with the texts that several cells share, the drawings of each sheet, all of a sheet but its rows, the
+    workbook's own part, and the fonts within shared texts that have several, by their numbers.
     """
 
     notes: list[str]
@@ -52,6 +54,9 @@ class Inspected:
     parts: dict[str, Rows]
     strings: str
     drawings: dict[str, list[Anchor]]
+    pages: dict[str, Element]
+    book: Element
+    fonts: dict[int, list[Element]]
 
 
 def guard(path: Path) -> Inspected:
@@ -82,17 +87,32 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         rows, parts = scanned(archive, infos)
         names = {info.filename: info for info in infos}
         found = package(parts, names)
-        lying = {title: anchored(parts, part, lambda name: unpacked(archive, names[name]) if name in names else b"")
-                 for title, part in found.sheets.items()}  # fmt: skip
+
+        def read(name: str) -> bytes:
+            return unpacked(archive, names[name]) if name in names else b""
+
+        drawings = {title: anchored(parts, part, read) for title, part in found.sheets.items()}
+        fonts = fonts_within(read(found.strings))
     for title, part in found.sheets.items():
         if part not in rows:
             raise Refusal(f"its sheet {shown(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
     notes = [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)]
-    return Inspected(notes, {title: rows[part] for title, part in found.sheets.items()}, rows, found.strings, lying)
+    sheets = {title: rows[part] for title, part in found.sheets.items()}
+    pages = {title: fromstring(parts[part]) for title, part in found.sheets.items()}
+    return Inspected(notes, sheets, rows, found.strings, drawings, pages, fromstring(parts[found.workbook]), fonts)
+
+
+def fonts_within(strings: bytes) -> dict[int, list[Element]]:
+    """Return the fonts within shared texts, of those that have any, by their numbers (ISO/IEC 29500-1, 18.4.7)."""
+    if b"rPr" not in strings:
+        return {}
+    texts = [one for one in fromstring(strings) if tag(one) == "si"]
+    found = {n: [font for font in text.iter() if tag(font) == "rPr"] for n, text in enumerate(texts)}
+    return {n: fonts for n, fonts in found.items() if fonts}
 
 
 def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dict[str, Rows], dict[str, bytes]]:
-    """Read every part once; return the rows of the worksheets, and the parts that say which part is what."""
+    """Read every part once; return the rows of worksheets, and the other parts of use, with the rest of worksheets."""
     count = Count()
     rows: dict[str, Rows] = {}
     parts: dict[str, bytes] = {}
@@ -104,6 +124,7 @@ def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dic
         scan.read(without_points(info.filename, data))
         if scan.rows is not None:
             rows[info.filename] = scan.rows
+            parts[info.filename] = without_rows(data, scan.rows)
         if needed(info.filename):
             parts[info.filename] = data
     return rows, parts

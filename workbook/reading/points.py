@@ -1,7 +1,4 @@
-"""What openpyxl need not read: the rows of sheets, which the guard has met, and the numbers a chart was saved with.
-
-Nobody asks for these, and each would become an object of its own.
-"""
+"""What need not be read: the rows of sheets, which the guard has met, and the numbers a chart was saved with."""
 
 from __future__ import annotations
 
@@ -35,21 +32,19 @@ def without_rows(data: bytes, rows: Rows) -> bytes:
 
 
 class Bare(zipfile.ZipFile):
-    """A workbook's archive whose sheets hold no rows, and whose charts no saved points; ``drawn`` false, no charts."""
+    """A workbook's archive whose sheets hold neither rows nor drawings."""
 
-    def __init__(self, path: Path, rows: Mapping[str, Rows], drawn: bool = True) -> None:
+    def __init__(self, path: Path, rows: Mapping[str, Rows]) -> None:
         super().__init__(path)
-        self.rows, self.drawn = rows, drawn
+        self.rows = rows
 
     def open(self, name: str | zipfile.ZipInfo, *args: Any, **how: Any) -> IO[bytes]:
         """Open a part for reading."""
         part = name if isinstance(name, str) else name.filename
-        if not self.drawn and DRAWING.fullmatch(part):
+        if DRAWING.fullmatch(part):
             return io.BytesIO(NOTHING_DRAWN)
         stream = super().open(name, *args, **how)
-        rows = self.rows.get(part)
-        if rows is None and not CHART.fullmatch(part):
+        if part not in self.rows:
             return stream
         with stream:
-            data = stream.read()
-        return io.BytesIO(without_points(part, data) if rows is None else without_rows(data, rows))
+            return io.BytesIO(without_rows(stream.read(), self.rows[part]))

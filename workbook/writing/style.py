@@ -5,6 +5,7 @@ Colour says one thing: a fill and blue figures are an entry's alone, a verdict i
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from typing import Any, Literal, NamedTuple
 
@@ -13,7 +14,6 @@ from openpyxl.formatting.rule import Rule
 from openpyxl.styles import Alignment, Border, Font, NamedStyle, PatternFill, Protection, Side
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
-from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.declare import Block, Quantity
 from workbook.book.quantity import MOST, ROUNDED
@@ -137,36 +137,35 @@ def alignment(q: Quantity, value: Any, table: bool) -> str:
     return "right" if not isinstance(value, str) or len(value) < 10 else "left"
 
 
-def mark_checks(sheet: Worksheet, cells: str) -> None:
-    """Colour OK and FAIL in ``cells``; the words stay, so the colour is not the only sign."""
-    for word, ink, ground in VERDICTS:
-        look = DifferentialStyle(font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid"))
-        rule = Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look)
-        sheet.conditional_formatting.add(cells, rule)
+class Marked(NamedTuple):
+    """Quantities of a block whose cells look otherwise while a rule's condition is met."""
+
+    quantities: tuple[Quantity, ...]
+    rule: Rule
 
 
-def mark_beyond(sheet: Worksheet, q: Quantity, cells: str) -> None:
-    """Let figures above their limit stand out; texts, which come after all numbers, do not."""
-    if q.limit:
-        ends = [f"{q.limit * (1 + ROUNDED):.12g}", f"{MOST:.0f}"]
-        look = DifferentialStyle(font=Font(color=BEYOND, bold=True))
-        sheet.conditional_formatting.add(cells, Rule(type="cellIs", operator="between", formula=ends, dxf=look))
+def marks(block: Block) -> Iterator[Marked]:
+    """Yield the conditional formats of a block.
 
-
-def hide_errors(sheet: Worksheet, block: Block) -> None:
-    """Let the results of a table show nothing where they are errors: these have no number format, so it is the ink."""
-    cells = " ".join(block.reference(q.name).replace("$", "") for q in block.quantities if q.role == "result")
-    if block.quiet:
-        look = DifferentialStyle(font=Font(color=PAPER))
-        sheet.conditional_formatting.add(
-            cells, Rule(type="expression", formula=[block.when(block.quiet, block.row)], dxf=look)
-        )
-
-
-def blank_unused(sheet: Worksheet, block: Block) -> None:
-    """Let the cells of a table show nothing in a row that is not used: the formulas stay."""
-    cells = " ".join(block.reference(q.name).replace("$", "") for q in block.blanked)
-    if cells:
+    OK and FAIL are coloured; the words stay, so the colour is not the only sign. Figures above their limit stand out;
+    texts, which come after all numbers, do not. Rows that are not used show nothing, and so do errors of a table whose
+    results may be such: these have no number format, so it is the ink.
+    """
+    for q in block.quantities:
+        if q.role == "check":
+            for word, ink, ground in VERDICTS:
+                fill = PatternFill(bgColor=ground, fill_type="solid")
+                look = DifferentialStyle(font=Font(color=ink, bold=True), fill=fill)
+                yield Marked((q,), Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look))
+        if q.limit:
+            ends = [f"{q.limit * (1 + ROUNDED):.12g}", f"{MOST:.0f}"]
+            look = DifferentialStyle(font=Font(color=BEYOND, bold=True))
+            yield Marked((q,), Rule(type="cellIs", operator="between", formula=ends, dxf=look))
+    if block.blanked:
         look = DifferentialStyle(numFmt=NumberFormat(NOTHING_ID, NOTHING))
         formula = block.unused(block.row).removeprefix("=")
-        sheet.conditional_formatting.add(cells, Rule(type="expression", formula=[formula], dxf=look))
+        yield Marked(tuple(block.blanked), Rule(type="expression", formula=[formula], dxf=look))
+    if block.quiet:
+        results = tuple(q for q in block.quantities if q.role == "result")
+        look = DifferentialStyle(font=Font(color=PAPER))
+        yield Marked(results, Rule(type="expression", formula=[block.when(block.quiet, block.row)], dxf=look))

@@ -19,7 +19,7 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
-from workbook.book.declare import FIRST, Block, Book, Sheet
+from workbook.book.declare import FIRST, Block, Book, Quantity, Sheet
 from workbook.book.formats import number_format, sample
 from workbook.entries import rules
 from workbook.writing import archive, caches, charts, heights, pages, style
@@ -125,24 +125,21 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
     """Write the cells of one block, each column in one style."""
     looks: dict[str, int] = {}
     for q in block.quantities:
-        seen = sample(q)
-        looks[q.name] = styles.quantity(
-            q.role,
-            AS_TYPED if rules.is_free_text(model, q) else number_format(q, seen),
-            style.placed(q, seen, block.is_table, block.columns[q.name] == FIRST),
-            block.is_table,
-        )
+        place = style.placed(q, sample(q), block.is_table, block.columns[q.name] == FIRST)
+        looks[q.name] = styles.quantity(q.role, format_of(q, model), place, block.is_table)
     for _, q, _, row, column, content, value in block.cells():
         if q.formula is None:
             cells.put(row, column, looks[q.name], content)
         else:
             cells.put_formula(row, column, looks[q.name], content, value)
-    for q in block.quantities:
-        if q.role == "check":
-            style.mark_checks(page, block.reference(q.name).replace("$", ""))
-        style.mark_beyond(page, q, block.reference(q.name).replace("$", ""))
-    style.blank_unused(page, block)
-    style.hide_errors(page, block)
+    for mark in style.marks(block):
+        ranges = " ".join(block.reference(q.name).replace("$", "") for q in mark.quantities)
+        page.conditional_formatting.add(ranges, mark.rule)
+
+
+def format_of(q: Quantity, model: type[BaseModel]) -> str:
+    """Return the number format of a quantity's cells."""
+    return AS_TYPED if rules.is_free_text(model, q) else number_format(q, sample(q))
 
 
 def heighten(block: Block, cells: Cells, wide: dict[int, float]) -> None:

@@ -4,623 +4,753 @@ import copy
 import re
 
 import pytest
-from openpyxl.formatting.rule import CellIsRule, FormulaRule, Rule
+from openpyxl.formatting.rule import CellIsRule, DataBarRule, FormulaRule, IconSetRule, Rule
 from openpyxl.styles import Alignment, Font, GradientFill, PatternFill
 from openpyxl.styles.colors import Color
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
 
-from tests import cutting
-from tests.workbook.judging.hands import Known, repacked, spot, sub
-from workbook.build import build
-from workbook.judging.matching import Match
-from workbook.judging.report import Report
-from workbook.judging.shown.book import displayed
-from workbook.judging.verify import verify
-from workbook.reading.files import BookFile, find_places
+from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
+from tests.workbook.judging.synthetic import Small, spots
+from workbook.judging.shown import units
+
+DRIVE, CHART, PICTURE = "xl/worksheets/sheet1.xml", "xl/charts/chart1.xml", "xl/drawings/drawing1.xml"
 
 
 @pytest.fixture(scope="module")
 def book(tmp_path_factory):
-    """A small book of the cutting machine, all checks OK."""
-    path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(cutting.small(cycle=120, law=4, own_law=4), path)
-    return Known(path)
+    """A book whose checks are OK."""
+    return Small(tmp_path_factory.mktemp("book"))
 
 
 @pytest.fixture(scope="module")
 def failing(tmp_path_factory):
-    """The same with a motor too weak: checks of the drive FAIL."""
-    path = tmp_path_factory.mktemp("failing") / "book.xlsx"
-    build(cutting.too_weak(), path)
-    known = Known(path)
-    assert any(q.value == "FAIL" for _, q in known.declared.checks)
-    return known
+    """The same with a motor too weak."""
+    return Small(tmp_path_factory.mktemp("failing"), limit=5.0)
 
 
-@pytest.fixture
-def edit(book, tmp_path):
-    return Edit(book, tmp_path)
+def silent(report):
+    assert (report.findings, report.notices) == ([], [])
 
 
-@pytest.fixture
-def edit_failing(failing, tmp_path):
-    return Edit(failing, tmp_path)
-
-
-class Edit:
-    """A book opened, to be changed and verified."""
-
-    def __init__(self, known, folder):
-        self.known, self.path, self.workbook = known, folder / "edited.xlsx", known.opened()
-
-    def cell(self, address):
-        return self.workbook[address.sheet][address.a1]
-
-    def beside(self, block, columns):
-        return self.cell(self.known.place(block, 0, columns))
-
-    def seen(self):
-        """What is said of how the book looks; the rest of verifying takes ten times as long."""
-        file = BookFile(self.path, self.workbook, find_places(self.workbook))
-        report = Report(self.path, self.known.template.name)
-        displayed(Match(file, self.known.declared), {}, report)
-        return report
-
-    def verified(self):
-        self.workbook.save(self.path)
-        return verify(self.path)
-
-    def found(self):
-        return {(f.kind, f"{f.sheet}!{f.cell}") for f in self.seen().findings}
-
-    def failing(self, n=0):
-        """The address of a check that FAILs."""
-        names = [q.name for _, q in self.known.declared.checks if q.value == "FAIL"]
-        return self.known.place(names[n])
-
-    def passing(self):
-        return self.known.place(next(q.name for _, q in self.known.declared.checks if q.value == "OK"))
-
-
-def name(address):
-    return f"{address.sheet}!{address.a1}"
+def test_a_book_as_built_and_as_openpyxl_saves_it_is_silent(book, failing):
+    for one in (book, failing):
+        silent(one.seen(one.path))
+        silent(one.edited(lambda workbook: None))
 
 
 # number formats
 
 
-@pytest.mark.parametrize(
-    "code",
-    [
-        '0.00"0"', '"1"0.00', "0.0\\5", "0.0,", "0,,", '0.0,"k"', '"OK";"OK"', ";;;", ";;", '""', '0.0"k"',
-        '0.0" m"', '0.0"%"', "0.0%%", "0.0%", '"-"0.0', '[>0]"12.5";0.0', "0\\.0", '0" 000"', "[White]0.0", "*90.0",
-        "#,##0.0,", 'General"0"', '0.0"E3"', "0.0\\k", "[Color2]0.0",
-    ],
-)  # fmt: skip
-@pytest.mark.sample(12)
-def test_a_format_that_tells_another_number_is_found(code, edit):
-    pair = next(p for p in edit.known.pairs(lambda p: p.declared_formula) if p.cell.quantity.unit == "rpm"
-                and p.cell.expected > 1)  # fmt: skip
-    edit.cell(pair.address).number_format = code
-    assert edit.found() == {("shown", spot(pair.address))}
+def formatted(book, code, block="peak", row=0, column=0):
+    def change(workbook):
+        book.cell(workbook, block, row, column).number_format = code
+
+    return book.edited(change)
 
 
 @pytest.mark.parametrize(
     "code",
     [
-        "0.0000000", "0", "#,##0.00", "0.00E+00", "##0.0E+0", "General", "@", "yyyy-mm-dd", "hh:mm:ss", "[h]:mm",
-        '0.0" rpm"', "[Red]0.0", "[$-407]0.0", "0.0_);(0.0)", "0.0;-0.0", "0.0;[Red]-0.0", "_-* #,##0.00_-", "# ?/?",
-        '"ca. "0.0', "[>1000]0.0;0.000", "0.0;-0.0;0.0;@", "[Blue]General", "+0.0;-0.0", '"n = "0.0',
+        '0.00"0"', '"1"0.00', "0.0\\5", "0.0,", "0,,", '0.0,"k"', '"OK";"OK"', ";;;", ";;", '""', '0.0"k"', '0.0" m"',
+        '0.0"%"', "0.0%%", "0.0%", '"-"0.0', '[>0]"12.5";0.0', "0\\.0", '0" 000"', "[White]0.0", "*90.0", "#,##0.0,",
+        'General"0"', '0.0"E3"', "0.0\\k", "[Color2]0.0", "[h]", "d", "[mm]:ss", "s.00", "yyyy", "ge", "0*.0", "*-0.0",
+        ';;;"kNm"', "hh:mm", "0.0;0.0", "0.0;;0.0", '0.0;"low"', '0.0;-0.0;"7"', '0.0"٣"', '0.0" million"', "[DBNum1]0",
+        "[$€-407]0.0", "[$-F800]0", '"T_min = "0.0', "[<0]0.0;-0.0",
     ],
 )  # fmt: skip
-@pytest.mark.sample(10)
-def test_a_format_of_taste_is_not(code, edit):
-    pair = next(p for p in edit.known.pairs(lambda p: p.declared_formula) if p.cell.quantity.unit == "rpm"
-                and p.cell.expected > 1)  # fmt: skip
-    edit.cell(pair.address).number_format = code
-    report = edit.seen()
-    assert (report.findings, report.notices) == ([], [])
+def test_a_format_that_tells_another_number_is_found(code, book):
+    report = formatted(book, code)
+    assert spots(report.findings) == {"Drive!D14"}, report
 
 
-@pytest.mark.parametrize("code", ["0.0;0.0", "0.0;[Red]0.0", "0.0;;0.0", '0.0;"low"'])
-def test_a_negative_number_shown_as_another_is_found(code, edit):
-    pair = next(p for p in edit.known.pairs(lambda p: p.declared_formula) if isinstance(p.cell.expected, float)
-                and p.cell.expected < -1e-3)  # fmt: skip
-    edit.cell(pair.address).number_format = code
-    assert edit.found() == {("shown", spot(pair.address))}
+@pytest.mark.parametrize(
+    ("code", "notices"),
+    [
+        ("0.0000000", 0), ("0", 0), ("#,##0.00", 0), ("0.00E+00", 0), ("##0.0E+0", 0), ("General", 0), ("@", 0),
+        ('0.0" Nm"', 0), ("[Red]0.0", 0), ("[$-407]0.0", 0), ("0.0_);(0.0)", 0), ("0.0;-0.0", 0),
+        ("0.0;[Red]-0.0", 0), ("_-* #,##0.00_-", 0), ("# ?/?", 1), ('"ca. "0.0', 0), ("[>1000]0.0;0.000", 1),
+        ("0.0;-0.0;0.0;@", 0), ("[Blue]General", 0), ("+0.0;-0.0", 0), ('"T_max = "0.0', 0), ("#", 1),
+        ('_(* #,##0.00_);_(* \\(#,##0.00\\);_(* "-"??_);_(@_)', 0), ("# ##0.0", 0), ("0.0000;\\-0.0000", 0),
+    ],
+)  # fmt: skip
+def test_a_format_of_taste_is_not(code, notices, book):
+    report = formatted(book, code)
+    assert (report.findings, len(report.notices)) == ([], notices)
 
 
-@pytest.mark.parametrize("code", [";;;", '"OK"', '0"0"', "0,"])
-def test_a_format_of_an_input_or_a_constant_counts_too(code, edit):
-    for role in ("input", "constant"):
-        pair = next(p for p in edit.known.pairs(lambda p, r=role: p.cell.quantity.role == r) if p.held == 1)
-        edit.cell(pair.address).number_format = code
-        assert ("shown", spot(pair.address)) in edit.found()
+def test_a_format_that_shows_nothing_of_a_zero_is_found_where_there_is_one(book):
+    assert spots(formatted(book, "#.##", "cycle", 0, 1).findings) == {"Drive!C24"}
+    assert formatted(book, "#.##", "cycle", 5, 1).findings == []
 
 
-def test_a_column_may_be_blank_where_its_own_rule_says_so(edit):
-    rule = '0;-0;"–"'
-    pairs = [p for p in edit.known.pairs() if p.cell.quantity.format == rule]
-    assert any(p.cell.expected == 0 for p in pairs)
-    for pair in pairs:
-        edit.cell(pair.address).number_format = "0;\\-0;\\–"
-    assert edit.found() == set()
-    zero = next(p for p in pairs if p.cell.expected == 0)
-    edit.cell(zero.address).number_format = '0;-0;"7"'
-    assert edit.found() == {("shown", spot(zero.address))}
+@pytest.mark.parametrize("block", ["rate", "check_zero", "speed"])
+def test_a_format_of_an_input_or_a_constant_counts_too(block, book):
+    assert formatted(book, '0"0"', block).findings
 
 
-def test_zeros_hidden_by_the_view_are_found(edit):
-    edit.workbook["Timing"].sheet_view.showZeros = False
-    found = edit.found()
-    assert found
-    assert all(kind == "shown" and where.startswith("Timing!") for kind, where in found)
+def test_percent_is_for_what_has_no_unit(book):
+    silent(formatted(book, "0.0%", "eta"))
+    assert formatted(book, "0.0%", "speed").findings
 
 
-@pytest.mark.parametrize("code", ['"OK";"OK";"OK";"OK"', ";;;", ';;;"OK"', '@" OK"', '"not "@', '0;0;0;"FAIL"'])
-def test_a_format_that_changes_a_verdict_is_found(code, edit):
-    at = edit.passing()
-    edit.cell(at).number_format = code
-    assert ("shown", name(at)) in edit.found()
+@pytest.mark.parametrize("code", ['"OK";"OK";"OK";"OK"', ";;;", ';;;"OK"', '@" OK"', '"not "@', '0;0;0;"FAIL"', "@@"])
+@pytest.mark.parametrize("block", ["within", "which", "overall"])
+def test_a_format_that_changes_a_text_is_found(code, block, book):
+    assert formatted(book, code, block).findings
 
 
 @pytest.mark.parametrize(("code", "bad"), [(";;;", True), ('0"0"', True), ("0.000", False)])
-def test_a_conditional_number_format_counts(code, bad, edit):
-    pair = edit.known.a_number()
+@pytest.mark.parametrize("condition", ["TRUE", "FALSE", "$D$14>1000"])
+def test_a_conditional_number_format_counts_whether_it_applies_now_or_not(code, bad, condition, book):
     look = DifferentialStyle(numFmt=NumberFormat(numFmtId=200, formatCode=code))
-    cells = edit.workbook[pair.address.sheet].conditional_formatting
-    cells.add(pair.address.a1, Rule(type="expression", formula=["TRUE"], dxf=look))
-    cells.add(pair.address.a1, Rule(type="expression", formula=["FALSE"], dxf=look))
-    assert edit.found() == ({("shown", spot(pair.address))} if bad else set())
+
+    def change(workbook):
+        rule = Rule(type="expression", formula=[condition], dxf=look)
+        workbook["Drive"].conditional_formatting.add("D14", rule)
+
+    assert spots(book.edited(change).findings) == ({"Drive!D14"} if bad else set())
 
 
-# units
+# units, labels, symbols, headings
 
 
-@pytest.mark.parametrize("unit", ["m/s", "rad/s", "1/s", "krpm", "Hz", "°/s", "h", "km"])
-def test_a_changed_unit_is_found(unit, edit):
-    block = next(p.cell.block.name for p in edit.known.pairs(lambda p: not p.cell.block.is_table)
-                 if p.cell.quantity.unit == "rpm")  # fmt: skip
-    cell = edit.beside(block, 1)
-    assert cell.value == "rpm"
-    cell.value = unit
-    assert edit.found() == {("shown", f"{cell.parent.title}!{cell.coordinate}")}
+def beside(book, block, column, text):
+    """The text beside a cell exchanged for another."""
+
+    def change(workbook):
+        book.cell(workbook, block, 0, column).value = text
+
+    return book.edited(change)
 
 
-@pytest.mark.parametrize("unit", ["1/min", "min⁻¹", " rpm ", "giri/min", "U/min"])
-def test_the_same_unit_in_another_spelling_is_not(unit, edit):
-    block = next(p.cell.block.name for p in edit.known.pairs(lambda p: not p.cell.block.is_table)
-                 if p.cell.quantity.unit == "rpm")  # fmt: skip
-    edit.beside(block, 1).value = unit
-    report = edit.seen()
-    assert (report.findings, report.notices) == ([], [])
+@pytest.mark.parametrize(
+    "unit", ["m/s", "rad/s", "1/s", "krpm", "Hz", "°/s", "h", "km", "10 rpm", "rpm/10", "x10 rpm", "rpm³", "100"]
+)
+def test_a_changed_unit_is_found(unit, book):
+    assert spots(beside(book, "speed", 1, unit).findings) == {"Drive!E13"}
 
 
-def test_a_unit_that_is_gone_is_a_notice(edit):
-    block = next(p.cell.block.name for p in edit.known.pairs(lambda p: not p.cell.block.is_table)
-                 if p.cell.quantity.unit == "rpm")  # fmt: skip
-    edit.beside(block, 1).value = None
-    report = edit.seen()
-    assert report.findings == []
-    assert len(report.notices) == 1
+@pytest.mark.parametrize(
+    "unit",
+    ["1/min", "min⁻¹", " rpm ", "giri/min", "U/min", "Upm", "RPM", "tr/mn", "r.p.m.", "cpm", "cycles per minute"],
+)
+def test_the_same_unit_in_another_spelling_is_not(unit, book):
+    silent(beside(book, "speed", 1, unit))
+    silent(beside(book, "rate", 1, unit))
 
 
-def test_the_unit_of_a_column_counts(edit):
-    head = edit.workbook["Drive MC01"]
-    cell = next(c for row in head.iter_rows() for c in row if isinstance(c.value, str) and c.value.endswith("[rpm]"))
-    cell.value = cell.value.replace("[rpm]", "[rad/s]")
-    assert edit.found() == {("shown", f"Drive MC01!{cell.coordinate}")}
+@pytest.mark.parametrize(("held", "ours"), [("10 Nm", "Nm"), ("Nm/10", "Nm"), ("1000 mm", "mm"), ("kNm", "Nm"),
+                                            ("%", ""), ("N m²", "Nm")])  # fmt: skip
+def test_units_of_another_size_are_others(held, ours):
+    assert units.compared(held, ours) == "other"
 
 
-# labels, symbols, headings
+def test_a_unit_that_is_gone_is_a_notice_and_one_beside_a_pure_number_is_found(book):
+    report = beside(book, "speed", 1, None)
+    assert (report.findings, len(report.notices)) == ([], 1)
+    assert spots(beside(book, "eta", 1, "kNm").findings) == {"Drive!E16"}
+    silent(beside(book, "eta", 1, "ask Rossi"))
 
 
-def swapped(one, other):
-    one.value, other.value = other.value, one.value
+def test_the_unit_of_a_column_counts(book):
+    def change(workbook):
+        book.cell(workbook, "cycle", -1, 1).value = "y [m]"
+
+    assert len(book.edited(change).findings) == 1
 
 
-def scalars(edit, sheet, role=None):
-    return [p.cell.block.name for p in edit.known.pairs(lambda p: not p.cell.block.is_table)
-            if p.address.sheet == sheet and p.cell.quantity.symbol
-            and (role is None or p.cell.quantity.role == role)]  # fmt: skip
+def test_a_right_unit_elsewhere_excuses_no_wrong_one(book):
+    def change(workbook):
+        for column, text in ((1, "rad/s"), (3, "rpm"), (4, "rpm")):
+            book.cell(workbook, "speed", 0, column).value = text
 
-
-@pytest.mark.parametrize("role", ["input", "calculation", "result"])
-@pytest.mark.parametrize("column", [-2, -1])
-def test_labels_and_symbols_that_changed_places_are_found(role, column, edit):
-    one, other = (edit.beside(block, column) for block in scalars(edit, "Drive MC01", role)[:2])
-    assert one.value != other.value
-    swapped(one, other)
-    assert {("shown", f"Drive MC01!{c.coordinate}") for c in (one, other)} <= edit.found()
-
-
-def test_heads_of_columns_that_changed_places_are_found(edit):
-    place = edit.known.place("cycle1")
-    sheet = edit.workbook[place.sheet]
-    row = next(r for r in range(place.row - 1, 0, -1) if sheet.cell(r, place.column + 1).value == "y" or
-               str(sheet.cell(r, place.column + 1).value).startswith("y "))  # fmt: skip
-    one, other = sheet.cell(row, place.column + 1), sheet.cell(row, place.column + 2)
-    assert one.value != other.value
-    swapped(one, other)
-    assert {("shown", f"{place.sheet}!{c.coordinate}") for c in (one, other)} <= edit.found()
-
-
-def test_headings_that_changed_places_are_found(edit):
-    sheet = edit.known.declared.sheets[2]
-    texts = [t for t in sheet.texts if t.style == "heading"][:2]
-    one, other = (edit.workbook[sheet.title].cell(t.row, t.column) for t in texts)
-    swapped(one, other)
-    assert {kind for kind, _ in edit.found()} == {"shown"}
+    assert spots(book.edited(change).findings) == {"Drive!E13"}
 
 
 @pytest.mark.parametrize("column", [-2, -1])
-def test_words_of_another_language_are_notices(column, edit):
-    cell = edit.beside(scalars(edit, "Drive MC01")[3], column)
-    cell.value = "Drehmoment des Motors"
-    report = edit.seen()
+def test_labels_and_symbols_that_changed_places_are_found(column, book):
+    def change(workbook):
+        one, other = (book.cell(workbook, block, 0, column) for block in ("peak", "least"))
+        one.value, other.value = other.value, one.value
+
+    assert len(book.edited(change).findings) == 2
+
+
+@pytest.mark.parametrize("words", ["Largest torque x10", "Largest torque [%]", "Largest torque: OK"])
+def test_a_label_with_other_figures_is_found_and_a_translated_one_is_a_notice(words, book):
+    assert beside(book, "peak", -2, words).findings
+    report = beside(book, "peak", -2, "Größtes Drehmoment")
+    assert (report.findings, len(report.notices)) == ([], 1)
+
+
+def test_heads_of_columns_that_changed_places_are_found(book):
+    def change(workbook):
+        one, other = (book.cell(workbook, "cycle", -1, column) for column in (1, 2))
+        one.value, other.value = other.value, one.value
+
+    assert len(book.edited(change).findings) == 2
+
+
+def test_headings_that_changed_places_are_found(book):
+    def change(workbook):
+        one, other = (workbook["Drive"].cell(row, 2) for row in (6, 11))
+        assert {one.value, other.value} == {"Entries", "Results"}
+        one.value, other.value = other.value, one.value
+
+    assert book.edited(change).findings
+
+
+def test_a_book_in_another_language_is_listed_and_agrees(book):
+    def change(workbook):
+        for sheet in book.book.sheets:
+            for text in sheet.texts:
+                cell = workbook[sheet.title].cell(text.row, text.column)
+                if text.style in ("label", "header", "heading", "subheading") and cell.value:
+                    cell.value = f"«{cell.value}»"
+
+    report = book.edited(change)
     assert report.findings == []
-    assert [f.cell for f in report.notices] == [cell.coordinate]
+    assert len(report.notices) > 20
 
 
-def test_a_book_in_another_language_is_listed_and_agrees(edit):
-    for sheet in edit.known.declared.sheets:
-        for text in sheet.texts:
-            cell = edit.workbook[sheet.title].cell(text.row, text.column)
-            if text.style in ("label", "header", "heading", "subheading") and cell.value:
-                cell.value = f"«{cell.value}»"
-    report = edit.seen()
-    assert report.findings == []
-    assert len(report.notices) > 100
+@pytest.mark.parametrize("column", [2, 4, 6])
+def test_columns_put_in_are_taste(column, book):
+    """By hand: openpyxl leaves names and formulas where they are."""
+    declared = copy.deepcopy(book.book.blocks)
+    assert declared
+
+    def change(workbook):
+        sheet = workbook["Drive"]
+        sheet.insert_cols(column)
+        for name, defined in workbook.defined_names.items():
+            if "Drive" in defined.attr_text:
+                defined.attr_text = re.sub(r"\$([A-Z])\$", lambda c: f"${shifted(c[1], column)}$", defined.attr_text)
+            assert name
+        sheet.conditional_formatting = type(sheet.conditional_formatting)()
+        sheet._charts = []
+
+    found = book.edited(change).findings
+    assert found == []
 
 
-# hidden and coloured verdicts
+def shifted(letter, column):
+    return chr(ord(letter) + (ord(letter) - 64 >= column))
 
 
-def hide_row(edit, at):
-    edit.workbook[at.sheet].row_dimensions[at.row].hidden = True
+# looks of cells
 
 
-def flat_row(edit, at):
-    edit.workbook[at.sheet].row_dimensions[at.row].height = 0.5
+def white(cell):
+    cell.font, cell.fill = Font(color="FFFFFF"), PatternFill()
 
 
-def hide_column(edit, at):
-    edit.workbook[at.sheet].column_dimensions[edit.cell(at).column_letter].hidden = True
+def themed_white(cell):
+    cell.font, cell.fill = Font(color=Color(theme=0)), PatternFill()
 
 
-def narrow_column(edit, at):
-    edit.workbook[at.sheet].column_dimensions[edit.cell(at).column_letter].width = 0.1
+def nearly_white(cell):
+    cell.font, cell.fill = Font(color="FFFEFE"), PatternFill("solid", fgColor="FEFEFE")
 
 
-def group_columns(edit, at):
-    edit.workbook[at.sheet].column_dimensions.group("B", "Z", hidden=True)
+def one_colour(cell):
+    cell.font, cell.fill = Font(color="C00000"), PatternFill("solid", fgColor="C00000")
 
 
-def hide_sheet(edit, at):
-    edit.workbook[at.sheet].sheet_state = "hidden"
+def tiny(cell):
+    cell.font = Font(sz=1)
 
 
-def very_hide_sheet(edit, at):
-    edit.workbook[at.sheet].sheet_state = "veryHidden"
+def in_signs(cell):
+    cell.font = Font(name="Wingdings", sz=10)
 
 
-def white(edit, at):
-    without_rules(edit, at)
-    edit.cell(at).font, edit.cell(at).fill = Font(color="FFFFFF"), PatternFill()
+def in_greek(cell):
+    cell.font = Font(name="Calibri", charset=2)
 
 
-def themed_white(edit, at):
-    without_rules(edit, at)
-    edit.cell(at).font, edit.cell(at).fill = Font(color=Color(theme=0)), PatternFill()
+def struck(cell):
+    cell.font = Font(name="Calibri", strike=True)
 
 
-def nearly_white(edit, at):
-    without_rules(edit, at)
-    edit.cell(at).font, edit.cell(at).fill = Font(color="FFFEFE"), PatternFill("solid", fgColor="FEFEFE")
+def pushed_out(cell):
+    cell.alignment = Alignment(indent=200)
 
 
-def one_colour(edit, at):
-    without_rules(edit, at)
-    edit.cell(at).font, edit.cell(at).fill = Font(color="C00000"), PatternFill("solid", fgColor="C00000")
+def repeated(cell):
+    cell.alignment = Alignment(horizontal="fill")
 
 
-def white_by_rule(edit, at):
-    without_rules(edit, at)
-    look = {"font": Font(color="FFFFFF"), "fill": PatternFill(bgColor="FFFFFF", fill_type="solid")}
-    edit.workbook[at.sheet].conditional_formatting.add(at.a1, FormulaRule(formula=["TRUE"], **look))
+UNREADABLE = [white, themed_white, nearly_white, one_colour, tiny, in_signs, in_greek, struck, pushed_out, repeated]
 
 
-def tiny(edit, at):
-    edit.cell(at).font = Font(sz=1)
+@pytest.mark.parametrize("change", UNREADABLE)
+@pytest.mark.parametrize(("block", "column"), [("peak", 0), ("peak", 1), ("peak", -1), ("peak", -2), ("within", 0),
+                                               ("overall", 0), ("which", 0)])  # fmt: skip
+def test_a_figure_a_verdict_or_what_it_is_called_that_cannot_be_read_is_found(change, block, column, book):
+    def made(workbook):
+        if column == 0:
+            without_rules(workbook["Drive"], workbook["Checks"])
+        change(book.cell(workbook, block, 0, column))
+
+    assert spots(book.edited(made).findings) == {spot(book, block, column)}
 
 
-def in_signs(edit, at):
-    edit.cell(at).font = Font(name="Wingdings", sz=10)
+def spot(book, block, column=0):
+    row, first = book.at(block)
+    return f"{book.book.blocks[block].sheet.title}!{chr(64 + first + column)}{row}"
 
 
-def pushed_out(edit, at):
-    edit.cell(at).alignment = Alignment(indent=200)
+def without_rules(*sheets):
+    for sheet in sheets:
+        sheet.conditional_formatting = type(sheet.conditional_formatting)()
 
 
-def frozen_out(edit, at):
-    sheet = edit.workbook[at.sheet]
-    sheet.freeze_panes = f"A{at.row + 5}"
-    sheet.sheet_view.topLeftCell = f"A{at.row + 1}"
+@pytest.mark.parametrize("change", [{"vertAlign": "superscript"}, {"outline": True}, {"shadow": True}, {"sz": 5},
+                                    {"name": "Zauberschrift"}, {"color": "C5C5C5"}])  # fmt: skip
+def test_an_odd_font_is_a_notice(change, book):
+    def made(workbook):
+        book.cell(workbook, "peak").font = Font(**change)
+
+    report = book.edited(made)
+    assert (report.findings, len(report.notices)) == ([], 1)
 
 
-def without_rules(edit, at):
-    """Take the sheet's rules away."""
-    sheet = edit.workbook[at.sheet]
-    sheet.conditional_formatting = type(sheet.conditional_formatting)()
+def test_a_look_of_many_cells_is_told_once(book):
+    def made(workbook):
+        for row in range(5):
+            book.cell(workbook, "cycle", row, 1).font = Font(strike=True)
+
+    (found,) = book.edited(made).findings
+    assert found.what.endswith(", and 4 more cells")
 
 
-HIDING = [hide_row, flat_row, hide_column, narrow_column, group_columns, white, themed_white, nearly_white, one_colour,
-          white_by_rule, tiny, in_signs, pushed_out, frozen_out]  # fmt: skip
+def test_a_part_of_a_text_in_white_or_struck_out_is_found(book):
+    for font in (b'<color rgb="FFFFFFFF"/>', b"<strike/>", b'<rFont val="Symbol"/>'):
+        rich = b"<si><r><t>Largest </t></r><r><rPr>%s</rPr><t>torque</t></r></si>" % font
+        report = book.with_parts({"xl/sharedStrings.xml": sub(rb"<si><t>Largest torque</t></si>", rich)})
+        assert spots(report.findings) == {"Drive!B14"}
 
 
-@pytest.mark.parametrize("hide", [*HIDING, hide_sheet, very_hide_sheet])
-@pytest.mark.sample(8)
-def test_a_failing_check_out_of_sight_is_found(hide, edit_failing):
-    at = edit_failing.failing()
-    hide(edit_failing, at)
-    assert ("shown", name(at)) in edit_failing.found()
+def test_a_palette_of_its_own_and_colours_of_a_theme_in_other_spellings_count(book, failing):
+    """White by index 17, and by dark text 1 of the theme."""
+
+    def inked(colour):
+        def made(workbook):
+            without_rules(workbook["Drive"])
+            failing.cell(workbook, "within").font = Font(color=colour)
+
+        return made
+
+    silent_or_notices = failing.edited(inked(Color(indexed=17)))
+    assert not [one for one in silent_or_notices.findings if "ground" in str(one.computed)]
+    colours = b"<colors><indexedColors>%s</indexedColors></colors></styleSheet>" % (b'<rgbColor rgb="FFFFFFFF"/>' * 64)
+    path = failing.folder / "edited.xlsx"
+    other = Small.__new__(Small)
+    other.__dict__ |= failing.__dict__ | {"path": path}
+    palette = other.with_parts({STYLES: sub(rb"</styleSheet>", colours)})
+    assert any("colour of its ground" in str(one.computed) for one in palette.findings)
+    failing.edited(inked(Color(theme=1)))
+    theme = other.with_parts({"xl/theme/theme1.xml": sub(
+        rb"<a:dk1>.*?</a:dk1>", b'<a:dk1><a:scrgbClr r="100000" g="100000" b="100000"/></a:dk1>')})  # fmt: skip
+    assert any("cannot be known" in str(one.computed) for one in theme.findings)
+
+
+# what is out of sight
+
+
+def hide_row(book, workbook, block):
+    workbook[book.book.blocks[block].sheet.title].row_dimensions[book.at(block)[0]].hidden = True
+
+
+def flat_row(book, workbook, block):
+    workbook[book.book.blocks[block].sheet.title].row_dimensions[book.at(block)[0]].height = 0.5
+
+
+def hide_column(book, workbook, block):
+    workbook[book.book.blocks[block].sheet.title].column_dimensions["D"].hidden = True
+
+
+def narrow_column(book, workbook, block):
+    workbook[book.book.blocks[block].sheet.title].column_dimensions["D"].width = 0.1
+
+
+def group_columns(book, workbook, block):
+    workbook[book.book.blocks[block].sheet.title].column_dimensions.group("B", "Z", hidden=True)
+
+
+def frozen_out(book, workbook, block):
+    sheet, row = workbook[book.book.blocks[block].sheet.title], book.at(block)[0]
+    sheet.freeze_panes = f"A{row + 5}"
+    sheet.sheet_view.topLeftCell = f"A{row + 1}"
+
+
+HIDING = [hide_row, flat_row, hide_column, narrow_column, group_columns, frozen_out]
 
 
 @pytest.mark.parametrize("hide", HIDING)
-@pytest.mark.parametrize("verdict", ["overall", "status2"])
-@pytest.mark.sample(14)
-def test_the_overall_verdict_out_of_sight_is_found(hide, verdict, edit):
-    at = edit.known.place(verdict)
-    hide(edit, at)
-    assert ("shown", name(at)) in edit.found()
+def test_a_failing_check_and_the_overall_verdict_out_of_sight_are_found(hide, book, failing):
+    for one, block in ((failing, "within"), (book, "overall"), (book, "status1")):
+        report = one.edited(lambda workbook, one=one, block=block: hide(one, workbook, block))
+        assert spot(one, block) in spots(report.findings)
 
 
-@pytest.mark.parametrize("hide", [hide_row, white, tiny])
-def test_a_passing_check_out_of_sight_is_a_notice(hide, edit):
-    at = edit.passing()
-    hide(edit, at)
-    report = edit.seen()
-    assert report.findings == []
-    assert [name_of(f) for f in report.notices if f.cell == at.a1] == [name(at)]
+@pytest.mark.parametrize("state", ["hidden", "veryHidden"])
+def test_a_hidden_sheet_is_a_notice_where_nothing_fails(state, book, failing):
+    def change(workbook):
+        workbook["Checks"].sheet_state = state
+
+    report = book.edited(change)
+    assert (report.findings, [one.sheet for one in report.notices]) == ([], ["Checks"])
+    assert failing.edited(change).findings
 
 
-def name_of(finding):
-    return f"{finding.sheet}!{finding.cell}"
+def test_a_sheet_that_looks_like_a_hidden_one_is_found_and_a_copy_beside_it_is_not(book):
+    def copied(workbook):
+        workbook.copy_worksheet(workbook["Drive"])
+
+    def instead(workbook):
+        copied(workbook)
+        workbook["Drive"].sheet_state = "hidden"
+
+    silent(book.edited(copied))
+    assert spots(book.edited(instead).findings) == {"Drive!A1"}
 
 
-def test_a_hidden_sheet_is_a_notice_where_nothing_fails(edit):
-    edit.workbook["Checks"].sheet_state = "hidden"
-    report = edit.seen()
-    assert report.findings == []
-    assert [(f.sheet, f.kind) for f in report.notices] == [("Checks", "notice")]
+@pytest.mark.parametrize("hide", HIDING[:5])
+def test_what_passes_or_is_no_verdict_out_of_sight_is_a_notice(hide, book):
+    report = book.edited(lambda workbook: hide(book, workbook, "peak"))
+    assert report.notices
+    if hide in (hide_row, flat_row):
+        assert report.findings == []
 
 
-def test_the_list_of_checks_counts_too(edit_failing):
-    at = edit_failing.failing()
-    names = [q.name for _, q in edit_failing.known.declared.checks]
-    row = [q.value for _, q in edit_failing.known.declared.checks].index("FAIL")
-    listed = edit_failing.known.place("checks", row, 2)
-    assert names[row]
-    hide_row(edit_failing, listed)
-    assert edit_failing.found() == {("shown", name(listed))}
-    assert at != listed
+@pytest.mark.parametrize(
+    ("part", "old", "new", "kind"),
+    [
+        (DRIVE, rb"<sheetView ", rb'<sheetView showZeros="0" ', "shown"),
+        (DRIVE, rb"<sheetView ", rb'<sheetView showFormulas="true" ', "shown"),
+        (DRIVE, rb"<sheetView ", rb'<sheetView rightToLeft="1" ', "notice"),
+        (DRIVE, rb"<sheetView ", rb'<sheetView zoomScale="10" ', "notice"),
+        (DRIVE, rb"</sheetView>", rb'</sheetView><sheetView workbookViewId="0" showZeros="0"/>', "shown"),
+        (DRIVE, rb"</sheetView>", rb'</sheetView><sheetView workbookViewId="0"/>', "notice"),
+        (DRIVE, rb'ySplit="3"', rb'ySplit="300"', "notice"),
+        (WORKBOOK, rb"<workbookPr ?/>", rb'<workbookPr date1904="1"/>', "shown"),
+        (WORKBOOK, rb"<workbookPr ?/>", rb'<workbookPr showObjects="none"/>', "shown"),
+        (WORKBOOK, rb"<workbookPr ?/>", rb'<workbookPr showObjects="placeholders"/>', "shown"),
+        (WORKBOOK, rb'visibility="visible"', rb'visibility="hidden"', "notice"),
+        (WORKBOOK, rb'showSheetTabs="1"', rb'showSheetTabs="0"', "notice"),
+        (DRIVE, rb"<drawing ", rb'<picture xmlns:r="r" r:id="rId9"/><drawing ', "notice"),
+        (DRIVE, rb"<sheetView ", rb'<sheetView showRuler="0" ', ""),
+        (DRIVE, rb"<sheetView ", rb'<sheetView zoomScale="70" ', ""),
+        (DRIVE, rb"<sheetView ", rb'<sheetView showZeros="1" showFormulas="0" ', ""),
+        (DRIVE, rb"<sheetView ", rb'<sheetView view="pageBreakPreview" ', ""),
+    ],
+)  # fmt: skip
+def test_settings_of_views_and_windows(part, old, new, kind, book):
+    report = book.with_parts({part: sub(old, new)})
+    assert {one.kind for one in report.findings} == ({"shown"} if kind == "shown" else set())
+    assert bool(report.notices) == (kind == "notice" or b"/><sheetView" in new or b"><sheetView" in new)
 
+
+def test_a_print_area_without_the_verdict_and_links_that_lead_elsewhere_are_notices(book):
+    def printed(workbook):
+        workbook["Drive"].print_area = "A20:F30"
+
+    def linked(workbook):
+        book.cell(workbook, "which").hyperlink = "https://example.org"
+
+    for change in (printed, linked):
+        report = book.edited(change)
+        assert report.findings == []
+        assert report.notices
+
+
+# verdicts
 
 GREEN = {"font": Font(color="006100"), "fill": PatternFill(bgColor="C6EFCE", fill_type="solid")}
 
 
 @pytest.mark.parametrize(
-    "rule",
+    ("rule", "bad"),
     [
-        CellIsRule(operator="equal", formula=['"FAIL"'], **GREEN),
-        CellIsRule(operator="notEqual", formula=['"OK"'], **GREEN),
-        FormulaRule(formula=["TRUE"], **GREEN),
-        Rule(type="containsText", operator="containsText", text="fail", formula=['NOT(ISERROR(SEARCH("fail",A1)))'],
-             dxf=DifferentialStyle(**GREEN)),
-        Rule(type="notContainsBlanks", formula=["LEN(TRIM(A1))>0"], dxf=DifferentialStyle(**GREEN)),
-        CellIsRule(operator="equal", formula=['"FAIL"'], font=Font(color="00B050")),
+        (CellIsRule(operator="equal", formula=['"FAIL"'], **GREEN), True),
+        (CellIsRule(operator="notEqual", formula=['"OK"'], **GREEN), True),
+        (FormulaRule(formula=["TRUE"], **GREEN), True),
+        (FormulaRule(formula=['D18="FAIL"'], **GREEN), True),
+        (FormulaRule(formula=['$B$90="OK"'], **GREEN), True),
+        (Rule(type="containsText", operator="containsText", text="fail", formula=['NOT(ISERROR(SEARCH("fail",A1)))'],
+              dxf=DifferentialStyle(**GREEN)), True),
+        (Rule(type="notContainsBlanks", formula=["LEN(TRIM(A1))>0"], dxf=DifferentialStyle(**GREEN)), True),
+        (CellIsRule(operator="equal", formula=['"FAIL"'], font=Font(color="00B050")), True),
+        (FormulaRule(formula=["TRUE"], fill=PatternFill("lightGrid", bgColor="00B050")), True),
+        (FormulaRule(formula=["TRUE"], fill=GradientFill(stop=("00B050", "00B050"))), True),
+        (FormulaRule(formula=["TRUE"], font=Font(strike=True)), True),
+        (FormulaRule(formula=["TRUE"], font=Font(color="FFFFFF"), fill=PatternFill(bgColor="FFFFFF",
+                                                                                fill_type="solid")), True),
+        (CellIsRule(operator="equal", formula=['"OK"'], **GREEN), False),
+        (FormulaRule(formula=['D18="OK"'], **GREEN), False),
+        (CellIsRule(operator="equal", formula=['"FAIL"'], fill=PatternFill("solid", bgColor="FFC7CE")), False),
     ],
 )  # fmt: skip
-def test_a_rule_that_colours_a_fail_as_passed_is_found(rule, edit_failing):
-    at = edit_failing.failing()
-    without_rules(edit_failing, at)
-    edit_failing.cell(at).fill = PatternFill()
-    edit_failing.workbook[at.sheet].conditional_formatting.add(at.a1, copy.copy(rule))
-    assert ("shown", name(at)) in edit_failing.found()
+def test_a_rule_that_colours_a_fail_as_passed_is_found_whether_it_fails_now_or_not(rule, bad, book, failing):
+    for one in (book, failing):
+        assert spot(one, "within") == "Drive!D18"
+
+        def change(workbook, one=one):
+            without_rules(workbook["Drive"])
+            workbook["Drive"].conditional_formatting.add("D18", copy.copy(rule))
+
+        assert spots(one.edited(change).findings) == ({"Drive!D18"} if bad else set())
 
 
-def test_a_rule_with_reference_that_colours_a_fail_as_passed_is_found(edit_failing):
-    at = edit_failing.failing()
-    without_rules(edit_failing, at)
-    rule = FormulaRule(formula=[f'{at.a1}="FAIL"'], **GREEN)
-    edit_failing.workbook[at.sheet].conditional_formatting.add(at.a1, rule)
-    assert ("shown", name(at)) in edit_failing.found()
+@pytest.mark.parametrize("fill", [PatternFill("solid", fgColor="92D050"), PatternFill("lightGrid", fgColor="00B050"),
+                                  GradientFill(stop=("00B050", "00B050"))])  # fmt: skip
+def test_a_fail_painted_green_is_found_unless_its_rule_paints_it_red(fill, failing):
+    def painted(workbook):
+        failing.cell(workbook, "within").fill = fill
+
+    def bare(workbook):
+        without_rules(workbook["Drive"])
+        painted(workbook)
+
+    assert spots(failing.edited(bare).findings) == {"Drive!D18"}
+    assert failing.edited(painted).findings == []
 
 
-def test_our_own_rules_exchanged_are_found_though_nothing_fails_yet(edit):
-    at = edit.passing()
-    without_rules(edit, at)
-    rule = CellIsRule(operator="equal", formula=['"FAIL"'], **GREEN)
-    edit.workbook[at.sheet].conditional_formatting.add(at.a1, rule)
-    assert edit.found() == {("shown", name(at))}
+def test_bars_and_icons_instead_of_a_number_are_found_and_beside_it_are_not(book):
+    def change(rule, shown):
+        def made(workbook):
+            sign = rule.dataBar or rule.iconSet
+            sign.showValue = shown
+            workbook["Drive"].conditional_formatting.add("D14", rule)
+
+        return made
+
+    icons = IconSetRule("3TrafficLights1", "percent", [0, 33, 67])
+    bars = DataBarRule(start_type="min", end_type="max", color="638EC6")
+    for rule in (icons, bars):
+        assert spots(book.edited(change(rule, False)).findings) == {"Drive!D14"}
+        assert book.edited(change(rule, True)).findings == []
 
 
-def test_a_fail_painted_green_is_found(edit_failing):
-    at = edit_failing.failing()
-    without_rules(edit_failing, at)
-    edit_failing.cell(at).fill = PatternFill("solid", fgColor="92D050")
-    assert edit_failing.found() == {("shown", name(at))}
+def test_rules_of_the_book_that_are_gone_are_a_notice_and_a_rule_for_rows_spread_over_figures_is_found(book):
+    report = book.edited(lambda workbook: without_rules(workbook["Drive"]))
+    assert report.findings == []
+    assert len(report.notices) == 2
+
+    def spread(workbook):
+        rules = workbook["Drive"].conditional_formatting
+        blank = next(one for area in rules for one in area.rules if one.type == "expression")
+        rules.add("D12:D14", blank)
+
+    assert book.edited(spread).findings
+
+
+def test_validations_removed_or_changed_are_a_notice(book):
+    def removed(workbook):
+        workbook["Drive"].data_validations.dataValidation = []
+
+    def changed(workbook):
+        workbook["Drive"].data_validations.dataValidation[0].prompt = "Enter it in inches."
+
+    for change in (removed, changed):
+        report = book.edited(change)
+        assert (report.findings, [one.sheet for one in report.notices]) == ([], ["Drive"])
 
 
 # charts
 
 
-def charted(edit, n=1):
-    sheet = edit.workbook["Timing"]
-    return sheet._charts[n]
+def drawn(book, *changes):
+    return book.with_parts({CHART: lambda data: one_after_the_other(data, changes)})
 
 
-def corner(chart):
-    return ("shown", f"Timing!{'ABCDEFGHIJKLMNOPQRSTUVWXYZ'[chart.anchor._from.col]}{chart.anchor._from.row + 1}")
+def one_after_the_other(data, changes):
+    for change in changes:
+        data = sub(*change)(data)
+    return data
 
 
-def other_y(chart):
-    chart.series[0].yVal.numRef.f = chart.series[1].yVal.numRef.f.replace("$H", "$I")
+KINDS = ["areaChart", "area3DChart", "lineChart", "line3DChart", "stockChart", "radarChart", "pieChart", "pie3DChart",
+         "doughnutChart", "barChart", "bar3DChart", "ofPieChart", "surfaceChart", "surface3DChart",
+         "bubbleChart"]  # fmt: skip
+Y = rb"'Drive'!\$C\$24:\$C\$36"
 
 
-def exchanged_y(chart):
-    one, other = chart.series[0].yVal.numRef, chart.series[1].yVal.numRef
-    one.f, other.f = other.f, one.f
-
-
-def shorter(chart):
-    chart.series[0].yVal.numRef.f = re.sub(r"\d+$", "120", chart.series[0].yVal.numRef.f)
-
-
-def other_sheet(chart):
-    chart.series[0].yVal.numRef.f = chart.series[0].yVal.numRef.f.replace("Cycle 1", "Drive MC01")
-
-
-def other_x(chart):
-    chart.series[0].xVal.numRef.f = chart.series[0].yVal.numRef.f
-
-
-def cut(chart):
-    chart.x_axis.scaling.max = 36
-
-
-def moved(chart):
-    chart.x_axis.scaling.min = 180
-
-
-def cut_y(chart):
-    chart.y_axis.scaling.max = 1
-
-
-def backwards(chart):
-    chart.x_axis.scaling.orientation = "maxMin"
-
-
-def logarithmic(chart):
-    chart.y_axis.scaling.logBase = 10
-
-
-def scaled_labels(chart):
-    chart.y_axis.number_format = '0"0"'
-
-
-def other_unit(chart):
-    run = chart.y_axis.title.tx.rich.p[0].r[0]
-    run.t = run.t.replace("[mm]", "[m]")
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_chart_of_another_kind_is_found(kind, book):
+    report = book.with_parts({CHART: lambda data: data.replace(b"scatterChart", kind.encode())})
+    assert any(one.computed == kind for one in report.findings)
 
 
 @pytest.mark.parametrize(
-    "change",
-    [other_y, exchanged_y, shorter, other_sheet, other_x, cut, moved, cut_y, backwards, logarithmic, scaled_labels,
-     other_unit],
+    ("old", "new"),
+    [
+        (Y, b"'Drive'!$D$24:$D$36"), (Y, b"'Drive'!$C$24:$C$35"), (Y, b"'Checks'!$C$24:$C$36"),
+        (rb'<max val="360"', b'<max val="36"'), (rb'<min val="0"', b'<min val="180"'),
+        (rb'val="minMax"', b'val="maxMin"'), (rb"<scaling>", b'<scaling><logBase val="10"/>'),
+        (rb'formatCode="General" sourceLinked', b'formatCode="0&quot;0&quot;" sourceLinked'),
+        (rb"<crossAx ", b'<dispUnits><builtInUnit val="thousands"/></dispUnits><crossAx '), (rb"y \[mm\]", b"y [m]"),
+        (rb">Both<", b">Velocity alone<"), (rb">Both<", b">Both, 10 times<"),
+    ],
 )  # fmt: skip
-def test_a_chart_that_shows_something_else_is_found(change, edit):
-    chart = charted(edit)
-    where = corner(chart)
-    change(chart)
-    assert edit.found() == {where}
+def test_a_chart_that_shows_something_else_is_found(old, new, book):
+    assert spots(drawn(book, (old, new)).findings) == {"Drive!B38"}
 
 
-def test_titles_of_two_charts_exchanged_are_found(edit):
-    one, other = charted(edit, 1), charted(edit, 2)
-    one.title, other.title = other.title, one.title
-    assert {kind for kind, _ in edit.found()} == {"shown"}
-
-
-def renamed(chart):
-    chart.title = "Weg"
-
-
-def wider(chart):
-    chart.width, chart.height = 30, 20
-
-
-def moved_away(chart):
-    chart.anchor._from.row += 40
-    chart.anchor._from.col += 3
-
-
-def coloured(chart):
-    chart.series[0].graphicalProperties.line.solidFill = "00FF00"
-    chart.series[1].graphicalProperties.line.width = 50_000
-    chart.series[2].smooth = True
-
-
-def free_limits(chart):
-    chart.x_axis.scaling.min = chart.x_axis.scaling.max = None
-
-
-def roomy(chart):
-    chart.y_axis.scaling.min, chart.y_axis.scaling.max = -1e4, 1e4
-
-
-def no_grid(chart):
-    chart.x_axis.majorGridlines = chart.y_axis.majorGridlines = chart.legend = None
-
-
-@pytest.mark.parametrize(("change", "notices"), [(renamed, 1), (wider, 0), (moved_away, 0), (coloured, 0),
-                                                 (free_limits, 0), (roomy, 0), (no_grid, 0)])  # fmt: skip
-def test_a_chart_of_another_look_is_taste(change, notices, edit):
-    change(charted(edit))
-    report = edit.seen()
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (rb'<smooth val="0"', b'<smooth val="1"'), (rb'<delete val="0"', b'<delete val="1"'),
+        (rb"<xVal>", b"<trendline><trendlineType val='linear'/></trendline><xVal>"), (rb">Both<", b">Beide<"),
+        (rb'<srgbClr val="0072B2"|<a:srgbClr val="0072B2"', b'<a:srgbClr val="FFFFFF"'),
+        (rb'tickLblPos val="low"', b'tickLblPos val="none"'), (rb"<plotVisOnly", b"<view3D/><plotVisOnly"),
+    ],
+)  # fmt: skip
+def test_a_chart_that_shows_less_or_more_is_a_notice(old, new, book):
+    report = drawn(book, (old, new))
     assert report.findings == []
-    assert len(report.notices) == notices
+    assert report.notices
 
 
-def test_charts_that_are_gone_and_charts_of_ones_own(edit):
-    sheet = edit.workbook["Timing"]
-    extra = copy.deepcopy(sheet._charts[1])
-    extra.title = "mine"
-    for series in extra.series:
-        series.yVal.numRef.f = "'Timing'!$Q$116:$Q$120"
-    del sheet._charts[2]
-    sheet._charts.append(extra)
-    report = edit.seen()
-    assert report.findings == []
-    assert [f.expected for f in report.notices] == ["Velocity"]
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (rb'w="19050"', b'w="38100"'), (rb'val="D55E00"', b'val="008800"'), (rb"<legend>.*?</legend>", b""),
+        (rb'<max val="360" ?/><min val="0" ?/>', b""), (rb"<majorGridlines>.*?</majorGridlines>", b""),
+        (rb'sz="1300"', b'sz="900"'), (rb'majorUnit val="60"', b'majorUnit val="90"'),
+    ],
+)  # fmt: skip
+def test_a_chart_of_another_look_is_taste(old, new, book):
+    silent(drawn(book, (old, new)))
 
 
-# taste, and what is gone
+def test_a_second_line_on_other_axes_is_found_where_these_are_not_shown(book):
+    """A line of one's own, on a second pair of axes, of which the second test shows both."""
+    with_chart = book.parts[CHART]
+    group = re.search(rb"<scatterChart>.*?</scatterChart>", with_chart, re.DOTALL)[0]
+    axes = re.search(rb"<valAx>.*</valAx>", with_chart, re.DOTALL)[0]
+
+    def other(data, gone):
+        more = (
+            group.replace(b'"10"', b'"30"')
+            .replace(b'"20"', b'"40"')
+            .replace(b"$C$", b"$D$")
+            .replace(b"</f><strCache>", b"</f><strCache>")
+        )
+        pair = axes.replace(b'"10"', b'"30"').replace(b'"20"', b'"40"')
+        pair = pair.replace(b'<delete val="0"', b'<delete val="1"') if gone else pair
+        return data.replace(group, group + more).replace(axes, axes + pair)
+
+    hidden = book.with_parts({CHART: lambda data: other(data, True)})
+    shown = book.with_parts({CHART: lambda data: other(data, False)})
+    assert any(one.computed == "other axes" for one in hidden.findings)
+    assert any(one.computed == "other axes" for one in shown.notices)
 
 
-def test_what_is_taste_is_passed_over_in_silence(edit):
-    for sheet in edit.workbook.worksheets:
-        sheet.sheet_properties.tabColor = "FF0000"
-        sheet.sheet_view.showGridLines = True
-        sheet.freeze_panes = None
-        for n, letter in enumerate("CDEFG"):
-            sheet.column_dimensions[letter].width = 9 + 3 * n
-        for row in range(4, 12):
-            sheet.row_dimensions[row].height = 25
-    for pair in edit.known.pairs()[::7]:
-        cell = edit.cell(pair.address)
-        cell.font = Font(name="Arial", sz=14, color="1F3864", italic=True)
-        cell.fill = PatternFill("solid", fgColor="FFF2CC")
-        cell.alignment = Alignment(horizontal="left")
-    report = edit.seen()
-    assert (report.findings, report.notices) == ([], [])
+@pytest.mark.parametrize("only", [b"1", b"0"])
+def test_hidden_rows_that_a_chart_leaves_out_are_found(only, book):
+    rows = sub(rb'<row r="30"', b'<row r="30" hidden="1"')
+    chart = {} if only == b"1" else {CHART: sub(rb'plotVisOnly val="1"', b'plotVisOnly val="0"')}
+    found = book.with_parts({DRIVE: rows} | chart).findings
+    assert any("hidden rows" in str(one.computed) for one in found)
+    second = {"xl/charts/chart2.xml": sub(rb'plotVisOnly val="1"', b'plotVisOnly val="0"')}
+    found = book.with_parts({DRIVE: rows} | chart | second).findings
+    assert bool(found) == (only == b"1")
 
 
-def test_a_gradient_behind_a_verdict_is_taste(edit_failing):
-    edit_failing.cell(edit_failing.failing()).fill = GradientFill(stop=("FFFFFF", "FFC7CE"))
-    assert edit_failing.found() == set()
+@pytest.mark.parametrize(("size", "kind"), [(b"1000", "shown"), (b"1200000", "notice"), (b"20000000", "")])
+def test_a_chart_shrunk_to_nothing_is_found(size, kind, book):
+    report = book.with_parts({PICTURE: sub(rb'<ext cx="\d+"', b'<ext cx="' + size + b'"')})
+    told = {one.kind for one in report.findings + report.notices if "size" in one.what}
+    assert told == ({kind} if kind else set())
 
 
-def test_validations_removed_are_a_notice(edit):
-    edit.workbook["Drive MC01"].data_validations.dataValidation = []
-    report = edit.seen()
-    assert report.findings == []
-    assert [(f.sheet, f.kind) for f in report.notices] == [("Drive MC01", "notice")]
+def over(data, what):
+    """The second chart, or a shape with a text, over the first chart."""
+    first, second = re.findall(rb"<oneCellAnchor>.*?</oneCellAnchor>", data, re.DOTALL)
+    place = re.search(rb"<from>.*?<ext [^>]*>", first, re.DOTALL)[0]
+    moved = re.sub(rb"<from>.*?<ext [^>]*>", place, second, flags=re.DOTALL)
+    text = b"<sp><spPr><noFill/></spPr><txBody><t>Both</t></txBody></sp>"
+    shape = re.sub(rb"<graphicFrame>.*</graphicFrame>", text, first, flags=re.DOTALL)
+    return data.replace(second, moved if what == "chart" else second + shape)
 
 
-@pytest.mark.parametrize("attribute", [b'showZeros="1"', b'showFormulas="0"', b'zoomScale="70"'])
-def test_other_settings_of_the_view_are_taste(attribute, book, tmp_path):
-    change = {book.part("Timing"): sub(rb"<sheetView ", b"<sheetView " + attribute + b" ")}
-    report = verify(repacked(book.path, tmp_path / "b.xlsx", change))
-    assert (report.findings, report.notices) == ([], [])
+@pytest.mark.parametrize("what", ["chart", "shape"])
+def test_a_chart_behind_another_drawing_with_its_title_is_found(what, book):
+    titled = {"xl/charts/chart2.xml": sub(rb">Velocity alone<", b">Both<")} if what == "chart" else {}
+    report = book.with_parts({PICTURE: lambda data: over(data, what)} | titled)
+    assert any(one.computed == "behind another drawing" for one in report.findings)
+    if what == "chart":
+        report = book.with_parts({PICTURE: lambda data: over(data, what)})
+        assert (report.findings, [one.computed for one in report.notices]) == ([], ["behind another drawing"])
+
+
+def test_a_verdict_behind_a_shape_with_a_text_and_behind_a_note_always_shown_is_found(failing):
+    row, column = failing.at("within")
+    place = (
+        b"<oneCellAnchor><from><col>%d</col><colOff>0</colOff><row>%d</row><rowOff>0</rowOff></from>"
+        b'<ext cx="2000000" cy="300000"/><sp><spPr><noFill/></spPr><txBody><t>%s</t></txBody></sp></oneCellAnchor>'
+    )
+
+    def shape(text):
+        return {PICTURE: lambda data: data.replace(b"</wsDr>", place % (column - 1, row - 1, text) + b"</wsDr>")}
+
+    assert spots(failing.with_parts(shape(b"OK")).findings) == {"Drive!D18"}
+    silent(failing.with_parts(shape(b"")))
+    note = (
+        b'<xml xmlns:v="v" xmlns:x="x"><v:shape style="visibility:%s"><x:ClientData><x:Anchor>'
+        b"%d, 0, %d, 0, %d, 0, %d, 0</x:Anchor></x:ClientData></v:shape></xml>"
+    )
+    name = "xl/worksheets/_rels/sheet1.xml.rels"
+    link = b'<Relationship Id="n" Type="http://x/vmlDrawing" Target="/xl/drawings/v.vml"/></Relationships>'
+    for state, found in ((b"visible", {"Drive!D18"}), (b"hidden", set())):
+        vml = note % (state, column - 1, row - 1, column + 2, row + 2)
+        changes = {name: sub(rb"</Relationships>", link)}
+        report = failing.with_parts(changes, [("xl/drawings/v.vml", vml)])
+        assert spots(report.findings) == found
+
+
+def test_charts_that_are_gone_hidden_or_moved(book):
+    gone = {PICTURE: sub(rb"<oneCellAnchor>.*?</oneCellAnchor>", b"")}
+    hidden = {PICTURE: sub(rb'<cNvPr id="1"', b'<cNvPr hidden="1" id="1"')}
+    for change in (gone, hidden):
+        report = book.with_parts(change)
+        assert (report.findings, [one.expected for one in report.notices]) == ([], ["Both"])
+    moved = {PICTURE: sub(rb"<row>\d+</row>", b"<row>90</row>", count=2)}
+    silent(book.with_parts(moved))
+
+
+# taste
+
+
+def test_what_is_taste_is_passed_over_in_silence(book):
+    def change(workbook):
+        for sheet in workbook.worksheets:
+            sheet.sheet_properties.tabColor = "FF0000"
+            sheet.sheet_view.showGridLines = True
+            sheet.freeze_panes = None
+            for n, letter in enumerate("CDEFG"):
+                sheet.column_dimensions[letter].width = 9 + 3 * n
+            for row in range(4, 12):
+                sheet.row_dimensions[row].height = 25
+            for row in sheet.iter_rows():
+                for cell in row[::2]:
+                    cell.font = Font(name="Arial", sz=14, color="1F3864", italic=True)
+                    cell.fill = PatternFill("solid", fgColor="FFF2CC")
+                    cell.alignment = Alignment(horizontal="left", wrap_text=True)
+        workbook["Drive"]["H3"] = "my own note"
+
+    silent(book.edited(change))
+
+
+def test_a_thousand_rules_of_ones_own_are_judged_in_a_blink(book):
+    def change(workbook):
+        for n in range(1000):
+            look = {"font": Font(color="1F3864"), "fill": PatternFill(bgColor="FFF2CC", fill_type="solid")}
+            workbook["Drive"].conditional_formatting.add(
+                f"A{n % 90 + 1}:Z{n + 100}", FormulaRule(formula=["A1>1"], **look)
+            )
+
+    assert book.edited(change).findings == []

@@ -1,39 +1,41 @@
-"""All that a book displays, held against what its cells have."""
+"""All that a book displays, against a fresh build of the same inputs.
+
+What differs is taste by a short list of permissions (decimals, widths, fonts and colours that can be read, places of
+charts, translated words, what programs write by themselves), a finding where a verdict, a figure, its unit or its label
+may be read otherwise, and else a notice.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+from pydantic import BaseModel
 
-from workbook.book.address import Address
-from workbook.judging.matching import Match, is_formula
-from workbook.judging.report import Report
+from workbook.judging.matching import Match
+from workbook.judging.report import LAYOUT, Report
 from workbook.judging.shown.charts import charts
-from workbook.judging.shown.conditional import Rules
-from workbook.judging.shown.numbers import numbers
-from workbook.judging.shown.rules import validations
-from workbook.judging.shown.visible import visible
+from workbook.judging.shown.looks import Looks
+from workbook.judging.shown.rules import Rules, validations
+from workbook.judging.shown.seen import Told, seen
+from workbook.judging.shown.views import Views, links
 from workbook.judging.shown.words import words
 from workbook.reading.contents import Cells
 
 
-def displayed(match: Match, computed: Cells, report: Report) -> None:
+def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
     """Enter into a report what a reader of the book is told otherwise, and as notices what is reworded or gone.
 
-    ``computed`` are the values of the formula cells; where there are none, the engine's are taken.
+    ``model`` is that of the machine's entries; ``computed`` are the values of the formula cells; where there are none,
+    the engine's are taken.
     """
-    values = {p.address: computed.get(p.address, p.cell.expected) for p in match.pairs if p.declared_formula}
-
-    def known(at: Address) -> Any:
-        """Return what a cell shows; of the engineer's own formulas, what they were saved with."""
-        if at in values or at in computed:
-            return values.get(at, computed.get(at))
-        held = match.file.value(at) if at.sheet in titles else None
-        return match.file.saved.get(at) if is_formula(held) else held
-
-    titles = set(match.file.workbook.sheetnames)
-    rules = {sheet.title: Rules(sheet, known) for sheet in match.file.workbook.worksheets}
-    numbers(match, values, rules, report)
-    visible(match, values, rules, report)
-    words(match, report)
-    charts(match, report)
-    validations(match, report)
+    told = Told()
+    cells = list(seen(match, words(match, report)))
+    links(match, told)
+    looks = Looks(match, model, told)
+    rules = Rules(match, looks, told, torn=any(found.kind == LAYOUT for found in report.findings))
+    rules.judge(cells)
+    for one in cells:
+        looks.judge(one, coloured=one.verdict and rules.has_verdicts(one))
+    views = Views(match, computed, report, told)
+    views.judge(cells)
+    charts(match, views, report)
+    validations(match, model, report)
+    told.enter(report)

@@ -1,75 +1,57 @@
-"""Charts: whether each declared one still draws its columns, between its limits, under its names."""
+"""Charts: whether each declared one still draws its columns, between its limits, under its names, and can be seen."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet
-from workbook.book.formula import Area, FormulaError, area_of, reference
+from workbook.book.formula import Area, area_of
 from workbook.judging.matching import Match
-from workbook.judging.report import NOTICE, Report
+from workbook.judging.report import NOTICE, SHOWN, Report
 from workbook.judging.shown import units
-from workbook.judging.shown.formats import plain, problem
-from workbook.judging.shown.words import sheet_of
+from workbook.judging.shown.drawn import Axis, Drawn, Line, drawn, said, word
+from workbook.judging.shown.formats import judged
+from workbook.judging.shown.views import Views
+from workbook.judging.shown.words import reworded, sheet_of
+from workbook.writing.write import size
 
 UNIT = re.compile(r"\[([^\]]*)\]")
 COLUMN = re.compile(r"\[(\w+)\.(\w+)\]")
+XY = "scatterChart"
+LEAST, SMALL = 0.12, 0.4  # of the width or the height of a fresh build: hardly to be seen, small
+BEHIND = 0.5  # of a chart that another drawing may cover
+CM = 360_000  # EMU
 
 
-class Line(NamedTuple):
-    """One line of a chart: its columns, the lengths of its strokes, and its name, a text or the cell that has it.
-
-    ``seen`` is whether it, or signs at its points, are drawn.
-    """
-
-    x: Area | None
-    y: Area | None
-    strokes: Area | None
-    name: Area | str
-    seen: bool = True
-
-
-class Drawn(NamedTuple):
-    """A chart of the file as far as it can be read."""
-
-    title: Area | str
-    lines: list[Line]
-    axes: tuple[Any, Any]
-    titles: tuple[Area | str, Area | str]
-    at: Address
-
-
-def charts(match: Match, report: Report) -> None:
+def charts(match: Match, views: Views, report: Report) -> None:
     """Enter declared charts that draw something else, and as notices those that are gone or are called otherwise."""
     for sheet in match.declared.sheets:
         title = sheet_of(match, sheet)
         if title is None or not sheet.charts:
             continue
-        held = list(drawn(match, title))
-        for chart, found in paired(match, sheet, held):
-            if found is None:
+        for (chart, _, column, width, height), found in paired(match, sheet, list(drawn(match, title))):
+            if found is not None:
+                Judge(match, sheet, chart, found, report).judge(views, size(column, width, height))
+            elif match.file.inspected:
                 report.say(Address(title, 1, 1), NOTICE, None, chart.title, "a chart")
-            else:
-                Judge(match, sheet, chart, found, report).judge()
 
 
-def paired(match: Match, sheet: Sheet, held: list[Drawn]) -> Iterator[tuple[Chart, Drawn | None]]:
+def paired(match: Match, sheet: Sheet, held: list[Drawn]) -> Iterator[tuple[Any, Drawn | None]]:
     """Yield each declared chart of a sheet with the one of the file that is most like it, if any is."""
-    declared = [chart for chart, *_ in sheet.charts]
     left = list(range(len(held)))
-    likeness = {(i, k): like(match, chart, held[k]) for i, chart in enumerate(declared) for k in left}
+    likeness = {(i, k): like(match, one[0], held[k]) for i, one in enumerate(sheet.charts) for k in left}
     found: dict[int, int] = {}
-    for (i, k), size in sorted(likeness.items(), key=lambda entry: -entry[1]):
-        if size > 0 and i not in found and k in left:
+    for (i, k), alike in sorted(likeness.items(), key=lambda entry: -entry[1]):
+        if alike > 0 and i not in found and k in left:
             found[i] = k
             left.remove(k)
-    for i, chart in enumerate(declared):
-        yield chart, held[found[i]] if i in found else None
+    for i, one in enumerate(sheet.charts):
+        yield one, held[found[i]] if i in found else None
 
 
 def like(match: Match, chart: Chart, found: Drawn) -> float:
@@ -112,18 +94,34 @@ class Judge:
         self.match, self.sheet, self.chart, self.found, self.report = match, sheet, chart, found, report
         self.what = f"the chart {chart.title!r}"
 
-    def judge(self) -> None:
-        """Enter what is wrong with it."""
+    def judge(self, views: Views, size: tuple[float, float]) -> None:
+        """Enter what is wrong with it; ``size`` is that of a fresh build, in cm."""
+        self.kind()
         self.lines()
         self.title()
-        limits = (self.chart.x_range, self.chart.y_range)
-        for n, (axis, limit) in enumerate(zip(self.found.axes, limits, strict=True)):
-            self.axis("xy"[n], axis, limit, self.chart.log_y if n else False, self.chart.lanes if n else False)
-            self.axis_title("xy"[n], self.found.titles[n], (self.chart.x, self.chart.y)[n])
+        limits, titles = (self.chart.x_range, self.chart.y_range), (self.chart.x, self.chart.y)
+        for n, axis in enumerate(self.found.axes):
+            if (axis is None or axis.gone) and not (n and self.chart.lanes):
+                self.say(NOTICE, "not shown", "shown", f"its axis {'xy'[n]}")
+            if axis is not None:
+                self.axis("xy"[n], axis, limits[n], bool(n and self.chart.log_y), bool(n and self.chart.lanes))
+                self.axis_title("xy"[n], axis.title, titles[n])
+        self.place(views, size)
 
     def say(self, kind: str, found: Any, expected: Any, what: str) -> None:
         """Enter a finding or a notice at the chart's corner."""
-        self.report.say(self.found.at, kind, found, expected, f"{self.what}, {what}")
+        self.report.say(self.found.at, kind, found, expected, f"{self.what}, {what}" if what else self.what)
+
+    def kind(self) -> None:
+        """Compare the kind of chart, and tell what no XY chart of a fresh build has."""
+        others = set(self.found.kinds) - {XY}
+        if others:
+            self.say(SHOWN, ", ".join(sorted(others)), XY, "its kind")
+        if len(self.found.kinds) > 1 or self.found.other_axes:
+            gone = any(axis.gone for axis in self.found.other_axes)
+            self.say(SHOWN if gone else NOTICE, "other axes", "one pair of axes", "")
+        if self.found.odd:
+            self.say(NOTICE, ", ".join(self.found.odd), "as built", "what it shows besides")
 
     def lines(self) -> None:
         """Compare what is drawn, and under which name."""
@@ -141,10 +139,12 @@ class Judge:
                 self.name(same, line, ours)
                 if line.strokes is None and not same.seen:
                     self.say(NOTICE, "not drawn", "drawn", f"its line {series.name!r}")
+                if same.smooth:
+                    self.say(NOTICE, "bent between its points", "straight", f"its line {series.name!r}")
         self.elsewhere(missing, free)
         for held in free:
             if held.name and held.name in [line.name for line in ours]:
-                self.say("shown", said(held), "a name of its own", f"another line called {word(held.name)!r}")
+                self.say(SHOWN, said(held), "a name of its own", f"another line called {word(held.name)!r}")
 
     def elsewhere(self, missing: list[tuple[Line, Series]], free: list[Line]) -> None:
         """Tell the lines that point elsewhere from those that are gone."""
@@ -154,49 +154,40 @@ class Judge:
                 self.say(NOTICE, None, said(line), f"its line {series.name!r}")
             else:
                 free.remove(named)
-                self.say("shown", said(named), said(line), f"its line {series.name!r}")
+                self.say(SHOWN, said(named), said(line), f"its line {series.name!r}")
 
     def name(self, held: Line, line: Line, ours: list[Line]) -> None:
         """Compare the name of a line: another's misleads, other words do not."""
         if held.name == line.name or (len(ours) == 1 and not held.name):
             return
         others = [other.name for other in ours if other is not line]
-        self.say("shown" if held.name in others else NOTICE, word(held.name), word(line.name), "the name of a line")
+        self.say(SHOWN if held.name in others else NOTICE, word(held.name), word(line.name), "the name of a line")
 
     def title(self) -> None:
         """Compare the title."""
         found, chart = self.found.title, self.chart
         if found != chart.title:
             others = [other.title for other, *_ in self.sheet.charts if other is not chart]
-            self.say("shown" if found in others else NOTICE, word(found), chart.title, "its title")
+            kind = reworded(found, chart.title, others) if isinstance(found, str) else NOTICE
+            self.say(kind, word(found), chart.title, "its title")
 
-    def axis(self, name: str, axis: Any, limits: Any, log: bool, bare: bool) -> None:
-        """Compare the limits and the scale of an axis."""
-        if axis is None:
-            return
+    def axis(self, name: str, axis: Axis, limits: Any, log: bool, bare: bool) -> None:
+        """Compare the limits and the scale of an axis, and how the numbers along it are shown."""
         least, largest, _ = limits or (None, None, None)
-        scaling = axis.scaling
-        if scaling.orientation == "maxMin":
-            self.say("shown", "from right to left, or downwards", "in the usual direction", f"its axis {name}")
-        if bool(scaling.logBase) != log:
-            self.say("shown", "logarithmic" if scaling.logBase else "linear", "linear" if scaling.logBase else
-                     "logarithmic", f"its axis {name}")  # fmt: skip
-        for end, held, ours in (("least", scaling.min, least), ("greatest", scaling.max, largest)):
+        if axis.backwards:
+            self.say(SHOWN, "from right to left, or downwards", "in the usual direction", f"its axis {name}")
+        if axis.log != log:
+            scales = ("logarithmic", "linear") if axis.log else ("linear", "logarithmic")
+            self.say(SHOWN, *scales, f"its axis {name}")
+        for end, ours in (("min", least), ("max", largest)):
+            held = axis.ends.get(end)
             if held is None or (ours is not None and math.isclose(held, ours, rel_tol=1e-9, abs_tol=1e-12)):
                 continue
             if ours is not None or self.cuts(name, end, held):
-                self.say("shown", held, "left to the program" if ours is None else ours,
-                         f"the {end} value on its axis {name}")  # fmt: skip
-        self.labels(name, axis, bare)
-
-    def labels(self, name: str, axis: Any, bare: bool) -> None:
-        """Compare how the numbers along an axis are shown."""
-        code = axis.numFmt.formatCode if axis.numFmt is not None else "General"
-        wrong = "" if bare or plain(code) else problem(12.5, code, "General", "")
-        if getattr(axis, "dispUnits", None) is not None:
-            wrong = "shown in other units"
-        if wrong:
-            self.say("shown", wrong, "as they are", f"the numbers of its axis {name}")
+                self.say(SHOWN, held, "left to the program" if ours is None else ours, f"the {end} of its axis {name}")
+        kind, wrong = judged(axis.code, ";;;" if bare else "General") if not axis.scaled else (SHOWN, "in other units")
+        if kind and not (bare and not axis.scaled and axis.code == "General"):
+            self.say(kind, wrong, "as they are", f"the numbers of its axis {name}")
 
     def cuts(self, name: str, end: str, limit: float) -> bool:
         """Whether a limit leaves out some of what the chart should show."""
@@ -204,7 +195,7 @@ class Judge:
         if not values:
             return False
         span = max(values) - min(values)
-        return limit > min(values) + 1e-6 * span if end == "least" else limit < max(values) - 1e-6 * span
+        return limit > min(values) + 1e-6 * span if end == "min" else limit < max(values) - 1e-6 * span
 
     def axis_title(self, name: str, found: Area | str, declared: str) -> None:
         """Compare the title of an axis: another unit misleads, and so does the title of the other axis.
@@ -216,8 +207,27 @@ class Judge:
         if found == text or (linked and found == scalar(self.match, declared[1:])):
             return
         other = self.chart.y if name == "x" else self.chart.x
-        misleads = isinstance(found, str) and (found == other or (not linked and unit_differs(found, text)))
-        self.say("shown" if misleads else NOTICE, word(found), text, f"the title of its axis {name}")
+        misleads = isinstance(found, str) and (found == other or unit_differs(found, text))
+        self.say(SHOWN if misleads else NOTICE, word(found), text, f"the title of its axis {name}")
+
+    def place(self, views: Views, size: tuple[float, float]) -> None:
+        """Enter a chart that can hardly be seen: hidden, shrunk, behind another drawing, or by hidden rows."""
+        areas = views.layouts[self.found.at.sheet].areas
+        own = areas[self.found.number]
+        share = min((own.right - own.left) / (size[0] * CM), (own.bottom - own.top) / (size[1] * CM))
+        if share < SMALL:
+            self.say(SHOWN if share < LEAST else NOTICE, f"{share:.0%} of its size", "as built", "its size")
+        above = [k for k in range(self.found.number + 1, len(areas)) if own.shared(areas[k]) > BEHIND]
+        if above:
+            others = {k: one for one in drawn(self.match, self.found.at.sheet) for k in [one.number]}
+            alike = any(k not in others or others[k].title == self.found.title for k in above)
+            self.say(SHOWN if alike else NOTICE, "behind another drawing", "in sight", "")
+        columns = [
+            a for line in self.found.lines for a in (line.x, line.y) if a is not None and a.sheet in views.hidden
+        ]
+        hidden = max((views.hidden[a.sheet].rows(a.top, a.bottom) for a in columns), default=0)
+        if self.found.visible_only and hidden:
+            self.say(SHOWN, f"without {hidden:,} hidden rows", "with all rows", "what it draws")
 
 
 def unit_differs(found: str, ours: str) -> bool:
@@ -233,79 +243,3 @@ def figures(book: Book, text: str) -> list[float]:
     values = next((q.value for q in block.quantities if q.name == found[2]), ()) if block and found else ()
     listed = values if hasattr(values, "__len__") and not isinstance(values, str) else [values]
     return [float(v) for v in listed if isinstance(v, int | float) and math.isfinite(v)]
-
-
-def drawn(match: Match, title: str) -> Iterator[Drawn]:
-    """Yield the charts of a sheet of the file that have lines."""
-    for chart in getattr(match.file.workbook[title], "_charts"):  # noqa: B009 - the stubs hide it
-        start = getattr(chart.anchor, "_from", None)
-        at = Address(title, start.row + 1, start.col + 1) if start is not None else Address(title, 1, 1)
-        axes = (getattr(chart, "x_axis", None), getattr(chart, "y_axis", None))
-        names = tuple(named(match, title, axis.title) if axis is not None else "" for axis in axes)
-        lines = [line(match, title, series) for series in chart.series]
-        yield Drawn(named(match, title, chart.title), lines, axes, (names[0], names[1]), at)
-
-
-def line(match: Match, title: str, series: Any) -> Line:
-    """Return a line of a chart of the file."""
-    bars = series.errBars
-    lengths = source(bars.plus) if bars is not None and bars.plus is not None else ""
-    columns = (source(getattr(series, "xVal", None) or series.cat), source(getattr(series, "yVal", None) or series.val))
-    x, y = (area(match, title, text) for text in columns)
-    strokes = area(match, title, lengths) if lengths else None
-    return Line(x, y, strokes, name_of(match, title, series.tx), seen(series))
-
-
-def seen(series: Any) -> bool:
-    """Whether a line, or signs at its points, are drawn."""
-    look, marker = series.graphicalProperties, getattr(series, "marker", None)
-    bare = look is not None and look.line is not None and bool(look.line.noFill)
-    return not bare or (marker is not None and marker.symbol not in (None, "none"))
-
-
-def source(data: Any) -> str:
-    """Return the reference from which a chart takes its figures."""
-    found = data is not None and (getattr(data, "numRef", None) or getattr(data, "strRef", None))
-    return str(found.f) if found else ""
-
-
-def area(match: Match, title: str, text: str) -> Area | None:
-    """Return what a reference of a chart means; None for what is no range of this workbook."""
-    try:
-        found = reference(text, title, match.file.contents.area) if "!" in text else None
-    except FormulaError:
-        return None
-    return found._replace(single=found.size == 1) if found else None
-
-
-def name_of(match: Match, title: str, label: Any) -> Area | str:
-    """Return the name of a line, or the cell that has it; LibreOffice quotes a text as if it were a reference."""
-    if label is None:
-        return ""
-    if label.strRef is None:
-        return str(label.v or "")
-    text = str(label.strRef.f)
-    if text.startswith('"'):
-        return text.strip('"').replace('""', '"')
-    return area(match, title, text) or text
-
-
-def named(match: Match, title: str, found: Any) -> Area | str:
-    """Return a title of a chart or an axis, or the cell that has it."""
-    text = getattr(found, "tx", None)
-    if text is None:
-        return ""
-    if text.strRef is not None:
-        return area(match, title, str(text.strRef.f)) or str(text.strRef.f)
-    paragraphs = text.rich.p if text.rich is not None else []
-    return "".join(run.t or "" for paragraph in paragraphs for run in paragraph.r or [])
-
-
-def said(line: Line) -> str:
-    """Return what a line draws."""
-    return " against ".join("nothing that can be read" if a is None else f"{a.sheet}!{a.a1}" for a in (line.y, line.x))
-
-
-def word(name: Area | str) -> str:
-    """Return a name, or the cell that has it."""
-    return name if isinstance(name, str) else f"the text of {name.sheet}!{name.a1}"

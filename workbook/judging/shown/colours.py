@@ -10,7 +10,7 @@ from openpyxl import Workbook
 from openpyxl.styles.colors import COLOR_INDEX
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
-UNSEEN = 1.3  # contrast below which a text is taken for hidden; ours have 2.5 and more
+UNSEEN, FAINT = 1.3, 2.0  # contrasts below which a text is hidden, or hard to see; ours have 2.5 and more
 GREEN = (75 / 360, 165 / 360)  # hues
 COLOURED = 0.2  # saturation and depth from which a colour is one
 THEME = ("lt1", "dk1", "lt2", "dk2", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "hlink")
@@ -27,11 +27,6 @@ class Look(NamedTuple):
     ground: Colour | None
 
     @property
-    def unseen(self) -> bool:
-        """Whether a text in this ink cannot be seen on this ground."""
-        return self.ink is not None and self.ground is not None and contrast(self.ink, self.ground) < UNSEEN
-
-    @property
     def green(self) -> bool:
         """Whether it looks like a check that passes: on green, or in green ink on no colour."""
         if self.ground is not None and coloured(self.ground):
@@ -44,6 +39,7 @@ class Palette:
 
     def __init__(self, workbook: Workbook) -> None:
         self._theme = OFFICE | theme_of(workbook.loaded_theme)
+        self._indexed = list(getattr(workbook, "_colors", None) or COLOR_INDEX)  # a file may have its own
 
     def colour(self, found: Any, otherwise: Colour | None) -> Colour | None:
         """Return a colour of openpyxl's; ``otherwise`` where there is none, or the program's own is meant."""
@@ -53,8 +49,8 @@ class Palette:
             return tinted(parsed(found.rgb[-6:]), found.tint)
         if found.type == "theme" and found.theme is not None and 0 <= found.theme < len(THEME):
             return tinted(parsed(self._theme[THEME[found.theme]]), found.tint)
-        if found.type == "indexed" and found.indexed is not None and 0 <= found.indexed < len(COLOR_INDEX):
-            return parsed(COLOR_INDEX[found.indexed][-6:])
+        if found.type == "indexed" and found.indexed is not None and 0 <= found.indexed < len(self._indexed):
+            return parsed(self._indexed[found.indexed][-6:])
         return otherwise
 
     def ground(self, fill: Any, otherwise: Colour | None, conditional: bool = False) -> Colour | None:
@@ -73,7 +69,7 @@ class Palette:
 
 
 def theme_of(data: bytes | None) -> dict[str, str]:
-    """Return the colours that a theme defines."""
+    """Return the colours that a theme defines; "" for one that is not given by its digits."""
     try:
         root = fromstring(data) if data else None
     except ParseError:
@@ -83,8 +79,7 @@ def theme_of(data: bytes | None) -> dict[str, str]:
         name = element.tag.rpartition("}")[2]
         if name in OFFICE and len(element):
             given = element[0].get("lastClr") or element[0].get("val") or ""
-            if len(given) == 6:
-                colours[name] = given
+            colours[name] = given if len(given) == 6 and not len(element[0]) else ""  # else no colour that is known
     return colours
 
 

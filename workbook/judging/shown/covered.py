@@ -1,50 +1,66 @@
-"""Which cells lie behind a drawing."""
+"""Where the cells and the drawings of a sheet lie (EMU)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import accumulate
+from typing import NamedTuple
 
 from openpyxl.utils import column_index_from_string
 from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
-from workbook.reading.drawings import Anchor, Corner
+from workbook.reading.drawings import PIXEL, Anchor, Corner
 
-PIXEL, POINT = 9525, 12700  # EMU
+POINT = 12700  # EMU
 WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is told
 DIGIT, MARGIN = 7, 5  # pixels
 
 
-class Covered:
-    """The cells of a sheet behind its drawings: those whose middle is."""
+class Area(NamedTuple):
+    """A rectangle on a sheet."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def holds(self, x: float, y: float) -> bool:
+        """Whether a point lies within."""
+        return self.left < x < self.right and self.top < y < self.bottom
+
+    def shared(self, other: Area) -> float:
+        """Return which share of this is behind another; 0 of one that has no size."""
+        wide = max(min(self.right, other.right) - max(self.left, other.left), 0.0)
+        high = max(min(self.bottom, other.bottom) - max(self.top, other.top), 0.0)
+        size = (self.right - self.left) * (self.bottom - self.top)
+        return wide * high / size if size > 0 else 0.0
+
+
+class Layout:
+    """The lines between the cells of a sheet, and the areas of its drawings."""
 
     def __init__(self, sheet: Worksheet, anchors: list[Anchor]) -> None:
-        self._anchors = anchors
-        if anchors:
-            widths, heights = columns_of(sheet), rows_of(sheet)
-            self._right, self._down = Line(widths), Line(heights)
-            self._areas = [self._area(anchor) for anchor in anchors]
+        self._right, self._down = Line(columns_of(sheet)), Line(rows_of(sheet))
+        self.areas = [self._area(anchor) for anchor in anchors]
 
-    def holds(self, at: Address) -> bool:
-        """Whether a cell is behind a drawing."""
-        if not self._anchors:
-            return False
-        x, y = self._right.middle(at.column), self._down.middle(at.row)
-        return any(left < x < right and top < y < bottom for left, top, right, bottom in self._areas)
+    def covered(self, at: Address) -> bool:
+        """Whether the middle of a cell is behind a drawing."""
+        x, y = (self._right.middle(at.column), self._down.middle(at.row)) if self.areas else (0.0, 0.0)
+        return any(area.holds(x, y) for area in self.areas)
 
-    def _area(self, anchor: Anchor) -> tuple[float, float, float, float]:
+    def _area(self, anchor: Anchor) -> Area:
         left, top = self._point(anchor.first)
         if anchor.last is not None:
-            return (left, top, *self._point(anchor.last))
-        return left, top, left + anchor.size[0], top + anchor.size[1]
+            return Area(left, top, *self._point(anchor.last))
+        return Area(left, top, left + anchor.size[0], top + anchor.size[1])
 
     def _point(self, corner: Corner) -> tuple[float, float]:
         return self._right.begin(corner.column + 1) + corner.right, self._down.begin(corner.row + 1) + corner.down
 
 
 class Line:
-    """Columns beside each other, or rows below each other: where each begins (EMU)."""
+    """Columns beside each other, or rows below each other: where each begins."""
 
     def __init__(self, size: Callable[[int], float]) -> None:
         self._size = size
@@ -64,7 +80,7 @@ class Line:
 
 
 def columns_of(sheet: Worksheet) -> Callable[[int], float]:
-    """Return the width of each column (EMU)."""
+    """Return the width of each column."""
     usual = sheet.sheet_format.defaultColWidth or WIDTH
     told: dict[int, float] = {}
     for letter, column in sheet.column_dimensions.items():
@@ -75,7 +91,7 @@ def columns_of(sheet: Worksheet) -> Callable[[int], float]:
 
 
 def rows_of(sheet: Worksheet) -> Callable[[int], float]:
-    """Return the height of each row (EMU)."""
+    """Return the height of each row."""
     usual = sheet.sheet_format.defaultRowHeight or HEIGHT
     told = {number: 0.0 if row.hidden else row.height or usual for number, row in sheet.row_dimensions.items()}
     return lambda number: POINT * told.get(number, usual)

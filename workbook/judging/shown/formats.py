@@ -1,234 +1,203 @@
-"""Number formats, taken apart far enough to say what of a value they tell (ISO/IEC 29500-1, 18.8.31)."""
+"""What a number format shows of a value: the number itself with its sign, or something else.
+
+A format is taken apart (ISO/IEC 29500-1, 18.8.31) and judged for every value that a cell may have, not for its present
+one alone. What may be done with a number is said here; all else is told.
+"""
 
 from __future__ import annotations
 
-import operator
 import re
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
-from typing import Any
+from typing import NamedTuple
 
+from openpyxl.styles.colors import COLOR_INDEX
+
+from workbook.judging.report import NOTICE, SHOWN
 from workbook.judging.shown import units
+from workbook.judging.shown.colours import UNSEEN, WHITE, contrast, parsed
 
 TOKEN = re.compile(
     r"""
-    "(?P<quoted>[^"]*)"? | \\(?P<escaped>.) | _(?P<room>.) | \*(?P<filled>.)
-    | \[(?P<bracket>[^\]]*)\]? | (?P<end>;) | (?P<general>General|Standard)
-    | (?P<exponent>[eE][+-]) | (?P<digits>[0?\#]+) | (?P<point>\.) | (?P<comma>,+) | (?P<percent>%)
-    | (?P<fraction>/) | (?P<text>@) | (?P<date>AM/PM|A/P|[yYmMdDhHsSbBgG]+) | (?P<plain>.)
+    "(?P<quoted>[^"]*)"? | \\(?P<escaped>.) | _(?P<room>.) | \*(?P<filled>.) | \[(?P<bracket>[^\]]*)\]? | (?P<end>;)
+    | (?P<code>(?i:General|Standard)|E[+-]|[0?\#]+|\.|,+|%|/|@) | (?P<date>AM/PM|A/P|[yYmMdDhHsSbBgGeE]+) | (?P<plain>.)
     """,
     re.VERBOSE | re.DOTALL,
 )
-COMPARE: dict[str, Callable[[float, float], bool]] = {
-    "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "=": operator.eq, "<>": operator.ne,
-}  # fmt: skip
 CONDITION = re.compile(r"(<=|>=|<>|<|>|=)\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)")
-ELAPSED = re.compile(r"[hHmMsS]+")
-HARMLESS = re.compile(r"[\s\u00a0\u202f]*")
-MISLEADING = re.compile(r"[0-9%‰]|\b(?:OK|FAIL)\b", re.IGNORECASE)
+COLOUR = re.compile(r"black|white|red|green|blue|yellow|magenta|cyan|color ?([0-9]{1,2})", re.IGNORECASE)
+COLOURS = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
+"""of those by name, that cannot be read on white"""
+DIGITS = re.compile(r"(?P<whole>[#?0,]*)(?P<parts>\.[#?0]*)?(?P<divided>,*)(?P<power>E[+-][#?0]+)?(?P<percent>%*)")
+FRACTION = re.compile(r"[#?0]*/[#?0-9]+")
+NEARLY = frozenset({"", "+", "≈", "~", "ca.", "approx."})
+"""what may stand before a number, besides its symbol"""
+DASHES = frozenset("-−–—")
+
+Judged = tuple[str, str]
+"""the kind of what is told of a format, and what; both empty where nothing is"""
+FINE: Judged = ("", "")
 
 
-@dataclass
-class Section:
-    """One part of a number format."""
+class Part(NamedTuple):
+    """One of the parts of a format: the codes of its digits, and the texts before, among and behind them."""
 
-    condition: tuple[str, float] | None = None
-    general: bool = False
-    digits: list[str] = field(default_factory=list)
-    percents: int = 0
-    thousands: int = 0  # commas behind the last digit: each divides by a thousand
-    exponent: bool = False
-    fraction: bool = False
-    point: bool = False
-    date: bool = False
-    texts: int = 0  # how often a text itself is shown
-    white: bool = False
+    codes: str = ""
     before: str = ""
-    inside: str = ""
-    after: str = ""
-
-    @property
-    def shows_number(self) -> bool:
-        """Whether a number's digits are shown."""
-        return self.general or bool(self.digits) or self.date or bool(self.texts)
+    among: str = ""
+    behind: str = ""
+    date: bool = False
+    odd: str = ""
+    condition: str = ""
+    colour: str = ""
 
     @property
     def literal(self) -> str:
-        """All that the format adds."""
-        return self.before + self.inside + self.after
+        """All that the part adds."""
+        return (self.before + self.among + self.behind).strip()
 
-    def add(self, text: str) -> None:
-        """Take a literal text."""
-        if self.digits or self.general or self.texts:
-            self.after += text
-        else:
-            self.before += text
+    @property
+    def signed(self) -> bool:
+        """Whether the part shows a number as negative."""
+        return self.before.strip()[:1] in DASHES | {"("}
 
-    def take(self, kind: str, text: str) -> None:
-        """Take a token that is shown, or says how."""
-        if kind in ("quoted", "escaped", "plain"):
-            self.add(text)
-        elif kind == "filled":
-            self.add(text if text.strip(" -.") else "")
-        elif kind == "digits":
-            self.inside, self.after = self.inside + self.after, ""
-            self.digits.append(text)
-            self.thousands = 0
-        elif kind == "comma":
-            self.thousands = len(text) if self.digits else 0
-        elif kind == "bracket":
-            self.bracket(text)
-        elif kind == "percent":
-            self.percents += 1
-        elif kind == "text":
-            self.texts += 1
-        elif kind in ("general", "exponent", "fraction", "date", "point"):
-            setattr(self, kind, True)
+    def with_text(self, text: str) -> Part:
+        """Return it with a literal text more."""
+        if text.isdecimal() and re.search(r"/[0-9]*$", self.codes):  # a denominator
+            return self._replace(codes=self.codes + text)
+        return self._replace(behind=self.behind + text) if self.codes else self._replace(before=self.before + text)
 
-    def bracket(self, text: str) -> None:
-        """Take what stands in brackets: a condition, a colour, a currency, time that has gone by."""
-        found = CONDITION.fullmatch(text)
-        if found:
-            self.condition = (found[1], float(found[2]))
-        elif text.startswith("$"):
-            self.add(text[1:].partition("-")[0])
-        elif ELAPSED.fullmatch(text):
-            self.date = True
-        elif text.casefold() == "white" or text.casefold() == "color2":
-            self.white = True
+    def with_code(self, code: str) -> Part:
+        """Return it with a code more: what stood behind the digits stands among them now."""
+        return self._replace(codes=self.codes + code, among=self.among + self.behind, behind="")
+
+    def with_bracket(self, text: str) -> Part:
+        """Return it with what stands in brackets: a condition, a colour, a currency, time that has passed, a script."""
+        if CONDITION.fullmatch(text):
+            return self._replace(condition=text)
+        if COLOUR.fullmatch(text):
+            return self._replace(colour=text.casefold())
+        if text.startswith("$"):
+            currency, _, place = text[1:].partition("-")
+            dated = place.upper().startswith(("F800", "F400"))
+            return self.with_text(currency)._replace(date=self.date or dated)
+        return self._replace(date=True) if re.fullmatch("[hHmMsS]+", text) else self._replace(odd=f"[{text}]")
 
 
 @lru_cache(maxsize=4_000)
-def sections(code: str) -> tuple[Section, ...]:
+def parts(code: str) -> tuple[Part, ...]:
     """Return the parts of a number format."""
-    found = [Section()]
+    found = [Part()]
     for token in TOKEN.finditer(code):
-        kind = str(token.lastgroup)
+        kind, text = str(token.lastgroup), str(token[str(token.lastgroup)])
         if kind == "end":
-            found.append(Section())
+            found.append(Part())
+        elif kind == "code":
+            found[-1] = found[-1].with_code("@" if text.casefold() in ("general", "standard") else text)
+        elif kind == "bracket":
+            found[-1] = found[-1].with_bracket(text)
+        elif kind == "date":
+            found[-1] = found[-1]._replace(date=True)
         elif kind != "room":
-            found[-1].take(kind, token[kind])
+            found[-1] = found[-1].with_text(text)
     return tuple(found)
 
 
-def section_for(code: str, value: Any) -> tuple[Section | None, bool]:
-    """Return the part that shows a value, and whether the program adds the sign of a negative number itself.
+@lru_cache(maxsize=10_000)
+def judged(
+    code: str, declared: str, unit: str = "", symbol: str = "", text: bool = False, zeros: bool = False
+) -> Judged:
+    """Return what is to be told of a format by which a cell shows its value.
 
-    No part: the value is shown as it is.
+    ``declared`` is the one that it has as built; ``text`` is whether it holds a text, and ``zeros`` whether there are
+    numbers that round to 0.
     """
-    parts = sections(code)
-    if isinstance(value, str):
-        last = parts[-1]
-        return (last, False) if len(parts) == 4 or (last.texts and len(parts) < 4) else (None, False)
-    numeric = list(parts[:3]) if len(parts) > 3 or not parts[-1].texts or len(parts) == 1 else list(parts[:-1])
-    if any(part.condition for part in numeric):
-        return conditional(numeric, value)
-    if len(numeric) > 1 and value < 0:
-        return numeric[1], False
-    if len(numeric) > 2 and value == 0:
-        return numeric[2], False
-    return numeric[0], True
+    if code == declared:
+        return FINE
+    held, ours = parts(code), parts(declared)
+    last = held[3] if len(held) > 3 else held[-1] if "@" in held[-1].codes else None
+    if text:
+        return FINE if last is None or last == ours[-1] else worst(of_text(last))
+    numeric = held[:3] if last is None or len(held) in (1, 4) else held[:-1]
+    conditional = any(part.condition for part in numeric)
+    others = [(n, part) for n, part in enumerate(numeric) if n >= len(ours) or part != ours[n]]
+    return worst(one for n, part in others for one in of_number(part, n, unit, symbol, zeros, conditional))
 
 
-def conditional(parts: list[Section], value: float) -> tuple[Section | None, bool]:
-    """Return the part whose condition a number meets, or the one for all others.
-
-    One for negative numbers alone shows their size: the sign is its own affair.
-    """
-    for n, part in enumerate(parts):
-        if part.condition is None:
-            order, limit = (n == 1 and parts[0].condition) or ("", 0.0)
-            return part, not (order in (">", ">=") and limit <= 0)
-        order, limit = part.condition
-        if COMPARE[order](value, limit):
-            return part, not ((order == "<" and limit <= 0) or (order == "<=" and limit < 0))
-    return None, True
+def worst(found: Iterable[Judged]) -> Judged:
+    """Return the first finding, else the first notice."""
+    listed = list(found)
+    return next((one for one in listed if one[0] == SHOWN), listed[0] if listed else FINE)
 
 
-@lru_cache(maxsize=4_000)
-def plain(code: str) -> bool:
-    """Whether a format shows every number with its sign and its digits, and nothing else; and texts as they are."""
-    parts = sections(code)
-    first = parts[0]
-    bare = first.general or (bool(first.digits) and "0" in "".join(first.digits))
-    odd = first.percents or first.thousands or first.literal or first.white or first.condition
-    return len(parts) == 1 and (first.date or (bare and not odd))
+def of_text(part: Part) -> Iterator[Judged]:
+    """Yield what is to be told of how a text is shown."""
+    if part.codes != "@" or part.date or part.odd:
+        yield SHOWN, f"replaced by {part.literal!r}" if part.literal else "hidden by its number format"
+    elif part.literal:
+        yield SHOWN, f"shown with {part.literal!r} added"
+    yield from coloured(part)
 
 
-def problem(value: Any, code: str, declared: str, unit: str) -> str:
-    """Return what is wrong with how a value is shown, by the format that a cell has; nothing where all is well.
-
-    ``declared`` is the format by which motionbook shows it: what that hides or replaces may be hidden or replaced so.
-    """
-    if isinstance(value, bool) or value is None or value == "":
-        return ""
-    part, signed = section_for(code, value)
-    if part is None:
-        return ""
-    said = of_text(part) if isinstance(value, str) else of_number(part, signed, value, unit)
-    if not said:
-        return ""
-    ours, signed = section_for(declared, value)
-    if ours is None:
-        return said
-    own = of_text(ours) if isinstance(value, str) else of_number(ours, signed, value, unit)
-    return "" if own == said else said
-
-
-def of_text(part: Section) -> str:
-    """Return what is wrong with how a text is shown."""
-    if part.white:
-        return "written in white"
-    if not part.texts:
-        return f"replaced by {part.literal!r}" if part.literal.strip() else "hidden by its number format"
-    return f"shown with {part.literal!r} added" if part.literal.strip() or part.texts > 1 else ""
+def of_number(part: Part, n: int, unit: str, symbol: str, zeros: bool, conditional: bool) -> Iterator[Judged]:
+    """Yield what is to be told of how numbers are shown by the ``n``-th part: positive, negative ones, and zero."""
+    yield from coloured(part)
+    if conditional:
+        yield NOTICE, "shown by conditions"
+        less = part.condition.startswith("<") and float(CONDITION.fullmatch(part.condition)[2]) <= 0  # type: ignore[index]
+        n = 1 if less else 0
+    elif n == 2 and set(part.literal) <= DASHES and part.literal and not part.codes.strip("?"):
+        return
+    if part.date:
+        yield SHOWN, "shown as a date or a time"
+    elif not part.codes:
+        yield SHOWN, f"replaced by {part.literal!r}" if part.literal else "hidden by its number format"
+    elif part.among.strip() or part.odd:
+        yield SHOWN, f"shown with {(part.among.strip() or part.odd)!r} among its digits"
+    else:
+        yield from of_digits(part.codes, unit, zeros)
+        if part.signed and (n == 0 or n == 2):
+            yield SHOWN, "shown as negative"
+        if n == 1 and not part.signed and part.codes != "@":
+            yield SHOWN, "shown without its sign"
+        yield from added(part, unit, symbol)
 
 
-def of_number(part: Section, signed: bool, value: float, unit: str) -> str:
-    """Return what is wrong with how a number is shown."""
-    if part.white:
-        return "written in white"
-    if not part.shows_number:
-        return f"replaced by {part.literal!r}" if part.literal.strip() else "hidden by its number format"
-    if part.date or part.texts:
-        return ""
-    if part.percents > 1 or (part.percents and unit):
-        return "shown as a percentage"
-    if part.thousands:
-        return "shown in thousands" if part.thousands == 1 else "shown in millions"
-    if part.inside.strip():
-        return f"shown with {part.inside!r} among its digits"
-    return sign_of(part, signed, value) or added(part, unit) or empty(part, value)
+def of_digits(codes: str, unit: str, zeros: bool) -> Iterator[Judged]:
+    """Yield what is to be told of the digits."""
+    found = DIGITS.fullmatch(codes)
+    if codes == "@":
+        return
+    if FRACTION.fullmatch(codes):
+        yield NOTICE, "shown in fractions"
+    elif found is None:
+        yield SHOWN, f"shown as {codes}"
+    elif found["divided"] or (found["whole"].endswith(",") and not found["parts"]):
+        yield SHOWN, "shown in thousands or millions"
+    elif len(found["percent"]) > 1 or (found["percent"] and unit):
+        yield SHOWN, "shown as a percentage"
+    elif "0" not in codes:
+        yield SHOWN if zeros else NOTICE, "hidden by its number format where it rounds to 0"
 
 
-def sign_of(part: Section, signed: bool, value: float) -> str:
-    """Return what is wrong with the sign that is shown."""
-    written = part.before.strip()[:1] in ("-", "−", "–", "(")
-    if value < 0 and not signed and not written and not part.general:
-        return "shown without its sign"
-    return "shown as negative" if value > 0 and written and "(" not in part.before else ""
+def added(part: Part, unit: str, symbol: str) -> Iterator[Judged]:
+    """Yield what is to be told of the texts before and behind the digits: all but a sign, the symbol and the unit."""
+    before = part.before.strip()
+    rest = before[1:].strip() if part.signed else before
+    if rest not in NEARLY and rest.rstrip("= ") != symbol:
+        yield SHOWN, f"shown with {rest!r} added"
+    behind = part.behind.strip()
+    behind = behind.removesuffix(")").strip() if before[:1] == "(" else behind
+    if behind and (not unit or units.compared(behind, unit) != "same"):
+        yield SHOWN, f"shown with {behind!r} added"
 
 
-def added(part: Section, unit: str) -> str:
-    """Return what is wrong with the texts before and after the digits: digits, or another unit."""
-    for text in (part.before.strip().lstrip("+-−–("), part.after.strip().rstrip(")")):
-        if HARMLESS.fullmatch(text) or text.split() == unit.split():
-            continue
-        if MISLEADING.search(text) or (letters(text.strip()) and units.compared(text.strip(), unit) != "same"):
-            return f"shown with {text!r} added"
-    return ""
-
-
-def letters(text: str) -> bool:
-    """Whether a text beside a number reads as a unit, or as a factor such as k."""
-    return text in units.PREFIXES or (not units.unit(text).words and bool(text.strip(" .,:;()[]")))
-
-
-def empty(part: Section, value: float) -> str:
-    """Return what is wrong where a number that rounds to 0 leaves no digit at all."""
-    places = "".join(part.digits)
-    if part.general or "0" in places or part.fraction:
-        return ""
-    decimals = len(part.digits[-1]) if part.point and len(part.digits) > 1 else 0
-    return "hidden by its number format" if round(value, decimals) == 0 else ""
+def coloured(part: Part) -> Iterator[Judged]:
+    """Yield that a colour cannot be read on white."""
+    found = COLOUR.fullmatch(part.colour)
+    if found is not None:
+        number = int(found[1] or 0) + 7
+        code = COLOR_INDEX[number][-6:] if found[1] and number < len(COLOR_INDEX) else COLOURS.get(part.colour, "0" * 6)
+        ink = parsed(code)
+        if ink is not None and contrast(ink, WHITE) < UNSEEN:
+            yield SHOWN, f"written in {part.colour}"

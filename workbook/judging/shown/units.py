@@ -23,11 +23,13 @@ PLAIN = frozenset(
     {"1", "%", "‰", "°", "°C", "°F", "rpm", "min", "h", "deg", "rev", "in", "inch", "inches", "ft", "mil"}
 )
 """that take no prefix"""
-ALIASES = {"1/min": "rpm", "min⁻¹": "rpm", "min-1": "rpm", "min^-1": "rpm", "u/min": "rpm", "r/min": "rpm",
-           "rev/min": "rpm", "giri/min": "rpm", "tr/min": "rpm", "kgm²": "kg m²", "kgm2": "kg m²",
-           "kgcm²": "kg cm²", "kgcm2": "kg cm²"}  # fmt: skip
+ALIASES = dict.fromkeys((
+    "1/min", "min⁻¹", "min-1", "min^-1", "/min", "u/min", "upm", "umdr./min", "r/min", "rev/min", "rpm", "r.p.m.",
+    "giri/min", "tr/min", "tr/mn", "cpm", "c/min", "cycles/min", "cycles per minute", "revolutions per minute",
+), "rpm") | {"kgm²": "kg m²", "kgm2": "kg m²", "kgcm²": "kg cm²", "kgcm2": "kg cm²"}  # fmt: skip
+"""turns and cycles a minute in all spellings: which of them is meant, the label says"""
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-FACTOR = re.compile(r"([^\W\d_]+|°[CF]?|%|‰|1)\^?(-?[0-9])?")
+FACTOR = re.compile(r"([^\W\d_]+|°[CF]?|%|‰|1(?![0-9]))\^?(-?[0-9])?")
 POWER = re.compile(r"([A-Za-z]+)(-?[0-9])?")
 
 
@@ -63,6 +65,11 @@ def unit(text: str) -> Unit:
             for base, exponent in POWER.findall(known[1]):
                 powers[base] = powers.get(base, 0) + times * int(exponent or 1)
     return Unit(size, tuple(sorted((b, p) for b, p in powers.items() if p)), tuple(sorted(words)))
+
+
+def is_unit(text: str) -> bool:
+    """Whether a text reads as a unit, and as nothing else."""
+    return bool(text.strip()) and not unit(text).words
 
 
 def symbol(name: str) -> tuple[float, str] | None:

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from typing import Literal, NamedTuple
 
-from workbook.book.address import Address, Place
+from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Sheet, Text
 from workbook.judging.matching import MOST_BETWEEN, Match
-from workbook.judging.report import LAYOUT, NOTICE, Report
+from workbook.judging.report import LAYOUT, NOTICE, SHOWN, Report
 from workbook.judging.shown import units
 
 Kind = Literal["label", "symbol", "unit", "header", "units", "equation", "note"]
 ABOVE = ("header", "units", "equation")
 QUIET = ("equation", "note")  # reworded, these are nobody's concern; exchanged, they are
 HEADINGS = ("heading", "subheading")
-NEAR = 4  # cells to the right in which a unit is looked for, should a column have been inserted
+MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
+TELLING = re.compile(r"[0-9]+|[%‰]|\b(?:OK|FAIL)\b")
+"""what a translation leaves as it is"""
 
 
 class Word(NamedTuple):
@@ -25,25 +28,46 @@ class Word(NamedTuple):
     block: Block
     what: str
 
+    @property
+    def above(self) -> bool:
+        """Whether it stands above a column."""
+        return self.text.style in ABOVE
 
-def words(match: Match, report: Report) -> None:
-    """Enter texts that say something else of a cell, and as notices those that are reworded or gone."""
+    @property
+    def counts(self) -> bool:
+        """Whether it is a label, a symbol or a unit."""
+        return self.text.style not in QUIET
+
+
+class Found(NamedTuple):
+    """A declared text, and where it stands in the file, or something else in its place."""
+
+    at: Address
+    word: Word
+
+
+def words(match: Match, report: Report) -> list[Found]:
+    """Enter texts that say something else of a cell, and as notices those that are reworded; return where they are."""
     named = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
     for name in match.headless:
         at = match.file.places[name].cell(0, 0)
         report.say(at, LAYOUT, "no headings", "its headings above it: move them together", f"the table {name}")
     titles(match, report)
+    everything, there = [], match.file.places.keys() - match.headless
     for sheet in match.declared.sheets:
-        known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - match.headless]
+        known = [word for word in declared(sheet) if word.block.name in there]
+        found = list(standing(match, known))
         texts: dict[str, set[str]] = {}
         for word in known:
             texts.setdefault(word.text.style, set()).add(word.text.text)
-        for word in known:
-            place = match.file.places[word.block.name]
-            first = place.cell(0, 0)
-            if not first.column or (place.sheet, first.a1) not in named:  # column 0: the first one is gone
-                judge(match, word, place, texts[word.text.style], report)
+        for one in found:
+            first = match.file.places[one.word.block.name].cell(0, 0)
+            if not first.column or (first.sheet, first.a1) not in named:  # column 0: the first one is gone
+                judge(match, one, texts[one.word.text.style], report)
+        unnamed(match, sheet, report)
         headings(match, sheet, report)
+        everything += found
+    return everything
 
 
 def titles(match: Match, report: Report) -> None:
@@ -52,7 +76,7 @@ def titles(match: Match, report: Report) -> None:
     for sheet in match.declared.sheets:
         held = sheet_of(match, sheet)
         if held is not None and held.casefold() != sheet.title.casefold():
-            kind = "shown" if held.casefold() in declared else NOTICE
+            kind = SHOWN if held.casefold() in declared else NOTICE
             report.say(Address(held, 1, 1), kind, held, sheet.title, "the name of the sheet")
 
 
@@ -63,13 +87,11 @@ def sheet_of(match: Match, sheet: Sheet) -> str | None:
 
 def declared(sheet: Sheet) -> Iterator[Word]:
     """Yield the texts of a sheet that say what its cells are."""
-    rows = {block.row: block for block in sheet.blocks if not block.is_table}
+    rows = {b.row: b for b in sorted(sheet.blocks, key=lambda b: -b.column) if not b.is_table}
     tables = sorted((block for block in sheet.blocks if block.is_table), key=lambda block: block.row)
     for text in sheet.texts:
         if text.text and text.style in ABOVE:
-            block = next(
-                (b for b in tables if 0 < b.row - text.row <= NEAR and text.column in b.columns.values()), None
-            )
+            block = next((b for b in tables if 0 < b.row - text.row <= 4 and text.column in b.columns.values()), None)
             if block is not None:
                 yield Word(text, block, f"{block.title}, {text.style}")
         elif text.text and text.style in ("label", "symbol", "unit", "note") and text.row in rows and not text.link:
@@ -78,63 +100,99 @@ def declared(sheet: Sheet) -> Iterator[Word]:
                 yield Word(text, block, f"{text.style} of {block.quantities[0].label}")
 
 
-def judge(match: Match, word: Word, place: Place, others: set[str], report: Report) -> None:
+def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
+    """Yield where texts stand: all of a line above a table, and all of one column beside cells, moved alike.
+
+    They are the nearest in which most of these texts are found, so that a right text elsewhere excuses no wrong one.
+    """
+    lines: dict[tuple[str, int], list[Word]] = {}
+    for word in known:
+        offset = word.text.row - word.block.row if word.above else word.text.column - word.block.column
+        lines.setdefault((word.block.name if word.above else "", offset), []).append(word)
+    for (_, offset), line in lines.items():
+        furthest = MOST_BETWEEN + 4 if line[0].above else MOST_ASIDE
+        aside = range(furthest) if offset > 0 else range(0, -furthest, -1)
+        places = ([place(match, word, offset + more) for word in line] for more in aside)
+        most = next((found for found in places if found and most_are_there(match, line, found)), None)
+        for word, at in zip(line, most or [place(match, word, offset) for word in line], strict=True):
+            if at.column > 0 and at.row > 0:
+                yield Found(at, word)
+
+
+def place(match: Match, word: Word, offset: int) -> Address:
+    """Return the cell so many rows or columns away from that which a text belongs to."""
+    block, held = word.block, match.file.places[word.block.name]
+    if not word.above:
+        return held.cell(0, offset)
+    column = held.cell(0, word.text.column - block.column).column
+    return Address(held.sheet, held.row + offset, column)
+
+
+def most_are_there(match: Match, line: list[Word], found: list[Address]) -> bool:
+    """Whether more than half of some texts stand in these cells."""
+    there = sum(at.row > 0 and at.column > 0 and same(match.file.value(at), word.text.text)
+                for word, at in zip(line, found, strict=True))  # fmt: skip
+    return 2 * there > len(line)
+
+
+def judge(match: Match, found: Found, others: set[str], report: Report) -> None:
     """Enter what is wrong with one text."""
-    style, expected = word.text.style, word.text.text
-    near = around(match, word, place)
-    if style in ABOVE and not near[0].column:  # the column is gone, which is told
+    style, expected = found.word.text.style, found.word.text.text
+    value = match.file.value(found.at)
+    if same(value, expected):
         return
-    if any(same(match.file.value(at), expected) for at in near):
-        return
-    held = match.file.value(near[0])
-    found = "" if held is None else str(held)
-    kind = NOTICE
+    held = "" if value is None else str(value)
+    kind = reworded(held, expected, others)
     if style in ("unit", "units"):
-        kind = unit_kind(style, found, expected, others)
-    elif any(same(found, other) for other in others):
-        kind = "shown"
-    if kind == "shown" or (kind == NOTICE and style not in QUIET):
-        report.say(near[0], kind, found or None, expected, word.what)
+        kind = unit_kind(style, held, expected, others)
+    if kind == SHOWN or (kind == NOTICE and style not in QUIET):
+        report.say(found.at, kind, held or None, expected, found.word.what)
 
 
-def unit_kind(style: str, found: str, expected: str, others: set[str]) -> str:
+def reworded(held: str, expected: str, others: Iterable[str]) -> str:
+    """Return of which kind other words are: another's name misleads, and so do figures, translated words do not."""
+    more = set(TELLING.findall(held)) - set(TELLING.findall(expected))
+    return SHOWN if more or any(same(held, other) for other in others) else NOTICE
+
+
+def unit_kind(style: str, held: str, expected: str, others: set[str]) -> str:
     """Return of which kind a changed unit is; a column's stands in brackets behind its symbol. Nothing for the same."""
-    if style == "units":
-        symbol, unit = parted(found)
-        ours, expected = parted(expected)
-        if symbol != ours and any(parted(other)[0] == symbol for other in others):
-            return "shown"
-        stands = standing(unit, expected, {parted(other)[1] for other in others})
-        return NOTICE if not stands and symbol != ours else stands
-    return standing(found, expected, others)
+    if style == "unit":
+        return changed(held, expected, others)
+    symbol, unit = parted(held)
+    ours, expected = parted(expected)
+    if symbol != ours and any(parted(other)[0] == symbol for other in others):
+        return SHOWN
+    found = changed(unit, expected, {parted(other)[1] for other in others})
+    return NOTICE if not found and symbol != ours else found
 
 
-def standing(found: str, expected: str, others: set[str]) -> str:
+def changed(held: str, expected: str, others: set[str]) -> str:
     """Return of which kind a changed unit is: one of the sheet's other units has changed places with it."""
-    stands = units.compared(found, expected)
+    stands = units.compared(held, expected)
     if stands == "same":
         return ""
-    exchanged = bool(found.strip()) and any(same(found, other) for other in others)
-    return "shown" if exchanged or stands == "other" else NOTICE
+    exchanged = bool(held.strip()) and any(same(held, other) for other in others)
+    return SHOWN if exchanged or stands == "other" else NOTICE
+
+
+def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
+    """Enter a unit, or figures, beside a cell whose quantity has no unit."""
+    named = {(text.row, text.column) for text in sheet.texts}
+    for block in sheet.blocks:
+        held, q = match.file.places.get(block.name), block.quantities[0]
+        if block.is_table or held is None or q.role in ("check", "sentence") or (block.row, block.column + 1) in named:
+            continue
+        at = held.cell(0, 1)
+        text = match.file.value(at)
+        if isinstance(text, str) and at not in match.addresses and units.is_unit(text):
+            report.say(at, SHOWN, text, None, f"unit of {q.label}")
 
 
 def parted(text: str) -> tuple[str, str]:
     """Return symbol and unit of ``s [mm]``."""
     symbol, _, unit = text.partition("[")
     return " ".join(symbol.split()), unit.strip().removesuffix("]").strip()
-
-
-def around(match: Match, word: Word, place: Place) -> list[Address]:
-    """Return where a text may stand: first where it stood, then where inserted rows or columns have moved it."""
-    text, block = word.text, word.block
-    at = place.cell(text.row - block.row, text.column - block.column)
-    if text.style in ABOVE:
-        up = range(1, min(MOST_BETWEEN + NEAR, place.row))
-        return [at, *(Address(place.sheet, place.row - n, at.column) for n in up)] if at.row > 0 else [place.cell(0, 0)]
-    if text.column < block.column:
-        left = [Address(place.sheet, place.row, column) for column in range(1, place.column)]
-        return [at, *left] if at.column > 0 else [*left, place.cell(0, 0)]
-    return [at, *(place.cell(0, n) for n in range(1, NEAR + 1))]
 
 
 def same(held: object, expected: str) -> bool:
@@ -164,7 +222,7 @@ def headings(match: Match, sheet: Sheet, report: Report) -> None:
             at = Address(title, held[0] if held else max(low + 1, 1), text.column)
             found = "over another part" if held else None
             report.say(
-                at, "shown" if held else NOTICE, found, f"over {below(blocks, text.row)}", f"heading {text.text!r}"
+                at, SHOWN if held else NOTICE, found, f"over {below(blocks, text.row)}", f"heading {text.text!r}"
             )
 
 
