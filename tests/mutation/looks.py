@@ -21,7 +21,7 @@ from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Report
 from workbook.judging.shown.book import displayed
 from workbook.judging.verify import verify
-from workbook.reading.files import BookFile, find_places, open_book
+from workbook.reading.files import open_book
 from workbook.writing.archive import unzipped, zipped
 
 TASTE = (
@@ -45,7 +45,7 @@ class Looks:
     def __init__(self, name: str, folder: Path) -> None:
         template, machine = committed_as(name)
         machine = smaller(machine, cycle=12, law=4, own_law=4)
-        self.template, self.path = template, folder / f"{template.name}.xlsx"
+        self.model, self.template, self.path = type(machine), template, folder / f"{template.name}.xlsx"
         build(machine, self.path)
         self.declared = template.declare(machine)
         self.pairs = {pair.address: pair for pair in Match(open_book(self.path), self.declared).pairs}
@@ -56,8 +56,9 @@ class Looks:
 
     def said(self, changed: Workbook) -> set[str]:
         """Return the cells at which ``verify`` finds that something else is shown."""
-        file, report = BookFile(self.path, changed, find_places(changed)), Report(self.path, self.template.name)
-        displayed(Match(file, self.declared), {}, report)
+        path, report = self.path.with_name("looks.xlsx"), Report(self.path, self.template.name)
+        changed.save(path)
+        displayed(Match(open_book(path), self.declared), self.model, {}, report)
         return {f"{f.sheet}!{f.cell}" for f in report.findings}
 
     def numbers(self) -> list[Pair]:
@@ -111,7 +112,10 @@ def reads_back(text: str, value: float, unit: str) -> bool:
 def formatted(looks: Looks, changed: Workbook, count: int, seed: int | str) -> list[tuple[Pair, str]]:
     """Give some cells other number formats; return them."""
     drawn = random.Random(seed)
-    chosen = drawn.sample(looks.numbers(), count)
+    columns: dict[tuple[str, str], list[Pair]] = {}  # of alike cells of one column, the first is told
+    for pair in looks.numbers():
+        columns.setdefault((pair.cell.block.name, pair.cell.quantity.name), []).append(pair)
+    chosen = [drawn.choice(pairs) for pairs in drawn.sample(list(columns.values()), count)]
     faults = [(pair, drawn.choice(TASTE + MISLEADING)) for pair in chosen]
     for pair, code in faults:
         changed[pair.address.sheet][pair.address.a1].number_format = code

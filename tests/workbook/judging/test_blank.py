@@ -10,10 +10,6 @@ from openpyxl.styles.numbers import NumberFormat
 from tests.workbook.composed import small
 from tests.workbook.judging.hands import Known
 from workbook.build import build, inputs
-from workbook.judging.matching import Match
-from workbook.judging.report import Report
-from workbook.judging.shown.book import displayed
-from workbook.reading.files import BookFile, find_places
 
 TABLE = "axis1"
 
@@ -32,9 +28,9 @@ def opened(book):
 
 def said(book, opened):
     """What is said of how a changed book looks: findings, and notices."""
-    file, report = BookFile(book.path, opened, find_places(opened)), Report(book.path, book.template.name)
-    displayed(Match(file, book.declared), {}, report)
-    return report
+    path = book.path.with_name("changed.xlsx")
+    opened.save(path)
+    return book.seen(path)
 
 
 def hiding(formula):

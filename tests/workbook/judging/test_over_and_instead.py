@@ -13,7 +13,7 @@ from tests import cutting
 from tests.workbook.judging.hands import WORKBOOK, Known, repacked
 from workbook.build import build
 from workbook.errors import ReadError
-from workbook.judging.verify import verify
+from workbook.reading.files import open_book
 
 DRAWING = "http://schemas.openxmlformats.org/drawingml/2006/spreadsheetDrawing"
 MAIN = "http://schemas.openxmlformats.org/drawingml/2006/main"
@@ -35,13 +35,13 @@ def edited(failing, tmp_path):
         workbook = failing.opened()
         change(workbook)
         workbook.save(tmp_path / "edited.xlsx")
-        return said(tmp_path / "edited.xlsx")
+        return said(failing, tmp_path / "edited.xlsx")
 
     return found
 
 
-def said(path):
-    report = verify(path)
+def said(known, path):
+    report = known.seen(path)
     return ({(f.kind, f.sheet, f.cell) for f in report.findings},
             {(n.sheet, n.computed) for n in report.notices})  # fmt: skip
 
@@ -87,7 +87,7 @@ def test_a_shape_over_a_verdict_is_found_if_it_hides_it(size, fill, hides, faili
         folder, _, name = failing.part(at.sheet).rpartition("/")
         drawing = "xl/" + re.search(r"drawings/\w+\.xml", archive.read(f"{folder}/_rels/{name}.rels").decode())[0]
     change = {drawing: lambda data: re.sub(rb"(?=</(?:\w+:)?wsDr>)", shape(at, size, fill), data)}
-    findings, _ = said(repacked(failing.path, tmp_path / "a.xlsx", change))
+    findings, _ = said(failing, repacked(failing.path, tmp_path / "a.xlsx", change))
     assert (("shown", at.sheet, at.a1) in findings) is hides
 
 
@@ -101,15 +101,15 @@ def test_a_shape_within_an_alternative_is_found_and_a_drawing_that_is_none_is_re
     within = b'<mc:AlternateContent %s><mc:Choice Requires="x">%s</mc:Choice></mc:AlternateContent>' % (
         space, shape(at, 900_000, "<a:solidFill/>"))  # fmt: skip
     change = {drawing: lambda data: re.sub(rb"(?=</(?:\w+:)?wsDr>)", within, data)}
-    assert ("shown", at.sheet, at.a1) in said(repacked(failing.path, tmp_path / "a.xlsx", change))[0]
+    assert ("shown", at.sheet, at.a1) in said(failing, repacked(failing.path, tmp_path / "a.xlsx", change))[0]
     change = {links: lambda data: re.sub(rb"drawings/\w+\.xml", b"drawings/a.bin", data)}
     none = repacked(failing.path, tmp_path / "b.xlsx", change, extra=[("xl/drawings/a.bin", b"no drawing")])
     with pytest.raises(ReadError, match="is no XML"):
-        verify(none)
+        open_book(none)
 
 
 def test_the_books_own_charts_hide_no_verdict(failing):
-    report = verify(failing.path)
+    report = failing.seen(failing.path)
     assert (report.findings, report.notices) == ([], [])
 
 
@@ -151,12 +151,12 @@ def renamed(known, path, names):
 
 
 def test_names_of_two_sheets_exchanged_are_found(failing, tmp_path):
-    findings, _ = said(renamed(failing, tmp_path / "a.xlsx", {"TVP": "CIC", "CIC": "TVP"}))
+    findings, _ = said(failing, renamed(failing, tmp_path / "a.xlsx", {"TVP": "CIC", "CIC": "TVP"}))
     assert findings == {("shown", "CIC", "A1"), ("shown", "TVP", "A1")}
 
 
 def test_another_name_of_a_sheet_is_a_notice(failing, tmp_path):
-    assert said(renamed(failing, tmp_path / "a.xlsx", {"TVP": "Trapez"})) == (set(), {("Trapez", "Trapez")})
+    assert said(failing, renamed(failing, tmp_path / "a.xlsx", {"TVP": "Trapez"})) == (set(), {("Trapez", "Trapez")})
 
 
 # lines of charts

@@ -537,7 +537,7 @@ def test_bars_and_icons_instead_of_a_number_are_found_and_beside_it_are_not(book
 def test_rules_of_the_book_that_are_gone_are_a_notice_and_a_rule_for_rows_spread_over_figures_is_found(book):
     report = book.edited(lambda workbook: without_rules(workbook["Drive"]))
     assert report.findings == []
-    assert len(report.notices) == 2
+    assert len(report.notices) == 2, report.notices
 
     def spread(workbook):
         rules = workbook["Drive"].conditional_formatting

@@ -5,6 +5,7 @@ import zipfile
 import pytest
 
 from workbook.reading.files import open_book
+from workbook.reading.package import tag
 from workbook.reading.points import without_points
 from workbook.template import FOLDER
 
@@ -25,8 +26,7 @@ def test_points_are_left_out_and_nothing_else(prefix):
 def test_a_book_s_charts_keep_their_series_and_come_without_points():
     with zipfile.ZipFile(BOOK) as archive:
         assert b"<pt " in archive.read("xl/charts/chart1.xml")
-    charts = [chart for sheet in open_book(BOOK).workbook.worksheets for chart in sheet._charts]
-    series = [one for chart in charts for one in chart.series]
-    assert len(charts) > 3
-    assert all("!" in one.yVal.numRef.f for one in series)
-    assert all(not one.yVal.numRef.numCache.pt for one in series)
+    drawings = [one for held in open_book(BOOK).inspected.drawings.values() for one in held]
+    found = [[tag(one) for one in drawing.chart.iter()] for drawing in drawings if drawing.chart is not None]
+    assert len(found) > 3
+    assert all("ser" in tags and "f" in tags and "pt" not in tags for tags in found)

@@ -126,8 +126,6 @@ class Rules:
             yield judged(code, "General", q.unit if q else "", q.symbol if q else "", one.text)
         if any(sign is not None and sign.showValue is False for sign in (rule.dataBar, rule.iconSet)):
             yield SHOWN, "bars or icons instead of what it has"
-        elif rule.iconSet is not None:
-            yield NOTICE, "icons beside what it has"
         for colour in rule.colorScale.color if rule.colorScale is not None else ():
             yield from of_colours(base.ink, self._looks.palette.colour(colour, None))
         if rule.dxf is not None:
@@ -157,7 +155,9 @@ class Rules:
                 if place is not None and (name, n) not in self._met:
                     blank = mark.rule.type == "expression"
                     expected = f"a rule that {'leaves unused rows blank' if blank else 'colours them'}"
-                    self._told.add(place.cell(0, 0), (NOTICE, "no such rule"), expected, f"the cells of {name}")
+                    self._told.add(
+                        place.cell(0, 0), (NOTICE, "no such rule"), expected, f"the cells of {name}", group=""
+                    )
 
 
 def placed_on(sheet: Worksheet) -> Iterator[Placed]:

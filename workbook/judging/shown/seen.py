@@ -40,7 +40,8 @@ def seen(match: Match, found: list[Found]) -> Iterator[Seen]:
     for pairs in match.by_column():
         cell = pairs[0].cell
         folded = 0 < cell.block.sheet.folded <= cell.column
-        yield Seen(pairs[0].address, pairs[-1].address.row, pairs, pairs[0].what, True, folded)
+        what = f"{cell.quantity.label} ({cell.block.name})" if cell.block.is_table else cell.quantity.label
+        yield Seen(pairs[0].address, pairs[-1].address.row, pairs, what, True, folded)
     for at, word in found:
         folded = 0 < word.block.sheet.folded <= word.text.column
         yield Seen(at, at.row, [], word.what, word.counts, folded)
@@ -69,18 +70,21 @@ class Told:
     """What is told of the cells of a file: of many that are shown alike, at the first of them."""
 
     def __init__(self) -> None:
-        self._told: dict[tuple[str, str, str, str], tuple[Address, str, int]] = {}
+        self._told: dict[tuple[str, str, str, str, str], tuple[Address, str, int]] = {}
 
-    def add(self, at: Address, judged: Judged, expected: str, what: str, counts: bool = True, cells: int = 1) -> None:
-        """Enter what is told of some cells, of which the first is ``at``."""
+    def add(
+        self, at: Address, judged: Judged, expected: str, what: str, counts: bool = True, cells: int = 1,
+        group: str | None = None,
+    ) -> None:  # fmt: skip
+        """Enter what is told of some cells, the first of them ``at``; once for all of a ``group``, or of ``what``."""
         kind, said = judged
         if kind:
-            key = at.sheet, kind if counts else NOTICE, said, expected
+            key = at.sheet, kind if counts else NOTICE, said, expected, what if group is None else group
             first, name, count = self._told.get(key, (at, what, 0))
             self._told[key] = first, name, count + cells
 
     def enter(self, report: Report) -> None:
         """Enter all into a report."""
-        for (_, kind, said, expected), (at, what, count) in self._told.items():
+        for (_, kind, said, expected, _), (at, what, count) in self._told.items():
             more = f", and {count - 1:,} more cells" if count > 1 else ""
             report.say(at, kind, said, expected, what + more)

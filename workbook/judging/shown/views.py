@@ -70,7 +70,7 @@ class Views:
         if one.folded:
             return
         if not one.pairs and (said := self._out_of_sight(one.at)):
-            self._told.add(one.at, (NOTICE, said), "in sight", one.what)
+            self._told.add(one.at, (NOTICE, said), "in sight", one.what, group="")
         for pair in one.pairs:
             verdict, said = is_verdict(pair), self._out_of_sight(pair.address, pair)
             if not said and verdict and self.hidden[title].sheet:
@@ -80,12 +80,12 @@ class Views:
             if verdict and (self._fails(pair) or is_overall(self._match, pair)):
                 self._report.say(pair.address, SHOWN, f"{self._value(pair)}, {said}", "in sight", pair.what)
             else:
-                self._told.add(pair.address, (NOTICE, said), "in sight", pair.what)
+                self._told.add(pair.address, (NOTICE, said), "in sight", pair.what, group="")
 
     def _out_of_sight(self, at: Address, pair: Pair | None = None) -> str:
         """Return why a cell is not shown; nothing where it is, or a fresh build folds it away."""
         said = self.hidden[at.sheet].said(at)
-        judged = pair is None or is_verdict(pair) or pair.cell.quantity.role == "result"
+        judged = pair is not None and (is_verdict(pair) or pair.cell.quantity.role == "result")
         return said or ("behind a drawing" if judged and self.layouts[at.sheet].covered(at) else "")
 
     def _value(self, pair: Pair) -> Any:
