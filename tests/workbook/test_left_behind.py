@@ -10,7 +10,10 @@ from openpyxl.formatting.rule import CellIsRule
 from openpyxl.styles import PatternFill
 from openpyxl.workbook.defined_name import DefinedName
 
+from workbook import build as making
+from workbook import remembered
 from workbook.build import build, described, inputs
+from workbook.commands import make
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -112,3 +115,18 @@ def test_the_committed_catalogues_are_referred_to(tmp_path):
     data = machine.model_dump()
     data["selection"]["motors"][0]["mass"] = 3.21
     assert "mass = 3.21" in write_machine(type(machine).model_validate(data))
+
+
+def test_what_was_read_of_the_same_bytes_is_remembered_with_its_notes(built, tmp_path, monkeypatch):
+    monkeypatch.setattr(remembered, "folder", lambda: tmp_path / "remembered")
+    book = openpyxl.load_workbook(built)
+    own_number(book)
+    book.save(tmp_path / "edited.xlsx")
+    first = make.entered(tmp_path / "edited.xlsx")
+    assert first[1] == [OWN["a number"][1]]
+    monkeypatch.setattr(making, "inputs", lambda path: pytest.fail("read again"))
+    assert make.entered(tmp_path / "edited.xlsx") == first
+    own_text(book)
+    book.save(tmp_path / "edited.xlsx")
+    with pytest.raises(pytest.fail.Exception):
+        make.entered(tmp_path / "edited.xlsx")

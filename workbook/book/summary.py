@@ -9,7 +9,7 @@ from typing import Protocol
 
 import workbook
 from workbook.book.checks import NONE, failing, mended
-from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given
+from workbook.book.declare import FIRST, TITLES, Book, Quantity, Sheet, Text, calc, constant, given
 
 TITLE = "Summary"
 SOURCES = {
@@ -26,6 +26,7 @@ USE = (
     "every formula cell is compared with an independent engine.",
     "The sheets are protected without a password: Review > Unprotect Sheet (LibreOffice: Tools > Protect Sheet).",
 )
+PROTECTED = "Protected without a password. Yours are the cells with a fill, the columns beside the tables, and notes."
 COLUMNS, PICTURE_ROW, PICTURE_COLUMN, PICTURE_ROWS = 14, 5, 7, 20
 TO_MEND = 6
 """checks that fail which the sheet has room for; all of them stand on the sheet Checks"""
@@ -112,6 +113,7 @@ def head(sheet: Sheet) -> None:
     entered = sheet.book.blocks["book_title"].quantities[0].value
     title = Quantity("book_heading", "Title", "", "", "title", '=book_title&""', entered, align="left")
     sheet.put(title, 1, FIRST)
+    sheet.texts.append(Text(TITLES + 1, FIRST, PROTECTED, "note"))
 
 
 def to_mend(book: Book, sheet: Sheet) -> None:

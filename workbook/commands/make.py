@@ -5,11 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 from workbook import build as making
+from workbook.commands.trusted import digest_of
 from workbook.exits import AGREES, DISAGREES
 from workbook.reading.descriptions import write_machine
+from workbook.remembered import recall, remember
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
 from workbook.template import FOLDER
-from workbook.writing.place import refuse_existing, refuse_itself, refuse_suffix
+from workbook.writing.place import refuse_existing, refuse_itself, refuse_suffix, replace
+
+INPUTS = "inputs"
 
 
 def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> None:
@@ -32,13 +36,26 @@ def inputs(book: Path, output: Path | None, force: bool) -> None:
     if output is not None:
         refuse_existing(output, force)
     with ERR.status(shown(f"Reading {book} …")):
-        machine, notes = making.inputs(book)
+        text, notes = entered(book)
     show_notes(notes)
     if output is None:
-        say_data(write_machine(machine))
+        say_data(text)
         return
-    making.write_inputs(machine, output, overwrite=force)
+    replace(output, lambda draft: making.write_text(draft, text), force)
     say(OUT, f"Wrote {output.absolute()}")
+
+
+def entered(book: Path) -> tuple[str, list[str]]:
+    """Return what was entered into a workbook as a description, and what it leaves behind; once for the same bytes."""
+    sha256 = digest_of(book)
+    known = recall(INPUTS, sha256) if sha256 else None
+    if known:
+        return str(known["text"]), [str(note) for note in known["notes"]]
+    machine, notes = making.inputs(book)
+    text = write_machine(machine)
+    if sha256 and sha256 == digest_of(book):
+        remember(INPUTS, sha256, {"text": text, "notes": notes})
+    return text, notes
 
 
 def regenerate(book: Path, output: Path, force: bool) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from openpyxl import Workbook
+from openpyxl.styles import Protection
 from openpyxl.utils import get_column_letter, quote_sheetname
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.workbook.properties import CalcProperties
@@ -28,6 +29,7 @@ from workbook.writing.place import refuse_existing, replace
 from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, widths
 
 LAST_PAGE_COLUMN = 9
+LAST_COLUMN = 16_384
 LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 12}, {"header": 2, "equation": 5}
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
 ROW_HEIGHT = 15
@@ -163,7 +165,8 @@ def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
 def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dict[int, float]) -> None:
     """Set columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
-    for column in range(1, max(used, LAST_PAGE_COLUMN, sheet.print_columns) + 1):
+    widest = max(used + 1, LAST_PAGE_COLUMN, sheet.print_columns)
+    for column in range(1, widest + 1):
         page.column_dimensions[get_column_letter(column)].width = wide.get(column, COLUMN_WIDTH)
     if sheet.folded:
         first, last = (get_column_letter(column) for column in (sheet.folded, used))
@@ -172,7 +175,16 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dic
     page.freeze_panes = f"A{sheet.head + 1}"
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
+    free_columns(page, used + 2, widest)
     set_up_print(sheet, page, used, wide, high)
+
+
+def free_columns(page: Worksheet, first: int, last: int) -> None:
+    """Let an engineer write into the columns from ``first`` on without unprotecting: those to ``last`` have a width."""
+    rest = page.column_dimensions[get_column_letter(last + 1)]
+    rest.min, rest.max, rest.width = last + 1, LAST_COLUMN, COLUMN_WIDTH
+    for column in range(min(first, last + 1), last + 2):
+        page.column_dimensions[get_column_letter(column)].protection = Protection(locked=False)
 
 
 def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float], high: dict[int, float]) -> None:

@@ -16,11 +16,12 @@ from spreadsheet_auditor.audit import main as audit
 
 from engine.laws.mended import NONE
 from tests.tiers import by_day
-from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as, small
 from workbook.book.limits import EXPECTED, MESSAGES
 from workbook.book.sentence import FINE, LARGEST, MOST, NOUGHT
 from workbook.build import build
 from workbook.reading.descriptions import write_machine
+from workbook.templates import TEMPLATES
 
 FACTORS = {"3", "5", "6", "7", "8", "12", "20", "42"}  # of a polynomial's integrals, and of closed forms: no inputs
 CLOSED = {
@@ -182,3 +183,20 @@ def test_texts_are_shared(book):
         strings = parts.read("xl/sharedStrings.xml")
     count, unique = (int(n) for n in re.search(rb'count="(\d+)" uniqueCount="(\d+)"', strings).groups())
     assert count > unique == strings.count(b"<si>")
+
+
+def test_an_engineer_writes_beside_the_tables_of_a_protected_sheet(tmp_path):
+    """A cell that is not there is as its column says; notes need no permission where objects are not protected."""
+    build(small(), tmp_path / "book.xlsx")
+    declared = TEMPLATES["machine"].declare(small())
+    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
+    for sheet in declared.sheets:
+        page, used = book[sheet.title], max(column for block in sheet.blocks for column in block.columns.values())
+        assert (page.protection.sheet, page.protection.objects) == (True, False)
+        free = {c for one in page.column_dimensions.values() if not one.protection.locked
+                for c in range(one.min, one.max + 1)}  # fmt: skip
+        assert free == set(range(used + 2, 16_385))
+        locked = {cell.column for row in page.iter_rows() for cell in row if cell.value is not None
+                  and cell.protection.locked}  # fmt: skip
+        assert locked
+    assert "Protected without a password" in book["Summary"]["B4"].value
