@@ -12,6 +12,11 @@ from engine.choice.curve import TorqueCurve
 from engine.laws.base import Array
 
 
+def no_limit() -> Array:
+    """Return infinity, for every product."""
+    return np.array(np.inf)
+
+
 def not_given() -> Array:
     """Return NaN, for every product."""
     return np.array(np.nan)
@@ -68,8 +73,8 @@ class Motors:
 
 @dataclass(frozen=True)
 class Reducers:
-    """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), largest input speed (rad/s) and
-    output torque (Nm), infinite where not given; size (kg) and cost, NaN where not given.
+    """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), largest input speed (rad/s), output
+    torque and mean output torque (Nm), infinite where not given; size (kg) and cost, NaN where not given.
 
     A single number stands for all. Raises ValueError for lengths that differ, i not above 0, η not above 0 and
     at most 1, or J_T below 0 (that names the reducer).
@@ -81,11 +86,12 @@ class Reducers:
     inertia: Array
     max_input_speed: Array
     max_output_torque: Array
+    max_mean_torque: Array = field(default_factory=no_limit)
     size: Array = field(default_factory=not_given)
     cost: Array = field(default_factory=not_given)
 
     def __post_init__(self) -> None:
-        positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque")
+        positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque")
         _columns(self, "reducer", positive, ("inertia",), ("size", "cost"))
         _require_each("reducer", self.names, "efficiency", self.efficiency <= 1.0, self.efficiency, "at most 1")
 

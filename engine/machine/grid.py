@@ -29,12 +29,15 @@ PARTS = 10_000
 
 class Wanted(NamedTuple):
     """What a usable pair holds: the largest inertia at the motor over the motor's, the least and the greatest rated
-    torque over RMS torque; and the factor on the torque that a reducer must hold."""
+    torque over RMS torque; the factor on the torque that a reducer must hold; the least peak torque and largest speed
+    of a motor over what is asked of it."""
 
     inertia_ratio: float
     least_margin: float
     greatest_margin: float
     torque_factor: float
+    least_peak: float = 1.0
+    least_speed: float = 1.0
 
 
 class Curve(NamedTuple):
@@ -151,7 +154,9 @@ class Grid:
     @cached_property
     def fits(self) -> NDArray[np.bool_]:
         """Whether each reducer holds torque and speed."""
-        return (self.behind <= self.reducers.max_output_torque) & (self.speed <= self.reducers.max_input_speed)
+        r = self.reducers
+        strong = (self.behind <= r.max_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
+        return strong & (self.speed <= r.max_input_speed)
 
     def use(self, motor: int, reducer: int) -> Used:
         """Return what a pair uses of its motor."""
@@ -162,11 +167,11 @@ class Grid:
     @cached_property
     def verdicts(self) -> NDArray[np.str_]:
         """What each pair fails first, or that it is usable."""
-        m = self.motors
+        m, wanted = self.motors, self.wanted
         fails = (
             (np.broadcast_to(~self.fits, self.rms.shape), "reducer"),
-            (self.speed > m.max_speed[:, None], "speed"),
-            (self.peak > m.peak_torque[:, None], "peak"),
+            (self.speed * wanted.least_speed > m.max_speed[:, None], "speed"),
+            (self.peak * wanted.least_peak > m.peak_torque[:, None], "peak"),
         )
         return np.select([one for one, _ in fails], [word for _, word in fails], self.wanted_verdicts)
 

@@ -7,6 +7,7 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -74,6 +75,12 @@ class PointLoad:
         back = gives_back(torque, load.direction, 0.0) & (load.train.method == "physical")
         found = load.turning, np.where(back, 0.0, torque), np.where(back, torque, 0.0), np.abs(load.speed)
         return Points(*(one.ravel() for one in found))
+
+    @cached_property
+    def mean_torque(self) -> float:
+        """The mean torque of the shaft, ³√(mean |ω||S|³/mean |ω|) (Nm), by which gears are rated; 0 where it stands."""
+        weight = self.load.share * np.abs(self.load.speed)
+        return math.cbrt(float((weight * np.abs(self.load.behind) ** 3).sum() / weight.sum())) if weight.any() else 0.0
 
     @cached_property
     def squares(self) -> Squares:

@@ -58,6 +58,7 @@ class ReducerRow(Model):
     inertia: NotNegative | None = None  # kg cm², at the motor's shaft
     max_speed: Positive | None = None  # rpm, of the input
     max_torque: Positive | None = None  # Nm, of the output
+    mean_torque: Positive | None = None  # Nm, of the output: T2N
     mass: NotNegative | None = None  # kg
     cost: NotNegative | None = None
     source: Source | None = None

@@ -46,6 +46,7 @@ REDUCER_COLUMNS = {
     "inertia_at_input_kgcm2": "inertia",
     "max_input_speed_rpm": "max_speed",
     "max_output_torque_Nm": "max_torque",
+    "max_mean_torque_Nm": "mean_torque",
     "mass_kg": "mass",
     "cost": "cost",
     "source": "source",

@@ -34,8 +34,8 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> Sh
         column("motors", n, "knee", "full_torque_to", "peak torque up to, if less", "n_1", "rpm", format="0.##"),
         column("motors", n, "end", "end_torque", "peak torque at n_M,max, if less", "", "Nm", format="0.0##"),
         column("motors", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
-        column("motors", n, "source", "source", "source", align="left"),
         column("motors", n, "cost", "cost", "cost", format="0.##"),
+        column("motors", n, "source", "source", "source", align="left"),
         rules=[HALF, FALLING],
     )  # fmt: skip
     sheet.row += 1
@@ -47,7 +47,8 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> Sh
         column("reducers", n, "eta", "efficiency", "efficiency", "η", format="0.0##"),
         column("reducers", n, "inertia", "inertia", "inertia at the input", "J_T", "kg cm²", format="0.0####"),
         column("reducers", n, "nmax", "max_speed", "largest input speed", "", "rpm", format="0.##"),
-        column("reducers", n, "tmax", "max_torque", "largest output torque", "", "Nm", format="0.0##"),
+        column("reducers", n, "tmax", "max_torque", "largest output torque", "T_2B", "Nm", format="0.0##"),
+        column("reducers", n, "t2n", "mean_torque", "largest mean output torque", "T_2N", "Nm", format="0.0##"),
         column("reducers", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
         column("reducers", n, "cost", "cost", "cost", format="0.##"),
         column("reducers", n, "source", "source", "source", align="left"),

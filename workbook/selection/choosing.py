@@ -57,6 +57,7 @@ def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
         si(figures(rows, "inertia", missing=0.0), KG_CM2),
         si(figures(rows, "max_speed", missing=math.inf), RPM),
         figures(rows, "max_torque", missing=math.inf),
+        figures(rows, "mean_torque", missing=math.inf),
         figures(rows, "mass"),
         figures(rows, "cost"),
     )
@@ -92,7 +93,8 @@ class Choosing:
     def grid(self) -> Grid:
         """All pairs."""
         g = self.given
-        wanted = Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor)
+        wanted = Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor,
+                        g.least_peak_margin, g.least_speed_margin)  # fmt: skip
         return Grid(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted)
 
     @property

@@ -62,6 +62,12 @@ class Ranked(Products):
     greatest_margin: Positive = Field(
         default=10.0, description="Greatest rated torque over RMS torque of a usable pair"
     )
+    least_peak_margin: Positive = Field(
+        default=1.1, description="Least peak torque of the motor over the largest torque of a usable pair"
+    )
+    least_speed_margin: Positive = Field(
+        default=1.1, description="Least largest speed of the motor over the largest speed of a usable pair"
+    )
     torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
 
 

@@ -96,8 +96,8 @@ def within(c: int) -> str:
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: reducer, speed, peak torque, or what is wanted of it."""
-    peak = f'IF(INDEX([@peak{c}.v],[k])>[peak],"peak",INDEX([@wanted{c}.v],[k]))'
-    speed = f'IF([@reducers.n.{c}]>[nmax],"speed",{peak})'
+    peak = f'IF(INDEX([@peak{c}.v],[k])*@least_peak>[peak],"peak",INDEX([@wanted{c}.v],[k]))'
+    speed = f'IF([@reducers.n.{c}]*@least_speed>[nmax],"speed",{peak})'
     return f'IF([on]*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{speed}))'
 
 
@@ -211,7 +211,8 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     r, g, n = view.reducers, view.grid, view.rooms[1]
     known, weight = weights(view, r.size, r.cost)
-    limits = [np.where(np.isfinite(one), one, 0.0) for one in (shown(r.max_input_speed, RPM), r.max_output_torque)]
+    given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
+    limits = [np.where(np.isfinite(one), one, 0.0) for one in given]
     sheet.table(
         "@reducers", "Reducers of the catalogue, and what each makes of the axis", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
@@ -226,8 +227,9 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         calc("nmax", "largest input speed", "", "rpm", "=INDEX([reducers.nmax],[k])+0", filled(limits[0], n),
              source="0: no limit"),
         calc("tmax", "largest torque", "", "Nm", "=INDEX([reducers.tmax],[k])+0", filled(limits[1], n)),
+        calc("tmean", "largest mean torque", "", "Nm", "=INDEX([reducers.t2n],[k])+0", filled(limits[2], n)),
         calc("fits", "holds the axis", "", "",
-             "=IF(AND([on]=1,OR([nmax]=0,[n]<=[nmax]),OR([tmax]=0,@tmax<=[tmax])),1,0)",
+             "=IF(AND([on]=1,OR([nmax]=0,[n]<=[nmax]),OR([tmax]=0,@tmax<=[tmax]),OR([tmean]=0,@smean<=[tmean])),1,0)",
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(α_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),

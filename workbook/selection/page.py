@@ -66,6 +66,10 @@ def entries(sheet: Sheet, view: Choosing, first: Sequence[Quantity]) -> None:
               source="T_N / T_rms"),
         given("@greatest", "Greatest margin", "", "", s.greatest_margin, "selection.greatest_margin", format="0.0##",
               source="so that no motor is far too large"),
+        given("@least_peak", "Least margin of peak torque", "", "", s.least_peak_margin, "selection.least_peak_margin",
+              format="0.0##", source="motor's peak torque / largest torque"),
+        given("@least_speed", "Least margin of speed", "", "", s.least_speed_margin, "selection.least_speed_margin",
+              format="0.0##", source="motor's largest speed / largest speed"),
         given("@factor", "Factor on the reducer's torque", "f", "", s.torque_factor, "selection.torque_factor",
               format="0.0##", source="for shocks or many cycles an hour, as its maker says"),
     )  # fmt: skip

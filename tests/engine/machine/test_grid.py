@@ -69,9 +69,12 @@ def test_what_a_pair_fails_first_is_told():
     assert told(greatest_margin=1e-9) == {"large"}
     assert told(inertia_ratio=1e-9) == {"inertia"}
     assert told(torque_factor=1e9) == {"reducer"}
+    assert (told(least_peak=1e9), told(least_speed=1e9)) == ({"peak"}, {"speed"})
     weak, slow = (replace(grid(), motors=replace(MOTORS, **{name: np.full(2, 1e-3)}))
                   for name in ("peak_torque", "max_speed"))  # fmt: skip
     assert (set(weak.verdicts.ravel()), set(slow.verdicts.ravel())) == ({"peak"}, {"speed"})
+    gentle = replace(grid(), reducers=replace(grid().reducers, max_mean_torque=np.full(2, 1e-3)))
+    assert set(gentle.verdicts.ravel()) == {"reducer"}
 
 
 def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_of_it():
@@ -94,7 +97,7 @@ class Held:
 
     def __init__(self, acceleration, driving, driven, speed):
         self.points = Points(*(np.array(one) for one in (acceleration, driving, driven, speed)))
-        self.torques = PointLoad.torques.__get__(self)
+        self.torques, self.peak = PointLoad.torques.__get__(self), PointLoad.peak.__get__(self)
 
 
 def test_the_reserve_is_what_is_left_below_the_curve_at_the_points():

@@ -127,7 +127,8 @@ def test_the_drum_finds_a_pair_of_the_committed_catalogues():
     data = machine().model_dump()
     data["sizes"] |= {"motors": 40, "reducers": 40}
     catalogues = {"motors": committed_motors(), "reducers": committed_reducers()}
-    data["selection"] = {"torque_factor": 2.0, "least_margin": 1.0} | catalogues
+    margins = dict.fromkeys(("least_margin", "least_peak_margin", "least_speed_margin"), 1.0)
+    data["selection"] = {"torque_factor": 2.0} | margins | catalogues
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
     assert (value("sel_motor"), value("sel_reducer")) == (value("drive_motor"), value("drive_reducer"))
     assert value("drive_motor") == "HDT BH20G (2000 rpm)"

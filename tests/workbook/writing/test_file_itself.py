@@ -18,7 +18,7 @@ from engine.laws.mended import NONE
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as, small
 from workbook.book.limits import EXPECTED, MESSAGES
-from workbook.book.sentence import FINE, LARGEST, MOST, NOUGHT
+from workbook.book.sentence import DIGITS, LARGEST, PLACES
 from workbook.build import build
 from workbook.reading.descriptions import write_machine
 from workbook.templates import TEMPLATES
@@ -32,7 +32,7 @@ CLOSED = {
 DRIVES = {"0.5", "10", "16", "25"}  # and of a drive's stretches: derivatives of a polynomial of degree 5
 TURN = {"360"}  # degrees of a turn
 NOTHING = {repr(NONE), repr(NONE).upper()}  # of a size: below it there is none
-SHOWN = {f"{LARGEST:.0f}", f"{NOUGHT:.9f}", str(FINE - 1), str(MOST)}  # of sentences: of entries and amounts
+SHOWN = {f"{LARGEST:.0f}", str(DIGITS), str(PLACES)}  # of sentences: of entries and amounts
 BETWEEN = pytest.param(FileFormat.OFFICE_2019, marks=pytest.mark.nightly)
 BUILD = """
 import sys

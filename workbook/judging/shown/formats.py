@@ -144,8 +144,8 @@ def of_number(part: Part, n: int, unit: str, symbol: str, zeros: bool, condition
     yield from coloured(part)
     if conditional:
         yield NOTICE, "shown by conditions"
-        less = part.condition.startswith("<") and float(CONDITION.fullmatch(part.condition)[2]) <= 0  # type: ignore[index]
-        n = 1 if less else 0
+        found = CONDITION.fullmatch(part.condition)
+        n = int(found is not None and part.condition.startswith("<") and float(found[2]) <= 0)
     elif n == 2 and set(part.literal) <= DASHES and part.literal and not part.codes.strip("?"):
         return
     if part.date:

@@ -228,11 +228,12 @@ def links(match: Match, told: Told) -> None:
     for sheet in match.declared.sheets:
         page = match.file.workbook[title] if (title := titles[sheet.title]) else None
         declared = {" ".join(text.text.split()): titles.get(text.link) for text in sheet.texts if text.link}
+        sheet_title = page.title if page is not None else ""
         for cell in page._cells.values() if page is not None else ():
             link = cell.hyperlink
             if link is None or not isinstance(cell.value, str):
                 continue
-            text, at = " ".join(cell.value.split()), Address(page.title, cell.row, cell.column)  # type: ignore[union-attr]
+            text, at = " ".join(cell.value.split()), Address(sheet_title, cell.row, cell.column)
             target = str(link.location or "").rpartition("!")[0].strip("#'").replace("''", "'")
             if at in match.addresses or (text in declared and (link.target or target != declared[text])):
                 told.add(at, (NOTICE, f"a link to {link.target or link.location}"), "as built", text)

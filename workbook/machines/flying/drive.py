@@ -18,6 +18,8 @@ from workbook.motion.sampled import place_columns, sampled
 
 BELOW_CHARTS = 45
 UNLISTED = "a name is not in the catalogue; expected one of its names, or an empty cell"
+MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
+CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
 
 
 def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
@@ -79,6 +81,8 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
                float(view.left.min()), scale=max(size, view.motor.peak_torque), source="at the points"),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", "=MAX(MAX([@pt.S]),0-MIN([@pt.S]))",
                view.asked.torque, scale=view.torque),
+        result("@smean", "Output torque of the reducer, mean", "", "Nm", CUBIC, view.asked.mean_torque,
+               scale=view.torque, source="³√(∫|v||S|³ dt/∫|v| dt)"),
         result("@balance", "Ratio over the best ratio", "τ/τ_opt", "",
                "=IF(sel_moves=1,1/@i/SQRT(@j*sel_wrms*@eta/sel_trms),0)", view.balance,
                source="1: motor and load balanced, with the reducer's η and inertia"),
@@ -87,7 +91,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
 
 def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
-    fastest, strongest = view.limits
+    fastest, strongest, lasting = view.limits
     speed, torque, spare = view.speed, view.chosen.torque_factor * view.asked.torque, float(view.left.min())
     return [
         check("@ok_told", "Drive: motor and reducer are in the catalogue", "@motor_row*@reducer_row>0", True,
@@ -102,6 +106,9 @@ def checks(view: ToolDrive) -> list[Quantity]:
         check("@ok_reducer_peak", "Drive: torque within the reducer's",
               "OR(@reducer_peak=0,sel_tmax<=@reducer_peak)", not strongest or torque <= strongest,
               says=exceeding("sel_tmax", "@reducer_peak", "Nm", torque, strongest)),
+        check("@ok_reducer_mean", "Drive: mean torque within the reducer's",
+              "OR(@reducer_mean=0,@smean<=@reducer_mean)", not lasting or view.asked.mean_torque <= lasting,
+              says=exceeding("@smean", "@reducer_mean", "Nm", view.asked.mean_torque, lasting)),
     ]  # fmt: skip
 
 
@@ -150,6 +157,8 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         of("@reducer_nmax", "Largest input speed of the reducer", "", "rpm", "reducer.nmax",
            shown(view.limits[0], RPM), "0: no limit"),
         of("@reducer_peak", "Largest output torque of the reducer", "", "Nm", "reducer.tmax", view.limits[1],
+           "0: no limit"),
+        of("@reducer_mean", "Largest mean output torque of the reducer", "", "Nm", "reducer.tmean", view.limits[2],
            "0: no limit"),
         calc("@still", "Standstill: speeds up to", "", "m/s", "=check_zero*MAX(ABS(fly_low),ABS(fly_high))",
              view.still, format="0E+00", scale=view.still),

@@ -86,12 +86,12 @@ class ToolDrive:
         return Falling(knee, fall)
 
     @property
-    def limits(self) -> tuple[float, float]:
-        """The largest input speed (rad/s) and output torque (Nm) of the reducer; 0 of one that gives none."""
+    def limits(self) -> tuple[float, float, float]:
+        """The reducer's largest input speed (rad/s), output torque and mean torque (Nm); 0 of what it does not give."""
         r, k = self.before.reducers, self.pair[1]
-        found = (float(one[k]) for one in (r.max_input_speed, r.max_output_torque))
-        speed, torque = (0.0 if np.isinf(one) else one for one in found)
-        return speed, torque
+        found = (float(one[k]) for one in (r.max_input_speed, r.max_output_torque, r.max_mean_torque))
+        speed, torque, mean = (0.0 if np.isinf(one) else one for one in found)
+        return speed, torque, mean
 
     @cached_property
     def points(self) -> DrivePoints:
@@ -178,6 +178,7 @@ class ToolDrive:
             Figure("product_back", "… driven", "W/s", mean("al", "S", DRIVEN), mixed_back, turning * torque),
             Figure("speed", "largest speed", "rad/s", "fly_w_max", self.asked.speed),
             Figure("smax", "largest torque", "Nm", "drive_smax", self.asked.torque, torque),
+            Figure("smean", "mean torque", "Nm", "drive_smean", self.asked.mean_torque, torque),
             Figure("inertia", "inertia", "kg m²", "fly_j", self.asked.inertia),
             BESIDE,
             Figure("brake", "held by a brake at rest", "", "0", 0.0),

@@ -30,13 +30,13 @@ REDUCER = (
     ("efficiency", "efficiency", "η_1", "", "1 if empty"),
     ("inertia", "inertia at the input", "J_G", "kg cm²", ""),
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit"),
-    ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit; the catalogue has none"),
+    ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
 )
 IN_USE = {"inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax"}
 GEARED = {
     "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
-    "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", ""),
+    "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", "t2n"),
     "max_speed": ("@reducer_nmax", "nmax"),
 }  # fmt: skip
 """of each entry of a reducer: the cell that is used, and the column of the catalogue"""
@@ -121,13 +121,13 @@ def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
     """Return the reducer of an axis, one of ratio 1 where nothing is entered."""
     e, found = axis.reducer, named(products.reducers, axis.reducer.name)
     row = place_of(e.name, [one.name for one in products.reducers]) + 1
-    mean = e.mean_torque or 0.0
     if found:
         inertia = si(found.inertia or 0.0, KG_CM2)
-        return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.max_torque or 0.0, mean,
-                            found.max_speed or 0.0)  # fmt: skip
+        return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.max_torque or 0.0,
+                            found.mean_torque or 0.0, found.max_speed or 0.0)  # fmt: skip
     inertia = si(e.inertia, KG_CM2)
-    return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.peak_torque or 0.0, mean, e.max_speed or 0.0)
+    return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.peak_torque or 0.0, e.mean_torque or 0.0,
+                        e.max_speed or 0.0)  # fmt: skip
 
 
 def entries(axis: Axis, key: str) -> list[Quantity]:
@@ -180,7 +180,7 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
         cell, column = GEARED[name]
         own = f"@own_reducer_{name}"
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
-        listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)" if column else entered
+        listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)"
         rows.append(
             calc(cell, f"Reducer: {words}", symbol, SI_UNITS.get(unit, unit), f"={in_si(listed, unit)}",
                  getattr(reducer, name), source="0: no limit" if name in LIMITS else "")

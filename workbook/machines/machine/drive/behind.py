@@ -100,6 +100,7 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
         Figure("product_back", "… driven", "W/s", "@ask_product_back", mixed_back, alpha * behind),
         Figure("speed", "largest speed", "rad/s", "@ask_speed", load.speed),
         Figure("smax", "largest torque", "Nm", "@smax", load.torque, behind),
+        Figure("smean", "mean torque", "Nm", "@smean", view.reducer_checks[1].value, behind),
         Figure("inertia", "inertia", "kg m²", "@ask_inertia", load.inertia),
         Figure("beside", "parts beside the motor", "kg m²", "@ask_beside", d.beside_motor),
         Figure("brake", "held by a brake at rest", "", '(@holding="brake")', float(d.holding == "brake")),
