@@ -95,6 +95,8 @@ def edited(workbook, edit):
                 home = (cell.parent.title, cell.row, cell.column)
                 cell.value = "=" + followed(cell.value[1:], page.title, edit, home)
         charts(page, edit)
+        if isinstance(edit, Lines) and edit.columns and page.title == edit.sheet:
+            columns(page, edit)
         page.conditional_formatting = rules(page, edit)
         for rule in page.data_validations.dataValidation:
             rule.sqref = areas(rule.sqref, page.title, edit)
@@ -106,6 +108,15 @@ def edited(workbook, edit):
         name.attr_text = followed(name.attr_text, "", edit)
     cells(workbook, edit)
     return workbook
+
+
+def columns(page, edit):
+    """Let widths and hidden columns move with what stands in them."""
+    told = [(span, one) for one in page.column_dimensions.values() if (span := edit.span(one.min, one.max))]
+    page.column_dimensions.clear()
+    for (first, last), one in told:
+        one.index, one.min, one.max = get_column_letter(first), first, last
+        page.column_dimensions[one.index] = one
 
 
 def followed(text, sheet, edit, home=None):

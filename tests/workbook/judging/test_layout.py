@@ -93,8 +93,9 @@ def one(report, sheet, cell, *words):
     return found
 
 
-def understood(report):
-    assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in sums(report).findings + report.notices] == []
+def understood(report, *noticed):
+    told = sums(report).findings + [f for f in report.notices if f.computed not in noticed]
+    assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in told] == []
     assert report.compared == report.declared
 
 
@@ -240,7 +241,7 @@ def test_a_whole_table_cut_and_pasted_with_its_headings_is_understood(books, tmp
     *_, right = place(path, "axis2_messages")
     for down, across in ((0, 45), (900, 0)):
         made = edited(path, tmp_path, excel.Cut(sheet, f"A{top - 7}:{right}{bottom + 9}", down, across))
-        understood(verify(made))
+        understood(verify(made), "not printed")  # the print area stays where it is
         assert numbers(inputs(made)[0]) == numbers(inputs(path)[0])
 
 
