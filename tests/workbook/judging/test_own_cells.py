@@ -108,7 +108,7 @@ def test_running_sums_of_ones_own_are_not_counted_as_work(tmp_path, monkeypatch)
     entry = Known(tmp_path / "a.xlsx").place("axis1_position")
     opened[entry.sheet][entry.a1].value = "=SUM(Mine!B1:B2000)/1E8"
     opened.save(tmp_path / "c.xlsx")
-    with pytest.raises(ReadError, match="its formulas read 2,2"):
+    with pytest.raises(ReadError, match=r"its formulas read 2,\d{3},\d{3} cells"):
         verify(tmp_path / "c.xlsx")
 
 
