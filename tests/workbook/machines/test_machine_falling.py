@@ -130,7 +130,7 @@ def test_a_curve_that_is_typed_into_a_book_without_one_fails_and_says_why(tmp_pa
     changed(path, peak_torque_up_to=2000.0, peak_torque_at=5.0)
     report = verify(path)
     assert report.findings == []
-    assert any("holds up to its largest speed" in line and "give it to the description" in line
+    assert any("is given up to its largest speed" in line and "give it to the description" in line
                for line in (check.line for check in report.failing)), report.failing  # fmt: skip
 
 
