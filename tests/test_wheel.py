@@ -40,3 +40,7 @@ def test_the_wheel_runs_outside_the_repository(motionbook):
     motionbook("new", "machine", "-o", "mine.toml")
     motionbook("build", "mine.toml")
     assert "every one computes what" in " ".join(motionbook("verify", "mine.xlsx").split())
+
+
+def test_changelog_and_package_name_one_version():
+    assert f"## {workbook.__version__} " in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
