@@ -197,8 +197,8 @@ def test_saved_numbers_that_are_shown_as_dates_are_numbers(cutting, tmp_path):
     for pair in cutting.pairs(lambda p: isinstance(p.held, int | float) or p.declared_formula):
         opened[pair.address.sheet][pair.address.a1].number_format = "yyyy-mm-dd hh:mm"
     opened.save(tmp_path / "b.xlsx")
-    report = sums(verify(tmp_path / "b.xlsx", ["pycel", "formualizer"]))
-    assert report.findings == []
+    report = verify(tmp_path / "b.xlsx", ["pycel", "formualizer"])
+    assert {found.kind for found in report.findings} == {"shown"}  # no value is wrong
     entered = Entries(open_book(tmp_path / "b.xlsx"), agreed).machine()
     assert entered == cutting.machine
 
