@@ -123,7 +123,9 @@ def test_own_cells_are_no_finding_by_any_witness(name, filled):
 def test_own_cells_are_no_finding_after_libreoffice(name, filled, tmp_path):
     saved = convert(filled(name).path, "xlsx", tmp_path)
     report = verify(saved, present(*QUICK_WITNESSES))
-    assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in report.findings + report.notices] == []
+    own = "with conditionalFormattings for newer programs"  # as it writes the bars in own cells: a notice says so
+    told = report.findings + [f for f in report.notices if f.computed != own]
+    assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in told] == []
     assert report.not_evaluated == len(report.own) > 1_000
     assert all(w.compared == report.declared for w in report.witnesses if w.answered)
     assert "saved" in [w.name for w in report.witnesses if w.answered]
@@ -157,7 +159,7 @@ def test_one_line_says_how_many_are_not_checked(filled, capsys):
     data = report_data(report)
     assert (data["own_cells"]["formulas"], data["own_cells"]["not_evaluated"]) == (book.count, book.count)
     show_report(report, Console(width=500))
-    (line,) = [text for text in capsys.readouterr().out.splitlines() if "not evaluated" in text]
+    (line,) = [text for text in capsys.readouterr().out.splitlines() if "not checked" in text]
     assert line.startswith(f"{book.count:,} formulas of your own, not checked")
     outcome = Outcome(book.path, "agrees", report)
     when = datetime(2026, 1, 1, tzinfo=UTC)
