@@ -134,7 +134,7 @@ def test_auditor_is_awake(tmp_path):
     build(shortened(COMPOSED)[1], tmp_path / "book.xlsx")
     spoiled = openpyxl.load_workbook(tmp_path / "book.xlsx")
     sheet = spoiled["ACS"]
-    row = next(c.row for c in sheet["D"] if isinstance(c.value, str) and "piece_ps" in c.value) + 3
+    row = next(c.row for c in sheet["D"] if isinstance(c.value, str) and "piece_y" in c.value) + 3
     sheet.cell(row, 4).value = 0.25
     spoiled.save(tmp_path / "spoiled.xlsx")
     found = audited(tmp_path / "spoiled.xlsx", tmp_path)["findings"]

@@ -185,7 +185,7 @@ def test_a_text_is_shared_by_its_cells_and_keeps_its_blanks():
 
 def test_more_than_a_hundred_thousand_formulas(tmp_path):
     machine = cutting.described()
-    sizes = machine.sizes.model_copy(update={"cycle": 2000})
+    sizes = machine.sizes.model_copy(update={"cycle": 2400})
     build(machine.model_copy(update={"sizes": sizes}), tmp_path / "book.xlsx")
     formulas = b"".join(parts(tmp_path / "book.xlsx", r"xl/worksheets/.*").values()).count(b"<f>")
     assert formulas > 100_000

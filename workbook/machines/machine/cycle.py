@@ -57,9 +57,9 @@ def whole(one: AxisRows, floor: int) -> list[Quantity]:
         calc("@late", "Its phases begin later by", "", "°", f"=[axes_taken.late.{i}]+0", axis.given.shift),
         calc("@travel", "Travel of a cycle", "", unit, f"=[axes.travel.{i}]+0",
              shown(axis.motion.lifts_sum, axis.unit), scale=shown(axis.motion.size(0), axis.unit)),
-        calc("@by_lift", "Height in the diagram by lift", "", f"1/{unit}",
+        calc("@by_lift", "Height by lift", "", f"1/{unit}",
              f"=IF({highest}>{lowest},timing_lane/({highest}-{lowest}),0)", by_lift),
-        calc("@floor", "Height in the diagram of position 0", "", "", f"={floor}-@by_lift*{lowest}",
+        calc("@floor", "Height of position 0", "", "", f"={floor}-@by_lift*{lowest}",
              floor - by_lift * low, scale=1.0),
     ]  # fmt: skip
 

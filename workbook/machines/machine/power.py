@@ -16,7 +16,7 @@ NOTE = "A drive takes what its motor needs over η; what comes back, times η, g
 TOGETHER = "Drives use what others give back; what is left goes into one resistor."
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
 CHART_COLUMN = 10
-YEAR = '#,##0.0;-#,##0.0;"–"'
+YEAR = '0.0;-0.0;"–"'
 """format of the energy of a year: a dash where no hours of running are entered"""
 
 

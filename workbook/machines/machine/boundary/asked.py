@@ -111,9 +111,9 @@ def ends(one: Handing) -> list[Quantity]:
         calc("q1", "acceleration at its end", "a_1", at.unit(2),
              f"=IF(OR([way]=-1,[line1]=1,[after]=0),0,{later('ea')})", one.of(lambda step: step.end.asked.a),
              scale=size(2)),
-        calc("moved", "|v_0| + |v_1|", "", at.unit(1), "=ABS([w0])+ABS([w1])",
+        calc("moved", "sum of |v|", "", at.unit(1), "=ABS([w0])+ABS([w1])",
              one.of(lambda step: abs(step.begin.asked.v) + abs(step.end.asked.v)), scale=size(1)),
-        calc("bent", "|a_0| + |a_1|", "", at.unit(2), "=ABS([q0])+ABS([q1])",
+        calc("bent", "sum of |a|", "", at.unit(2), "=ABS([q0])+ABS([q1])",
              one.of(lambda step: abs(step.begin.asked.a) + abs(step.end.asked.a)), scale=size(2)),
     ]  # fmt: skip
 

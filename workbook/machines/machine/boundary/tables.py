@@ -14,8 +14,8 @@ from workbook.machines.machine.boundary.kinds import kinds
 TITLE = "Workings: what phases take from their neighbours"
 ABOUT = (
     "A straight line hands its velocity to both neighbours. y = v0 u + h_a s(ξ) up to the greatest velocity of a law "
-    "of two pulses, from then on y_1 − v1 (δ − u) − h_b (1 − s(ξ)); a polynomial is Σ e_n ξⁿ. Its extremes are "
-    "those at 201 points, at most 0.05 % below the exact ones."
+    "of two pulses, from then on y_1 − v1 (δ − u) − h_b (1 − s(ξ)); a polynomial is Σ e_n ξⁿ. Extremes: "
+    "at 201 points, at most 0.05 % below."
 )
 
 
