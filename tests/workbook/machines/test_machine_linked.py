@@ -93,7 +93,8 @@ def test_speed_and_torque_against_differentiated_angles():
         return found[0] - found[1:]
 
     assert value("drive1_pt", "phi") == pytest.approx(angle(value("drive1_pt", "y")), abs=1e-12)
-    told, places = np.gradient(angle(np.array(value("cycle1", "y")) / 1000), time), value("cycle1", "theta")
+    told = np.gradient(angle(np.array(value("cycle1", "y")) / 1000), time)
+    places = np.linspace(0.0, 360.0, len(told))
     rates = np.array(value("drive1_pt", "v")) * value("drive1_pt", "g")
     assert rates == pytest.approx(np.interp(value("drive1_pt", "theta"), places, told), abs=0.05)
     assert value("drive1_cycle", "n") == pytest.approx(told * 30 / np.pi, abs=0.02 * np.abs(told).max() * 30 / np.pi)
