@@ -26,17 +26,16 @@ BRAKED = 'AND([dir]=0,@holding="brake")'
 
 
 class Ratio(NamedTuple):
-    """The formulas of the mechanism's ratio φ', and of the acceleration of its shaft."""
+    """The formulas of the mechanism's ratio φ', of the acceleration of its shaft, and of both of the motor's."""
 
     ratio: str
     acceleration: str
+    motor_ratio: str
+    motor_acceleration: str
 
 
-def ratio_of(view: DriveView, a: str) -> Ratio:
-    """Return them for an acceleration of the load."""
-    if view.varies:
-        return Ratio("[g]", "[al]")
-    return Ratio("@i2", f"@i2*{a}")
+VARIES = Ratio("[g]", "[al]", "@i1*[g]", "@i1*[al]")
+CONSTANT = Ratio("@i2", "@i2*[a]", "@i", "@i*[a]")
 
 
 def asks(view: DriveView) -> bool:
@@ -59,7 +58,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive at the points of each interval."""
     rows = range(1, view.rows + 1)
     load, points, size = view.load, view.points, view.scales
-    turning = ratio_of(view, "[a]")
+    turning = VARIES if view.varies else CONSTANT
     of = view.by_point
     sheet.table(
         "@pt", "The drive at nine points of each interval", view.rows * COUNT,
@@ -78,8 +77,8 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         calc("F", "force at the load", "F", force_unit(view), f"=[R]+@m*[a]{viscous(view, '[v]')}", of(load.force),
              scale=size.force, source="F_r + m ÿ"),
         *torques(view, load, turning, of),
-        result("n", "speed of the motor", "n", "rpm", f"=@i1*{turning.ratio}*[v]*30/PI()", of(shown(points.speed, RPM)),
-               scale=size.rpm, source="i_1 φ' ẏ"),
+        result("n", "speed of the motor", "n", "rpm", f"={turning.motor_ratio}*[v]*30/PI()",
+               of(shown(points.speed, RPM)), scale=size.rpm, source="i_1 φ' ẏ"),
         result("P", "power of the motor", "P", "kW", "=[T]*[n]*PI()/30000", of(shown(points.power, KW)),
                scale=size.power, source="T ω"),
         calc("share", "share of the cycle", "", "",
@@ -132,13 +131,12 @@ def position(view: DriveView) -> Quantity:
 def torques(view: DriveView, load: LoadPoints, turning: Ratio, of: Column) -> list[Quantity]:
     """Return the columns of the torque behind the reducer and of the motor's, at places of the motion."""
     size = view.scales
-    inner = "@i2" if not view.varies else "[g]"
     return [
         calc("S", "output torque of the reducer", "T_1", "Nm",
-             f"={LOSS2.format('[F]')}/{inner}+@j1*{turning.acceleration}", of(load.behind), scale=size.behind,
+             f"={LOSS2.format('[F]')}/{turning.ratio}+@j1*{turning.acceleration}", of(load.behind), scale=size.behind,
              source="F/(η_2 φ') + J_p φ̈"),
         result("T", "torque of the motor", "T", "Nm",
-               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*@i1*{turning.acceleration})", of(DrivePoints(load).torque),
+               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*{turning.motor_acceleration})", of(DrivePoints(load).torque),
                scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈"),
     ]  # fmt: skip
 
