@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from workbook.book.quantity import Quantity, calc, check
-from workbook.book.sentence import Sentence, entered, quoted
+from workbook.book.sentence import Sentence, entered, first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
 """behind a table's name the block of its messages; in it the first of each row, and whether a row has any entry"""
@@ -154,7 +154,7 @@ def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) 
     message, row = f"[{table}.{MESSAGE}]", '"row 1, "&'
     condition, says = f'[{table}.{MESSAGE}.1]=""', f"[{table}.{MESSAGE}.1]"
     if guard.rows > 1:
-        found = f'MATCH("?*",{message},0)'
+        found = first_text(message)
         condition, says, row = f'COUNTIF({message},"?*")=0', f"INDEX({message},{found})", f'"row "&{found}&", "&'
     says = f"{row}{says}"
     if filled and any(limit.required for _, limit in guard.entries):
@@ -208,7 +208,7 @@ def first_of(guard: Guard) -> Quantity:
     """Return the column of the first message of each row."""
     first, last = guard.columns[0], guard.columns[-1]
     among = f"[{first}:{last}]"
-    formula = f'=IF(COUNTIF({among},"?*")=0,"",INDEX({among},MATCH("?*",{among},0)))'
+    formula = f'=IF(COUNTIF({among},"?*")=0,"",INDEX({among},{first_text(among)}))'
     return told(MESSAGE, "what is expected", f"=[{first}]" if first == last else formula)
 
 

@@ -13,11 +13,11 @@ NOT_ZERO = "+u_least"
 def polynomial(coefficients: str, x: str, count: int, order: int = 0) -> str:
     """Return the formula, without its =, of a polynomial or of a derivative of it.
 
-    ``coefficients`` are those of 1, x, x² …, as many as ``count``, cells of a row; x is the place, and never 0: see
-    :data:`NOT_ZERO`. ``order`` is 0 for the polynomial itself.
+    The polynomial has ``count`` coefficients, side by side in a row; ``coefficients`` are those from that of
+    x^``order`` on. x is the place, and never 0: see :data:`NOT_ZERO`. ``order`` is 0 for the polynomial itself.
     """
-    powers = constants(max(k - order, 0) for k in range(count))
-    factors = f"{constants(perm(k, order) for k in range(count))}," if order else ""
+    powers = constants(range(count - order))
+    factors = f"{constants(perm(k, order) for k in range(order, count))}," if order else ""
     return f"SUMPRODUCT({coefficients},{factors}{x}^{powers})"
 
 

@@ -55,6 +55,11 @@ def quoted(text: str) -> str:
     return '"' + text.replace('"', '""') + '"'
 
 
+def first_text(texts: str) -> str:
+    """Return the formula of the number of the first row that has a text in a column."""
+    return f'MATCH("?*",{texts},0)'
+
+
 class Said(NamedTuple):
     """The sentence of a check where it fails: the formula of it, and what that gives by the engine."""
 

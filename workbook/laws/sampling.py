@@ -38,7 +38,7 @@ SPELLED = {
     "s": ("position", "INDEX(piece_y,[q],0)/{1,1,2,6,12,20,30,42},[u]^{0,1,2,3,4,5,6,7}", "S0 + S1 u + … − P/ω² sin x"),
     "v": ("velocity", "INDEX(piece_dy,[q],0)/{1,1,2,3,4,5,6},[u]^{0,1,2,3,4,5,6}", "S1 + c0 u + … − P/ω cos x"),
     "a": ("acceleration", "INDEX(piece_ddy,[q],0),[u]^{0,1,2,3,4,5}", "c0 + c1 u + … + P sin x"),
-    "j": ("jerk", "INDEX(piece_ddy,[q],0),{0,1,2,3,4,5},[u]^{0,0,1,2,3,4}", "c1 + 2 c2 u + … + P ω cos x"),
+    "j": ("jerk", "INDEX(piece_dddy,[q],0),{1,2,3,4,5},[u]^{0,1,2,3,4}", "c1 + 2 c2 u + … + P ω cos x"),
 }  # fmt: skip
 """of each derivative: what it is called, its coefficients times powers, and its equation"""
 

@@ -188,5 +188,6 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
         piece_c0="c0", piece_c1="c1", piece_c2="c2", piece_c3="c3", piece_c4="c4", piece_c5="c5",
         piece_P="P", piece_omega="omega", piece_phi="phi", piece_xi="xi",
         piece_ps="ps", piece_pv="pv", piece_pj="pj", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
-        piece_key="key", piece_y="s0:c5", piece_dy="s1:c5", piece_ddy="c0:c5", **(SECOND if second else {}),
+        piece_key="key", piece_y="s0:c5", piece_dy="s1:c5", piece_ddy="c0:c5", piece_dddy="c1:c5",
+        **(SECOND if second else {}),
     )  # fmt: skip

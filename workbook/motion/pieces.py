@@ -110,10 +110,16 @@ def pieces_table(
         *more,
         blank=f"[r]>{at.count}",
     )  # fmt: skip
-    columns = {"at": "begin", "c": f"c0:c{rows.powers - 1}"} | ({"origin": "origin"} if at.opens else {})
+    columns = {"at": "begin"} | ({"origin": "origin"} if at.opens else {})
+    columns |= {from_power(order): f"c{order}:c{rows.powers - 1}" for order in range(len(DERIVATIVES) + 1)}
     columns |= {name: name for one in rows.sines for name in of_sine(one.mark)}
     names = {at.named(name): column for name, column in columns.items()}
     sheet.book.name(block.name, **{in_scope(name, sheet.scope): column for name, column in names.items()})
+
+
+def from_power(order: int) -> str:
+    """Return the name of the columns of the coefficients from that of u^order on."""
+    return f"c{order}" if order else "c"
 
 
 def of_sine(mark: str) -> list[str]:

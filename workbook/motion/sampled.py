@@ -10,7 +10,7 @@ from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, calc
 from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
 from workbook.motion.cells import PieceRows
-from workbook.motion.pieces import amplitude
+from workbook.motion.pieces import amplitude, from_power
 
 POSITION = "c0 + c1 u + … + A sin x"
 SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"
@@ -73,7 +73,7 @@ def place_columns(
 def at_place(rows: PieceRows, order: int, suffix: str, q: str) -> str:
     """Return the formula, without its =, of a derivative at a place of :func:`place_columns`."""
     at = rows.at
-    text = polynomial(f"INDEX({at.named('c')},{q},0)", f"[u{suffix}]", rows.powers, order)
+    text = polynomial(f"INDEX({at.named(from_power(order))},{q},0)", f"[u{suffix}]", rows.powers, order)
     for *_, mark in rows.sines:
         text += SINES[order].format(f"INDEX({at.named(amplitude(order, mark))},{q})", f"[x{mark}{suffix}]")
     return text

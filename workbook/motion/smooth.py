@@ -14,7 +14,7 @@ from engine.motion.pieces import MotionPiece
 from engine.motion.smoothness import JUMP, ORDERS, Joint, joints, scales_of, shortfalls
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
-from workbook.book.sentence import Said, Sentence, figure
+from workbook.book.sentence import Said, Sentence, figure, first_text
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.asked import ABOUT, Asked, in_time, timed
 from workbook.motion.cells import PieceRows
@@ -198,7 +198,7 @@ class Joints:
         return [
             calc("x", "at, as told", "", "", f"=IF([order]=0,0,{x})", [one.x for one in each]),
             calc("jump", "by, as told", "", "",
-                 f'=IF([order]=0,"",IF({size}<1000000000,ROUND({size},9)&"","beyond 1E9"))',
+                 f'=IF([order]=0,"",IF({size}<1E9,ROUND({size},9)&"","beyond 1E9"))',
                  [one.jump for one in each]),
             calc("who", "between", "", "", self._who(), [one.who for one in each]),
             *self._lines(each),
@@ -239,7 +239,7 @@ class Joints:
         told = [self._told(piece, joint).says for piece, joint in zip(self.rows.pieces, self.found, strict=True)]
         first = next((f"{asked.of[1]} {one}".lstrip() for one in told if one), "")
         return check(name, label, f'COUNTIF({says},"?*")=0', self._smooth, ABOUT,
-                     says=Said(f'{head}INDEX({says},MATCH("?*",{says},0))', first))  # fmt: skip
+                     says=Said(f'{head}INDEX({says},{first_text(says)})', first))  # fmt: skip
 
     def _told(self, piece: MotionPiece, joint: Joint) -> Told:
         """Return what the row of a piece tells of the jump where it begins."""

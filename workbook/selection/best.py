@@ -95,7 +95,7 @@ def figures(view: Choosing) -> list[Quantity]:
     def motor(name: str) -> str:
         return there(f"INDEX([@motors.{name}],MAX(1,[m]))")
 
-    beyond = f"(({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*([i]*[@points.n]-[knee])"
+    beyond = f"(({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*([i]*@n-[knee])"
     asked = [falling(view.load, one, view.curve(m)) for one, (m, _) in zip(each, pairs, strict=True)]
     scale = max([*(abs(one.peak) for one in view.listed), *map(abs, asked), 1e-3])
     return [

@@ -7,6 +7,7 @@ from typing import Any
 
 from engine.laws.base import Array
 from engine.machine.quadrature import COUNT
+from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import RPM, shown
 from workbook.selection.choosing import AS_ENTERED, Choosing
@@ -74,6 +75,8 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         calc("driving", "where it drives the load", "", "Nm", "=IF(@by_power*[S]*[dir]<0,0,[S])", of(load.driving),
              scale=behind, source="else the load drives the motor"),
     )  # fmt: skip
+    names = {in_scope(f"@{name}", sheet.scope): name for name in ("al", "S", "n", "driving")}
+    sheet.book.name(in_scope("@points", sheet.scope), **names)
 
 
 GROUP = 6

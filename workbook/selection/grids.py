@@ -11,7 +11,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import Choosing
-from workbook.selection.formulas import peak_of, rms_of
+from workbook.selection.formulas import MIXED, SQUARE, peak_of, rms_of
 
 DASH = '0.0##;-0.0##;"–"'
 NOTE = (
@@ -30,8 +30,8 @@ def grids(sheet: Sheet, view: Choosing) -> None:
          align="center")  # fmt: skip
     grid(sheet, view, "wanted", "What is wanted of a pair", ("on", "rated", "jm"), within, wanted(view),
          align="center")  # fmt: skip
-    grid(sheet, view, "rms", "RMS torque of the motor [Nm]", ("on", "jm"), lambda c: if_on(c, rms_of(*pair(c))),
-         view.spread(g.rms, 0.0), format=DASH, scale=torque)  # fmt: skip
+    grid(sheet, view, "rms", "RMS torque of the motor [Nm]", ("on", "jm"), rms, view.spread(g.rms, 0.0),
+         format=DASH, scale=torque)  # fmt: skip
     grid(sheet, view, "peak", "Peak torque of the motor [Nm]", ("on", "jm"), lambda c: if_on(c, peak_of(*pair(c))),
          view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
 
@@ -76,6 +76,12 @@ def grid(
         sheet.beside(rows, f"@{name}{c}", each)
 
 
+def rms(c: int) -> str:
+    """Return the formula of the RMS torque of the motor of a row with a reducer."""
+    inertia, ratio, _ = pair(c)
+    return if_on(c, rms_of(inertia, ratio, f"[@reducers.mixed.{c}]", f"[@reducers.square.{c}]"))
+
+
 def pair(c: int) -> tuple[str, str, str]:
     """Return J, i and η of the motor of a row with a reducer, as formulas."""
     return f"([jm]+[@reducers.jt.{c}])", f"[@reducers.i.{c}]", f"[@reducers.eta.{c}]"
@@ -96,9 +102,9 @@ def within(c: int) -> str:
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: reducer, speed, peak torque, or what is wanted of it."""
-    peak = f'IF(INDEX([@peak{c}.v],[k])*@least_peak>[peak],"peak",INDEX([@wanted{c}.v],[k]))'
-    speed = f'IF([@reducers.n.{c}]*@least_speed>[nmax],"speed",{peak})'
-    return f'IF([on]*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{speed}))'
+    fast, weak = f"([@reducers.n.{c}]*@least_speed>[nmax])", f"(INDEX([@peak{c}.v],[k])*@least_peak>[peak])"
+    motor = f'CHOOSE(1+2*{fast}+{weak},INDEX([@wanted{c}.v],[k]),"peak","speed","speed")'
+    return f'IF([on]*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
 def products(sheet: Sheet, view: Choosing) -> None:
@@ -124,8 +130,8 @@ def score(c: int) -> str:
     share = f"INDEX([@rms{c}.v],[k])/[rated]"
     balance, inertia = f"[@reducers.balance.{c}]", f"([jm]+[@reducers.jt.{c}])"
     match = f"IF({balance}>0,MAX({balance}/{inertia},{inertia}/{balance})^0.5,1)"
-    used = f"[smaller]*(@rank_no=1)+1-1/(1+{share})"
-    ranked = f"IF(@rank_no<3,{used},IF(@rank_no=3,{match},[weight]+[@reducers.weight.{c}]))"
+    used = f"([smaller]*(@rank_no=1)+1-1/(1+{share}))"
+    ranked = f"[weight]+[@reducers.weight.{c}]+(@rank_no<3)*{used}+(@rank_no=3)*{match}"
     return f"IF([known]*[@reducers.known.{c}],{ranked},0)"
 
 
@@ -212,6 +218,8 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
     r, g, n = view.reducers, view.grid, view.rooms[1]
     known, weight = weights(view, r.size, r.cost)
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
+    asked = view.shaft.values
+    square = asked["square"] / r.efficiency**2 + asked["square_back"] * r.efficiency**2
     limits = [np.where(np.isfinite(one), one, 0.0) for one in given]
     sheet.table(
         "@reducers", "Reducers of the catalogue, and what each makes of the axis", n,
@@ -233,5 +241,11 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(α_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
+        calc("mixed", "mean of α S, with losses", "", "W/s", f"=IF([on]=1,{MIXED.format(eta='[eta]')},0)",
+             filled(asked["product"] / r.efficiency + asked["product_back"] * r.efficiency, n),
+             scale=view.shaft.product),
+        calc("square", "mean square torque of the load at the motor", "", "N²m²",
+             f"=IF([on]=1,{SQUARE.format(eta='[eta]', i='[i]')},0)", filled(square / r.reduction**2, n),
+             scale=view.shaft.torque**2),
         *weighed("reducers", filled(known, n, 0), filled(weight, n)),
     )  # fmt: skip

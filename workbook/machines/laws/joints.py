@@ -84,7 +84,7 @@ def at_place(name: str, at_end: bool, second: bool) -> str:
     order = ORDERS[name]
     text = f"INDEX(piece_c{order},[q])"
     if at_end:
-        text = polynomial("INDEX(piece_ddy,[q],0)", "[u]", POWERS, order)
+        text = polynomial(f"INDEX(piece_{'d' * order}ddy,[q],0)", "[u]", POWERS, order)
     for n in ("", "2") if second else ("",):
         text += SINES[name].format(n=n, x=f"[x{n}]" if at_end else f"INDEX(piece_phi{n},[q])")
     return f"={text}"

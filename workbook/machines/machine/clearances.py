@@ -123,7 +123,7 @@ def positions(one: Apart, end: int, angles: Array) -> list[Quantity]:
     own = f"({place})*1000" if metres else f"DEGREES({place})"
     return [
         calc(f"n{mark}", f"{of}cycles of its phases begun before", "n", "",
-             f"=INT((MIN([theta],360-2*timing_eps)-{late}+timing_eps)/360)", told.cycles, format="0"),
+             f"=INT((MIN([theta],timing_end)-{late}+timing_eps)/360)", told.cycles, format="0"),
         calc(f"p{mark}", f"{of}angle of its phases", "", "°", f"=[theta]-{late}-360*[n{mark}]", shown(told.x, DEGREE),
              format="0.0##", scale=TURN, source="θ − shift − 360 n"),
         *finding(rows.pieces, f"p{mark}", told.x, of, mark),

@@ -101,7 +101,7 @@ def found(one: AxisRows) -> list[Quantity]:
     told = one.axis.told(one.machine.samples)
     return [
         calc("n", "cycles of its phases begun before", "c", "",
-             "=INT((MIN([theta],360-2*timing_eps)-@late+timing_eps)/360)", told.cycles, format="0",
+             "=INT((MIN([theta],timing_end)-@late+timing_eps)/360)", told.cycles, format="0",
              source="the end of the turn has the left limit"),
         calc("p", "angle of its phases", "", "°", "=[theta]-@late-360*[n]", shown(told.x, DEGREE), format="0.0##",
              source="θ − shift − 360 c", scale=360.0),

@@ -8,7 +8,7 @@ from typing import Any
 from engine.timing import Movement
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import amount
+from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import shown
@@ -164,8 +164,7 @@ def used(one: AxisRows) -> list[Quantity]:
 
 def faults(one: AxisRows) -> list[Quantity]:
     """Return what is wrong with each phase, and the rest before it."""
-    over, lacking, last = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))", "MAX([start],[stop])"
-    later = f'=IF(OR([stop]="",{over.in_degrees(last)}-360<=check_zero),"",{going_beyond(last, over)})'
+    over, lacking = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
     if one.ends:
         lacking = doubled(one.ends.other(lacking, "0"))
     return [
@@ -173,8 +172,7 @@ def faults(one: AxisRows) -> list[Quantity]:
         calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source="empty where it does not"),
         calc("early", "begins too early", "", "", EARLY.format(over.after, over.told("0-[gap]")), "",
              source="empty where it does not"),
-        *([calc("beyond", "goes beyond the cycle", "", "", later, "", source="empty where it does not")]
-          if over.measured else []),
+        *([beyond(over)] if over.measured else []),
         calc("lack", "jump of y", "Δy", one.axis.base, lacking,
              filled([p.lack for p in one.axis.phases], one.machine.machine.sizes.phases),
              source="at its end: the law's lack"),
@@ -191,16 +189,11 @@ def rates_of(one: AxisRows) -> tuple[tuple[str, str], tuple[str, str]]:
     return (velocity, acceleration), (y1, y2)
 
 
-def beyond(empty: str, over: Abscissa, ends: tuple[str, str] = ("[start]", "[stop]"), name: str = "beyond") -> Quantity:
-    """Return the column that says which rows go on beyond the cycle."""
-    last = over.in_degrees(f"MAX({','.join(ends)})")
-    return calc(name, "goes beyond the cycle", "", "", f"=IF({empty},0,IF({last}-360>check_zero,1,0))", 0, format="0;;",
-                source="1 where it does")  # fmt: skip
-
-
-def goes_beyond(name: str, row: str, last: str, over: Abscissa) -> str:
-    """Return the formula of the sentence on what goes on beyond the cycle: by the formulas of its name and row."""
-    return f'{name}&{row}&" "&{going_beyond(last, over)}'
+def beyond(over: Abscissa) -> Quantity:
+    """Return the column of how far a row from ``start`` to ``stop`` goes on beyond the cycle, in words."""
+    last = "MAX([start],[stop])"
+    late = f'=IF(OR([stop]="",{over.in_degrees(last)}-360<=check_zero),"",{going_beyond(last, over)})'
+    return calc("beyond", "goes beyond the cycle", "", "", late, "", source="empty where it does not", align="left")
 
 
 def going_beyond(last: str, over: Abscissa) -> str:
@@ -233,7 +226,7 @@ def none_in(one: AxisRows, column: str) -> str:
 
 def in_row(one: AxisRows, column: str) -> str:
     """Return the formula of a sentence: the first message in a column of an axis, and its row."""
-    row = f'MATCH("?*",[{one.name}.{column}],0)'
+    row = first_text(f"[{one.name}.{column}]")
     return f'[axes.name.{one.axis.number}]&" row "&{row}&" "&INDEX([{one.name}.{column}],{row})'
 
 

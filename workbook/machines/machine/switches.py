@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.sentence import first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown
@@ -15,8 +16,6 @@ from workbook.machines.machine.timing import LANE_SHARE
 from workbook.machines.machine.view import Whole
 
 NUMBERS = range(1, TIMES + 1)
-FIRST = 'MATCH("?*",{0},0)'
-"""the number of the first time with a text in a column"""
 NEXT = (
     "SUMPRODUCT(MIN({0}.begin]-[begin]-360*({0}.begin]>=[begin]+360)+360*({0}.begin]<[begin])"
     "+360*({0}.t]=[t])+360*({0}.used]=0)))"
@@ -108,7 +107,7 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
 def first(i: int, column: str) -> str:
     """Return the formula of the sentence on the first time of a switch with a text in a column."""
     texts = f"[switch{i}_times.{column}]"
-    at = FIRST.format(texts)
+    at = first_text(texts)
     return f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})'
 
 

@@ -113,11 +113,13 @@ def in_short(axis: MovingAxis, view: DriveView | None) -> InShort:
 
 
 def name_points(book: Book, view: DriveView) -> None:
-    """Give the columns of a drive's points names that the sheet Selection chooses by."""
+    """Give names to the columns of a drive that its samples, the sheets Power and Selection look up."""
+    i, names = view.driven.number, {name: name for name in ("theta", "T", "n", *(["phi"] if view.varies else []))}
     if asks(view):
-        drive, alpha = f"drive{view.driven.number}", "al" if view.varies else "a"
-        columns = {"dir": "dir", "al": alpha, "S": "S", "n": "n"}
-        book.column_names |= {f"{drive}_{name}": (f"{drive}_pt", column) for name, column in columns.items()}
+        names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "S"}
+    book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
+    book.name(f"drive{i}_cycle", **{f"drive{i}_power": "power"})
+    book.name(f"cycle{i}", **{f"cycle{i}_{name}": name for name in "pv"})
 
 
 def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:

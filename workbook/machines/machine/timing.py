@@ -43,6 +43,8 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
         calc("timing_eps", "Tolerance of an angle", "ε", "°",
              "=360*break_tolerance", machine.near, format="0E+00",
              source="an angle this close to a phase's start is taken as the start"),
+        calc("timing_end", "End of a cycle", "", "°", "=360-2*timing_eps", 360.0 - 2.0 * machine.near, format="0.0##",
+             source="just before it: at 360° a cycle ends, the next begins behind it"),
         constant("timing_lane", "Height of an axis in the diagram", "", "",
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
     )  # fmt: skip

@@ -16,7 +16,7 @@ from typing import Any
 from engine.motion.handover import KEEPS, NEVER, Handover, handovers
 from workbook.book.declare import Quantity, check
 from workbook.book.rows import spread
-from workbook.book.sentence import Said
+from workbook.book.sentence import Said, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.machines.machine.view import MovingAxis
 from workbook.motion.cells import PieceRows
@@ -89,7 +89,7 @@ class Handing:
         contrary = next((f"{axis} row {i}{BESIDE}" for i, one in self.phases if one.contrary), "")
         return [
             check(f"{name}_meets", f"{label}each law meets its neighbours", f"SUM([{self.asked}.cannot])=0", not fault,
-                  says=Said(f'{called}"&INDEX({texts},MATCH("?*",{texts},0))', fault and f"{axis} {fault}")),
+                  says=Said(f'{called}"&INDEX({texts},{first_text(texts)})', fault and f"{axis} {fault}")),
             check(f"{name}_passes", f"{label}what is entered goes with straight lines and dwells",
                   f"SUM({against})=0", not contrary,
                   says=Said(f'{called}row "&MATCH(1,{against},0)/2&"{BESIDE}"', contrary)),

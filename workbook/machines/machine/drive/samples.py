@@ -12,9 +12,9 @@ ABOUT = "Between two points the torque is that of a straight line, right to abou
 def samples_table(sheet: Sheet, view: DriveView) -> None:
     """Declare torque and power of the motor at the samples of the cycle."""
     i, size, (torque, power) = view.driven.number, view.scales, view.sampled
-    at = f"INDEX([cycle{i}.p],[k]+1)"
-    speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*INDEX([cycle{i}.v],[k]+1)/1000"
-    here, there = "INDEX([@pt.theta],[at])", "INDEX([@pt.theta],[at]+1)"
+    at = f"INDEX(cycle{i}_p,[k]+1)"
+    speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*INDEX(cycle{i}_v,[k]+1)/1000"
+    here, there = "INDEX(@theta,[at])", "INDEX(@theta,[at]+1)"
     sheet.heading("Table over the cycle", ABOUT)
     sheet.table(
         "@cycle", "The drive over the cycle", len(torque),
@@ -23,7 +23,7 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
                source="T ω"),
         *shaft(view),
         constant("k", "sample", "k", "", list(range(len(torque)))),
-        calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),[@pt.theta],1)",
+        calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),@theta,1)",
              view.between.point + 1.0, format="0"),
         calc("s", "share of the way to the next", "", "", f"=({at}-{here})/({there}-{here})", view.between.share,
              scale=1.0),
@@ -32,7 +32,7 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
 
 def line(column: str) -> str:
     """Return the formula of a quantity between two points."""
-    return f"=INDEX([@pt.{column}],[at])*(1-[s])+INDEX([@pt.{column}],[at]+1)*[s]"
+    return f"=INDEX(@{column},[at])*(1-[s])+INDEX(@{column},[at]+1)*[s]"
 
 
 def shaft(view: DriveView) -> list[Quantity]:

@@ -6,10 +6,11 @@ from typing import Any
 
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given
 from workbook.book.rows import filled
+from workbook.book.sentence import first_text
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.phases import beyond, goes_beyond
+from workbook.machines.machine.phases import beyond
 
 ACTS = "(({x}>=[@windows.from])*({x}<[@windows.from]+[@windows.span])+({x}+360<[@windows.from]+[@windows.span]))"
 
@@ -45,7 +46,7 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
         calc("moving", "against motion", "", unit, '=IF([resists]="moving",[force]+0,0)',
              filled([w.load.friction for w in found], WINDOWS)),
         *edges(view),
-        *([beyond('[stop]=""', over)] if over.measured else []),
+        *([beyond(over)] if over.measured else []),
     )  # fmt: skip
 
 
@@ -54,12 +55,11 @@ def windows_check(view: DriveView) -> list[Quantity]:
     over, i = view.one.machine.over, view.driven.number
     if not over.measured:
         return []
-    row = "MATCH(1,[@windows.beyond],0)"
-    last = f"MAX(INDEX([@windows.start],{row}),INDEX([@windows.stop],{row}))"
-    name = f'[axes.name.{i}]&" process force "'
+    words = "[@windows.beyond]"
+    row = first_text(words)
     return [check("@ok_windows", f"{view.driven.called}: no process force goes on beyond the cycle",
-                  "SUM([@windows.beyond])=0", True, rule=over.rule("axes", i, "forces"),
-                  says=goes_beyond(name, row, last, over))]  # fmt: skip
+                  f'COUNTIF({words},"?*")=0', True, rule=over.rule("axes", i, "forces"),
+                  says=f'[axes.name.{i}]&" process force "&{row}&" "&INDEX({words},{row})')]  # fmt: skip
 
 
 def edges(view: DriveView) -> list[Quantity]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import atan2, sin
+
 import numpy as np
 
 from engine.mechanisms.rocker import SAME, ends_of
@@ -14,7 +16,7 @@ from workbook.machines.machine.drive.linkages import APART
 from workbook.machines.machine.drive.mechanisms import slides
 from workbook.machines.machine.mechanism import Rocker
 
-FITS = "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(SIN(@theta-ATAN2(@x0,@e)))>=check_zero,@high<@none,@low>0-@none)"
+FITS = "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(@ahead)>=check_zero,@high<@none,@low>0-@none)"
 HOLDS = "lever, link and slide where the motion begins"
 SIZED = "COUNT(@lever_length,@link_length,@start_angle)=3"
 WITHIN = "between its dead centres"
@@ -45,7 +47,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the mechanism in m, and of where it can bring its load to."""
-    one = slides.slide_of(driven.linkage)
+    one, begin = slides.slide_of(driven.linkage), si(driven.of_kind(Rocker).start_angle or 0.0, DEGREE)
     low, high, *_ = one.reach
     ahead = "SQRT(MAX(0,@l^2-(@r*SIN(@theta)-@e)^2))"
     back = '@direction="backward"'
@@ -53,13 +55,14 @@ def sizes(driven: Driven) -> list[Quantity]:
         calc("@r", "Lever", "r", "m", "=@lever_length/1000", one.lever),
         calc("@l", "Link", "l", "m", "=@link_length/1000", one.link),
         calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
-        calc("@theta", "Lever where the motion begins", "", "rad", "=RADIANS(@start_angle)",
-             si(driven.of_kind(Rocker).start_angle or 0.0, DEGREE)),
+        calc("@theta", "Lever where the motion begins", "", "rad", "=RADIANS(@start_angle)", begin),
         calc("@sense", "Positions grow along the line (1)", "", "", f"=IF({back},0-1,1)", one.direction, format="0"),
         calc("@x0", "Slide where the motion begins", "x_0", "m",
              f'=@r*COS(@theta)+IF(@slide="behind",0-1,1)*{ahead}', one.zero, source="r cos ψ ± √(l² − (r sin ψ − e)²)"),
-        calc("@side", "Lever ahead of the line to the slide (1)", "s", "",
-             "=IF(SIN(@theta-ATAN2(@x0,@e))>0,1,0-1)", one.side, format="0"),
+        calc("@ahead", "Sine of the angle from the line to the slide to the lever", "", "",
+             "=SIN(@theta-ATAN2(@x0,@e))", sin(begin - atan2(one.offset, one.zero)), scale=1.0,
+             source="where the motion begins"),
+        calc("@side", "Lever ahead of the line to the slide (1)", "s", "", "=IF(@ahead>0,1,0-1)", one.side, format="0"),
         constant("@same", "Places that count as one, of the link", "", "", SAME, format="0E+00"),
         calc("@none", "Farther than any slide", "", "m", "=4*(@r+@l+ABS(@e))", slides.far(one)),
         calc("@low", "Lowest position that is reached", "", "m",

@@ -6,7 +6,6 @@ sharply that the curve might fall, φ'' is 0 and φ' is held near the flatter ch
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from engine.laws.base import Array
 from engine.mechanisms.linkage import Linkage, near_end
 from engine.mechanisms.table import PositionTable
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
+from workbook.book.polynomial import NOT_ZERO
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import Driven
@@ -26,6 +26,8 @@ SIZED = "@count>=2"
 FITS = "SUM([@curve.falls])=0"
 HOLDS = "angle and position rise from point to point"
 WITHIN = "within its table"
+D = "INDEX([@curve.d1:d5],[part],0)"
+"""the coefficients of t to t⁵ of the part of the table in which a position is"""
 
 
 def wrong(driven: Driven) -> str:
@@ -132,7 +134,9 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
     def used(formula: str) -> str:
         return f"=IF([on]=1,{formula},0)"
 
-    sides = [at(name, place) for name in ("w", "chord") for place in (BEFORE, "MIN([k],MAX(1,@count-1))")]
+    chords = np.diff(one.columns[0]) / one.widths
+    first = np.divide(1.0, found.slope, out=np.zeros_like(found.slope), where=found.slope > 0.0)
+    place = "MIN([k],MAX(1,@count-1))"
     return [
         calc("m", "parabola about point", "", "", used("MAX(2,MIN([k],@count-1))"), of(about), format="0"),
         calc("bend", "curvature of the parabola", "y''", "",
@@ -140,24 +144,25 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
              scale=float(np.abs(found.bend).max()) or 1.0, source="through three points"),
         calc("slope", "its slope", "y'", "",
              used(f"1/{left}+[bend]/2*(2*[phi]-{middle}-{before})"), of(found.slope), source="there"),
-        calc("h0", "to the point before", "", "", used(sides[0]), of(found.widths[0])),
-        calc("h1", "to the next", "", "", used(sides[1]), of(found.widths[1])),
-        calc("flat", "flatter chord beside it", "", "", used(f"MIN({sides[2]},{sides[3]})"), of(found.flat)),
-        calc("b", "φ'' of the parabola", "", "", used("IF([slope]>0,0-[bend]/[slope]^3,0)"), of(found.second),
+        calc("h0", "to the point before", "", "", used(at("w", BEFORE)), of(found.widths[0])),
+        calc("h1", "to the next", "", "", used(at("w", place)), of(found.widths[1])),
+        calc("c0", "slope from the point before", "Δφ/Δy", "", used(at("chord", BEFORE)),
+             of(np.append(chords[0], chords))),
+        calc("c1", "slope to the next", "Δφ/Δy", "", used(at("chord", place)), of(np.append(chords, chords[-1]))),
+        calc("flat", "flatter of both", "", "", "=MIN([c0],[c1])", of(found.flat)),
+        calc("first", "φ' of the parabola", "", "", used("IF([slope]>0,1/[slope],0)"), of(first),
+             source="1/y'; 0 where y' is not above 0"),
+        calc("b", "φ'' of the parabola", "", "", "=0-[bend]*[first]^3", of(found.second),
              scale=float(np.abs(found.second).max()) or 1.0, source="−y''/y'³"),
         calc("calm", "the curve rises", "", "",
-             used(f"IF(AND([slope]>0,4/[slope]+MIN([h1]*[b],0-[h0]*[b])>0,{tests(sides)}),1,0)"), of(found.calm),
-             format="0", source="1: the parabola's slope and curvature are used"),
-        calc("g", "φ' there", "φ'", "", "=IF([on]=0,0,IF([calm]=1,1/[slope],1/MAX(0.8/[flat],MIN(4/[flat],[slope]))))",
+             used("IF(AND([first]>0,4*[first]+MIN([h1]*[b],0-[h0]*[b])>0,"
+                  "8*[first]+[h1]*[b]<10*[c1],8*[first]-[h0]*[b]<10*[c0]),1,0)"),
+             of(found.calm), format="0", source="1: the parabola's slope and curvature are used"),
+        calc("g", "φ' there", "φ'", "", "=IF([on]=0,0,IF([calm]=1,[first],1/MAX(0.8/[flat],MIN(4/[flat],[slope]))))",
              of(one.columns[2])),
         calc("h", "φ'' there", "φ''", "", "=[calm]*[b]", of(one.columns[3]),
              scale=float(np.abs(found.second).max()) or 1.0),
     ]  # fmt: skip
-
-
-def tests(sides: Sequence[str]) -> str:
-    """Return the conditions that Bernstein's coefficients rise in the middle of both parts beside a point."""
-    return f"8/[slope]+[h1]*[b]<10*{sides[3]},8/[slope]-[h0]*[b]<10*{sides[2]}"
 
 
 def powers(driven: Driven, rows: int) -> list[Quantity]:
@@ -189,26 +194,24 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     part = one.part(position)
     share = (position - one.columns[1][part]) / one.widths[part]
     _, first, second = one.shaft(position)
-    d = [f"INDEX([@curve.d{n}],[part])" for n in range(1, 6)]
     width = "INDEX([@curve.w],[part])"
-    slope = f"{d[0]}+[t]*(2*{d[1]}+[t]*(3*{d[2]}+[t]*(4*{d[3]}+[t]*5*{d[4]})))"
-    change = f"2*{d[1]}+[t]*(6*{d[2]}+[t]*(12*{d[3]}+[t]*20*{d[4]}))"
     return [
         calc("part", "part of the table", "", "",
              "=MAX(1,MIN(@count-1,SUMPRODUCT([@curve.on]*([@curve.y]<=[y]))))",
              of(np.asarray(part, dtype=np.float64) + 1.0), format="0"),
-        calc("t", "share of the part", "t", "", f"=([y]-INDEX([@curve.y],[part]))/{width}", of(share), scale=1.0),
-        calc("g", "ratio", "φ'", "", f"=({slope})/{width}", of(first), source="dφ/dy"),
-        calc("h", "its change", "φ''", "", f"=({change})/{width}^2", of(second),
+        calc("t", "share of the part", "t", "", f"=([y]-INDEX([@curve.y],[part]))/{width}{NOT_ZERO}", of(share),
+             scale=1.0),
+        calc("g", "ratio", "φ'", "", f"=SUMPRODUCT({D},{{1,2,3,4,5}},[t]^{{0,1,2,3,4}})/{width}", of(first),
+             source="dφ/dy"),
+        calc("h", "its change", "φ''", "", f"=SUMPRODUCT({D},{{0,2,6,12,20}},[t]^{{0,0,1,2,3}})/{width}^2", of(second),
              scale=float(np.abs(second).max()) or 1.0, source="d²φ/dy²"),
     ]  # fmt: skip
 
 
 def angle(driven: Driven, position: Array, of: Column) -> Quantity:
     """Return the column of the shaft's angle at positions."""
-    d = [f"INDEX([@curve.d{n}],[part])" for n in range(1, 6)]
-    text = f"[t]*({d[0]}+[t]*({d[1]}+[t]*({d[2]}+[t]*({d[3]}+[t]*{d[4]}))))"
-    return calc("phi", "angle of the shaft", "φ", "rad", f"=INDEX([@curve.phi],[part])+{text}",
+    return calc("phi", "angle of the shaft", "φ", "rad",
+                f"=INDEX([@curve.phi],[part])+SUMPRODUCT({D},[t]^{{1,2,3,4,5}})",
                 of(table_of(driven.linkage).shaft(position).angle), scale=1.0)  # fmt: skip
 
 

@@ -1,0 +1,135 @@
+"""The law of the cells: each is a quantity, its formula short enough to be read at a glance."""
+
+import re
+from functools import cache
+from statistics import median, quantiles
+
+import pytest
+from openpyxl.utils import range_boundaries
+
+from tests.workbook.cells import opened
+from workbook.build import committed
+from workbook.judging.matching import is_formula
+from workbook.reading.descriptions import read_machine
+from workbook.templates import TEMPLATES
+
+LONGEST, MOST, HALF = 200, 130, 60
+"""characters of any formula, of 95 % of a book's formulas and of half of them"""
+DEEPEST, WIDEST, STEPS = 4, 40, 8
+"""functions within each other, columns of a sheet, precedents from a result to an entry"""
+CALL = re.compile(r'"[^"]*"|([A-Z][A-Z0-9]*)\(|[()]')
+NUMBER = re.compile(r"(?<![\w.$])\d+\.?\d*(?:[eE][+-]?\d+)?(?![\w.$(])")
+PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+", re.I)
+"""numbers as a person writes them, and powers of ten"""
+REFERENCE = re.compile(r"(?:('[^']+'|[A-Za-z_]\w*)!)?(\$?[A-Z]{1,3}\$?\d+(?::\$?[A-Z]{1,3}\$?\d+)?)(?![\w(])")
+TEXT = re.compile(r'"[^"]*"')
+BOOKS = {path.stem: path for path in committed()}
+
+
+@cache
+def declared(name):
+    """The book of a committed description."""
+    machine = read_machine(BOOKS[name])
+    return TEMPLATES[machine.template].declare(machine)
+
+
+@cache
+def written(name):
+    """The book of a committed description, as openpyxl reads it."""
+    return opened(declared(name), TEMPLATES[read_machine(BOOKS[name]).template].model)
+
+
+def called(cell):
+    """The name of a cell's table and column, without the numbers of axes, drives and rows."""
+    return re.sub(r"\d+", "#", f"{cell.block.name}.{cell.quantity.name}")
+
+
+def formulas(name):
+    """The formulas of a book by the names of their columns."""
+    found = {}
+    for cell in declared(name).cells():
+        if is_formula(cell.content):
+            found.setdefault(called(cell), []).append(cell.content)
+    return found
+
+
+def depth(formula):
+    """How many functions of a formula are within each other, at most."""
+    deepest, stack = 0, []
+    for found in CALL.finditer(formula):
+        if found[0] == ")":
+            stack.pop()
+        elif found[0].endswith("("):
+            stack.append(bool(found[1]))
+            deepest = max(deepest, sum(stack))
+    return deepest
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_formulas_are_read_at_a_glance(name):
+    found = formulas(name)
+    assert {called: len(max(texts, key=len)) for called, texts in found.items() if max(map(len, texts)) > LONGEST} == {}
+    assert {called: d for called, texts in found.items() if (d := max(map(depth, texts))) > DEEPEST} == {}
+    lengths = [len(text) for texts in found.values() for text in texts]
+    assert median(lengths) <= HALF
+    assert quantiles(lengths, n=20)[-1] <= MOST
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_numbers_are_as_a_person_writes_them(name):
+    numbers = {
+        (called, number)
+        for called, texts in formulas(name).items()
+        for text in texts
+        for number in NUMBER.findall(REFERENCE.sub("", TEXT.sub("", text)))
+    }
+    assert [one for one in numbers if not PLAIN.fullmatch(one[1])] == []
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_no_sheet_is_wide(name):
+    used = {}
+    for cell in declared(name).cells():
+        used.setdefault(cell.block.sheet.title, set()).add(cell.column)
+    assert {title: len(columns) for title, columns in used.items() if len(columns) > WIDEST} == {}
+
+
+def test_depth_counts_functions_alone():
+    assert depth('=IF(([a]+(1))>0,MAX(0,"IF(("),SUM(ABS(1)))') == 3
+
+
+def precedents(book, at):
+    """The cells that a formula refers to, of a range the first; names are the places that they stand for."""
+    title, row, column = at
+    text = TEXT.sub("", str(book[title].cell(row, column).value))
+    for name in sorted(book.defined_names, key=len, reverse=True):
+        text = re.sub(rf"(?<![\w!']){re.escape(name)}(?![\w(!])", book.defined_names[name].attr_text, text)
+    for found in REFERENCE.finditer(text):
+        low, top, *_ = range_boundaries(found[2].replace("$", ""))
+        yield (found[1] or title).strip("'"), top, low
+
+
+def way(name, start):
+    """The shortest way from a result to an entry: cells, each a precedent of the one before."""
+    book, block = written(name), declared(name).blocks[start]
+    held = {(c.block.sheet.title, c.row, c.column): c for c in declared(name).cells()}
+    first = next(iter(block.cells()))
+    ways = [[(block.sheet.title, first.row, first.column)]]
+    seen = set(ways[0])
+    while ways:
+        one = ways.pop(0)
+        if held[one[-1]].quantity.role == "input":
+            return [held[at] for at in one]
+        for at in precedents(book, one[-1]):
+            if at not in seen and at in held:
+                seen.add(at)
+                ways.append([*one, at])
+    raise AssertionError(f"{start} leads to no entry")
+
+
+@pytest.mark.parametrize("name", ["machine", "cutting-machine", "machine-linkages"])
+def test_from_the_rms_torque_to_an_entry_it_is_not_far(name):
+    steps = way(name, "drive1_rms")
+    print("\n  ← ".join([name, *(f"{c.block.sheet.title}: {c.quantity.label}" for c in steps)]))
+    assert all(c.quantity.label for c in steps)
+    assert len(steps) - 1 <= STEPS
