@@ -161,8 +161,12 @@ class Grid:
     def use(self, motor: int, reducer: int) -> Used:
         """Return what a pair uses of its motor."""
         m = self.motors
-        speed, torque = self.speed[reducer] / m.max_speed[motor], self.rms[motor, reducer] / m.rated_torque[motor]
-        return Used(float(speed), float(torque))
+        return Used(float(self.speed[reducer] / m.max_speed[motor]), float(self.uses[motor, reducer]))
+
+    @cached_property
+    def uses(self) -> Array:
+        """The RMS torque of each pair over its motor's rated torque."""
+        return self.rms / self.motors.rated_torque[:, None]
 
     @cached_property
     def verdicts(self) -> NDArray[np.str_]:
@@ -178,10 +182,9 @@ class Grid:
     @cached_property
     def wanted_verdicts(self) -> NDArray[np.str_]:
         """What each pair fails of margins and inertia ratio, or that it is usable."""
-        share = self.motors.rated_torque[:, None]
         fails = (
-            (self.rms * self.wanted.least_margin > share, "RMS"),
-            (self.rms * self.wanted.greatest_margin < share, "large"),
+            (self.uses * self.wanted.least_margin > 1.0, "RMS"),
+            (self.uses * self.wanted.greatest_margin < 1.0, "large"),
             (self.inertia_ratio > self.wanted.inertia_ratio, "inertia"),
         )
         return np.select([one for one, _ in fails], [word for _, word in fails], "yes")
@@ -200,15 +203,13 @@ class Grid:
 
         Of the smallest motor: how many have a smaller rated torque, and as a fraction, who has less to do.
         """
-        rated = self.motors.rated_torque
-        share = self.rms / rated[:, None]
-        used = share / (1.0 + share)
+        used = self.uses / (1.0 + self.uses)
         if rank == "smallest motor":
             return self.smaller[:, None] + used
         if rank == "margin":
             return np.asarray(used)
         if rank == "inertia match":
-            x = np.broadcast_to(self.balance, share.shape) / self.inertias
+            x = np.broadcast_to(self.balance, used.shape) / self.inertias
             return np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0)
         name = "size" if rank == "mass" else "cost"
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))

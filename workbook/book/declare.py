@@ -395,17 +395,27 @@ class Sheet:
         )  # fmt: skip
         block.workings = block.workings or placed
 
-    def beside(self, block: Block, name: str, quantity: Quantity) -> None:
+    def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
         """Place a table of one column beside a table without equations: where a size tells how many columns there are.
 
-        Each has a name of its own, so that a file tells how many it has.
+        Each has a name of its own, so that a file tells how many it has. Rows for which ``blank`` holds show nothing.
         """
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
         self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
         own = self._own((quantity,))
         self._place(
-            Block(in_scope(name, self.scope), self, block.row, column, own, block.size, block.title, lead=block)
+            Block(
+                in_scope(name, self.scope),
+                self,
+                block.row,
+                column,
+                own,
+                block.size,
+                block.title,
+                blank=in_scope(blank, self.scope),
+                lead=block,
+            )
         )
 
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:

@@ -11,7 +11,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import BEST, Choosing
-from workbook.selection.formulas import torque_of, whole
+from workbook.selection.formulas import rms_of, torque_of, whole
 
 DASH = '0.0##;-0.0##;"–"'
 
@@ -46,7 +46,8 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
         constant("place", "place", "", "", list(range(1, BEST + 1))),
         result("i", "reduction", "i", "", there(at("[@reducers.i]", "r")),
                filled([float(view.reducers.reduction[r]) for _, r in pairs], BEST), format=DASH),
-        result("rms", "RMS torque", "T_rms", "Nm", pair("rms"), of("rms"), format=DASH, scale=torque),
+        result("rms", "RMS torque", "T_rms", "Nm", there("INDEX([@order.rms],[place])"), of("rms"), format=DASH,
+               scale=torque),
         result("margin", "margin", "", "", f"=IF([rms]>0,{at('[@motors.rated]', 'm')}/[rms],0)", of("margin"),
                source="T_N/T_rms", format=DASH),
         result("peak", "peak torque", "T_max", "Nm", pair("peak"), of("peak"), format=DASH, scale=torque),
@@ -103,6 +104,13 @@ def figures(view: Choosing) -> list[Quantity]:
              there("INDEX([@motors.jm],MAX(1,[m]))+INDEX([@reducers.jt],MAX(1,[r]))"), of([one[0] for one in each])),
         calc("i", "reduction", "i", "", there("INDEX([@reducers.i],MAX(1,[r]))"), of([one[1] for one in each])),
         calc("eta", "efficiency", "η", "", there("INDEX([@reducers.eta],MAX(1,[r]))"), of([one[2] for one in each])),
+        calc("mixed", "mean of α S, with losses", "", "W/s", there("INDEX([@reducers.mixed],MAX(1,[r]))"),
+             of([float(view.mixed[k]) for _, k in pairs]), scale=view.shaft.product),
+        calc("square", "mean square torque of the load at the motor", "", "N²m²",
+             there("INDEX([@reducers.square],MAX(1,[r]))"), of([float(view.square[k]) for _, k in pairs]),
+             scale=view.shaft.torque**2),
+        calc("rms", "RMS torque", "T_rms", "Nm", there(rms_of("[j]", "[i]", "[mixed]", "[square]")),
+             of([one.rms for one in view.listed]), scale=scale),
         calc("tp", "motor's peak torque", "", "Nm", motor("peak"), of([float(m.peak_torque[k]) for k, _ in pairs])),
         calc("knee", "holds to", "n_1", "rpm", motor("knee"), of([shown(float(m.knee[k]), RPM) for k, _ in pairs])),
         calc("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), of([float(fall[k]) for k, _ in pairs])),

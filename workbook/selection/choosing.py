@@ -97,6 +97,18 @@ class Choosing:
                         g.least_peak_margin, g.least_speed_margin)  # fmt: skip
         return Grid(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted)
 
+    @cached_property
+    def mixed(self) -> Array:
+        """The mean of α S before each reducer, with its losses (W/s)."""
+        asked, eta = self.shaft.values, self.reducers.efficiency
+        return np.asarray(asked["product"] / eta + asked["product_back"] * eta)
+
+    @cached_property
+    def square(self) -> Array:
+        """The mean square of the load's torque at the motor before each reducer (N²m²)."""
+        asked, eta = self.shaft.values, self.reducers.efficiency
+        return np.asarray((asked["square"] / eta**2 + asked["square_back"] * eta**2) / self.reducers.reduction**2)
+
     @property
     def pairs(self) -> int:
         """Pairs of the grid, spare rows and columns among them."""

@@ -13,6 +13,8 @@ from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import Choosing
 from workbook.selection.formulas import MIXED, SQUARE, peak_of, rms_of
 
+LARGE = "large"
+"""beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing"""
 DASH = '0.0##;-0.0##;"–"'
 NOTE = (
     "What a pair fails first: reducer (its torque or speed), speed, peak or RMS torque of the motor, large (beyond the "
@@ -21,24 +23,19 @@ NOTE = (
 
 
 def grids(sheet: Sheet, view: Choosing) -> None:
-    """Declare what pairs fail or not, their RMS torques and their peak torques."""
+    """Declare what pairs fail or not, what they use of the rated torque, and their peak torques."""
     g = view.grid
     sheet.not_printed_below()
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
     torque = max(float(g.peak.max()), 1e-3)
     grid(sheet, view, "word", "Which pairs can do it", ("on", "nmax", "peak"), verdict, view.spread(g.verdicts, "–"),
          align="center")  # fmt: skip
-    grid(sheet, view, "wanted", "What is wanted of a pair", ("on", "rated", "jm"), within, wanted(view),
-         align="center")  # fmt: skip
-    grid(sheet, view, "rms", "RMS torque of the motor [Nm]", ("on", "jm"), rms, view.spread(g.rms, 0.0),
-         format=DASH, scale=torque)  # fmt: skip
+    grid(sheet, view, "wanted", "What is wanted of a pair", ("on", "jmax"), within,
+         view.spread(g.wanted_verdicts, LARGE), align="center")  # fmt: skip
+    grid(sheet, view, "share", "RMS torque of the motor over its rated torque", ("on", "rated", "jm"), share,
+         view.spread(g.uses, 0.0), format=DASH, scale=max(1.0, float(g.uses.max())))  # fmt: skip
     grid(sheet, view, "peak", "Peak torque of the motor [Nm]", ("on", "jm"), lambda c: if_on(c, peak_of(*pair(c))),
          view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
-
-
-def wanted(view: Choosing) -> list[list[Any]]:
-    """Return what each pair fails of what is wanted of it."""
-    return view.spread(view.grid.wanted_verdicts, "–")
 
 
 def grid(
@@ -73,13 +70,13 @@ def grid(
     )  # fmt: skip
     for c in range(1, across + 1):
         each = result("v", f"reducer {c}", "", "", f"={formula(c)}", values[c - 1], **more)
-        sheet.beside(rows, f"@{name}{c}", each)
+        sheet.beside(rows, f"@{name}{c}", each, f"[on]*[@reducers.on.{c}]=0" if name == "wanted" else "")
 
 
-def rms(c: int) -> str:
-    """Return the formula of the RMS torque of the motor of a row with a reducer."""
+def share(c: int) -> str:
+    """Return the formula of the RMS torque of the motor of a row with a reducer, over its rated torque."""
     inertia, ratio, _ = pair(c)
-    return if_on(c, rms_of(inertia, ratio, f"[@reducers.mixed.{c}]", f"[@reducers.square.{c}]"))
+    return if_on(c, f"{rms_of(inertia, ratio, f'[@reducers.mixed.{c}]', f'[@reducers.square.{c}]')}/[rated]")
 
 
 def pair(c: int) -> tuple[str, str, str]:
@@ -89,21 +86,20 @@ def pair(c: int) -> tuple[str, str, str]:
 
 def if_on(c: int, formula: str) -> str:
     """Return a formula where both are in use."""
-    return f"IF([on]*[@reducers.on.{c}]=0,0,{formula})"
+    return f"IF([on]*[@reducers.on.{c}],{formula},0)"
 
 
 def within(c: int) -> str:
     """Return the formula of what a pair fails of what is wanted of it, or that it is usable."""
-    rms = f"INDEX([@rms{c}.v],[k])"
-    large = f'IF([@reducers.j.{c}]>@inertia_ratio*[jm],"inertia","yes")'
-    margins = f'IF({rms}*@least>[rated],"RMS",IF({rms}*@greatest<[rated],"large",{large}))'
-    return f'IF([on]*[@reducers.on.{c}]=0,"–",{margins})'
+    used = f"INDEX(@share{c},[k])"
+    inertia = f'IF([@reducers.j.{c}]>[jmax],"inertia","yes")'
+    return f'IF({used}>1/@least,"RMS",IF({used}<1/@greatest,"{LARGE}",{inertia}))'
 
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: reducer, speed, peak torque, or what is wanted of it."""
-    fast, weak = f"([@reducers.n.{c}]*@least_speed>[nmax])", f"(INDEX([@peak{c}.v],[k])*@least_peak>[peak])"
-    motor = f'CHOOSE(1+2*{fast}+{weak},INDEX([@wanted{c}.v],[k]),"peak","speed","speed")'
+    fast, weak = f"([@reducers.n.{c}]*@least_speed>[nmax])", f"(INDEX(@peak{c},[k])*@least_peak>[peak])"
+    motor = f'CHOOSE(1+2*{fast}+{weak},INDEX(@wanted{c},[k]),"peak","speed","speed")'
     return f'IF([on]*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
@@ -117,7 +113,7 @@ def products(sheet: Sheet, view: Choosing) -> None:
     reducers(sheet, view)
     scores = np.nan_to_num(view.grid.scores(view.given.rank), nan=0.0)
     grid(sheet, view, "score", "What pairs are ranked by, the lowest first",
-         ("known", "rated", "jm", "smaller", "weight"), score, view.spread(scores, 0.0), format="General",
+         ("known", "jm", "smaller", "weight"), score, view.spread(scores, 0.0), format="General",
          scale=max(1.0, float(np.abs(scores).max())))  # fmt: skip
     keys = view.spread(np.where(np.isfinite(view.keys), view.keys, -1.0), -1.0)
     told = [["–" if key < 0.0 else key for key in column] for column in keys]
@@ -127,10 +123,9 @@ def products(sheet: Sheet, view: Choosing) -> None:
 
 def score(c: int) -> str:
     """Return the formula of what a pair is ranked by: 0 of one that is not in use, or lacks the figure."""
-    share = f"INDEX([@rms{c}.v],[k])/[rated]"
     balance, inertia = f"[@reducers.balance.{c}]", f"([jm]+[@reducers.jt.{c}])"
     match = f"IF({balance}>0,MAX({balance}/{inertia},{inertia}/{balance})^0.5,1)"
-    used = f"([smaller]*(@rank_no=1)+1-1/(1+{share}))"
+    used = f"([smaller]*(@rank_no=1)+1-1/(1+INDEX(@share{c},[k])))"
     ranked = f"[weight]+[@reducers.weight.{c}]+(@rank_no<3)*{used}+(@rank_no=3)*{match}"
     return f"IF([known]*[@reducers.known.{c}],{ranked},0)"
 
@@ -138,8 +133,8 @@ def score(c: int) -> str:
 def key(view: Choosing, c: int) -> str:
     """Return the formula of what a pair is sorted by."""
     place = f"([k]-1)*{view.rooms[1]}+{c - 1}"
-    score = f"ROUND(INDEX([@score{c}.v],[k])*{PARTS},0)"
-    usable = f'AND(INDEX([@word{c}.v],[k])="yes",[known]*[@reducers.known.{c}]=1)'
+    score = f"ROUND(INDEX(@score{c},[k])*{PARTS},0)"
+    usable = f'AND(INDEX(@word{c},[k])="yes",[known]*[@reducers.known.{c}]=1)'
     return f'IF({usable},{score}*{view.pairs}+{place},"–")'
 
 
@@ -161,6 +156,7 @@ def motor_figures(view: Choosing) -> dict[str, tuple[str, str, list[Any]]]:
     known, weight = weights(view, m.size, m.cost)
     return found | {
         "on": ("in use", "", filled(filled([], len(m.names), 1), n, 0)),
+        "jmax": ("largest inertia", "kg m²", filled(m.inertia * view.given.inertia_ratio, n)),
         "smaller": ("smaller motors", "", filled(view.grid.smaller, n, 0)),
         "known": ("has what it is ranked by", "", filled(known, n, 0)),
         "weight": ("mass or cost", "", filled(weight, n)),
@@ -197,6 +193,7 @@ def motors(sheet: Sheet, view: Choosing) -> None:
         calc("fall", "fall beyond", "", "Nm/rpm",
              "=IF([nmax]>[knee],MAX(0,[peak]-INDEX([motors.end],[k]))/([nmax]-[knee]),0)",
              filled(np.maximum(0.0, -shown(m.slope, PER_RPM)), n)),
+        calc("jmax", "largest inertia at the motor", "", "kg m²", "=@inertia_ratio*[jm]", known["jmax"][2]),
         calc("smaller", "smaller motors", "", "", "=IF([on]=1,SUMPRODUCT(([@motors.rated]<[rated])*[@motors.on]),0)",
              known["smaller"][2], format="0"),
         *weighed("motors", known["known"][2], known["weight"][2]),
@@ -218,8 +215,6 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
     r, g, n = view.reducers, view.grid, view.rooms[1]
     known, weight = weights(view, r.size, r.cost)
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
-    asked = view.shaft.values
-    square = asked["square"] / r.efficiency**2 + asked["square_back"] * r.efficiency**2
     limits = [np.where(np.isfinite(one), one, 0.0) for one in given]
     sheet.table(
         "@reducers", "Reducers of the catalogue, and what each makes of the axis", n,
@@ -242,10 +237,9 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(α_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
         calc("mixed", "mean of α S, with losses", "", "W/s", f"=IF([on]=1,{MIXED.format(eta='[eta]')},0)",
-             filled(asked["product"] / r.efficiency + asked["product_back"] * r.efficiency, n),
-             scale=view.shaft.product),
+             filled(view.mixed, n), scale=view.shaft.product),
         calc("square", "mean square torque of the load at the motor", "", "N²m²",
-             f"=IF([on]=1,{SQUARE.format(eta='[eta]', i='[i]')},0)", filled(square / r.reduction**2, n),
+             f"=IF([on]=1,{SQUARE.format(eta='[eta]', i='[i]')},0)", filled(view.square, n),
              scale=view.shaft.torque**2),
         *weighed("reducers", filled(known, n, 0), filled(weight, n)),
     )  # fmt: skip

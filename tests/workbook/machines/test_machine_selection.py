@@ -59,7 +59,8 @@ def test_a_pair_of_the_grid_does_what_a_drive_with_it_does():
         given = machine().model_dump()
         given["axes"][1] |= {"motor": {"name": f"M{m}"}, "reducer": {"name": f"R{r}"}}
         drive = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
-        assert value(f"sel_rms{r}", "v")[m - 1] == pytest.approx(drive("drive2_rms"), rel=1e-9)
+        share, rated = value(f"sel_share{r}", "v"), value("sel_motors", "rated")
+        assert share[m - 1] * rated[m - 1] == pytest.approx(drive("drive2_rms"), rel=1e-9)
         peak = max(drive("drive2_tmax"), -drive("drive2_tmin"))
         assert value(f"sel_peak{r}", "v")[m - 1] == pytest.approx(peak, rel=1e-9)
         assert value("sel_reducers", "n")[r - 1] == pytest.approx(drive("drive2_speed"), rel=1e-9)
@@ -80,7 +81,7 @@ def test_the_smallest_motor_that_does_it_with_margin_is_proposed():
     usable = [(m, r) for r in range(1, 5) for m, word in enumerate(value(f"sel_word{r}", "v"), 1) if word == "yes"]
     smallest = min(m for m, _ in usable)
     assert value("sel_motor") == f"M{smallest}"
-    best = max((r for m, r in usable if m == smallest), key=lambda r: -value(f"sel_rms{r}", "v")[smallest - 1])
+    best = max((r for m, r in usable if m == smallest), key=lambda r: -value(f"sel_share{r}", "v")[smallest - 1])
     assert value("sel_reducer") == f"R{best}"
     margins = [margin for margin in value("sel_best", "margin") if margin]
     assert len(margins) == min(20, len(usable))

@@ -42,7 +42,8 @@ def require_pairs_of_the_grid(axis, pairs):
         one = axis | {"motor": axis["motor"] | {"name": f"M{m}"}, "reducer": {"name": f"R{r}"}}
         told = computed(TEMPLATE, choosing(one))
         peak = max(told("drive1_tmax"), -told("drive1_tmin"))
-        assert value(f"sel_rms{r}", "v")[m - 1] == pytest.approx(told("drive1_rms"), rel=1e-9)
+        share, rated = value(f"sel_share{r}", "v"), value("sel_motors", "rated")
+        assert share[m - 1] * rated[m - 1] == pytest.approx(told("drive1_rms"), rel=1e-9)
         assert peak * (1 - BELOW) <= value(f"sel_peak{r}", "v")[m - 1] <= peak * (1 + 1e-9)
         assert value("sel_reducers", "n")[r - 1] == pytest.approx(told("drive1_speed"), rel=1e-9)
         assert value("sel_reducers", "j")[r - 1] * 1e4 == pytest.approx(told("drive1_jtot"), rel=1e-9)

@@ -168,7 +168,7 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
     columns = [f"d{one.driven.number}" for one in bus.drives]
 
     def drawn(row: int, number: int) -> str:
-        power = f"INDEX(drive{number}_power,[k]+1)"
+        power = f"INDEX(drive{number}_P,[k]+1)"
         return f"=[power.bus.{row}]*MAX({power}/power_efficiency,{power}*power_efficiency)"
 
     time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle1.time],[k]+1)", machine.times,
