@@ -2,12 +2,16 @@
 
 import re
 from functools import cache
+from pathlib import Path
 from statistics import median, quantiles
 
 import pytest
 from openpyxl.utils import range_boundaries
 
+from benchmarks.scale import of_axes
 from tests.workbook.cells import opened
+from tests.workbook.machines.test_machine_linked import linked, small
+from tests.workbook.machines.test_machine_tables import BENT, PHASES
 from workbook.build import committed
 from workbook.judging.matching import is_formula
 from workbook.reading.descriptions import read_machine
@@ -23,20 +27,29 @@ PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+", re.I)
 """numbers as a person writes them, and powers of ten"""
 REFERENCE = re.compile(r"(?:('[^']+'|[A-Za-z_]\w*)!)?(\$?[A-Z]{1,3}\$?\d+(?::\$?[A-Z]{1,3}\$?\d+)?)(?![\w(])")
 TEXT = re.compile(r'"[^"]*"')
-BOOKS = {path.stem: path for path in committed()}
+BOOKS = {path.stem: path for path in committed()} | {"12 axes": 12, "table of positions": BENT}
+"""committed descriptions; machines of so many axes with drives; one with a table of positions"""
+
+
+@cache
+def machine(name):
+    """The machine of one of the books."""
+    given = BOOKS[name]
+    if isinstance(given, Path):
+        return read_machine(given)
+    return of_axes(given) if isinstance(given, int) else small(linked(*PHASES, mechanism=given), cycle=360, positions=8)
 
 
 @cache
 def declared(name):
-    """The book of a committed description."""
-    machine = read_machine(BOOKS[name])
-    return TEMPLATES[machine.template].declare(machine)
+    """The book of a machine."""
+    return TEMPLATES[machine(name).template].declare(machine(name))
 
 
 @cache
 def written(name):
-    """The book of a committed description, as openpyxl reads it."""
-    return opened(declared(name), TEMPLATES[read_machine(BOOKS[name]).template].model)
+    """The book of a machine, as openpyxl reads it."""
+    return opened(declared(name), TEMPLATES[machine(name).template].model)
 
 
 def called(cell):

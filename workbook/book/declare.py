@@ -130,7 +130,7 @@ class Block:
 
     def when(self, condition: str, row: int) -> str:
         """Return a condition in a row of the sheet, as a formula without its sign of equality."""
-        return self.sheet.book.resolve(f"={condition}", self).format(row, row - 1).removeprefix("=")
+        return self.sheet.book.resolve(f"={condition}", self, "$").format(row, row - 1).removeprefix("=")
 
     def cells(self) -> Iterator[Cell]:
         """Yield the declared cells, column by column, with contents and the engine's values."""
@@ -434,7 +434,7 @@ class Sheet:
         return tuple(q.within(self.scope) for q in quantities) if self.scope else quantities
 
     def _place(self, block: Block) -> Block:
-        if block.name in self.book.blocks:
+        if block.name in self.book.blocks or block.name in self.book.column_names:
             raise ValueError(f"{block.name} is declared twice")
         self.book.blocks[block.name] = block
         self.blocks.append(block)
@@ -471,6 +471,8 @@ class Book:
 
         ``name("laws", law_cv="cv")`` names a column, ``name("pieces", piece_c="c0:c5")`` several side by side.
         """
+        if twice := (self.column_names.keys() | self.blocks.keys()) & columns.keys():
+            raise ValueError(f"{', '.join(sorted(twice))} is declared twice")
         self.column_names |= {name: (table, column) for name, column in columns.items()}
 
     def cells(self) -> Iterator[Cell]:
@@ -478,17 +480,18 @@ class Book:
         for block in self.blocks.values():
             yield from block.cells()
 
-    def resolve(self, text: str, at: Block) -> str:
+    def resolve(self, text: str, at: Block, fixed: str = "") -> str:
         """Turn the reference notation into A1 references, with ``{0}`` and ``{1}`` for this row and the one above.
 
-        Raises KeyError where a block or column does not exist.
+        ``fixed`` is ``$`` where the columns of the row stay the same as the formula is copied to the right. Raises
+        KeyError where a block or column does not exist.
         """
 
         def reference(found: re.Match[str]) -> str:
             first, second, end = found.groups()
             if second is None or second == "-1":
                 row = "{0}" if second is None else "{1}"
-                return ":".join(f"${get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
+                return ":".join(f"{fixed}{get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
             prefix = "" if block.sheet is at.sheet else quote_sheetname(block.sheet.title) + "!"
             return prefix + block.reference(second[1:], end or "")

@@ -23,7 +23,7 @@ ABOUT = (
 )
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
 DERIVATIVES = ("y'", "y''", "y'''")
-ROOM = "as many as sizes.motion_pieces says"
+ROOM = "as sizes.motion_pieces says"
 Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]
 """of the n-th derivative of the motion: what deviations are measured by at least"""

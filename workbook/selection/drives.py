@@ -79,7 +79,7 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
     sheet.book.name(in_scope("@points", sheet.scope), **names)
 
 
-GROUP = 6
+GROUP = 5
 """drives among which one formula chooses"""
 
 

@@ -93,7 +93,7 @@ def within(c: int) -> str:
     """Return the formula of what a pair fails of what is wanted of it, or that it is usable."""
     used = f"INDEX(@share{c},[k])"
     inertia = f'IF([@reducers.j.{c}]>[jmax],"inertia","yes")'
-    return f'IF({used}>1/@least,"RMS",IF({used}<1/@greatest,"{LARGE}",{inertia}))'
+    return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",{inertia}))'
 
 
 def verdict(c: int) -> str:

@@ -86,6 +86,8 @@ def asked(sheet: Sheet, view: Choosing) -> None:
         calc("@wmax", "Largest speed", "ω", "rad/s", "=@speed+0", load.max_speed),
         calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@factor*@smax", view.grid.behind,
              scale=scale),
+        calc("@most", "Largest share of the rated torque", "", "", "=1/@least", 1.0 / view.given.least_margin),
+        calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),
         result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
                view.grid.load_factor, scale=view.beta_scale, source="2 (α_rms S_rms + mean α S); S5, eq. (15)"),
     )  # fmt: skip

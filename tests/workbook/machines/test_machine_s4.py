@@ -21,6 +21,7 @@ from workbook.templates import TEMPLATES
 TEMPLATE = TEMPLATES["machine"]
 SCREW, CONVEYOR = (FOLDER / f"actuator-sizing{name}.toml" for name in ("", "-conveyor"))
 SMALL = {"cycle": 24, "law": 8, "own_law": 8, "motors": 5, "reducers": 5, "phases": 3}
+PINION = {"kind": "rack and pinion", "pinion_diameter": 30.0}
 THERE_AND_BACK = [
     {"start": 0.0, "stop": 0.1, "lift": 160.0, "law": "TVP"},
     {"start": 0.15, "stop": 0.28, "lift": -160.0, "law": "TVP"},
@@ -142,7 +143,7 @@ def test_a_cylinder_is_the_part_of_its_inertia():
 def test_a_belt_moves_with_the_load_and_weighs_nothing():
     """A mass more would pull on the slope; the belt's own halves balance each other."""
     bare, belted, heavier = (
-        computed(TEMPLATE, described(CONVEYOR, mechanism__belt=belt, load__mass=mass))
+        computed(TEMPLATE, described(CONVEYOR, mechanism__belt_mass=belt, load__mass=mass))
         for belt, mass in ((None, 150.0), (10.0, 150.0), (None, 160.0))
     )
     assert belted("drive1_steady") == bare("drive1_steady") < heavier("drive1_steady")
@@ -170,18 +171,15 @@ def test_a_motor_too_hot_is_built_and_fails():
 @pytest.mark.parametrize(
     ("changed", "line"),
     [
-        (
-            {"mechanism__kind": "rack and pinion", "mechanism__belt": 3.0},
-            "rack and pinion has no belt; expected none",
-        ),
-        ({"mechanism__kind": "belt"}, "printed: S4 has no belt; expected none"),
+        ({"mechanism": PINION | {"belt_mass": 3.0}, "printed": None}, "mechanism.belt_mass: unknown entry; expected"),
+        ({"mechanism": {"kind": "belt", "pulley_diameter": 30.0}}, "printed: S4 has no belt; expected none"),
         ({"mechanism__method": "lossless"}, "found 'lossless'; expected physical or document"),
         ({"printed": "S9"}, "found 'S9'; expected S4"),
     ],
 )
 def test_entries_that_cannot_be_get_one_line(changed, line):
     with pytest.raises(InputError, match=line) as found:
-        described(**{"printed": None} | changed if "mechanism__belt" in changed else changed)
+        described(**changed)
     assert len(found.value.lines) == 1
 
 

@@ -114,7 +114,7 @@ def in_short(axis: MovingAxis, view: DriveView | None) -> InShort:
 
 def name_points(book: Book, view: DriveView) -> None:
     """Give names to the columns of a drive that its samples, the sheets Power and Selection look up."""
-    i, names = view.driven.number, {name: name for name in ("theta", "T", "n", *(["phi"] if view.varies else []))}
+    i, names = view.driven.number, {"at": "theta", "T": "T", "n": "n"} | ({"phi": "phi"} if view.varies else {})
     if asks(view):
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})

@@ -14,7 +14,7 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
     i, size, (torque, power) = view.driven.number, view.scales, view.sampled
     at = f"INDEX(cycle{i}_p,[k]+1)"
     speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*INDEX(cycle{i}_v,[k]+1)/1000"
-    here, there = "INDEX(@theta,[at])", "INDEX(@theta,[at]+1)"
+    here, there = "INDEX(@at,[at])", "INDEX(@at,[at]+1)"
     sheet.heading("Table over the cycle", ABOUT)
     sheet.table(
         "@cycle", "The drive over the cycle", len(torque),
@@ -23,7 +23,7 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
                source="T ω"),
         *shaft(view),
         constant("k", "sample", "k", "", list(range(len(torque)))),
-        calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),@theta,1)",
+        calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),@at,1)",
              view.between.point + 1.0, format="0"),
         calc("s", "share of the way to the next", "", "", f"=({at}-{here})/({there}-{here})", view.between.share,
              scale=1.0),

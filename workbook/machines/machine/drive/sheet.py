@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from engine.drivetrain.loads import GRAVITY
 from engine.drivetrain.losses import held_factor
+from engine.machine.quadrature import STANDSTILL
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount, exceeding
@@ -329,6 +330,7 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     ratio = "MIN([@pt.g])" if view.varies else "@i2"
     first = float(view.load.first.min())
     shaft = m.on_shaft(1) + m.on_shaft(m.last) / first**2
+    still = STANDSTILL * driven.fastest * driven.axis.speed
 
     sheet.heading(
         "Workings: the chain",
@@ -365,5 +367,5 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         calc("@amax", "Greatest acceleration", "ÿ", "m/s²" if travels else "rad/s²",
              f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
         calc("@still", "Standstill: speeds up to", "", "m/s" if travels else "rad/s",
-             "=check_zero*@vmax*@omega", view.cycle.still, format="0E+00", scale=max(view.cycle.still, 1e-12)),
+             "=check_zero*@vmax*@omega", still, format="0E+00", scale=max(still, 1e-12)),
     )  # fmt: skip

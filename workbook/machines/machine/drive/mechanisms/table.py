@@ -115,8 +115,7 @@ def points(driven: Driven, rows: int) -> list[Quantity]:
         calc("chord", "slope to the next", "Δφ/Δy", "", f"=IF([k]<@count,({at('phi', AFTER)}-[phi])/[w],0)",
              of(chord)),
         calc("falls", "does not rise", "", "",
-             f"=IF(AND([k]>1,[on]=1),IF(MIN([phi]-{at('phi', BEFORE)},[y]-{at('y', BEFORE)})<=0,1,0),0)", 0,
-             format="0;;"),
+             f"=[on]*([k]>1)*IF(OR([phi]<={at('phi', BEFORE)},[y]<={at('y', BEFORE)}),1,0)", 0, format="0;;"),
     ]  # fmt: skip
 
 
