@@ -220,7 +220,7 @@ def test_formula_deleted(hands):
         ("timing_omega", 0, None, "2*PI()", "3*PI()"),
         ("drive1_cycle", 7, "torque", "(1-", "(2-"),
         ("axis3", 1, "y1", "ABS(", "("),
-        ("ACS_samples", 2, "s", "SIN", "COS"),
+        ("CIC_samples", 2, "s", "SIN", "COS"),
         ("CIC_ya", 0, None, "CIC_t^2", "CIC_t"),
     ],
 )

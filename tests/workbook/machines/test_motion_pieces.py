@@ -78,7 +78,7 @@ def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
     assert report.findings == []
     (failing,) = [check for check in report.checks if check.found == "FAIL"]
     assert failing.what == "Axis 1: the table of pieces has room for all"
-    assert failing.says.startswith("168 pieces do not fit into 65 rows")
+    assert failing.says.startswith("168 pieces do not fit into 57 rows")
 
 
 def test_the_room_is_a_few_rows_more_than_are_used():
