@@ -10,14 +10,15 @@ from engine.drivetrain.chain import Load, require_not_negative
 from engine.laws.base import require_finite
 
 GRAVITY = 9.81
-"""m/s², the value of S4"""
+"""m/s², as S4 has it"""
 
 Resists = Literal["always", "moving"]
 
 
 @dataclass(frozen=True)
 class Slide:
-    """A mass (kg) on a guide: friction coefficient μ, slope (rad, rising with positive travel), process force (N).
+    """A mass (kg) on a guide: friction coefficient μ, slope (rad, rising with positive travel), process force (N),
+    gravity g (m/s²).
 
     The force acts against positive travel, always. Raises ValueError for a negative mass or μ, or a slope
     beyond a right angle.
@@ -27,9 +28,10 @@ class Slide:
     friction: float = 0.0
     slope: float = 0.0
     force: float = 0.0
+    gravity: float = GRAVITY
 
     def __post_init__(self) -> None:
-        require_not_negative("load", mass=self.mass, friction=self.friction)
+        require_not_negative("load", mass=self.mass, friction=self.friction, gravity=self.gravity)
         require_finite(slope=self.slope, force=self.force)
         if abs(self.slope) > math.pi / 2 + 1e-12:
             raise ValueError(f"slope is {math.degrees(self.slope):g} degrees; expected −90 to 90")
@@ -37,12 +39,12 @@ class Slide:
     @property
     def steady(self) -> float:
         """F + m g sin θ (N): acts in one direction, also at rest."""
-        return self.force + self.mass * GRAVITY * math.sin(self.slope)
+        return self.force + self.mass * self.gravity * math.sin(self.slope)
 
     @property
     def rubbing(self) -> float:
         """μ m g cos θ (N): opposes the motion."""
-        return self.friction * self.mass * GRAVITY * abs(math.cos(self.slope))
+        return self.friction * self.mass * self.gravity * abs(math.cos(self.slope))
 
     @property
     def load(self) -> Load:

@@ -100,7 +100,7 @@ def test_random_phases_come_to_what_the_engine_says(seed):
 
 def demand(one):
     whole = Whole(one, laws(one.laws))
-    return Demand(Driven(whole.axes[0], one.selection).demand.course)
+    return Demand(Driven(whole.axes[0], one).demand.course)
 
 
 FORTH = (phase(0.0, 90.0, 30.0, "MSN"), STEP, phase(130.0, 200.0, 15.0, "PO5"), phase(220.0, 350.0, -65.0, "CIC"))

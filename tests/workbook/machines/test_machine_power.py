@@ -34,7 +34,7 @@ def machine(axes=AXES, power=POWER):
 def together(made):
     """The drives of a machine at its rate, by the engine's search over their courses."""
     axes = Whole(made, laws(made.laws)).axes
-    courses = tuple(Driven(one, made.selection).demand.course for one in axes if one.given.rate is None)
+    courses = tuple(Driven(one, made).demand.course for one in axes if one.given.rate is None)
     return Drivetrains(courses, made.power.efficiency)
 
 

@@ -136,7 +136,7 @@ def drives_of(given):
     """The drives of a machine at the points of their cycles."""
     shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
     whole = Whole(given, shelf.laws)
-    return [DriveView(AxisRows(whole, axis, shelf.stack), Driven(axis, given.selection)) for axis in whole.axes]
+    return [DriveView(AxisRows(whole, axis, shelf.stack), Driven(axis, given)) for axis in whole.axes]
 
 
 @pytest.mark.parametrize("number", [*range(4), *nights(200)])

@@ -67,7 +67,7 @@ def moved(phases, **more):
 def course_of(one):
     """The drive of a machine's first axis over its motion."""
     whole = Whole(one, laws(one.laws))
-    return Driven(whole.axes[0], one.selection).demand.course
+    return Driven(whole.axes[0], one).demand.course
 
 
 @pytest.mark.sample(1)

@@ -44,7 +44,7 @@ def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
     Behind a mechanism whose ratio depends on the position, 0 is where that counts its angle from. Raises ValueError
     where the mechanism cannot bring its load to a position.
     """
-    driven = Driven(one, machine.selection)
+    driven = Driven(one, machine)
     if driven.linkage is None:
         return replace(load, course=course(one, machine.over, shown(driven.mechanism.ratio, DEGREE)), y_unit=ANGLE_UNIT)
     linkage, degrees = driven.linkage, shown(driven.stage.ratio, DEGREE)

@@ -18,6 +18,7 @@ from workbook.entries.types import (
     DesignError,
     EntryError,
     Model,
+    NotNegative,
     Number,
     Positive,
     TogetherError,
@@ -169,6 +170,7 @@ class AnyMachine(Exporting):
     switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
     clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
     power: PowerEntry = PowerEntry()
+    gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
     selection: Choice = Choice()
     sizes: MachineSizes = MachineSizes()
 
@@ -189,6 +191,8 @@ class AnyMachine(Exporting):
         require_axes(self.clearances, [axis.name for axis in self.axes])
         if self.power != PowerEntry() and not any(axis.motor for axis in self.axes):
             raise EntryError("power", "no axis has a drive; expected none")
+        if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:
+            raise EntryError("gravity", "no axis with a drive has a weight; expected none")
         require_room(self.selection, self.sizes)
         self._chooses()
         for i, axis in enumerate(self.axes):
@@ -225,6 +229,11 @@ class AnyMachine(Exporting):
     def per_minute(self) -> float:
         """Cycles a minute."""
         return self.master.rate
+
+    @property
+    def weighs(self) -> bool:
+        """Whether gravity acts on what a drive moves."""
+        return any(axis.mechanism and axis.unit == "mm" for axis in self.axes)
 
     @property
     def axes_turned(self) -> Sequence[Axis]:

@@ -40,7 +40,7 @@ class Studied:
     def __init__(
         self, axis: MovingAxis, machine: AnyMachine, columns: Mapping[str, Column], rows: Callable[[], AxisRows]
     ) -> None:
-        self.axis, self.products, self.efficiency, self.rows = axis, machine.selection, machine.power.efficiency, rows
+        self.axis, self.machine, self.products, self.rows = axis, machine, machine.selection, rows
         begin = f"axes.{axis.number - 1}"
         self.motor_key, self.motors = only(columns, f"{begin}.motor")
         self.reducer_key, self.reducers = only(columns, f"{begin}.reducer")
@@ -172,7 +172,7 @@ class Studied:
     @cached_property
     def mains(self) -> Means:
         """Mean powers from the mains and in the resistor (W)."""
-        return means(self.works, self.time, self.efficiency)
+        return means(self.works, self.time, self.machine.power.efficiency)
 
     @cached_property
     def designs(self) -> list[tuple[int, int, int]]:
@@ -183,7 +183,7 @@ class Studied:
     def drive(self, motor: int, reducer: int, rate: int) -> Driven:
         """Return the drive with a motor and a reducer at a rate."""
         given, at, axis = self.axis_with(motor, reducer, rate), self.rates.values[rate], self.axis
-        return Driven(MovingAxis(given, axis.number, axis.library, speed_of(at), axis.typed, axis.over), self.products)
+        return Driven(MovingAxis(given, axis.number, axis.library, speed_of(at), axis.typed, axis.over), self.machine)
 
     @cached_property
     def views(self) -> dict[tuple[int, int, int], DriveView]:

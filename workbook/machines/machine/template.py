@@ -50,7 +50,7 @@ def declare(given: AnyMachine) -> Book:
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {one.axis.number: DriveView(one, Driven(one.axis, given.selection))
+    drives = {one.axis.number: DriveView(one, Driven(one.axis, given))
               for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
     bus = Mains(list(drives.values()), given.power)
     sheet = summary_sheet(

@@ -21,7 +21,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
     sheet = book.sheet("Timing", f"The axes over {machine.over.cycle}: phases, movements, timing diagram.")
     sheet.heading("Enter")
-    sheet.rows(*(of_length(machine) if machine.over.measured else at_rate(machine)))
+    sheet.rows(*(of_length(machine) if machine.over.measured else at_rate(machine)), *gravity(machine))
     columns = (PHASE_MEASURED if machine.over.measured else PHASE) + (
         PASSING if any(one.ends is not None for one in axes) else 0
     )
@@ -60,6 +60,13 @@ def at_rate(machine: Whole) -> list[Quantity]:
         calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
     ]  # fmt: skip
+
+
+def gravity(machine: Whole) -> list[Quantity]:
+    """Return the row of gravity, of a machine whose drives move weights."""
+    row = given("gravity", "Gravity", "g", "m/s²", machine.machine.gravity, "gravity", format="0.0####",
+                source="of all drives")  # fmt: skip
+    return [row] if machine.machine.weighs else []
 
 
 def of_length(machine: Whole) -> list[Quantity]:

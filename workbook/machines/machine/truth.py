@@ -30,7 +30,7 @@ def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
     """Yield the drives of a machine."""
     for rows in axes_of(machine):
         if rows.axis.given.mechanism and rows.axis.given.motor:
-            yield DriveView(rows, Driven(rows.axis, machine.selection))
+            yield DriveView(rows, Driven(rows.axis, machine))
 
 
 def rates(machine: AnyMachine) -> list[str]:

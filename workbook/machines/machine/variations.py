@@ -86,6 +86,8 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
                 phase |= passing(k, n, data["laws"], 0.01)
     if any(axis["motor"] is not None for axis in data["axes"]):
         data["power"] = {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}
+    if any(axis["motor"] is not None and axis["unit"] == "mm" for axis in data["axes"]):
+        data["gravity"] = 9.81 - 0.7 * k
     choose(data, drives(data), k)
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],

@@ -22,9 +22,9 @@ from engine.mechanisms.linkage import Linkage
 from engine.mechanisms.registry import LINKED
 from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
-from workbook.machines.machine.choice import Choice
 from workbook.machines.machine.chosen import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.drive.linkages import linkage_of
+from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import SCREWS, Belted, MechanismEntry
 from workbook.machines.machine.view import MovingAxis
 
@@ -44,7 +44,8 @@ def inertia_of(part: RotatingParts) -> float:
 class Driven:
     """An axis with its drive."""
 
-    def __init__(self, axis: MovingAxis, products: Choice) -> None:
+    def __init__(self, axis: MovingAxis, machine: AnyMachine) -> None:
+        products = machine.selection
         self.axis, self.entered = axis.sized, axis.given
         if axis.given.mechanism is None or axis.given.motor is None:
             raise ValueError(f"{axis.given.name} has no drive")
@@ -52,7 +53,7 @@ class Driven:
         self.catalogued_falling = falling_of(axis.given.motor.name, products)
         self.falling = self.catalogued_falling if products.knows_falling else Falling()
         self.motor_used, self.reducer = motor_in_use(axis.given, products), reducer_in_use(axis.given, products)
-        self.number, self.products = axis.number, products
+        self.number, self.products, self.gravity = axis.number, products, machine.gravity
 
     @property
     def called(self) -> str:
@@ -94,7 +95,7 @@ class Driven:
         e = self.entered.load
         if not self.travels:
             return Load(si(e.inertia, KG_CM2), e.torque, e.friction_torque)
-        return Slide(e.mass, e.friction, radians(e.slope), e.force).load
+        return Slide(e.mass, e.friction, radians(e.slope), e.force, self.gravity).load
 
     @property
     def belt(self) -> float:

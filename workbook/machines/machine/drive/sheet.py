@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from engine.drivetrain.loads import GRAVITY
 from engine.drivetrain.losses import held_factor
 from engine.machine.quadrature import STANDSTILL
 from workbook.book.chart import Chart, Series
@@ -322,10 +321,9 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     driven, one = view.driven, view.one
     m, load, size = driven.mechanism, driven.load, view.scales
     travels = driven.travels
-    steady = "=@force+@mass*@g*SIN(RADIANS(@slope))" if travels else "=@torque+0"
-    rubbing = "=@friction*@mass*@g*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
+    steady = "=@force+@mass*gravity*SIN(RADIANS(@slope))" if travels else "=@torque+0"
+    rubbing = "=@friction*@mass*gravity*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
     moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia/10000"
-    gravity = [constant("@g", "Gravity", "g", "m/s²", GRAVITY)] if travels else []
     base, force = ("kg", "N") if travels else ("kg m²", "Nm")
     ratio = "MIN([@pt.g])" if view.varies else "@i2"
     first = float(view.load.first.min())
@@ -339,7 +337,6 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     sheet.rows(
         constant("@built", "Axis, named when the book was built", "", "", driven.entered.called, align="left",
                  source="the sheet and its checks keep this name"),
-        *gravity,
         calc("@faster", "Rate of the drive over the machine's", "", "", "=@rate/timing_rate",
              shown(driven.axis.speed, one.axis.speed)),
         calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=timing_omega*@faster",

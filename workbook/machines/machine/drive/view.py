@@ -231,7 +231,7 @@ def at_rate(view: DriveView, rate: float) -> DriveView:
     axis = view.driven.axis
     given, speed = axis.given.model_copy(update={"rate": rate}), shaft_speed(si(rate, PER_MINUTE))
     moved = MovingAxis(given, axis.number, axis.library, speed, axis.typed, axis.over)
-    return DriveView(view.one, Driven(moved, view.driven.products))
+    return DriveView(view.one, Driven(moved, view.one.machine.machine))
 
 
 def settled_highest(view: DriveView) -> Highest:
