@@ -18,7 +18,7 @@ from workbook.book.formula import REFERENCE, TOKEN, corner, unquoted
 from workbook.judging.layout import titled
 from workbook.judging.matching import Match, Pair, is_formula
 from workbook.judging.report import LAYOUT, Finding
-from workbook.reading.files import BookFile
+from workbook.reading.files import BookFile, find_places
 from workbook.reading.package import tag
 
 HALF = 2
@@ -107,7 +107,7 @@ def told(pairs: list[Pair], way: Way) -> Finding:
 
 
 def replace(file: BookFile, back: Mapping[Address, Address]) -> None:
-    """Move cells of a file, and let all formulas follow."""
+    """Move cells of a file, and let all formulas and names follow."""
     pages = {page.title: page._cells for page in file.workbook.worksheets}
     for now, home in back.items():
         cell = pages[now.sheet].pop((now.row, now.column), None)
@@ -123,6 +123,13 @@ def replace(file: BookFile, back: Mapping[Address, Address]) -> None:
                 cell.value = f"={followed(cell.value[1:], title, back)}"
     for title, source in sources(file):
         source.text = followed(source.text or "", title, back)
+    moved = set()
+    for name, one in file.workbook.defined_names.items():
+        text = followed(one.attr_text or "", "", back)
+        if text != one.attr_text:
+            one.attr_text = text
+            moved.add(name)
+    file.places |= {name: place for name, place in find_places(file.workbook).items() if name in moved}
     file.mended = True
     file.__dict__.pop("contents", None)
 
