@@ -67,6 +67,11 @@ code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .
 .verdict { display: inline-block; font-weight: 600; padding: .1rem .6rem; border: 1.5px solid; border-radius: 3px; }
 .agrees { color: #14612f; } .disagrees, .unreadable, .fails { color: #a31515; } .not-ours { color: #555; }
 .quiet { color: #555; font-size: .92em; }
+body:has(#live) { max-width: 112rem; }
+.beside { display: grid; grid-template-columns: minmax(30rem, 2fr) 3fr; gap: 2rem; align-items: start; }
+.beside textarea { box-sizing: border-box; width: 100%; font: 10pt/1.4 Consolas, "DejaVu Sans Mono", monospace; }
+.beside form { position: sticky; top: 1rem; } .beside textarea { height: 80vh; } #live h2 { margin-top: 1rem; }
+.pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin: 1.2rem 0; }
 @media print {
   @page { margin: 16mm 14mm; }
   body { font-size: 9pt; margin: 0; padding: 0; max-width: none; }

@@ -16,17 +16,18 @@ from workbook.visible import visible
 
 WIDTH, HEIGHT = 720, 400
 LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
-GREY, INK = "#d5d9de", "#1a1a1a"
+GREY, BEFORE, INK = "#d5d9de", "#aab2bd", "#1a1a1a"
 TICKS = 6
 APART = 14  # between two names
 
 
 class Line(NamedTuple):
-    """A line: its name, and the points that it goes through."""
+    """A line: its name, and the points that it goes through; ``points`` are shown by themselves."""
 
     name: str
     x: Array
     y: Array
+    points: bool = False
 
 
 @dataclass(frozen=True)
@@ -71,32 +72,48 @@ def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
 
 
 def plot(
-    title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False)
-) -> Element:
-    """Return the picture; numbers that go by powers of ten must be above 0. Raises ValueError for no lines."""
+    title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False),
+    before: Sequence[Line] = (),
+) -> Element:  # fmt: skip
+    """Return the picture; numbers that go by powers of ten must be above 0. Raises ValueError for no lines.
+
+    ``before`` are lines that show in grey, below the others, how it was.
+    """
     if not lines:
         raise ValueError("no lines are given; expected one or more")
     svg = Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {WIDTH} {HEIGHT}", "role": "img",
                           "font-family": "Segoe UI, Helvetica, Arial, sans-serif", "font-size": "12"})  # fmt: skip
     SubElement(svg, "title").text = visible(title)
     SubElement(svg, "rect", {"width": str(WIDTH), "height": str(HEIGHT), "fill": "#ffffff"})
-    across = scale(np.concatenate([line.x for line in lines]), LEFT, WIDTH - RIGHT, powers[0])
-    up = scale(np.concatenate([line.y for line in lines]), HEIGHT - BOTTOM, TOP, powers[1])
+    across = scale(np.concatenate([line.x for line in (*lines, *before)]), LEFT, WIDTH - RIGHT, powers[0])
+    up = scale(np.concatenate([line.y for line in (*lines, *before)]), HEIGHT - BOTTOM, TOP, powers[1])
     text(svg, title, LEFT, TOP - 14, weight="600")
     grid(svg, across, up, labels)
+    for line in before:
+        draw(svg, line, across.at(line.x), up.at(line.y), BEFORE)
     names: list[float] = []
     for k, line in enumerate(lines):
         colour = COLOURS[k % len(COLOURS)]
         colour = colour if colour.startswith("#") else f"#{colour}"
         x, y = across.at(line.x), up.at(line.y)
-        points = " ".join(f"{one:.1f},{other:.1f}" for one, other in zip(x, y, strict=True))
-        SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
+        draw(svg, line, x, y, colour)
         place = float(y[-1])
         while any(abs(place - other) < APART for other in names):
             place += APART / 2
         names.append(place)
         text(svg, line.name, WIDTH - RIGHT + 8, place + 4, colour=colour)
     return svg
+
+
+def draw(svg: Element, line: Line, x: Array, y: Array, colour: str) -> None:
+    """Draw a line, or its points, at their places in the picture."""
+    places = [(f"{one:.1f}", f"{other:.1f}") for one, other in zip(x, y, strict=True)]
+    if line.points:
+        for one, other in places:
+            SubElement(svg, "circle", {"cx": one, "cy": other, "r": "3", "fill": colour})
+    else:
+        points = " ".join(map(",".join, places))
+        SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
 
 
 def grid(svg: Element, across: Scale, up: Scale, labels: tuple[str, str]) -> None:

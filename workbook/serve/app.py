@@ -8,6 +8,7 @@ import tempfile
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
@@ -23,6 +24,7 @@ from workbook.serve.work import Done, Work
 from workbook.writing.place import replace
 
 REPORT = "report.html"
+SCRIPT = Path(__file__).with_name("live.js")
 
 
 class Page(Guarded):
@@ -103,6 +105,29 @@ class Edit(Page):
             return self.refuse(error)
         self.finish(pages.editor(name, text, state(path)))
         return None
+
+
+class Live(Page):
+    """What a description comes to that is being edited."""
+
+    async def post(self) -> None:
+        """Answer with the panel beside its text."""
+        try:
+            saved = read_text(self.folder.file(self.argument("name")), "a description")
+        except MotionbookError as error:
+            return self.refuse(error)
+        text = self.get_body_argument("text", strip=False).replace("\r\n", "\n")
+        self.finish(await self.work.live(self.argument("name"), text, saved))
+        return None
+
+
+class Script(Guarded):
+    """The script of the page Edit."""
+
+    def get(self) -> None:
+        """Send it."""
+        self.set_header("Content-Type", "text/javascript; charset=utf-8")
+        self.finish(SCRIPT.read_text(encoding="utf-8"))
 
 
 class Save(Page):
@@ -207,9 +232,11 @@ def application(folder: Folder, token: str, hosts: list[str], work: Work) -> App
     shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
     routes = [
         (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
+        (r"/live", Live),
         (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),
     ]  # fmt: skip
-    handlers = [(path, page, shared) for path, page in routes]
+    handlers: list[Any] = [(path, page, shared) for path, page in routes]
+    handlers.append((r"/live.js", Script))
     return Application(handlers, token=token, hosts=hosts, default_handler_class=Missing)
 
 

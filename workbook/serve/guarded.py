@@ -14,8 +14,8 @@ from workbook.reports.page import STYLE
 COOKIE = "motionbook"
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
 POLICY = (
-    f"default-src 'none'; style-src 'sha256-{STYLED}'; img-src 'self'; form-action 'self'; frame-ancestors 'none'; "
-    "base-uri 'none'"
+    f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'sha256-{STYLED}'; img-src 'self'; "
+    "form-action 'self'; frame-ancestors 'none'; base-uri 'none'"
 )
 
 
@@ -26,7 +26,7 @@ class Guarded(RequestHandler):
     """
 
     def set_default_headers(self) -> None:
-        """Let a browser load nothing from elsewhere, run no script and keep no copy."""
+        """Let a browser load nothing from elsewhere, run no script but the server's own and keep no copy."""
         self.set_header("Content-Security-Policy", POLICY)
         self.set_header("X-Content-Type-Options", "nosniff")
         self.set_header("Referrer-Policy", "no-referrer")

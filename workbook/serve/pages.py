@@ -62,11 +62,13 @@ def comparison(names: Sequence[str]) -> Element:
 
 def editor(name: str, words: str, state: str, said: str = "") -> str:
     """Return the page on which a description is edited; ``said`` are messages on what was entered."""
-    area = e("textarea", words, name="text", id="text", rows="34", cols="110", spellcheck="false")
+    area = e("textarea", words, name="text", id="text", rows="34", cols="80", spellcheck="false")
     told = [e("pre", said)] if said else []
     fields = [hidden("name", name), hidden("state", state), e("p", label("Description", "text")), area,
               e("p", button("Save and build"))]  # fmt: skip
-    return document(name, [e("h1", name), back(), *told, form("/save", *fields)])
+    live = e("div", e("p", "…", css="quiet"), id="live")
+    beside = e("div", form("/save", *fields), live, css="beside")
+    return document(name, [e("h1", name), back(), *told, beside, e("script", src="/live.js", type="module")])
 
 
 def printed(title: str, words: str, verdict: str, *links: Element) -> str:

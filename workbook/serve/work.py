@@ -5,11 +5,18 @@ from __future__ import annotations
 import asyncio
 import os
 import sys
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context
 from pathlib import Path
 from typing import NamedTuple
 
+from workbook.serve.live import fragment
+
 LONGEST = 600.0
 """seconds of a command"""
+PATIENCE = 20.0
+"""seconds of a panel beside what is edited"""
 MEMORY = 6 * 2**30
 """bytes of address space of a command, where the system can limit it"""
 
@@ -22,12 +29,33 @@ class Done(NamedTuple):
 
 
 class Work:
-    """Commands, so many at once; others wait for their turn."""
+    """Commands, so many at once, others wait for their turn; and one process for what is edited."""
 
     def __init__(self, most: int | None = None) -> None:
         self._turns = asyncio.Semaphore(most or max(1, (os.cpu_count() or 2) - 1))
         self._running: set[asyncio.subprocess.Process] = set()
         self.waiting = 0
+        self._editing: ProcessPoolExecutor | None = None
+
+    async def live(self, name: str, text: str, saved: str) -> str:
+        """Return the panel beside a description that is being edited."""
+        if self._editing is None:
+            limit = limit_memory if os.name == "posix" else None
+            self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=limit)
+        try:
+            found = asyncio.get_running_loop().run_in_executor(self._editing, fragment, name, text, saved)
+            return await asyncio.wait_for(found, PATIENCE)
+        except (TimeoutError, BrokenProcessPool):
+            self._end_editing()
+            return f"<p>Not worked out within {PATIENCE:.0f} s: save and build it instead.</p>"
+
+    def _end_editing(self) -> None:
+        """End the process for what is edited; the next edit begins another."""
+        if self._editing is not None:
+            for process in list(self._editing._processes.values()):
+                process.kill()
+            self._editing.shutdown(wait=False, cancel_futures=True)
+            self._editing = None
 
     async def run(self, *arguments: str | Path) -> Done:
         """Run a command of motionbook."""
@@ -59,6 +87,7 @@ class Work:
         """End all commands that run."""
         for process in self._running:
             process.kill()
+        self._end_editing()
 
 
 def limit_memory() -> None:

@@ -10,7 +10,11 @@ import openpyxl
 import pytest
 
 from tests import cutting
+from tests.cutting import TEMPLATE
 from workbook.build import build, write_inputs
+from workbook.differences.design import Design
+from workbook.reading.descriptions import read_machine
+from workbook.reports.differences import figure
 from workbook.serve.guarded import COOKIE
 
 BOUNDARY = "----boundary"
@@ -59,6 +63,7 @@ def server(tmp_path_factory):
     (root.parent / "secret.toml").write_text("outside")
     machine = cutting.small(cycle=12, law=4, own_law=4)
     write_inputs(machine, root / "cutting.toml")
+    write_inputs(machine, root / "live.toml")
     build(machine, root / "cutting.xlsx")
     command = [sys.executable, "-u", "-m", "workbook", "serve", str(root), "--no-browse"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
@@ -116,6 +121,33 @@ def test_a_fault_in_a_description_is_shown_beside_what_was_entered(server):
     assert "<textarea" in answer
 
 
+def test_what_is_edited_is_shown_beside_it_with_the_figures_of_its_book(server):
+    saved = (server.root / "live.toml").read_text(encoding="utf-8")
+    faster = re.sub(r"(?m)^rate = [\d.]+", "rate = 150.0", saved)
+    assert faster != saved
+    panel = server.ask("/live", server.form(name="live.toml", text=faster)).body.decode()
+    (server.root.parent / "faster.toml").write_text(faster, encoding="utf-8")
+    found = Design(path := server.root.parent / "faster.toml", machine := read_machine(path), TEMPLATE.declare(machine))
+    fails = [one for one in found.checks().values() if one.value == "FAIL"]
+    assert fails
+    assert all(one.label in panel and one.says in panel for one in fails)
+    shown = [one for one in found.results().values() if one.place.startswith("Summary")]
+    assert all(f">{figure(one.value)}<" in panel for one in shown)
+    assert panel.count("<svg") >= 1
+    assert "#aab2bd" in panel  # the saved design's lines, in grey
+
+
+def test_what_is_no_machine_yet_is_told_beside_it_and_nothing_is_saved(server):
+    saved = (server.root / "live.toml").read_text(encoding="utf-8")
+    for text, told in (("rate = ", "not valid TOML"), (saved.replace('law = "', 'law = "X', 1), "X")):
+        panel = server.ask("/live", server.form(name="live.toml", text=text)).body.decode()
+        assert "Not yet a machine" in panel
+        assert told in panel
+    assert (server.root / "live.toml").read_text(encoding="utf-8") == saved
+    assert server.ask("/live", server.form(name="none.toml", text=saved)).code == 400
+    assert server.ask("/live", server.form(name="live.toml", text=saved), cookie="wrong").code == 403
+
+
 def test_a_file_that_changed_meanwhile_is_not_overwritten(server):
     answer = server.ask("/save", server.form(name="cutting.toml", state="0" * 64, text="lost"))
     assert answer.code == 400
@@ -153,7 +185,9 @@ def test_hostile_names_and_titles_are_text(server):
     (server.root / "<b>bold<b>.toml").write_text("x")
     home = server.ask("/")
     assert b"<b>" not in home.body
-    assert "script-src" not in home.headers["Content-Security-Policy"]
+    assert "script-src 'self';" in home.headers["Content-Security-Policy"]
+    text = (server.root / "cutting.toml").read_text(encoding="utf-8").replace('title = "', 'title = "<b>bold</b> ')
+    assert b"<b>" not in server.ask("/live", server.form(name="cutting.toml", text=text)).body
     assert "default-src 'none'" in home.headers["Content-Security-Policy"]
 
 
