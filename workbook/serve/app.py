@@ -38,10 +38,19 @@ class Page(Guarded):
         """Return a field of the form."""
         return str(self.get_body_argument(name))
 
-    def refuse(self, error: MotionbookError) -> None:
-        """Answer with the message of an error."""
-        self.set_status(400)
-        self.finish(pages.printed("This cannot be done", str(error), ""))
+    def write_error(self, status_code: int, **kwargs: Any) -> None:
+        """Answer with the message of an error of motionbook's, else with the reason."""
+        error = (kwargs.get("exc_info") or (None, None))[1]
+        if isinstance(error, MotionbookError):
+            self.set_status(400)
+            self.finish(pages.printed("This cannot be done", str(error), ""))
+        else:
+            super().write_error(status_code, **kwargs)
+
+    def log_exception(self, typ: Any, value: Any, tb: Any) -> None:
+        """Keep the errors of motionbook from the log: they are told on the page."""
+        if not isinstance(value, MotionbookError):
+            super().log_exception(typ, value, tb)
 
     async def reported(self, path: Path, name: str) -> None:
         """Verify a workbook and answer with its report."""
@@ -66,14 +75,10 @@ class Download(Page):
 
     def get(self, name: str) -> None:
         """Send the file."""
-        try:
-            path = self.folder.file(name)
-        except MotionbookError as error:
-            return self.refuse(error)
+        path = self.folder.file(name)
         self.set_header("Content-Type", "application/octet-stream")
         self.set_header("Content-Disposition", "attachment")
         self.finish(path.read_bytes())
-        return None
 
 
 class New(Page):
@@ -81,16 +86,12 @@ class New(Page):
 
     async def post(self) -> None:
         """Write it, under a name that is free, and edit it."""
-        try:
-            path = self.folder.free(f"{self.argument('name')}.toml")
-        except MotionbookError as error:
-            return self.refuse(error)
+        path = self.folder.free(f"{self.argument('name')}.toml")
         done = await self.work.run("new", self.argument("template"), "-o", path)
         if done.code:
             self.finish(pages.printed("New machine", done.text, "not written"))
         else:
             self.redirect(f"/edit/{path.name}")
-        return None
 
 
 class Edit(Page):
@@ -98,13 +99,9 @@ class Edit(Page):
 
     def get(self, name: str) -> None:
         """Show it."""
-        try:
-            path = self.folder.file(name)
-            text = read_text(path, "a description")
-        except MotionbookError as error:
-            return self.refuse(error)
+        path = self.folder.file(name)
+        text = read_text(path, "a description")
         self.finish(pages.editor(name, text, state(path)))
-        return None
 
 
 class Live(Page):
@@ -112,13 +109,9 @@ class Live(Page):
 
     async def post(self) -> None:
         """Answer with the panel beside its text."""
-        try:
-            saved = read_text(self.folder.file(self.argument("name")), "a description")
-        except MotionbookError as error:
-            return self.refuse(error)
+        saved = read_text(self.folder.file(self.argument("name")), "a description")
         text = self.get_body_argument("text", strip=False).replace("\r\n", "\n")
         self.finish(await self.work.live(self.argument("name"), text, saved))
-        return None
 
 
 class Script(Guarded):
@@ -136,19 +129,15 @@ class Save(Page):
     async def post(self) -> None:
         """Save it unless it changed meanwhile, and build its workbook; show what is amiss beside the text."""
         name, text = self.argument("name"), self.get_body_argument("text", strip=False).replace("\r\n", "\n")
-        try:
-            path = self.folder.file(name)
-            if state(path) != self.argument("state"):
-                raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
-            replace(path, lambda draft: write_text(draft, text), overwrite=True)
-        except MotionbookError as error:
-            return self.refuse(error)
+        path = self.folder.file(name)
+        if state(path) != self.argument("state"):
+            raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
+        replace(path, lambda draft: write_text(draft, text), overwrite=True)
         done, target = await built(self.work, self.folder, path)
         if done.code:
             self.finish(pages.editor(name, text, state(path), done.text))
         else:
             self.finish(pages.printed(name, done.text, "", pages.link(f"/file/{target.name}", "Download")))
-        return None
 
 
 class Build(Page):
@@ -156,14 +145,10 @@ class Build(Page):
 
     async def post(self) -> None:
         """Build it under a name that is free."""
-        try:
-            path = self.folder.file(self.argument("name"))
-        except MotionbookError as error:
-            return self.refuse(error)
+        path = self.folder.file(self.argument("name"))
         done, target = await built(self.work, self.folder, path)
         links = [] if done.code else [pages.link(f"/file/{target.name}", "Download")]
         self.finish(pages.printed(path.name, done.text, "", *links))
-        return None
 
 
 class Verify(Page):
@@ -171,12 +156,8 @@ class Verify(Page):
 
     async def post(self) -> None:
         """Answer with the report."""
-        try:
-            path = self.folder.file(self.argument("name"))
-        except MotionbookError as error:
-            return self.refuse(error)
+        path = self.folder.file(self.argument("name"))
         await self.reported(path, path.name)
-        return None
 
 
 class Upload(Page):
@@ -186,14 +167,13 @@ class Upload(Page):
         """Answer with the report."""
         files = self.request.files.get("book", [])
         if len(files) != 1:
-            return self.refuse(WriteError("no workbook came; choose a file first"))
+            raise WriteError("no workbook came; choose a file first")
         name = Path(files[0].filename).name
         name = name if NAME.fullmatch(name) else "upload.xlsx"
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / name
             path.write_bytes(files[0].body)
             await self.reported(path, name)
-        return None
 
 
 class Compare(Page):
@@ -201,16 +181,12 @@ class Compare(Page):
 
     async def post(self) -> None:
         """Answer with what differs."""
-        try:
-            old, new = (self.folder.file(self.argument(name)) for name in ("old", "new"))
-        except MotionbookError as error:
-            return self.refuse(error)
+        old, new = (self.folder.file(self.argument(name)) for name in ("old", "new"))
         with tempfile.TemporaryDirectory() as folder:
             page = Path(folder) / REPORT
             done = await self.work.run("diff", old, new, "--html", page)
             text = page.read_text(encoding="utf-8") if page.exists() else ""
         self.finish(text or pages.printed("Comparison", done.text, ""))
-        return None
 
 
 class Missing(Guarded):
