@@ -1,9 +1,10 @@
 """The cutting machine's book: S1's figures in its cells, every formula cell with an engine value, both agree.
 
-S1 prints the movements at 200 pieces a minute and the drive at 100: a machine has one rate, and each print is one here.
+S1 prints the movements at 200 pieces a minute and the drive at 100: so does the book, its drive at a rate of its own.
 """
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -33,7 +34,7 @@ def described(rate=DRIVE, laws=("MTP", "MTP", "MTP"), selection=None, **feed):
     data = cutting.small(cycle=12, law=4, own_law=4).model_dump()
     data["master"]["rate"] = rate
     data["selection"] = {name: data["selection"][name] for name in ("motors", "reducers")} | {"axis": selection}
-    data["axes"][0] |= feed
+    data["axes"][0] |= {"rate": None, "smoothness": "acceleration"} | feed
     for axis, law in zip(data["axes"], laws, strict=True):
         for phase in axis["phases"]:
             phase["law"] = law if phase["lift"] else "DWL"
@@ -131,6 +132,32 @@ def test_a_book_that_was_built_is_verified_and_comes_back(tmp_path):
 def test_the_committed_book_verifies():
     report = verify(cutting.BOOK)
     assert report.findings == []
+
+
+def test_the_committed_book_shows_the_figures_of_s1_without_edits():
+    """S1: 9 m/s and 270 m/s² at 200 a minute; J_tot = 1.164 kg m², C_r = 67 Nm and the equation of C_m at 100."""
+    book = TEMPLATE.declare(cutting.described())
+
+    def figure(name, column=None):
+        return next(q.value for q in book.blocks[name].quantities if column in (None, q.name))
+
+    assert [figure("axes", "v")[0], figure("axes", "a")[0]] == pytest.approx([9.0, 270.0], rel=1e-12)
+    assert (figure("timing_rate"), figure("drive1_rate")) == (MOVEMENTS, DRIVE)
+    assert (figure("drive1_j_shaft"), figure("drive1_cr")) == pytest.approx((1.164, 67.0), rel=1e-12)
+    texts = [text for sheet in book.sheets if sheet.title == "Drive MC01" for text in map(str, sheet.texts)]
+    assert any("C_m = J_m/τ ω̇ + τ (C_r + J_tot ω̇)" in text for text in texts)
+    symbols = [q.symbol for block in book.blocks.values() for q in block.quantities]
+    assert "J_tot" in symbols
+    assert "J_1" not in symbols  # S1's is a roller's
+
+
+def test_the_figures_of_docs_drive_sheet_are_those_of_the_committed_book():
+    value = computed(TEMPLATE, cutting.described())
+    page = (Path(__file__).parents[3] / "docs/drive-sheet.md").read_text(encoding="utf-8")
+    shown = f"{value('drive1_tmax'):.1f} and −{-value('drive1_tmin'):.1f} Nm"
+    assert shown in page
+    assert f"{value('drive1_speed'):,.0f} rpm" in page
+    assert f"√(Σ share · T²): {value('drive1_rms'):.3f} Nm" in page
 
 
 def test_it_finds_a_pair_of_its_catalogues():

@@ -80,6 +80,13 @@ def test_s2_at_its_rounded_angle():
     assert (value("tool1_ok_collide"), value("tool1_ok_margin"), value("overall")) == ("OK", "FAIL", "FAIL")
 
 
+def test_the_first_sheet_shows_the_figures_of_s2_beside_ours():
+    """S2 rounds up to 125°; ours takes the allowance off, which is our choice."""
+    book = TEMPLATE.declare(described())
+    beside = {name: book.blocks[f"about_{name}"].quantities[0].source for name in ("a0", "a1", "ratio")}
+    assert beside == {"a0": "S2: 4.154 m/s²", "a1": "S2: 0.804 m/s²", "ratio": "S2: 5.17"}
+
+
 def test_the_margin_is_what_stays_free_at_the_longest_angle():
     value = computed(TEMPLATE, described(passage__allowance=0.0))
     assert value("tool1_least") == pytest.approx(1.0, abs=1e-9)
