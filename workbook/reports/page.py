@@ -71,6 +71,7 @@ body:has(#live) { max-width: 112rem; }
 .beside { display: grid; grid-template-columns: minmax(30rem, 2fr) 3fr; gap: 2rem; align-items: start; }
 .beside textarea { box-sizing: border-box; width: 100%; font: 10pt/1.4 Consolas, "DejaVu Sans Mono", monospace; }
 .beside form { position: sticky; top: 1rem; } .beside textarea { height: 80vh; } #live h2 { margin-top: 1rem; }
+.edge { fill: #fff; stroke: #1f3a5f; stroke-width: 2; cursor: ew-resize; } .edge:focus { fill: #1f3a5f; outline: none; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin: 1.2rem 0; }
 @media print {
   @page { margin: 16mm 14mm; }

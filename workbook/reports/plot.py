@@ -71,6 +71,19 @@ def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
     return Scale(low, high, begin, end, powers)
 
 
+class Scales(NamedTuple):
+    """Both axes of a picture."""
+
+    across: Scale
+    up: Scale
+
+
+def scales(lines: Sequence[Line], powers: tuple[bool, bool] = (False, False)) -> Scales:
+    """Return the axes of a picture of some lines."""
+    x, y = (np.concatenate([getattr(line, name) for line in lines]) for name in "xy")
+    return Scales(scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1]))
+
+
 def plot(
     title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False),
     before: Sequence[Line] = (),
@@ -85,8 +98,7 @@ def plot(
                           "font-family": "Segoe UI, Helvetica, Arial, sans-serif", "font-size": "12"})  # fmt: skip
     SubElement(svg, "title").text = visible(title)
     SubElement(svg, "rect", {"width": str(WIDTH), "height": str(HEIGHT), "fill": "#ffffff"})
-    across = scale(np.concatenate([line.x for line in (*lines, *before)]), LEFT, WIDTH - RIGHT, powers[0])
-    up = scale(np.concatenate([line.y for line in (*lines, *before)]), HEIGHT - BOTTOM, TOP, powers[1])
+    across, up = scales([*lines, *before], powers)
     text(svg, title, LEFT, TOP - 14, weight="600")
     grid(svg, across, up, labels)
     for line in before:

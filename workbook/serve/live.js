@@ -1,10 +1,11 @@
-// Show beside a description what it comes to, as it is typed.
+// Show beside a description what it comes to, as it is typed; drag the edges of phases in its timing diagram.
 const text = document.getElementById("text");
 const panel = document.getElementById("live");
 const name = document.querySelector("input[name=name]").value;
-const PAUSE = 200; // ms without a key
+const PAUSE = 150; // ms without a key
 let edits = 0;
 let busy = false;
+let held = null; // the edge that is dragged, or moved by keys
 
 async function refresh() {
   if (busy) return;
@@ -16,6 +17,7 @@ async function refresh() {
       const body = new URLSearchParams({ name, text: text.value });
       const answer = await fetch("/live", { method: "POST", body });
       panel.innerHTML = await answer.text();
+      if (held) find(held)?.focus({ preventScroll: true });
     } catch {
       panel.textContent = "The server has ended: run motionbook serve again.";
     }
@@ -23,8 +25,68 @@ async function refresh() {
   busy = false;
 }
 
-text.addEventListener("input", () => {
+function changed() {
   edits += 1;
   setTimeout(refresh, PAUSE);
+}
+
+// --- edges of phases
+
+function edgeOf(handle) {
+  const { value, step, across, places, edge } = handle.dataset;
+  const pairs = places.split(" ").map((place) => place.split("-").map(Number));
+  return { axis: edge.slice(0, edge.lastIndexOf(" ")), value: Number(value), step: Number(step), across: Number(across), places: pairs };
+}
+
+function find(edge) {
+  const wanted = `${edge.axis} ${edge.value}`;
+  return [...panel.querySelectorAll(".edge")].find((one) => one.dataset.edge === wanted);
+}
+
+function move(edge, value) {
+  const steps = Math.max(0, Math.round(value / edge.step));
+  const decimals = Math.max(1, Math.round(-Math.log10(edge.step)));
+  const words = (steps * edge.step).toFixed(decimals);
+  if (Number(words) === edge.value) return;
+  let longer = 0;
+  edge.places = edge.places.map(([begin, end]) => {
+    text.setRangeText(words, begin + longer, end + longer, "preserve");
+    const place = [begin + longer, begin + longer + words.length];
+    longer += words.length - (end - begin);
+    return place;
+  });
+  edge.value = Number(words);
+  changed();
+}
+
+panel.addEventListener("pointerdown", (event) => {
+  if (!event.target.matches(".edge")) return;
+  event.preventDefault();
+  panel.setPointerCapture(event.pointerId);
+  const svg = event.target.ownerSVGElement;
+  held = { ...edgeOf(event.target), x: event.clientX, from: Number(event.target.dataset.value), scale: svg.getScreenCTM().a };
+});
+
+panel.addEventListener("pointermove", (event) => {
+  if (!held || held.x === undefined) return;
+  move(held, held.from + ((event.clientX - held.x) / held.scale) * held.across);
+});
+
+panel.addEventListener("pointerup", () => {
+  if (held) delete held.x;
+});
+
+panel.addEventListener("keydown", (event) => {
+  const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+  if (!way || !event.target.matches(".edge")) return;
+  event.preventDefault();
+  const handle = edgeOf(event.target);
+  if (!held || find(held) !== event.target) held = handle;
+  move(held, held.value + way * held.step);
+});
+
+text.addEventListener("input", () => {
+  held = null;
+  changed();
 });
 refresh();

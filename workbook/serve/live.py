@@ -19,7 +19,8 @@ from workbook.errors import MotionbookError
 from workbook.reading.descriptions import checked, counted, parsed, template_named
 from workbook.reports.differences import figure
 from workbook.reports.page import Content, e, table
-from workbook.reports.plot import Line, plot
+from workbook.reports.plot import Line, plot, scales
+from workbook.serve.edges import Edge, add_handles, edges
 
 CHARTS = 6
 """of a design at most: those that an edit changes, else the first"""
@@ -39,7 +40,8 @@ class Drawn(NamedTuple):
 def fragment(name: str, text: str, saved: str) -> str:
     """Return the HTML beside a description: what it comes to, with the lines of the saved one in grey."""
     try:
-        body = panel(design(name, text), before(name, saved))
+        new = design(name, text)
+        body = panel(new, before(name, saved), list(edges(text, new.machine)))
     except MotionbookError as error:
         body = [e("h2", "Not yet a machine"), *(e("p", line) for line in str(error).splitlines())]
     return "".join(tostring(one, encoding="unicode", method="html") for one in body)
@@ -63,7 +65,7 @@ def before(name: str, saved: str) -> Design | None:
         return None
 
 
-def panel(new: Design, old: Design | None) -> list[Element]:
+def panel(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:
     """Return the checks that fail, the charts, and the results in short with those of the saved design."""
     faults = [e("p", f"{counted(fault.key)}: {fault.said}") for fault in new.machine.design.faults]
     fails = [[one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"]
@@ -72,7 +74,7 @@ def panel(new: Design, old: Design | None) -> list[Element]:
         *([e("h2", "Unfinished"), *faults] if faults else []),
         e("h2", "Checks that fail"),
         table(("Sheet", "Check", "Where, and by how much"), failing, ()) if failing else e("p", "None: all are OK."),
-        e("div", *pictures(new.book, old.book if old else None), css="pictures"),
+        e("div", *pictures(new, old, found), css="pictures"),
         e("h2", "Results, in short"), table(("", "Now", "Saved", "Unit"), results(new, old), (1, 2)),
     ]  # fmt: skip
 
@@ -90,15 +92,21 @@ def results(new: Design, old: Design | None) -> list[list[Content]]:
     return rows
 
 
-def pictures(new: Book, old: Book | None) -> list[Element]:
-    """Return the charts whose lines differ from those of the saved design, else the first charts of the book."""
-    known = {(title, one.chart.title): one.lines for title, one in charts(old)} if old else {}
-    all_ = [(one, known.get((title, one.chart.title), one.lines)) for title, one in charts(new)]
-    changed = [(one, lines) for one, lines in all_ if differ(one.lines, lines)]
-    return [
-        plot(one.chart.title, (one.chart.x, one.chart.y), one.lines, (False, one.chart.log_y), before=lines)
-        for one, lines in (changed or all_)[:CHARTS]
-    ]
+def pictures(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:
+    """Return the timing diagram with handles at edges, the charts that an edit changes, else the first of the book."""
+    known = {(title, one.chart.title): one.lines for title, one in charts(old.book)} if old else {}
+    all_ = [(one, known.get((title, one.chart.title), one.lines)) for title, one in charts(new.book)]
+    shifts = {axis.name: axis.shift for axis in getattr(new.machine, "axes", [])} if found else {}
+    drawn = []
+    for one, lines in sorted(all_, key=lambda both: not (both[0].chart.lanes or differ(both[0].lines, both[1])))[
+        :CHARTS
+    ]:
+        chart = one.chart
+        svg = plot(chart.title, (chart.x, chart.y), one.lines, (False, chart.log_y), before=lines)
+        if chart.lanes:
+            add_handles(svg, scales([*one.lines, *lines]), one.lines, found, shifts)
+        drawn.append(svg)
+    return drawn
 
 
 def charts(book: Book) -> Iterator[tuple[str, Drawn]]:
