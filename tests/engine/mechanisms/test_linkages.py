@@ -1,6 +1,6 @@
 """Mechanisms of a changing ratio, against positions worked out here the other way round and differentiated."""
 
-from math import pi, radians, sqrt
+from math import acos, atan2, cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
@@ -236,3 +236,25 @@ def test_what_cannot_be_is_refused():
 def test_a_lever_square_to_its_slide_turns_by_the_travel_over_its_length():
     linkage = rocker(0.1, 5.0, 0.1, pi / 2)
     assert float(linkage.shaft(0.0).first) == pytest.approx(10.0, rel=1e-12)
+
+
+@pytest.mark.parametrize("y", [0.01, 0.04, 0.075])
+def test_a_rod_counts_as_two_point_masses_at_its_pins(y):
+    """Energy of a rod that moves in its plane; the two masses of a uniform one have m l²/6 ψ̇²/2 too much."""
+    r, rod, mass, centre = 0.05, 0.2, 3.0, 0.08  # m, m, kg, m from the crank's pin
+    linkage = crank_slider(r, rod)
+    at_slide = mass * centre / rod
+    counted = (mass - at_slide) * r**2 + float(linkage.reflected(at_slide, y).inertia)
+
+    def pose(position):
+        """Angle of the crank, centre of the rod and its angle: from the triangle of crank, rod and slide."""
+        x = rod - r + position
+        angle = acos((x**2 + r**2 - rod**2) / (2 * x * r))
+        pin = r * np.array([cos(angle), sin(angle)])
+        along = (np.array([x, 0.0]) - pin) / rod
+        return np.array([angle, *(pin + centre * along), atan2(along[1], along[0])])
+
+    crank, *way, swing = (pose(y + 1e-6) - pose(y - 1e-6)) / 2e-6
+    moved = mass * (way[0] ** 2 + way[1] ** 2)
+    assert counted * crank**2 == pytest.approx(moved + mass * centre * (rod - centre) * swing**2, rel=1e-7)
+    assert counted * crank**2 != pytest.approx(moved + mass * rod**2 / 12 * swing**2, rel=1e-4)

@@ -137,7 +137,10 @@ class CrankSlider(MechanismEntry):
 
     kind: Literal["crank-slider"]
     crank_radius: Positive | None = size("Radius of the crank")
-    rod_length: Positive | None = size("Length of the connecting rod")
+    rod_length: Positive | None = size(
+        "Length of the connecting rod",
+        "; its mass counts as two point masses at its pins: add the slide's to the load, the crank's to the parts",
+    )
     offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
     zero: Literal["inner", "outer"] | None = Field(
         default=None, description="The dead centre that positions grow from; inner if empty"
