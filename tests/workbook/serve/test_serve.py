@@ -2,8 +2,10 @@
 
 import http.client
 import re
+import signal
 import subprocess
 import sys
+from functools import partial
 from urllib.parse import urlencode
 
 import openpyxl
@@ -66,11 +68,15 @@ def server(tmp_path_factory):
     write_inputs(machine, root / "live.toml")
     build(machine, root / "cutting.xlsx")
     command = [sys.executable, "-u", "-m", "workbook", "serve", str(root), "--no-browse"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # tests in the background ignore Ctrl+C
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, preexec_fn=heard) as process:
         found = ADDRESS.match(process.stdout.readline())
         yield Server(root, found[1], found[2])
-        process.send_signal(2)  # Ctrl+C
-        assert process.wait(20) == 0
+        process.send_signal(signal.SIGINT)
+        try:
+            assert process.wait(20) == 0
+        finally:
+            process.kill()
 
 
 # --- a person's steps
