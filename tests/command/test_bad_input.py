@@ -81,21 +81,21 @@ def small(layout, tmp_path):
 
 
 DESCRIPTIONS = {
-    "TOML syntax": ("rate = 100.0", "rate = = 100", ["not valid TOML", "line"]),
+    "TOML syntax": ("rate = 200.0", "rate = = 100", ["not valid TOML", "line"]),
     "unknown entry": (
-        "rate = 100.0",
+        "rate = 200.0",
         "rate = 100.0\nspeed = 3",
         ["master.speed", "unknown", "expected one of rate"],
     ),
     "missing table": ("[master]", "[shaft]", ["master", "expected the entries rate"]),
     "unknown template": ('"machine"', '"saw"', ["template", "'saw'", "machine"]),
     "no template": ('template = "machine"', "", ["template", "empty", "machine"]),
-    "unknown law": ('law = "MTP" },', 'law = "MPT" },', ["axes[1].phases[1].law", "'MPT'", "expected MTP"]),
-    "text for a number": ("rate = 100.0", 'rate = "fast"', ["master.rate", "'fast'", "expected a number"]),
-    "logical value for a number": ("rate = 100.0", "rate = true", ["master.rate", "TRUE", "expected a number"]),
-    "date for a number": ("rate = 100.0", "rate = 2020-01-02", ["master.rate", "2020-01-02", "expected a number"]),
-    "not a number": ("rate = 100.0", "rate = nan", ["master.rate", "nan", "expected a number"]),
-    "infinite": ("rate = 100.0", "rate = inf", ["master.rate", "inf", "expected a number"]),
+    "unknown law": ('law = "ACS" },', 'law = "MPT" },', ["axes[1].phases[1].law", "'MPT'", "expected MTP"]),
+    "text for a number": ("rate = 200.0", 'rate = "fast"', ["master.rate", "'fast'", "expected a number"]),
+    "logical value for a number": ("rate = 200.0", "rate = true", ["master.rate", "TRUE", "expected a number"]),
+    "date for a number": ("rate = 200.0", "rate = 2020-01-02", ["master.rate", "2020-01-02", "expected a number"]),
+    "not a number": ("rate = 200.0", "rate = nan", ["master.rate", "nan", "expected a number"]),
+    "infinite": ("rate = 200.0", "rate = inf", ["master.rate", "inf", "expected a number"]),
     "two axes of one name": ('name = "MC02"', 'name = "MC01"', ["axes[2].name", "'MC01'", "a name of its own"]),
     "drive of no kind": ('kind = "feed rollers"', 'kind = "feed roller"', ["axes[1].mechanism.kind", "'feed roller'"]),
     "drive without a kind": (
@@ -141,14 +141,14 @@ def test_description_is_refused(old, new, parts, refused, tmp_path):
 
 def test_every_fault_has_its_line(refused, tmp_path):
     (tmp_path / "machine.toml").write_text(
-        TEXT.replace("= 100.0", '= "x"').replace("= 0.95", '= "7"'), encoding="utf-8"
+        TEXT.replace("= 200.0", '= "x"').replace("= 0.95", '= "7"'), encoding="utf-8"
     )
     assert len(refused("build", "machine.toml").splitlines()) == 2
 
 
 def test_whole_numbers_are_numbers(tmp_path):
     path = tmp_path / "machine.toml"
-    path.write_text("\ufeff" + TEXT.replace("100.0", "100"), encoding="utf-8")  # Windows' Notepad puts a mark first
+    path.write_text("\ufeff" + TEXT.replace("200.0", "200"), encoding="utf-8")  # Windows' Notepad puts a mark first
     assert read_machine(path) == cutting.described()
 
 
