@@ -23,8 +23,8 @@ DEEPEST, WIDEST, STEPS = 4, 40, 8
 """functions within each other, columns of a sheet, precedents from a result to an entry"""
 CALL = re.compile(r'"[^"]*"|([A-Z][A-Z0-9]*)\(|[()]')
 NUMBER = re.compile(r"(?<![\w.$])\d+\.?\d*(?:[eE][+-]?\d+)?(?![\w.$(])")
-PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+", re.I)
-"""numbers as a person writes them, and powers of ten"""
+PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+|10{9}", re.I)
+"""numbers as a person writes them, and powers of ten; sentences tell amounts up to 1E9, spelt out for auditors"""
 REFERENCE = re.compile(r"(?:('[^']+'|[A-Za-z_]\w*)!)?(\$?[A-Z]{1,3}\$?\d+(?::\$?[A-Z]{1,3}\$?\d+)?)(?![\w(])")
 TEXT = re.compile(r'"[^"]*"')
 BOOKS = {path.stem: path for path in committed()} | {"12 axes": 12, "table of positions": BENT}

@@ -198,7 +198,7 @@ class Joints:
         return [
             calc("x", "at, as told", "", "", f"=IF([order]=0,0,{x})", [one.x for one in each]),
             calc("jump", "by, as told", "", "",
-                 f'=IF([order]=0,"",IF({size}<1E9,ROUND({size},9)&"","beyond 1E9"))',
+                 f'=IF([order]=0,"",IF({size}<1000000000,ROUND({size},9)&"","beyond 1E9"))',
                  [one.jump for one in each]),
             calc("who", "between", "", "", self._who(), [one.who for one in each]),
             *self._lines(each),
