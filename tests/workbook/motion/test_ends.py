@@ -81,8 +81,8 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases(tmp_path):
     assert kinds[:4] == [("R", "G"), ("G", "G"), ("G", "R"), ("R", "R")]
     assert value("cycle1", "y")[9:14] == pytest.approx([30.0, 35.0, 40.0, 45.0, 50.0], rel=1e-12)  # every 10°
     speed = 0.02 / math.radians(40)
-    assert value("cycle1", "g")[9:13] == pytest.approx([speed] * 4, rel=1e-12)
-    assert value("cycle1", "gg")[9:13] == pytest.approx([0.0] * 4, abs=1e-12)
+    assert value("cycle1", "v")[9:13] == pytest.approx([speed * value("timing_omega")] * 4, rel=1e-12)
+    assert value("cycle1", "a")[9:13] == pytest.approx([0.0] * 4, abs=1e-9)
     # the carriage of the second axis hands over across 360°
     assert value("axis2_kinds", "v1")[5] == value("axis2_kinds", "v0")[1] == pytest.approx(speed, rel=1e-12)
     assert (value("axis2", "begins")[:3], value("axis2", "ends")[:3]) == (["G", "G", "R"], ["G", "R", "G"])
