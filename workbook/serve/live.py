@@ -68,8 +68,9 @@ def before(name: str, saved: str) -> Design | None:
 def panel(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:
     """Return the checks that fail, the charts, and the results in short with those of the saved design."""
     faults = [e("p", f"{counted(fault.key)}: {fault.said}") for fault in new.machine.design.faults]
-    fails = [[one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"]
-    failing: list[list[Content]] = [list(row) for row in fails]
+    failing: list[list[Content]] = [
+        [one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"
+    ]
     return [
         *([e("h2", "Unfinished"), *faults] if faults else []),
         e("h2", "Checks that fail"),
@@ -97,10 +98,9 @@ def pictures(new: Design, old: Design | None, found: list[Edge]) -> list[Element
     known = {(title, one.chart.title): one.lines for title, one in charts(old.book)} if old else {}
     all_ = [(one, known.get((title, one.chart.title), one.lines)) for title, one in charts(new.book)]
     shifts = {axis.name: axis.shift for axis in getattr(new.machine, "axes", [])} if found else {}
+    all_.sort(key=lambda both: not (both[0].chart.lanes or differ(both[0].lines, both[1])))
     drawn = []
-    for one, lines in sorted(all_, key=lambda both: not (both[0].chart.lanes or differ(both[0].lines, both[1])))[
-        :CHARTS
-    ]:
+    for one, lines in all_[:CHARTS]:
         chart = one.chart
         svg = plot(chart.title, (chart.x, chart.y), one.lines, (False, chart.log_y), before=lines)
         if chart.lanes:
