@@ -61,7 +61,7 @@ def section(axis: CamAxis, made: Made, target: Target, advice: str) -> list[Elem
             e("h3", name[:1].upper() + name[1:]),
             table(HEADINGS, certificates.rows(axis, certificate), (1, 3, 4, 5)),
         ]
-    return [*said, over_points(axis, made, target), over_cycle(axis, made, target)]
+    return [*said, over_points(axis, made, target), *over_cycle(axis, made, target)]
 
 
 def over_points(axis: CamAxis, made: Made, target: Target) -> Element:
@@ -76,10 +76,16 @@ def over_points(axis: CamAxis, made: Made, target: Target) -> Element:
     return plot(title, ("points", "of the peak"), drawn, (True, True))
 
 
-def over_cycle(axis: CamAxis, made: Made, target: Target) -> Element:
-    """Return the picture of the acceleration meant, and of what each rule makes of it."""
+def over_cycle(axis: CamAxis, made: Made, target: Target) -> list[Element]:
+    """Return the pictures of the acceleration meant and what each rule makes of it, and of both errors."""
     begin, end = axis.course.edges[[0, -1]]
     x = np.linspace(begin, end, SAMPLES)
-    drawn = [Line("meant", x, axis.course.at(x).y2)]
-    drawn += [Line(name, x, rule.made(made.table).at(x).y2) for name, rule in rules_of(target, made.table).items()]
-    return plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)
+    meant = axis.course.at(x)
+    found = {name: rule.made(made.table).at(x) for name, rule in rules_of(target, made.table).items()}
+    drawn = [Line("meant", x, meant.y2), *(Line(name, x, one.y2) for name, one in found.items())]
+    pictures = [plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)]
+    for k, word in ((0, "position"), (2, "acceleration")):
+        errors = [Line(name, x, one[k] - meant[k]) for name, one in found.items()]
+        title = f"{axis.name}: error of the {word} over the cycle"
+        pictures.append(plot(title, (axis.x_unit, axis.units[k]), errors))
+    return pictures

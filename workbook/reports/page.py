@@ -73,6 +73,7 @@ body:has(#live) { max-width: 112rem; }
 .beside form { position: sticky; top: 1rem; } .beside textarea { height: 80vh; } #live h2 { margin-top: 1rem; }
 .edge { fill: #fff; stroke: #1f3a5f; stroke-width: 2; cursor: ew-resize; } .edge:focus { fill: #1f3a5f; outline: none; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin: 1.2rem 0; }
+.entry label:first-child { display: inline-block; min-width: 15rem; }
 @media print {
   @page { margin: 16mm 14mm; }
   body { font-size: 9pt; margin: 0; padding: 0; max-width: none; }

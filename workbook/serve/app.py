@@ -15,51 +15,17 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application
 
 from workbook.build import write_text
-from workbook.errors import MotionbookError, WriteError
+from workbook.errors import WriteError
 from workbook.intake import read_text
 from workbook.serve import pages
-from workbook.serve.folder import LARGEST, NAME, Folder, state
+from workbook.serve.controller import Controller, Export, Read
+from workbook.serve.folder import LARGEST, Folder, plain, state
 from workbook.serve.guarded import Guarded
-from workbook.serve.work import Done, Work
+from workbook.serve.handler import REPORT, Page, built
+from workbook.serve.work import Work
 from workbook.writing.place import replace
 
-REPORT = "report.html"
 SCRIPT = Path(__file__).with_name("live.js")
-
-
-class Page(Guarded):
-    """A page that works on the folder."""
-
-    def initialize(self, folder: Folder, work: Work, verdicts: dict[str, str]) -> None:
-        """Take what all pages share."""
-        self.folder, self.work, self.verdicts = folder, work, verdicts
-
-    def argument(self, name: str) -> str:
-        """Return a field of the form."""
-        return str(self.get_body_argument(name))
-
-    def write_error(self, status_code: int, **kwargs: Any) -> None:
-        """Answer with the message of an error of motionbook's, else with the reason."""
-        error = (kwargs.get("exc_info") or (None, None))[1]
-        if isinstance(error, MotionbookError):
-            self.set_status(400)
-            self.finish(pages.printed("This cannot be done", str(error), ""))
-        else:
-            super().write_error(status_code, **kwargs)
-
-    def log_exception(self, typ: Any, value: Any, tb: Any) -> None:
-        """Keep the errors of motionbook from the log: they are told on the page."""
-        if not isinstance(value, MotionbookError):
-            super().log_exception(typ, value, tb)
-
-    async def reported(self, path: Path, name: str) -> None:
-        """Verify a workbook and answer with its report."""
-        with tempfile.TemporaryDirectory() as folder:
-            report = Path(folder) / REPORT
-            done = await self.work.run("verify", path, "--report", report)
-            self.verdicts[name] = pages.VERDICTS.get(done.code, "cannot be read")
-            text = report.read_text(encoding="utf-8") if report.exists() else ""
-        self.finish(text or pages.printed(name, done.text, self.verdicts[name]))
 
 
 class Home(Page):
@@ -165,14 +131,11 @@ class Upload(Page):
 
     async def post(self) -> None:
         """Answer with the report."""
-        files = self.request.files.get("book", [])
-        if len(files) != 1:
-            raise WriteError("no workbook came; choose a file first")
-        name = Path(files[0].filename).name
-        name = name if NAME.fullmatch(name) else "upload.xlsx"
+        file = self.upload("book")
+        name = plain(file.filename, "upload.xlsx")
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / name
-            path.write_bytes(files[0].body)
+            path.write_bytes(file.body)
             await self.reported(path, name)
 
 
@@ -186,7 +149,7 @@ class Compare(Page):
             page = Path(folder) / REPORT
             done = await self.work.run("diff", old, new, "--html", page)
             text = page.read_text(encoding="utf-8") if page.exists() else ""
-        self.finish(text or pages.printed("Comparison", done.text, ""))
+        self.finish(pages.framed(text) if text else pages.printed("Comparison", done.text, ""))
 
 
 class Missing(Guarded):
@@ -197,12 +160,6 @@ class Missing(Guarded):
         self.send_error(404)
 
 
-async def built(work: Work, folder: Folder, path: Path) -> tuple[Done, Path]:
-    """Build the workbook of a description under a name that is free; return how that ended, and the workbook."""
-    target = folder.free(f"{path.stem}.xlsx")
-    return await work.run("build", path, "-o", target), target
-
-
 def application(folder: Folder, token: str, hosts: list[str], work: Work) -> Application:
     """Return the application that serves a folder to who has the token."""
     shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
@@ -210,6 +167,7 @@ def application(folder: Folder, token: str, hosts: list[str], work: Work) -> App
         (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
         (r"/live", Live),
         (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),
+        (r"/controller/([^/]+)", Controller), (r"/export", Export), (r"/read", Read),
     ]  # fmt: skip
     handlers: list[Any] = [(path, page, shared) for path, page in routes]
     handlers.append((r"/live.js", Script))

@@ -9,6 +9,9 @@ from pathlib import Path
 from workbook.errors import ReadError, WriteError
 
 KINDS = (".toml", ".xlsx", ".xlsm")
+"""descriptions and workbooks: what the first page lists"""
+MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")
+"""what is written and downloaded: also cam tables, and the results of studies"""
 NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
 LARGEST = 60_000_000
 """bytes of an upload: what verify takes of a file at most"""
@@ -28,17 +31,17 @@ class Folder:
         return sorted(path for path in found if path.is_file() and not path.name.startswith((".", "~$")))
 
     def file(self, name: str) -> Path:
-        """Return a file of the folder; raise ReadError for a name that is none of :meth:`files`."""
+        """Return a file of the folder; raise ReadError for a name that is none."""
         path = self._within(name)
-        if path not in self.files():
-            raise ReadError(f"{name}: there is no such description or workbook in this folder")
+        if path.suffix.lower() not in MADE or not path.is_file():
+            raise ReadError(f"{name}: there is no such file of a machine in this folder")
         return path
 
     def free(self, name: str) -> Path:
         """Return where a new file can be written: the name, or that with a number."""
         path = self._within(name)
-        if path.suffix.lower() not in KINDS:
-            raise WriteError(f"{name}: expected a name that ends in {', '.join(KINDS)}")
+        if path.suffix.lower() not in MADE:
+            raise WriteError(f"{name}: expected a name that ends in {', '.join(MADE)}")
         numbered = (path.with_stem(f"{path.stem}-{number}") for number in range(2, 1000))
         return path if not path.exists() else next(one for one in numbered if not one.exists())
 
@@ -47,6 +50,12 @@ class Folder:
         if not NAME.fullmatch(name) or name.startswith(".") or path.resolve().parent != self.path:
             raise ReadError(f"{name!r}: expected the plain name of a file in this folder")
         return path
+
+
+def plain(name: str, otherwise: str) -> str:
+    """Return the name of a file that was sent, without folders; ``otherwise`` where it is none."""
+    last = Path(name).name
+    return last if NAME.fullmatch(last) else otherwise
 
 
 def state(path: Path) -> str:

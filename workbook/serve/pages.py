@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
-from xml.etree.ElementTree import Element
+from xml.etree.ElementTree import Element, tostring
 
 from workbook.reports.page import Content, document, e, table
 from workbook.serve.folder import Folder
@@ -34,15 +34,18 @@ def row(path: Path, verdicts: Mapping[str, str]) -> list[Content]:
     if path.suffix.lower() == ".toml":
         links = [link(f"/edit/{path.name}", "Edit"), post("/build", path.name, "Build")]
     else:
-        links = [post("/verify", path.name, "Verify"), link(f"/file/{path.name}", "Download")]
+        links = [
+            post("/verify", path.name, "Verify"),
+            link(f"/controller/{path.name}", "Controller"),
+            link(f"/file/{path.name}", "Download"),
+        ]
     return [path.name, changed, verdicts.get(path.name, "–"), e("span", *links)]
 
 
 def new() -> Element:
     """Return the form that begins a machine."""
-    kinds = e("select", *(e("option", name, value=name) for name in TEMPLATES), name="template", id="template")
-    return form("/new", label("Kind", "template"), kinds, label("Name", "name"), text("name", "my-machine"),
-                button("Write a description"))  # fmt: skip
+    return form("/new", label("Kind", "template"), choice("template", [*TEMPLATES]), label("Name", "name"),
+                text("name", "my-machine"), button("Write a description"))  # fmt: skip
 
 
 def upload() -> Element:
@@ -53,11 +56,8 @@ def upload() -> Element:
 
 def comparison(names: Sequence[str]) -> Element:
     """Return the form that compares two files of the folder."""
-
-    def chosen(name: str) -> Element:
-        return e("select", *(e("option", one, value=one) for one in names), name=name, id=name)
-
-    return form("/compare", label("Old", "old"), chosen("old"), label("New", "new"), chosen("new"), button("Compare"))
+    return form("/compare", label("Old", "old"), choice("old", names), label("New", "new"), choice("new", names),
+                button("Compare"))  # fmt: skip
 
 
 def editor(name: str, words: str, state: str, said: str = "") -> str:
@@ -69,6 +69,12 @@ def editor(name: str, words: str, state: str, said: str = "") -> str:
     live = e("div", e("p", "…", css="quiet"), id="live")
     beside = e("div", form("/save", *fields), live, css="beside")
     return document(name, [e("h1", name), back(), *told, beside, e("script", src="/live.js", type="module")])
+
+
+def framed(report: str, *links: Element) -> str:
+    """Return a report of a command with links above it."""
+    above = "".join(tostring(one, encoding="unicode", method="html") for one in (back(), *links))
+    return report.replace("<body>", f"<body>{above}", 1)
 
 
 def printed(title: str, words: str, verdict: str, *links: Element) -> str:
@@ -99,6 +105,11 @@ def form(action: str, *content: Content, **attributes: str) -> Element:
 def label(words: str, name: str) -> Element:
     """Return the label of a field."""
     return e("label", f"{words} ", **{"for": name})
+
+
+def choice(name: str, values: Sequence[str], key: str = "") -> Element:
+    """Return a field of one of some texts; ``key`` is its own in the page, the name unless told otherwise."""
+    return e("select", *(e("option", one, value=one) for one in values), name=name, id=key or name)
 
 
 def text(name: str, value: str) -> Element:

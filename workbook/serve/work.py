@@ -5,12 +5,14 @@ from __future__ import annotations
 import asyncio
 import os
 import sys
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
+from workbook.errors import MotionbookError
 from workbook.serve.live import fragment
 
 LONGEST = 600.0
@@ -19,6 +21,13 @@ PATIENCE = 20.0
 """seconds of a panel beside what is edited"""
 MEMORY = 6 * 2**30
 """bytes of address space of a command, where the system can limit it"""
+
+
+T = TypeVar("T")
+
+
+class WorkError(MotionbookError):
+    """Work that took too long."""
 
 
 class Done(NamedTuple):
@@ -39,15 +48,22 @@ class Work:
 
     async def live(self, name: str, text: str, saved: str) -> str:
         """Return the panel beside a description that is being edited."""
+        try:
+            return await self.beside(fragment, name, text, saved)
+        except WorkError as error:
+            return f"<p>{error}: save and build it instead.</p>"
+
+    async def beside(self, function: Callable[..., T], *arguments: Any) -> T:
+        """Return what a function gives in the process beside the server; raise WorkError where it takes too long."""
         if self._editing is None:
             limit = limit_memory if os.name == "posix" else None
             self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=limit)
         try:
-            found = asyncio.get_running_loop().run_in_executor(self._editing, fragment, name, text, saved)
+            found = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
             return await asyncio.wait_for(found, PATIENCE)
         except (TimeoutError, BrokenProcessPool):
             self._end_editing()
-            return f"<p>Not worked out within {PATIENCE:.0f} s: save and build it instead.</p>"
+            raise WorkError(f"Not worked out within {PATIENCE:.0f} s") from None
 
     def _end_editing(self) -> None:
         """End the process for what is edited; the next edit begins another."""
@@ -57,20 +73,20 @@ class Work:
             self._editing.shutdown(wait=False, cancel_futures=True)
             self._editing = None
 
-    async def run(self, *arguments: str | Path) -> Done:
-        """Run a command of motionbook."""
+    async def run(self, *arguments: str | Path, folder: str | None = None) -> Done:
+        """Run a command of motionbook, in a folder if one is named."""
         self.waiting += 1
         try:
             async with self._turns:
-                return await self._run([str(one) for one in arguments])
+                return await self._run([str(one) for one in arguments], folder)
         finally:
             self.waiting -= 1
 
-    async def _run(self, arguments: list[str]) -> Done:
+    async def _run(self, arguments: list[str], folder: str | None) -> Done:
         process = await asyncio.create_subprocess_exec(
             sys.executable, "-m", "workbook", *arguments, stdin=asyncio.subprocess.DEVNULL,
             stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT, env=os.environ | {"COLUMNS": "120"},
-            preexec_fn=limit_memory if os.name == "posix" else None,
+            cwd=folder, preexec_fn=limit_memory if os.name == "posix" else None,
         )  # fmt: skip
         self._running.add(process)
         try:

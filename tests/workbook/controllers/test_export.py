@@ -154,11 +154,12 @@ def test_a_template_without_motions_says_so() -> None:
         chosen([], None, "press")
 
 
-def test_a_report_has_the_figures_and_two_pictures_an_axis(run, book, tmp_path) -> None:
+def test_a_report_has_the_figures_and_four_pictures_an_axis(run, book, tmp_path) -> None:
     code, _, _ = run("export", book, "--all", "--to", "rockwell", "--unverified", "--report", "cams.html")
     assert code == 0
     text = (tmp_path / "cams.html").read_text("utf-8")
-    assert text.count("<svg") == 4
+    assert text.count("<svg") == 8
+    assert text.count("error of the position over the cycle</title>") == 2
     assert all(word in text for word in ("Press", "Feed 2", "acceleration", "untested", "clamped cubic spline"))
     assert "script" not in text
     assert text.count("Recommended: ") == 2

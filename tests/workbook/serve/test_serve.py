@@ -1,6 +1,7 @@
 """motionbook in the browser: each page by a person's steps, and what strangers must not be able to do."""
 
 import http.client
+import json
 import re
 import signal
 import subprocess
@@ -14,6 +15,7 @@ import pytest
 from tests import cutting
 from tests.cutting import TEMPLATE
 from workbook.build import build, write_inputs
+from workbook.controllers.certificates import percent
 from workbook.differences.design import Design
 from workbook.reading.descriptions import read_machine
 from workbook.reports.differences import figure
@@ -51,10 +53,12 @@ class Server:
     def form(self, **fields):
         return urlencode(fields)
 
-    def upload(self, name, data):
-        head = f'--{BOUNDARY}\r\nContent-Disposition: form-data; name="book"; filename="{name}"\r\n\r\n'
+    def upload(self, path, field, name, data, **fields):
+        part = f'--{BOUNDARY}\r\nContent-Disposition: form-data; name="'
+        head = "".join(f'{part}{key}"\r\n\r\n{value}\r\n' for key, value in fields.items())
+        head += f'{part}{field}"; filename="{name}"\r\n\r\n'
         body = head.encode() + data + f"\r\n--{BOUNDARY}--\r\n".encode()
-        return self.ask("/upload", body, **{"Content-Type": f"multipart/form-data; boundary={BOUNDARY}"})
+        return self.ask(path, body, **{"Content-Type": f"multipart/form-data; boundary={BOUNDARY}"})
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +107,9 @@ def test_a_tampered_book_from_elsewhere_gets_the_report_of_the_command(server):
     sheet, cell = book.defined_names["drive1_tmax"].attr_text.replace("$", "").replace("'", "").split("!")
     book[sheet][cell] = "=1+1"
     book.save(server.root.parent / "tampered.xlsx")
-    report = server.upload("tampered.xlsx", (server.root.parent / "tampered.xlsx").read_bytes()).body.decode()
+    report = server.upload(
+        "/upload", "book", "tampered.xlsx", (server.root.parent / "tampered.xlsx").read_bytes()
+    ).body.decode()
     assert f"{sheet}!{cell}" in report
     assert "the formula is not the one that was generated" in report
     assert not (server.root / "tampered.xlsx").exists()
@@ -115,6 +121,36 @@ def test_two_machines_are_compared(server):
     page = server.ask("/compare", server.form(old="cutting.toml", new="other.toml")).body.decode()
     assert "MC03" in page
     assert "84" in page
+
+
+def test_an_axis_is_exported_as_by_the_command_and_read_back(server, tmp_path):
+    assert ">MC03<" in server.ask("/controller/cutting.xlsx").body.decode()
+    asked = {"axis": "MC03", "target": "siemens", "points": "auto", "a": "2"}
+    page = server.ask("/export", server.form(name="cutting.xlsx", **asked)).body.decode()
+    command = ["export", server.root / "cutting.xlsx", "--axis", "MC03", "--to", "siemens", "--tolerance", "a=2%"]
+    ran = [sys.executable, "-m", "workbook", *map(str, command), "-o", tmp_path / "file.scl", "--json"]
+    (told,) = json.loads(subprocess.run(ran, capture_output=True, check=True).stdout)
+    assert server.ask("/file/cutting-MC03.scl").body == (tmp_path / "file.scl").read_bytes()
+    assert f"{told['points']} points" in page
+    figures = told["rules"]["quintics"]
+    assert all(f">{one['largest']:.3g}<" in page and f">{percent(one['share'])}<" in page for one in figures.values())
+    assert "error of the acceleration over the cycle" in page
+    file = server.ask("/file/cutting-MC03.scl").body
+    server.upload("/read", "table", "back.scl", file, target="siemens")
+    (axis,) = read_machine(server.root / "back.toml").axes
+    meant = read_machine(server.root / "cutting.toml").axes[2].phases
+    assert [one.lift for one in axis.phases if one.lift] == pytest.approx([one.lift for one in meant if one.lift])
+
+
+def test_a_limit_that_cannot_be_met_writes_no_file(server):
+    asked = {"axis": "MC03", "target": "csv", "points": "16", "y": "0.000001"}
+    page = server.ask("/export", server.form(name="cutting.xlsx", **asked)).body.decode()
+    assert "nothing is written" in page
+    assert not (server.root / "cutting-MC03.csv").exists()
+    assert (
+        "no axis is named"
+        in server.ask("/export", server.form(name="cutting.xlsx", **asked | {"axis": "X"})).body.decode()
+    )
 
 
 def test_a_fault_in_a_description_is_shown_beside_what_was_entered(server):
@@ -198,6 +234,6 @@ def test_hostile_names_and_titles_are_text(server):
 
 
 def test_an_upload_that_is_no_workbook_is_told(server):
-    answer = server.upload("bomb.xlsx", b"PK" + bytes(1000)).body.decode()
+    answer = server.upload("/upload", "book", "bomb.xlsx", b"PK" + bytes(1000)).body.decode()
     assert "Cannot be read" in answer
     assert "bomb.xlsx" in answer
