@@ -24,6 +24,10 @@ class InputError(MotionbookError):
         self.lines = [visible(line) for line in told]
         Exception.__init__(self, "\n".join(self.lines))
 
+    def __reduce__(self) -> tuple[type[InputError], tuple[list[str]]]:
+        """To another process it goes by its lines."""
+        return InputError, (self.lines,)
+
 
 class ReadError(MotionbookError):
     """A file that cannot be read as what it should be."""

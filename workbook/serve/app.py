@@ -17,15 +17,16 @@ from tornado.web import Application
 from workbook.build import write_text
 from workbook.errors import WriteError
 from workbook.intake import read_text
-from workbook.serve import pages
+from workbook.serve import pages, studied
 from workbook.serve.controller import Controller, Export, Read
 from workbook.serve.folder import LARGEST, Folder, plain, state
 from workbook.serve.guarded import Guarded
 from workbook.serve.handler import REPORT, Page, built
+from workbook.serve.study import Begin, Cancel, NewStudy, Progress, Study, Vary
 from workbook.serve.work import Work
 from workbook.writing.place import replace
 
-SCRIPT = Path(__file__).with_name("live.js")
+SCRIPTS = ("live.js", "study.js")
 
 
 class Home(Page):
@@ -63,11 +64,16 @@ class New(Page):
 class Edit(Page):
     """A description to be edited."""
 
-    def get(self, name: str) -> None:
-        """Show it."""
-        path = self.folder.file(name)
-        text = read_text(path, "a description")
-        self.finish(pages.editor(name, text, state(path)))
+    async def get(self, name: str) -> None:
+        """Show it, or one of the best designs of a study of it, which is not saved."""
+        path, study = self.folder.file(name), self.get_query_argument("study", "")
+        if not study:
+            self.finish(pages.editor(name, read_text(path, "a description"), state(path)))
+            return
+        asked, number = self.folder.file(study), int(self.get_query_argument("pick"))
+        text = await self.work.beside(studied.picked, asked, asked.with_suffix(".json"), number)
+        said = f"Design {number} of {study}, beside the saved {name}. It is not saved yet."
+        self.finish(pages.editor(name, text, state(path), said, f"{asked.stem}-{number}.toml"))
 
 
 class Live(Page):
@@ -81,24 +87,30 @@ class Live(Page):
 
 
 class Script(Guarded):
-    """The script of the page Edit."""
+    """A script of a page."""
 
-    def get(self) -> None:
+    def get(self, name: str) -> None:
         """Send it."""
         self.set_header("Content-Type", "text/javascript; charset=utf-8")
-        self.finish(SCRIPT.read_text(encoding="utf-8"))
+        self.finish(Path(__file__).with_name(name).read_text(encoding="utf-8"))
 
 
 class Save(Page):
     """A description that was edited."""
 
     async def post(self) -> None:
-        """Save it unless it changed meanwhile, and build its workbook; show what is amiss beside the text."""
+        """Save it unless it changed meanwhile, or under another name that is free; then edit it, or build its book."""
         name, text = self.argument("name"), self.get_body_argument("text", strip=False).replace("\r\n", "\n")
         path = self.folder.file(name)
-        if state(path) != self.argument("state"):
+        if self.argument("as") != name:
+            path = self.folder.free(self.argument("as"))
+            name = path.name
+        elif state(path) != self.argument("state"):
             raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
         replace(path, lambda draft: write_text(draft, text), overwrite=True)
+        if self.argument("then") == "edit":
+            self.redirect(f"/edit/{name}")
+            return
         done, target = await built(self.work, self.folder, path)
         if done.code:
             self.finish(pages.editor(name, text, state(path), done.text))
@@ -167,10 +179,12 @@ def application(folder: Folder, token: str, hosts: list[str], work: Work) -> App
         (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
         (r"/live", Live),
         (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),
+        (r"/vary/([^/]+)", Vary), (r"/study", NewStudy), (r"/study/([^/]+)", Study), (r"/begin", Begin),
+        (r"/cancel", Cancel), (r"/progress/([^/]+)", Progress),
         (r"/controller/([^/]+)", Controller), (r"/export", Export), (r"/read", Read),
     ]  # fmt: skip
     handlers: list[Any] = [(path, page, shared) for path, page in routes]
-    handlers.append((r"/live.js", Script))
+    handlers.append((f"/({'|'.join(SCRIPTS)})", Script))
     return Application(handlers, token=token, hosts=hosts, default_handler_class=Missing)
 
 

@@ -32,7 +32,10 @@ def row(path: Path, verdicts: Mapping[str, str]) -> list[Content]:
     """Return what the table says of a file, and what can be done with it."""
     changed = f"{datetime.fromtimestamp(path.stat().st_mtime).astimezone():%Y-%m-%d %H:%M}"
     if path.suffix.lower() == ".toml":
-        links = [link(f"/edit/{path.name}", "Edit"), post("/build", path.name, "Build")]
+        links = [link(f"/edit/{path.name}", "Edit"), post("/build", path.name, "Build"),
+                 link(f"/vary/{path.name}", "Study")]  # fmt: skip
+        if is_study(path):
+            links = [link(f"/study/{path.name}", "Study")]
     else:
         links = [
             post("/verify", path.name, "Verify"),
@@ -40,6 +43,11 @@ def row(path: Path, verdicts: Mapping[str, str]) -> list[Content]:
             link(f"/file/{path.name}", "Download"),
         ]
     return [path.name, changed, verdicts.get(path.name, "–"), e("span", *links)]
+
+
+def is_study(path: Path) -> bool:
+    """Whether a file says what varies in a description, and is none itself."""
+    return any(line.startswith("[[vary]]") for line in path.read_text(encoding="utf-8", errors="replace").splitlines())
 
 
 def new() -> Element:
@@ -60,12 +68,16 @@ def comparison(names: Sequence[str]) -> Element:
                 button("Compare"))  # fmt: skip
 
 
-def editor(name: str, words: str, state: str, said: str = "") -> str:
-    """Return the page on which a description is edited; ``said`` are messages on what was entered."""
+def editor(name: str, words: str, state: str, said: str = "", target: str = "") -> str:
+    """Return the page on which a description is edited; ``said`` is what there is to say of the text.
+
+    ``target`` is the name that is proposed for saving it, that of the description unless told otherwise.
+    """
     area = e("textarea", words, name="text", id="text", rows="34", cols="80", spellcheck="false")
     told = [e("pre", said)] if said else []
     fields = [hidden("name", name), hidden("state", state), e("p", label("Description", "text")), area,
-              e("p", button("Save and build"))]  # fmt: skip
+              e("p", label("Save as", "as"), text("as", target or name), " ", button("Save", "edit"), " ",
+                button("Save and build", "build"))]  # fmt: skip
     live = e("div", e("p", "…", css="quiet"), id="live")
     beside = e("div", form("/save", *fields), live, css="beside")
     return document(name, [e("h1", name), back(), *told, beside, e("script", src="/live.js", type="module")])
@@ -122,6 +134,6 @@ def hidden(name: str, value: str) -> Element:
     return e("input", type="hidden", name=name, value=value)
 
 
-def button(words: str) -> Element:
-    """Return what sends a form."""
-    return e("button", words, type="submit")
+def button(words: str, then: str = "") -> Element:
+    """Return what sends a form; of several in one form, ``then`` says which was pressed."""
+    return e("button", words, type="submit", **({"name": "then", "value": then} if then else {}))

@@ -13,14 +13,13 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from workbook.errors import MotionbookError
+from workbook.serve.jobs import Jobs, limit_memory
 from workbook.serve.live import fragment
 
 LONGEST = 600.0
 """seconds of a command"""
 PATIENCE = 20.0
 """seconds of a panel beside what is edited"""
-MEMORY = 6 * 2**30
-"""bytes of address space of a command, where the system can limit it"""
 
 
 T = TypeVar("T")
@@ -44,6 +43,7 @@ class Work:
         self._turns = asyncio.Semaphore(most or max(1, (os.cpu_count() or 2) - 1))
         self._running: set[asyncio.subprocess.Process] = set()
         self.waiting = 0
+        self.jobs = Jobs()
         self._editing: ProcessPoolExecutor | None = None
 
     async def live(self, name: str, text: str, saved: str) -> str:
@@ -104,10 +104,4 @@ class Work:
         for process in self._running:
             process.kill()
         self._end_editing()
-
-
-def limit_memory() -> None:
-    """Limit the memory of this process."""
-    import resource
-
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        self.jobs.stop()

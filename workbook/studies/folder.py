@@ -142,6 +142,16 @@ class Parts:
             self.folder.rmdir()
 
 
+def progress(results: Path) -> tuple[int, int]:
+    """Return how many designs of an unfinished study are worked out, and how many there are; 0 of 0 of none."""
+    folder = results.with_name(f"{results.name}.parts")
+    with suppress(ValueError, TypeError, KeyError):
+        begun = json.loads(read(folder / TOLD))
+        size, parts = int(begun["size"]), len([one for one in folder.glob("part-*.json") if OWN.fullmatch(one.name)])
+        return min(size, parts * int(begun["step"])), size
+    return 0, 0
+
+
 def told_of(rows: bytes) -> list[Any]:
     """Return the length and the digest of a part's rows."""
     return [len(rows), hashlib.sha256(rows).hexdigest()]

@@ -3,11 +3,14 @@
 import http.client
 import json
 import re
+import shutil
 import signal
 import subprocess
 import sys
+import time
 from functools import partial
 from urllib.parse import urlencode
+from xml.etree.ElementTree import fromstring
 
 import openpyxl
 import pytest
@@ -19,8 +22,10 @@ from workbook.controllers.certificates import percent
 from workbook.differences.design import Design
 from workbook.reading.descriptions import read_machine
 from workbook.reports.differences import figure
+from workbook.reports.study import figure as figure_of
 from workbook.serve.guarded import COOKIE
 
+SAVED = {"name": "cutting.toml", "as": "cutting.toml", "then": "build"}
 BOUNDARY = "----boundary"
 ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
 
@@ -51,7 +56,7 @@ class Server:
         return answer
 
     def form(self, **fields):
-        return urlencode(fields)
+        return urlencode(fields, doseq=True)
 
     def upload(self, path, field, name, data, **fields):
         part = f'--{BOUNDARY}\r\nContent-Disposition: form-data; name="'
@@ -92,7 +97,7 @@ def test_a_new_machine_is_described_built_downloaded_and_verified(server):
     page = server.ask("/edit/cutting.toml").body.decode()
     state = re.search(r'name="state" value="(\w+)"', page)[1]
     text = (server.root / "cutting.toml").read_text(encoding="utf-8").replace('title = "', 'title = "Faster ')
-    saved = server.ask("/save", server.form(name="cutting.toml", state=state, text=text))
+    saved = server.ask("/save", server.form(**SAVED, state=state, text=text))
     assert "/file/cutting-2.xlsx" in saved.body.decode()  # the book that was there stays
     book = server.ask("/file/cutting-2.xlsx")
     (server.root / "downloaded.xlsx").write_bytes(book.body)
@@ -142,6 +147,68 @@ def test_an_axis_is_exported_as_by_the_command_and_read_back(server, tmp_path):
     assert [one.lift for one in axis.phases if one.lift] == pytest.approx([one.lift for one in meant if one.lift])
 
 
+def test_a_study_is_chosen_followed_and_its_best_design_edited(server, tmp_path):
+    form = server.ask("/vary/live.toml").body.decode()
+    law, rate = "axes[1].phases[1].law", "master.rate"
+    assert f'value="{law}"' in form
+    assert 'value="drive1_rms"' in form
+    asked = {"result": ["drive1_rms", "axis1.j.1"], "what": ["minimise"] * 2, "value": ["", ""], "way": "full",
+             "designs": "9", "key": [law, rate], "values": ["all", "50, 60"], "vary": [law, rate]}  # fmt: skip
+    begun = server.ask("/study", server.form(name="live.toml", **asked))
+    assert (begun.code, begun.headers["Location"]) == (302, "/study/live-study.toml")
+    assert "live-study.toml" in server.ask("/study/live-study.toml").body.decode()
+    panel = finished(server, "live-study.toml")
+    known = json.loads((server.root / "live-study.json").read_text(encoding="utf-8"))
+    assert f"{known['designs']:,} designs, {known['feasible']:,} feasible" in panel
+    assert panel.count('<a href="/edit/live.toml?study=live-study.toml&amp;pick=') == 2 * len(known["best"])
+    best = known["best"][0]
+    assert figure_of(best["results"]["drive1_rms"]) in panel
+    page = server.ask("/edit/live.toml?study=live-study.toml&pick=1").body.decode()
+    (tmp_path / "picked.toml").write_text(fromstring(re.search("<textarea.*?</textarea>", page, re.S)[0]).text)
+    picked = read_machine(tmp_path / "picked.toml")
+    assert (picked.axes[0].phases[0].law, picked.master.rate) == (best["entries"][law], best["entries"][rate])
+
+
+def finished(server, name):
+    """What the page of a study shows when it is done."""
+    for _ in range(240):
+        panel = server.ask(f"/progress/{name}").body.decode()
+        if "data-running" not in panel:
+            return panel
+        time.sleep(0.25)
+    raise AssertionError(panel)
+
+
+def test_a_study_is_cancelled_and_goes_on(server):
+    shutil.copy(server.root / "live.toml", server.root / "long.toml")
+    rate = "master.rate"
+    asked = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": rate,
+             "values": "30 to 60 in 1000000", "vary": rate}  # fmt: skip
+    server.ask("/study", server.form(name="long.toml", **asked))
+    folder = server.root / "long-study.csv.parts"
+    while len([*folder.glob("part-*.json")]) < 2:
+        assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
+        time.sleep(0.2)
+    busy = server.ask("/begin", server.form(name="live-study.toml"))
+    assert "long-study.toml is at work" in busy.body.decode()
+    server.ask("/cancel", server.form(name="long-study.toml"))
+    panel = finished(server, "long-study.toml")
+    assert "Go on" in panel
+    assert "Interrupted" in panel
+    server.ask("/begin", server.form(name="long-study.toml"))
+    assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
+    server.ask("/cancel", server.form(name="long-study.toml"))
+    finished(server, "long-study.toml")
+
+
+def test_a_study_of_what_there_is_not_is_refused_and_not_written(server):
+    asked = {"result": "drive1_rns", "what": "minimise", "value": "", "way": "full", "designs": "9",
+             "key": "master.rate", "values": "50, 60", "vary": "master.rate"}  # fmt: skip
+    answer = server.ask("/study", server.form(name="cutting.toml", **asked))
+    assert (answer.code, "no result is named" in answer.body.decode()) == (400, True)
+    assert not (server.root / "cutting-study.toml").exists()
+
+
 def test_a_limit_that_cannot_be_met_writes_no_file(server):
     asked = {"axis": "MC03", "target": "csv", "points": "16", "y": "0.000001"}
     page = server.ask("/export", server.form(name="cutting.xlsx", **asked)).body.decode()
@@ -156,9 +223,7 @@ def test_a_limit_that_cannot_be_met_writes_no_file(server):
 def test_a_fault_in_a_description_is_shown_beside_what_was_entered(server):
     page = server.ask("/edit/cutting.toml").body.decode()
     state = re.search(r'name="state" value="(\w+)"', page)[1]
-    answer = server.ask(
-        "/save", server.form(name="cutting.toml", state=state, text='template = "nothing"')
-    ).body.decode()
+    answer = server.ask("/save", server.form(**SAVED, state=state, text='template = "nothing"')).body.decode()
     assert "nothing" in answer
     assert "<textarea" in answer
 
@@ -191,7 +256,7 @@ def test_what_is_no_machine_yet_is_told_beside_it_and_nothing_is_saved(server):
 
 
 def test_a_file_that_changed_meanwhile_is_not_overwritten(server):
-    answer = server.ask("/save", server.form(name="cutting.toml", state="0" * 64, text="lost"))
+    answer = server.ask("/save", server.form(**SAVED, state="0" * 64, text="lost"))
     assert answer.code == 400
     assert "changed since it was opened" in answer.body.decode()
     assert (server.root / "cutting.toml").read_text(encoding="utf-8") != "lost"

@@ -1,0 +1,46 @@
+"""Descriptions changed entry by entry: the entry changes, and no other line, comment or space."""
+
+import tomllib
+
+import pytest
+
+from workbook.errors import InputError
+from workbook.serve.toml import differing, edited
+from workbook.template import FOLDER
+
+TEXT = (FOLDER / "machine.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        (("master", "rate"), 180.0),
+        (("axes", "1", "phases", "0", "law"), "CIC"),
+        (("axes", "1", "phases", "1", "stop"), 348.0),
+        (("axes", "0", "reducer", "ratio"), 10.0),
+        (("axes", "3", "shift"), 330.0),
+        (("switches", "0", "on", "1", "0"), 201.0),
+    ],
+)
+def test_one_entry_changes_in_one_line_and_comments_stay(path, value):
+    changed = edited(TEXT, iter([(path, value)]))
+    lines = [(one, other) for one, other in zip(TEXT.split("\n"), changed.split("\n"), strict=True) if one != other]
+    assert len(lines) == 1
+    before, after = (line.partition("#")[1:] for line in lines[0])
+    assert before == after
+    found = list(differing(tomllib.loads(TEXT), tomllib.loads(changed)))
+    assert found == [(path, value)]
+
+
+def test_an_entry_is_added_and_taken_away():
+    path = ("axes", "2", "motor", "rated_torque")
+    more = edited(TEXT, iter([(path, 12.0)]))
+    assert list(differing(tomllib.loads(TEXT), tomllib.loads(more))) == [(path[:-1], {"rated_torque": 12.0})]
+    less = edited(TEXT, iter([(("axes", "1", "group"), None)]))
+    assert "group" not in tomllib.loads(less)["axes"][1]
+
+
+def test_what_does_not_lead_to_an_entry_is_told():
+    for text, path in ((TEXT, ("axes", "9", "name")), (TEXT, ("title", "x")), ("a = ", ("a",))):
+        with pytest.raises(InputError):
+            edited(text, iter([(path, 1.0)]))

@@ -1,0 +1,60 @@
+"""The text of a description, changed entry by entry; its comments stay."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import tomlkit
+from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import InlineTable
+
+from workbook.errors import InputError
+
+NOTHING = object()
+"""stands where a description has no entry"""
+
+
+def edited(text: str, changes: Iterator[tuple[tuple[str, ...], Any]]) -> str:
+    """Return the text with other values at paths, names and row numbers from 0; None takes an entry away.
+
+    Raises InputError for a text that is not TOML, and for a path that does not lead to an entry.
+    """
+    try:
+        document = tomlkit.parse(text)
+        for path, value in changes:
+            put(document, path, value)
+        return tomlkit.dumps(document)
+    except (TOMLKitError, LookupError, TypeError, ValueError) as error:
+        raise InputError([f"the text cannot be changed there: {error}"]) from None
+
+
+def put(table: Any, path: Sequence[str], value: Any) -> None:
+    """Set an entry below a table, or take it away."""
+    *above, last = path
+    for part in above:
+        if isinstance(table, list):
+            table = table[int(part)]
+            continue
+        if part not in table:
+            table[part] = tomlkit.inline_table() if isinstance(table, InlineTable) else tomlkit.table()
+        table = table[part]
+    key = int(last) if isinstance(table, list) else last
+    if value is None:
+        del table[key]
+    elif isinstance(table, list) and key == len(table):
+        table.append(value)
+    else:
+        table[key] = value
+
+
+def differing(old: Any, new: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Yield the paths of the entries by which a description differs from another, with the new values."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        for key in {**old, **new}:
+            yield from differing(old.get(key, NOTHING), new.get(key, NOTHING), (*path, key))
+    elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        for k, (one, other) in enumerate(zip(old, new, strict=True)):
+            yield from differing(one, other, (*path, str(k)))
+    elif old is not new and old != new:
+        yield path, None if new is NOTHING else new
