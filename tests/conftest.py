@@ -2,6 +2,7 @@
 
 import gc
 import os
+import sys
 import tempfile
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from hypothesis import settings
 
 import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer it makes
 from tests import tiers
+from workbook.cli import main
 
 HERE = Path(__file__).parent
 QUICK = (HERE / "engine", HERE / "printed")  # folders; other quick tests carry the mark themselves
@@ -45,3 +47,19 @@ def pytest_collection_finish():
     """Search less often for garbage: the cells of a book live until its test ends."""
     gc.freeze()
     gc.set_threshold(100_000, 10, 10)
+
+
+@pytest.fixture
+def motionbook(monkeypatch, capsys):
+    """Run the command within this process; return its exit code, its output and its errors."""
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["motionbook", *map(str, arguments)])
+        capsys.readouterr()
+        with pytest.raises(SystemExit) as left:
+            main()
+        said = capsys.readouterr()
+        assert "Traceback" not in said.out + said.err
+        return left.value.code, said.out, said.err
+
+    return run

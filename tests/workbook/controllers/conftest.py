@@ -1,14 +1,11 @@
 """A small book of two axes, built once, the cutting machine's axes, and the command in a folder of its own."""
 
-import sys
-
 import pytest
 
 from tests import cutting
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.build import build
-from workbook.cli import main
 from workbook.judging.one import digest
 from workbook.reading.descriptions import read_machine
 
@@ -46,17 +43,7 @@ def read_once():
 
 
 @pytest.fixture
-def run(monkeypatch, capsys, tmp_path):
+def run(motionbook, monkeypatch, tmp_path):
     """Run a command within an empty folder; return its exit code and what it says."""
     monkeypatch.chdir(tmp_path)
-
-    def called(*arguments):
-        monkeypatch.setattr(sys, "argv", ["motionbook", *map(str, arguments)])
-        capsys.readouterr()
-        with pytest.raises(SystemExit) as left:
-            main()
-        said = capsys.readouterr()
-        assert "Traceback" not in said.out + said.err
-        return left.value.code, said.out, said.err
-
-    return called
+    return motionbook
