@@ -51,7 +51,8 @@ def pytest_collection_finish():
 
 @pytest.fixture
 def motionbook(monkeypatch, capsys):
-    """Run the command within this process; return its exit code, its output and its errors."""
+    """Run the command within this process, which begins no others; return its exit code, its output and its errors."""
+    monkeypatch.setattr(os, "sched_getaffinity", lambda pid: {0}, raising=False)
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["motionbook", *map(str, arguments)])

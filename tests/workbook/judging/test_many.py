@@ -1,6 +1,7 @@
 """Many workbooks and folders at once: which are taken, what is said of each, what the run's exit code is."""
 
 import contextlib
+import functools
 import json
 import os
 import shutil
@@ -13,24 +14,25 @@ from pathlib import Path
 import openpyxl
 import pytest
 from openpyxl import Workbook
+from rich.console import Console
 
 from tests.workbook.composed import small
+from tests.workbook.press import registered
 from workbook.build import build
 from workbook.cluster import pool
+from workbook.commands import verify as command
 from workbook.judging import many, one
 from workbook.judging.many import exit_code, find, verify_many
 from workbook.judging.one import Outcome, Target
 from workbook.judging.sent import unseen
 from workbook.judging.verify import Report
-from workbook.pool import Died
+from workbook.pool import HERE, Died
 
 
 @pytest.fixture(scope="module")
-def good(tmp_path_factory):
+def good(press):
     """A small workbook as built."""
-    path = tmp_path_factory.mktemp("good") / "good.xlsx"
-    build(small(), path)
-    return path
+    return press.path
 
 
 @pytest.fixture(scope="module")
@@ -42,6 +44,14 @@ def wrong(good, tmp_path_factory):
     path = tmp_path_factory.mktemp("wrong") / "wrong.xlsx"
     book.save(path)
     return path, cell.coordinate
+
+
+@pytest.fixture(scope="module")
+def real(tmp_path_factory):
+    """A workbook that other processes know the template of."""
+    path = tmp_path_factory.mktemp("real") / "real.xlsx"
+    build(small(), path)
+    return path
 
 
 @pytest.fixture
@@ -58,10 +68,11 @@ def folder(good, wrong, tmp_path):
     return tmp_path
 
 
-def run(*arguments, **options):
-    """Run the command as a user does."""
-    command = [sys.executable, "-m", "workbook", "verify", *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, encoding="utf-8", **options)
+@pytest.fixture
+def verified(motionbook, monkeypatch):
+    """Verify by the command; return its exit code, its output and its errors, in long lines."""
+    monkeypatch.setattr(command, "OUT", Console(width=200))
+    return functools.partial(motionbook, "verify")
 
 
 def names(targets, folder):
@@ -87,13 +98,24 @@ def test_an_empty_folder_is_said_to_be_empty(tmp_path):
     assert failed[0].reason == f"{tmp_path}: there is no workbook in this folder"
 
 
-def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(folder, wrong):
+@pytest.fixture(scope="module")
+def workers():
+    with pool(2, None) as workers:
+        yield workers
+
+
+def verify_press(target, *asked):
+    """Verify a press in a process that does not know its template yet."""
+    with registered():
+        return one.verify_one(target, *asked)
+
+
+def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(folder, workers, monkeypatch):
+    monkeypatch.setattr(many, "verify_one", verify_press)
     targets, _ = find([folder])
-    said = []
-    for jobs in (1, 2):
-        with pool(jobs, None) as workers:
-            said.append([(o.path, o.verdict, o.sha256) for o in verify_many(targets, pool=workers)])
-    alone, together = said
+    alone, together = (
+        [(o.path, o.verdict, o.sha256) for o in verify_many(targets, pool=those)] for those in (HERE, workers)
+    )
     assert alone == together
     verdicts = {path.name: verdict for path, verdict, _ in alone}
     assert verdicts == {
@@ -164,11 +186,10 @@ def dies(target, witnesses):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
-def test_a_book_whose_worker_dies_is_tried_once_more_alone_and_then_named(folder, monkeypatch):
+def test_a_book_whose_worker_dies_is_tried_once_more_alone_and_then_named(folder, workers, monkeypatch):
     monkeypatch.setattr(many, "verify_one", dies)
     targets = find([folder])[0]
-    with pool(2, None) as workers:
-        outcomes = verify_many(targets, pool=workers)
+    outcomes = verify_many(targets, pool=workers)
     assert [o.path for o in outcomes] == [t.path for t in targets]
     assert {o.path.name for o in outcomes if o.verdict != "agrees"} == {"b.xlsx"}
     assert all("ended the process" in o.reason for o in outcomes if o.path.name == "b.xlsx")
@@ -207,10 +228,10 @@ def test_books_are_sent_as_bytes_to_workers_that_do_not_see_them(folder, wrong):
     assert all(o.report.path == o.path for o in outcomes if o.report)
 
 
-def test_one_book_imports_no_dask_and_starts_no_cluster(good):
+def test_one_book_imports_no_dask_and_starts_no_cluster(real):
     code = "import sys; from workbook import cli; sys.argv[1:] = ['verify', sys.argv[1]]\ntry: cli.main()\n"
     code += "except SystemExit: print('dask' in sys.modules or 'distributed' in sys.modules)"
-    done = subprocess.run([sys.executable, "-c", code, str(good)], capture_output=True, text=True, check=False)
+    done = subprocess.run([sys.executable, "-c", code, str(real)], capture_output=True, text=True, check=False)
     assert done.stdout.splitlines()[-1] == "False"
 
 
@@ -229,18 +250,17 @@ def test_the_exit_code_tells_the_worst_and_that_nothing_was_verified(verdicts, c
     assert exit_code(Outcome(Path("x"), v) for v in verdicts) == code
 
 
-def test_the_command_sums_a_folder_up_and_names_the_worst_cell(folder, wrong):
-    done = run(folder, cwd=folder, env=os.environ | {"COLUMNS": "200"})
-    assert done.returncode == 1
-    assert done.stderr == ""  # no bar where no terminal is
-    assert "3 agree, 1 disagree, 1 skipped (no machine)." in done.stdout
-    assert f"{folder / 'wrong.xlsx'}: Timing!{wrong[1]}" in done.stdout
+def test_the_command_sums_a_folder_up_and_names_the_worst_cell(folder, wrong, verified):
+    code, said, errors = verified(folder)
+    assert (code, errors) == (1, "")  # no bar where no terminal is
+    assert "3 agree, 1 disagree, 1 skipped (no machine)." in said
+    assert f"{folder / 'wrong.xlsx'}: Timing!{wrong[1]}" in said
 
 
-def test_the_json_of_many_files_has_each_of_them(folder, wrong):
-    done = run(folder, folder / "gone.xlsx", "--json", "--jobs", 2)
-    assert done.returncode == 2
-    said = json.loads(done.stdout)
+def test_the_json_of_many_files_has_each_of_them(folder, wrong, verified):
+    code, said, _ = verified(folder, folder / "gone.xlsx", "--json")
+    assert code == 2
+    said = json.loads(said)
     files = {Path(f["file"]).name: f for f in said["files"]}
     assert said["compared"] == sum(f["compared"] for f in said["files"]) > 1000
     assert files["wrong.xlsx"]["findings"][0]["cell"] == wrong[1]
@@ -248,31 +268,30 @@ def test_the_json_of_many_files_has_each_of_them(folder, wrong):
     assert files["b.xlsx"]["findings"] == []
 
 
-def test_the_json_of_one_file_is_its_report_alone(good):
-    done = run(good, "--json")
-    assert done.returncode == 0
-    said = json.loads(done.stdout)
+def test_the_json_of_one_file_is_its_report_alone(good, verified):
+    code, said, _ = verified(good, "--json")
+    assert code == 0
+    said = json.loads(said)
     assert said["agrees"] is True
     assert said["findings"] == []
-    assert said["compared"] > 1000
+    assert said["compared"] > 200
 
 
-def test_one_file_that_cannot_be_read_is_a_line_on_stderr(tmp_path):
-    done = run(tmp_path / "gone.xlsx", "--json")
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"{tmp_path / 'gone.xlsx'}: there is no such file\n"
+def test_one_file_that_cannot_be_read_is_a_line_on_stderr(tmp_path, verified):
+    gone = tmp_path / "gone.xlsx"
+    assert verified(gone, "--json") == (2, "", f"{gone}: there is no such file\n")
 
 
-def test_an_unknown_witness_is_refused_with_the_known_ones(good):
-    done = run(good, "--with", "abacus", env=os.environ | {"COLUMNS": "200"})
-    assert done.returncode == 2
-    assert "abacus" in done.stderr
-    assert "libreoffice" in done.stderr
+def test_an_unknown_witness_is_refused_with_the_known_ones(good, verified):
+    code, _, said = verified(good, "--with", "abacus")
+    assert code == 2
+    assert "abacus" in said
+    assert "libreoffice" in said
 
 
-def test_the_folder_is_left_as_it_was(folder):
+def test_the_folder_is_left_as_it_was(folder, verified):
     before = {p: (p.stat().st_mtime_ns, p.read_bytes()) for p in folder.rglob("*") if p.is_file()}
-    run(folder, "--with", "pycel", "--with", "formualizer")
+    verified(folder, "--with", "pycel", "--with", "formualizer")
     assert {p: (p.stat().st_mtime_ns, p.read_bytes()) for p in folder.rglob("*") if p.is_file()} == before
 
 
@@ -288,12 +307,12 @@ cli.main()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows sends Ctrl-C to a whole console, the test's own too")
-def test_an_interrupted_run_ends_without_traceback_or_orphans(good, tmp_path):
+def test_an_interrupted_run_ends_without_traceback_or_orphans(real, tmp_path):
     for i in range(1000):
-        os.link(good, tmp_path / f"{i}.xlsx")
-    command = [sys.executable, "-c", TELLING, "verify", str(tmp_path), "--jobs", "2"]
+        os.link(real, tmp_path / f"{i}.xlsx")
+    arguments = [sys.executable, "-c", TELLING, "verify", str(tmp_path), "--jobs", "2"]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    with subprocess.Popen(command, start_new_session=True, **pipes) as started:
+    with subprocess.Popen(arguments, start_new_session=True, **pipes) as started:
         assert started.stdout.readline() == "one is done\n"
         os.killpg(started.pid, signal.SIGINT)
         _, said = started.communicate(timeout=60)
