@@ -17,7 +17,7 @@ from tornado.web import Application
 from workbook.build import write_text
 from workbook.errors import WriteError
 from workbook.intake import read_text
-from workbook.serve import pages, studied
+from workbook.serve import fields, pages, studied
 from workbook.serve.controller import Controller, Export, Read
 from workbook.serve.folder import LARGEST, Folder, plain, state
 from workbook.serve.guarded import Guarded
@@ -26,7 +26,7 @@ from workbook.serve.study import Begin, Cancel, NewStudy, Progress, Study, Vary
 from workbook.serve.work import Work
 from workbook.writing.place import replace
 
-SCRIPTS = ("live.js", "study.js")
+SCRIPTS = ("form.js", "live.js", "study.js", "text.js")
 
 
 class Home(Page):
@@ -82,8 +82,26 @@ class Live(Page):
     async def post(self) -> None:
         """Answer with the panel beside its text."""
         saved = read_text(self.folder.file(self.argument("name")), "a description")
-        text = self.get_body_argument("text", strip=False).replace("\r\n", "\n")
-        self.finish(await self.work.live(self.argument("name"), text, saved))
+        self.finish(await self.work.live(self.argument("name"), self.text(), saved))
+
+
+class Fields(Page):
+    """The form of a part of a description that is being edited."""
+
+    async def post(self) -> None:
+        """Answer with its fields."""
+        part = self.argument("part")
+        self.finish(await self.work.beside(fields.form, self.argument("name"), self.text(), part))
+
+
+class Enter(Page):
+    """A field of the form."""
+
+    async def post(self) -> None:
+        """Answer with the text in which what it says is entered."""
+        asked = [self.argument(name) for name in ("path", "do", "value")]
+        self.set_header("Content-Type", "text/plain; charset=utf-8")
+        self.finish(await self.work.beside(fields.entered, self.argument("name"), self.text(), *asked))
 
 
 class Script(Guarded):
@@ -100,7 +118,7 @@ class Save(Page):
 
     async def post(self) -> None:
         """Save it unless it changed meanwhile, or under another name that is free; then edit it, or build its book."""
-        name, text = self.argument("name"), self.get_body_argument("text", strip=False).replace("\r\n", "\n")
+        name, text = self.argument("name"), self.text()
         path = self.folder.file(name)
         if self.argument("as") != name:
             path = self.folder.free(self.argument("as"))
@@ -177,7 +195,7 @@ def application(folder: Folder, token: str, hosts: list[str], work: Work) -> App
     shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
     routes = [
         (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
-        (r"/live", Live),
+        (r"/live", Live), (r"/fields", Fields), (r"/set", Enter),
         (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),
         (r"/vary/([^/]+)", Vary), (r"/study", NewStudy), (r"/study/([^/]+)", Study), (r"/begin", Begin),
         (r"/cancel", Cancel), (r"/progress/([^/]+)", Progress),

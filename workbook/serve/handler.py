@@ -28,6 +28,10 @@ class Page(Guarded):
         """Return a field of the form."""
         return str(self.get_body_argument(name))
 
+    def text(self) -> str:
+        """Return the text that is edited, as it is: a form sends it with the line ends of Windows."""
+        return str(self.get_body_argument("text", strip=False)).replace("\r\n", "\n")
+
     def write_error(self, status_code: int, **kwargs: Any) -> None:
         """Answer with the message of an error of motionbook's, else with the reason."""
         error = (kwargs.get("exc_info") or (None, None))[1]

@@ -1,34 +1,15 @@
 // Show beside a description what it comes to, as it is typed; drag the edges of phases in its timing diagram.
-const text = document.getElementById("text");
+import { area as text, ask, changed, follow } from "./text.js";
+
 const panel = document.getElementById("live");
-const name = document.querySelector("input[name=name]").value;
-const PAUSE = 150; // ms without a key
-let edits = 0;
-let busy = false;
 let held = null; // the edge that is dragged, or moved by keys
 
-async function refresh() {
-  if (busy) return;
-  busy = true;
-  let shown;
-  do {
-    shown = edits;
-    try {
-      const body = new URLSearchParams({ name, text: text.value });
-      const answer = await fetch("/live", { method: "POST", body });
-      panel.innerHTML = await answer.text();
-      if (held) find(held)?.focus({ preventScroll: true });
-    } catch {
-      panel.textContent = "The server has ended: run motionbook serve again.";
-    }
-  } while (shown !== edits);
-  busy = false;
-}
-
-function changed() {
-  edits += 1;
-  setTimeout(refresh, PAUSE);
-}
+follow(async () => {
+  const words = await ask("/live");
+  if (words === null) return;
+  panel.innerHTML = words;
+  if (held) find(held)?.focus({ preventScroll: true });
+});
 
 // --- edges of phases
 
@@ -89,4 +70,3 @@ text.addEventListener("input", () => {
   held = null;
   changed();
 });
-refresh();

@@ -74,13 +74,15 @@ def editor(name: str, words: str, state: str, said: str = "", target: str = "") 
     ``target`` is the name that is proposed for saving it, that of the description unless told otherwise.
     """
     area = e("textarea", words, name="text", id="text", rows="34", cols="80", spellcheck="false")
-    told = [e("pre", said)] if said else []
-    fields = [hidden("name", name), hidden("state", state), e("p", label("Description", "text")), area,
+    turns = [e("button", word, type="button", id=word.lower()) for word in ("Undo", "Redo")]
+    fields = [hidden("name", name), hidden("state", state), e("p", label("Description", "text"), *turns), area,
               e("p", label("Save as", "as"), text("as", target or name), " ", button("Save", "edit"), " ",
                 button("Save and build", "build"))]  # fmt: skip
     live = e("div", e("p", "…", css="quiet"), id="live")
-    beside = e("div", form("/save", *fields), live, css="beside")
-    return document(name, [e("h1", name), back(), *told, beside, e("script", src="/live.js", type="module")])
+    left = e("div", e("div", id="form"), form("/save", *fields), css="left")
+    scripts = [e("script", src=f"/{one}.js", type="module") for one in ("form", "live")]
+    beside = e("div", left, live, css="beside")
+    return document(name, [e("h1", name), back(), e("pre", said, id="said", role="status"), beside, *scripts])
 
 
 def framed(report: str, *links: Element) -> str:

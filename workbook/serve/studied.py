@@ -53,7 +53,9 @@ def fields(base: Path) -> list[tuple[str, list[tuple[str, str, str]]]]:
         if number or key in lawful or product:
             path = written(key.split("."))
             row = path, page.figure(value), around(value) if number else ALL
-            tables.setdefault(path.rpartition(".")[0], []).append(row)
+            first, row_number, *_ = *key.split("."), ""
+            named = data[first][int(row_number)].get("name", "") if row_number.isdigit() else ""
+            tables.setdefault(f"{path.rpartition('.')[0]} {named}".strip(), []).append(row)
     return list(tables.items())
 
 

@@ -123,7 +123,7 @@ async def begin(page: Page, path: Path) -> None:
 def form(name: str, tables: list[tuple[str, list[tuple[str, str, str]]]], results: list[tuple[str, Label]]) -> str:
     """Return the page of what can vary in a description, and of the results to ask for."""
     asked = [e("p", e("label", "Result ", field("result", list="results"), " "), e("label", select(), " "),
-               e("label", "than ", field("value", size="8"))) for _ in range(ROWS)]  # fmt: skip
+               e("label", "bound ", field("value", size="8"))) for _ in range(ROWS)]  # fmt: skip
     options = [e("option", f"{label.words}" + (f" [{label.unit}]" if label.unit else ""), value=key)
                for key, label in results]  # fmt: skip
     ways = pages.choice("way", ("full", "sobol", "evolution"))

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
-from tomlkit.items import InlineTable
+from tomlkit.items import Array, InlineTable
 
+from workbook.described.words import toml
 from workbook.errors import InputError
 
 NOTHING = object()
 """stands where a description has no entry"""
 
 
-def edited(text: str, changes: Iterator[tuple[tuple[str, ...], Any]]) -> str:
+def edited(text: str, changes: Iterable[tuple[tuple[str, ...], Any]]) -> str:
     """Return the text with other values at paths, names and row numbers from 0; None takes an entry away.
 
     Raises InputError for a text that is not TOML, and for a path that does not lead to an entry.
@@ -43,7 +44,7 @@ def put(table: Any, path: Sequence[str], value: Any) -> None:
     if value is None:
         del table[key]
     elif isinstance(table, list) and key == len(table):
-        table.append(value)
+        table.append(tomlkit.parse(f"x = {toml(value)}")["x"] if isinstance(table, Array) else value)
     else:
         table[key] = value
 

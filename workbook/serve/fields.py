@@ -1,0 +1,159 @@
+"""The form beside a description's text: each of its tables as rows of fields, made from what its keys say."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+from xml.etree.ElementTree import Element, tostring
+
+from workbook.described.keys import PRODUCTS, Key
+from workbook.described.words import default_of, toml
+from workbook.errors import InputError, MotionbookError
+from workbook.laws.entries import ENTRIES
+from workbook.reading.descriptions import checked, parsed, template_named
+from workbook.reports.page import Content, e, table
+from workbook.selection.entries import COMMITTED
+from workbook.serve.live import design
+from workbook.serve.tables import Place, Table, changed, part_of, tables_of, written
+
+EITHER = re.compile(r", | or ")
+PHRASES = ("a ", "7 ")
+"""what the words begin with that expect anything but one of some texts"""
+
+
+def form(name: str, text: str, part: str) -> str:
+    """Return the HTML of the form of a part of a description; a message where the text is not TOML."""
+    try:
+        data = parsed(text, Path(name))
+        template = template_named(data.get("template"), "template")
+    except MotionbookError as error:
+        return markup([e("p", line) for line in str(error).splitlines()])
+    tables = tables_of(template.name, data)
+    parts = dict.fromkeys(part_of(one.place) for one in tables)
+    chosen = next((one for one in parts if written(one) == part), ())
+    options = [e("option", called(one, data), value=written(one), **({"selected": "selected"} if one == chosen else {}))
+               for one in parts]  # fmt: skip
+    said = faults(name, text, data)
+    body = [e("label", "Part ", e("select", *options, id="part"))]
+    for one in tables:
+        if part_of(one.place) == chosen:
+            body += rows(one, said, data)
+    return markup(body)
+
+
+def entered(name: str, text: str, path: str, do: str, value: str) -> str:
+    """Return the text with what was entered in a field at a path, or done by a button beside it."""
+    data = parsed(text, Path(name))
+    template = template_named(data.get("template"), "template")
+    place = json.loads(path)
+    if not isinstance(place, list) or not place or not all(isinstance(part, str) for part in place):
+        raise InputError([f"{path!r}: expected the names of an entry"])
+    return changed(text, template.name, data, tuple(place), do, value)
+
+
+def markup(body: list[Element]) -> str:
+    """Return elements as HTML."""
+    return "".join(tostring(one, encoding="unicode", method="html") for one in body)
+
+
+def called(part: Place, data: dict[str, Any]) -> str:
+    """Return what a part of a description is called."""
+    if not part:
+        return "machine"
+    rows_ = data.get(part[0])
+    row = rows_[int(part[1])] if part[1:] and rows_ else {}
+    return f"{part[0]} {row.get('name', '')}".strip()
+
+
+def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
+    """Return what is wrong with a description by the key of the entry."""
+    try:
+        return {fault.key: fault.said for fault in design(name, text).machine.design.faults}
+    except MotionbookError:
+        pass
+    try:
+        checked(template_named(data.get("template"), "template"), data, lambda key: key)
+    except InputError as error:
+        return {key: said for key, _, said in (line.partition(": ") for line in error.lines)}
+    return {}
+
+
+def rows(of: Table, said: dict[str, str], data: dict[str, Any]) -> list[Element]:
+    """Return the heading of a table and its fields, a row each; of one that is left out, what adds it."""
+    place, section = of.place, of.section
+    if section.kind:
+        heading: list[Element] = []
+    else:
+        listed = section.path.endswith(".*")
+        does = ("Add",) if of.entries is None else ("Copy", "Remove") if listed else ("Remove",) if place else ()
+        heading = [e("h3", ".".join(place) or "machine", " ", *(button(place, word) for word in does))]
+    if of.entries is None:
+        return heading
+    message = said.get(".".join(place), "")
+    lines, grids = [], []
+    for key in section.keys:
+        way, value = (*place, key.name), of.entries.get(key.name)
+        if key.rows and isinstance(value, list | None):
+            grids += grid(key, way, value or [], said, data)
+        else:
+            lines.append(line(key, way, value, said, data))
+    shown = [table(("", "", "", "Expected"), lines, ())] if lines else []
+    return [*heading, *([e("p", message, css="disagrees")] if message else []), *shown, *grids]
+
+
+def line(key: Key, place: Place, value: Any, said: dict[str, str], data: dict[str, Any]) -> list[Content]:
+    """Return the row of an entry: what it means, its field, its unit, what is expected or what is wrong."""
+    wrong = said.get(".".join(place), "")
+    expected = "" if key.expected.startswith("a text") else key.expected
+    limits = e("span", wrong or expected, css="disagrees" if wrong else "quiet")
+    return [key.meaning, field(key, place, value, wrong, data), key.unit, limits]
+
+
+def grid(key: Key, place: Place, entries: list[Any], said: dict[str, str], data: dict[str, Any]) -> list[Element]:
+    """Return the rows of a list, a field for each of their entries."""
+    lines: list[list[Content]] = []
+    wrong = [words for path, words in said.items() if f"{path}.".startswith(f"{'.'.join(place)}.")]
+    for k, row in enumerate(entries):
+        cells: list[Content] = []
+        for n, one in enumerate(key.rows):
+            pair = isinstance(row, list)  # a time of being on may be a pair of numbers
+            value = row[n] if pair and n < len(row) else None if pair else row.get(one.name)
+            way = (*place, str(k), str(n) if pair else one.name)
+            cells.append(field(one, way, value, said.get(".".join(way), ""), data))
+        lines.append([*cells, e("span", *(button((*place, str(k)), word) for word in ("Copy", "Remove")))])
+    heads = [f"{one.meaning}" + (f" [{one.unit}]" if one.unit else "") for one in key.rows]
+    add = [] if entries else [button((*place, "0"), "Add")]
+    inside = [e("div", table((*heads, ""), lines, ()), css="wide")] if lines else []
+    return [e("h4", f"{key.meaning} ", *add), *inside, *(e("p", words, css="disagrees") for words in wrong)]
+
+
+def button(place: Place, word: str) -> Element:
+    """Return what adds a table or a row, copies it, or removes it."""
+    path = written(place)
+    return e("button", word, type="button", **{"data-path": path, "data-do": word, "aria-label": f"{word} {path}"})
+
+
+def field(key: Key, place: Place, value: Any, wrong: str, data: dict[str, Any]) -> Element:
+    """Return the field of an entry; where it is one of some texts, these are proposed as one types."""
+    shown = "" if value is None else value if isinstance(value, str) else toml(value)
+    known_ = [] if isinstance(value, bool) else choices(key, data)
+    wide = 6 if key.expected.startswith("a number") else 12
+    attributes = {"value": shown, "placeholder": default_of(key).strip('"'), "data-path": written(place),
+                  "size": f"{wide}", "aria-label": key.meaning, "title": key.expected, "spellcheck": "false"}  # fmt: skip
+    attributes |= {"aria-invalid": "true"} if wrong else {}
+    if not known_:
+        return e("input", type="text", **attributes)
+    name = f"list-{'-'.join(place)}"
+    options = e("datalist", *(e("option", value=one) for one in known_), id=name)
+    return e("span", e("input", type="text", list=name, **attributes), options)
+
+
+def choices(key: Key, data: dict[str, Any]) -> list[str]:
+    """Return the texts that an entry may be, where these are known: products, laws, words."""
+    if key.path in PRODUCTS:
+        return [str(getattr(product, "name", "")) for product in COMMITTED[PRODUCTS[key.path]]()]
+    if key.name == "law":
+        return list(dict.fromkeys([*ENTRIES, *data.get("laws", {})]))
+    return [] if key.expected.startswith(PHRASES) else EITHER.split(key.expected)

@@ -1,0 +1,49 @@
+// The form beside the text: what is entered in a field changes the text, and the text fills the fields.
+import { ask, follow, replace } from "./text.js";
+
+const form = document.getElementById("form");
+let part = "";
+
+function at(path) {
+  return [...form.querySelectorAll("input")].find((one) => one.dataset.path === path);
+}
+
+function fill(words) {
+  const focused = document.activeElement;
+  const typed = form.contains(focused) && focused.dataset.path ? { path: focused.dataset.path, value: focused.value } : null;
+  const begun = typed && focused.value !== focused.defaultValue;
+  const chosen = form.contains(focused) && focused.id;
+  const top = form.scrollTop;
+  form.innerHTML = words;
+  form.scrollTop = top;
+  part = document.getElementById("part")?.value ?? part;
+  if (chosen) document.getElementById(chosen)?.focus({ preventScroll: true });
+  const field = typed && at(typed.path);
+  if (!field) return;
+  field.focus({ preventScroll: true });
+  if (begun) field.value = typed.value;
+}
+
+async function show() {
+  const words = await ask("/fields", { part });
+  if (words !== null) fill(words);
+}
+
+async function enter(path, what, value) {
+  const words = await ask("/set", { path, do: what, value });
+  if (words !== null) replace(words);
+}
+
+form.addEventListener("change", (event) => {
+  if (event.target.id === "part") {
+    part = event.target.value;
+    show();
+  } else {
+    event.target.defaultValue = event.target.value;
+    enter(event.target.dataset.path, "Set", event.target.value);
+  }
+});
+form.addEventListener("click", (event) => {
+  if (event.target.dataset.do) enter(event.target.dataset.path, event.target.dataset.do, "");
+});
+follow(show);

@@ -1,0 +1,170 @@
+"""The tables and entries of a description's text by their places, and what a form changes in them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import tomlkit
+
+from workbook.described.keys import Key, Section, sections
+from workbook.entries.rules import KIND
+from workbook.errors import InputError
+from workbook.serve.toml import edited
+from workbook.template import has
+from workbook.templates import TEMPLATES
+
+Place = tuple[str, ...]
+"""the way to an entry: names, and numbers of rows from 0"""
+
+
+class Table(NamedTuple):
+    """A table of a description: where it is, what its keys are, and its entries; None where it is left out."""
+
+    place: Place
+    section: Section
+    entries: dict[str, Any] | None
+
+
+def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
+    """Return the tables that a description of a template has, and those that it leaves out."""
+    way = next((key for key in TEMPLATES[template].others if has(data, key)), "")
+    return [one for section in known(template, way) for one in found(section, data)]
+
+
+@lru_cache
+def known(template: str, way: str = "") -> list[Section]:
+    """Return the tables of a template's descriptions."""
+    return sections(TEMPLATES[template], way)
+
+
+def found(section: Section, data: Any) -> Iterator[Table]:
+    """Yield each table of a section that a description has, and one without entries where it could have it."""
+    for place, entries in tables_at(section.path.split(".") if section.path else [], data):
+        kind = entries.get(KIND) if isinstance(entries, dict) else None
+        if not section.kind or section.kind == kind:
+            yield Table(place, section, entries if isinstance(entries, dict) else None)
+
+
+def tables_at(path: list[str], data: Any, place: Place = ()) -> Iterator[tuple[Place, Any]]:
+    """Yield what is at a path with ``*`` for each row, and where; a list without rows has a place for the first."""
+    if not path:
+        yield place, data
+        return
+    first, *rest = path
+    if first == "*":
+        for k, row in enumerate(data or ([] if rest else [None])):
+            yield from tables_at(rest, row, (*place, str(k)))
+    elif isinstance(data, dict | None):
+        yield from tables_at(rest, (data or {}).get(first), (*place, first))
+
+
+def part_of(place: Place) -> Place:
+    """Return the part of a description in which a table is shown: what its first name says, a row of it by itself."""
+    return place[:2] if place[1:] and place[1].isdigit() else place[:1]
+
+
+def written(place: Place) -> str:
+    """Return a place as the page sends it."""
+    return json.dumps(place, ensure_ascii=False)
+
+
+# --- changes
+
+
+def changed(text: str, template: str, data: dict[str, Any], place: Place, do: str, value: str) -> str:
+    """Return the text with an entry set to what a field says, or a table or row added, copied or removed.
+
+    Raises InputError where the text cannot be changed so.
+    """
+    above = at(data, place[:-1])
+    if do == "Remove":
+        return edited(text, [(place, None)])
+    if do == "Copy":
+        return edited(text, [((*place[:-1], str(len(above))), at(data, place))])
+    tables = tables_of(template, data)
+    if do == "Add":
+        return edited(text, [(place, example(template, tables, place))])
+    key = key_of(tables, place)
+    new = value_of(key, value.strip())
+    changes: list[tuple[Place, Any]] = [(place, new)] if new is not None or at(data, place) is not None else []
+    if key.name == KIND and isinstance(new, str):
+        changes += of_kind(template, place, new, above)
+    return edited(text, changes)
+
+
+def at(data: Any, place: Place) -> Any:
+    """Return what is at a place, None where there is nothing."""
+    for part in place:
+        if isinstance(data, list):
+            data = data[int(part)] if part.isdigit() and int(part) < len(data) else None
+        else:
+            data = data.get(part) if isinstance(data, dict) else None
+    return data
+
+
+def key_of(tables: Sequence[Table], place: Place) -> Key:
+    """Return the key of an entry; raise InputError where no table has it."""
+    for one in tables:
+        below = place[len(one.place) :]
+        if place[: len(one.place)] != one.place or not below:
+            continue
+        key = next((key for key in one.section.keys if key.name == below[0]), None)
+        if key is not None and len(below) == 1:
+            return key
+        if key is not None and len(below) == 3:  # a row of a list, by the name of its entry or by its number
+            rows = {**{str(n): row for n, row in enumerate(key.rows)}, **{row.name: row for row in key.rows}}
+            if below[2] in rows:
+                return rows[below[2]]
+    raise InputError([f"{'.'.join(place)}: there is no such entry"])
+
+
+def value_of(key: Key, text: str) -> Any:
+    """Return what a field says as its key has it; a text where it is of another type, which checking then tells."""
+    if not text:
+        return None
+    try:
+        if key.expected.startswith("a number"):
+            return float(text)
+        if key.expected.startswith("a whole number"):
+            return int(text)
+        if key.expected == "true or false" or text.startswith("["):
+            return tomlkit.value(text)
+    except ValueError:
+        pass
+    return text
+
+
+def example(template: str, tables: Sequence[Table], place: Place) -> dict[str, Any]:
+    """Return a table or a row that is added, with what it must have."""
+    if all(one.place != place for one in tables):
+        return required(key_of(tables, place[:-1]).rows)
+    made: dict[str, Any] = {"family": place[1]} if place[0] == "laws" else {}
+    for one in sections_at(template, place):
+        if one.kind in ("", made.get(KIND)):
+            made |= required(one.keys)
+    return made
+
+
+def sections_at(template: str, place: Place) -> list[Section]:
+    """Return what a template says of the table at a place, of each kind that it may have."""
+    path = ".".join("*" if part.isdigit() else part for part in place)
+    return [one for one in known(template) if one.path == path]
+
+
+def required(keys: Sequence[Key]) -> dict[str, Any]:
+    """Return the entries that a table must have, as in an example."""
+    return {key.name: key.example for key in keys if key.required and key.example is not None}
+
+
+def of_kind(template: str, place: Place, kind: str, old: dict[str, Any]) -> Iterator[tuple[Place, Any]]:
+    """Yield what changes in a table that becomes one of another kind."""
+    kept = [key for one in sections_at(template, place[:-1]) if one.kind in ("", kind) for key in one.keys]
+    for name in old:
+        if name not in {key.name for key in kept}:
+            yield (*place[:-1], name), None
+    for name, value in required(kept).items():
+        if name not in old:
+            yield (*place[:-1], name), value
