@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from engine.choice.curve import TorqueCurve
+from engine.drivetrain.motor import continuous
 from engine.laws.base import Array
 
 
@@ -26,9 +28,10 @@ def not_given() -> Array:
 class Motors:
     """A catalogue of motors, one array each: J_M (kg m²), T_M,N, T_M,max (Nm), ω_M,max (rad/s); size (kg), cost.
 
-    T_M,max holds up to the largest speed, or falls from ``full_torque_to`` (rad/s) in a straight line to
-    ``end_torque`` (Nm) there. NaN says that these two, the size or the cost are not given; a single number stands
-    for all. Raises ValueError for lengths that differ or a figure that cannot be (that names the motor).
+    T_M,max is given up to the largest speed, or falls from ``full_torque_to`` (rad/s) in a straight line to
+    ``end_torque`` (Nm) there. The continuous torque falls from ``stall_torque`` (Nm) to T_M,N at ``rated_speed``
+    (rad/s, the largest speed if NaN). NaN says that a figure is not given; a single number counts for all.
+    Raises ValueError for lengths that differ or a figure that cannot be (that names the motor).
     """
 
     names: tuple[str, ...]
@@ -40,18 +43,35 @@ class Motors:
     cost: Array = field(default_factory=not_given)
     full_torque_to: Array = field(default_factory=not_given)
     end_torque: Array = field(default_factory=not_given)
+    stall_torque: Array = field(default_factory=not_given)
+    rated_speed: Array = field(default_factory=not_given)
 
     def __post_init__(self) -> None:
         positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
-        _columns(self, "motor", positive, (), ("size", "cost", "full_torque_to", "end_torque"))
+        known = ("size", "cost", "full_torque_to", "end_torque", "stall_torque", "rated_speed")
+        _columns(self, "motor", positive, (), known)
         halves = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
         _require_each("motor", self.names, "end_torque", halves, self.end_torque, "wherever full_torque_to is one")
         falls = ~(self.full_torque_to >= self.max_speed)
         _require_each("motor", self.names, "full_torque_to", falls, self.full_torque_to, "below max_speed")
 
     def derated(self, share: float) -> Motors:
-        """Return them with a share of their rated torque left: see :func:`engine.drivetrain.derating`."""
-        return replace(self, rated_torque=self.rated_torque * share)
+        """Return them with a share of rated and stall torque left: see :func:`engine.drivetrain.derating`."""
+        return replace(self, rated_torque=self.rated_torque * share, stall_torque=self.stall_torque * share)
+
+    @cached_property
+    def stall(self) -> Array:
+        """The torque that each can give all the time at no speed (Nm)."""
+        return np.fmax(self.rated_torque, self.stall_torque)
+
+    @cached_property
+    def falls_to(self) -> Array:
+        """The speed (rad/s) at which the continuous torque is the rated one."""
+        return np.where(np.isnan(self.rated_speed), self.max_speed, self.rated_speed)
+
+    def continuous(self, k: Any, speed: ArrayLike) -> Array:
+        """Return what motors ``k`` can give all the time at mean speeds (rad/s), in Nm."""
+        return continuous(self.rated_torque[k], self.stall[k], self.falls_to[k], speed)
 
     @cached_property
     def knee(self) -> Array:

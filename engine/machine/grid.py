@@ -67,15 +67,15 @@ def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike) -> Gears:
 
 
 class Used(NamedTuple):
-    """Speed over the motor's largest, RMS torque over its rated torque."""
+    """Speed over the motor's largest, RMS torque over its continuous torque at the mean speed."""
 
     speed: float
     torque: float
 
 
-def used(motor: Motor, speed: float, rms: float) -> Used:
-    """Return what a speed (rad/s) and an RMS torque (Nm) use of a motor."""
-    return Used(speed / motor.max_speed, rms / motor.rated_torque)
+def used(motor: Motor, speed: float, rms: float, mean: float) -> Used:
+    """Return what a speed (rad/s) and an RMS torque (Nm) at a mean speed use of a motor."""
+    return Used(speed / motor.max_speed, rms / float(motor.continuous(mean)))
 
 
 @dataclass(frozen=True)
@@ -165,8 +165,8 @@ class Grid:
 
     @cached_property
     def uses(self) -> Array:
-        """The RMS torque of each pair over its motor's rated torque."""
-        return self.rms / self.motors.rated_torque[:, None]
+        """The RMS torque of each pair over its motor's continuous torque at the mean speed."""
+        return self.rms / self.motors.continuous(np.s_[:, None], self.load.mean_speed / self.reducers.ratio)
 
     @cached_property
     def verdicts(self) -> NDArray[np.str_]:

@@ -88,7 +88,7 @@ class Judged:
     def _limits(self) -> dict[str, float]:
         motor, reducer = self.limits.motor, self.limits.reducer
         return {
-            "RMS torque": motor.rated_torque,
+            "RMS torque": self.continuous,
             BELOW: float(self.limits.peak_curve.torque.max()),
             "motor speed": min(motor.max_speed, float(self.limits.peak_curve.speed[-1])),
             "reducer input speed": reducer.input_speed,
@@ -96,6 +96,13 @@ class Judged:
             "reducer mean torque": reducer.mean_torque,
             "inertia ratio": self.limits.inertia_ratio,
         }
+
+    @cached_property
+    def continuous(self) -> float:
+        """What the motor can give all the time at the mean speed of the course (Nm)."""
+        motor = self.limits.motor
+        level = motor.stall_torque <= motor.rated_torque
+        return motor.rated_torque if level else float(motor.continuous(self.demand.mean_speed))
 
     @cached_property
     def _limiting(self) -> tuple[LimitCheck, ...]:

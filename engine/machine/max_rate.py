@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from engine.drivetrain import Motor
 from engine.laws.base import Array
 from engine.machine.falling import Falling
 from engine.machine.limits import ReducerLimits
@@ -19,7 +20,7 @@ from engine.machine.quadrature import DrivePoints
 
 
 class Share(NamedTuple):
-    """A limit, what of it is taken without motion and at the present rate, and the use of the square of the rate."""
+    """A limit at no speed, what of it is taken without motion and at the present rate, the use of the rate's square."""
 
     limit: float
     standing: float
@@ -49,13 +50,43 @@ def squares(points: DrivePoints) -> Squares:
     return Squares(*(points.mean(one) for one in (standing**2, standing * grows, grows**2)))
 
 
-def by_rms(points: DrivePoints, rated: float, moves: bool = True) -> Share:
-    """Return the share of a rated torque (Nm): mean (S + x I)² = rated²."""
-    own, mixed, growing = squares(points)
-    left, use = rated**2 - own, 0.0
-    if moves and left > 0.0:
-        use = (math.sqrt(mixed**2 + growing * left) + mixed) / left
-    return Share(rated, math.sqrt(own), points.rms_torque, use)
+class Line(NamedTuple):
+    """The continuous torque against the rate: at no speed, its fall to the present mean speed (Nm); see :func:`by_rms`.
+
+    ``near`` is the rate over the present one at which the fall is exact, ``half`` half of x's coefficient (Nm²).
+    """
+
+    stall: float
+    fall: float
+    near: float
+    half: float
+
+
+def line(points: DrivePoints, motor: Motor) -> Line:
+    """Return the line of a motor's continuous torque; level where the mean speed is beyond the rated one."""
+    own, mixed, _ = squares(points)
+    now = float(motor.continuous(points.mean_speed))
+    stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque
+    if math.isinf(stall):
+        return Line(stall, 0.0, 1.0, mixed)
+    fall = stall - now
+    near = min(1.0, (stall - math.sqrt(own)) / fall) if fall else 1.0
+    return Line(stall, fall, near, mixed + (fall * (stall / near - fall) / 2.0 if near > 0.0 else 0.0))
+
+
+def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> Share:
+    """Return the share of the continuous torque (Nm): mean (S + x I)² = (M − D √x)², M at no speed, D its fall.
+
+    √x ≤ (e + x/e)/2 makes this a quadratic in x that is exact at √x = e and on the safe side elsewhere: e is 1, or
+    less where S alone meets the line before.
+    """
+    own, _, growing = squares(points)
+    stall, fall, near, half = line(points, motor)
+    stands, use = math.sqrt(own), 0.0
+    if moves and stands < stall < math.inf:
+        left = stall * (stall - fall * near) - own
+        use = (math.sqrt(half**2 + growing * left) + half) / left
+    return Share(stall, stands, points.rms_torque, use)
 
 
 def growing_use(torque: Array, standing: Array, limit: float) -> Array:
@@ -99,16 +130,13 @@ def by_speed(speed: float, limit: float) -> Share:
 
 
 def shares(
-    points: DrivePoints, speed: float, motor: tuple[float, float, float], reducer: ReducerLimits, falling: Falling
+    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: Falling
 ) -> dict[str, Share]:
-    """Return the share of each limit, by its name.
-
-    ``speed`` is the largest of the motor (rad/s), ``motor`` its rated and peak torque (Nm) and its largest speed.
-    """
-    rated, peak, fastest = motor
+    """Return the share of each limit, by its name; ``speed`` is the largest of the motor (rad/s)."""
+    peak, fastest = motor.peak_torque, motor.max_speed
     behind, standing = points.load.behind, points.load.standing_behind
     found = {
-        "RMS torque": by_rms(points, rated, speed > 0.0),
+        "RMS torque": by_rms(points, motor, speed > 0.0),
         "peak torque": by_peak(points, points.torque, points.standing, peak),
         "motor speed": by_speed(speed, fastest),
         "reducer input speed": by_speed(speed, reducer.input_speed),

@@ -83,6 +83,11 @@ class PointLoad:
         return math.cbrt(float((weight * np.abs(self.load.behind) ** 3).sum() / weight.sum())) if weight.any() else 0.0
 
     @cached_property
+    def mean_speed(self) -> float:
+        """The mean of |ω| (rad/s)."""
+        return float((self.load.share * np.abs(self.load.speed)).sum())
+
+    @cached_property
     def squares(self) -> Squares:
         """Means over the cycle."""
         alpha, drives, back, _ = self.points

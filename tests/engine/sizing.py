@@ -284,4 +284,4 @@ class Sizing:
 
         The motor's own inertia is not taken from ``motor``: see ``motor_inertia``.
         """
-        return reserve(motor, self.rms_torque, self.peak_torque, self.max_speed)
+        return reserve(motor, self.rms_torque, self.peak_torque, self.max_speed, self.max_speed / 2)

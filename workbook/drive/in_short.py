@@ -90,7 +90,7 @@ def drives(axes: Sequence[InShort]) -> list[Quantity]:
         column("of_peak", "of the motor's peak", "", "%", f"100*{peak}/{{0}}motor_peak",
                lambda _, use: shown(use.peak_torque.use, PERCENT), "0", WHOLE),
         column("rms", "RMS torque", "T_rms", "Nm", "{0}rms", lambda _, use: use.rms_torque.value),
-        column("of_rated", "of the motor's rated", "", "%", "100*{0}rms/{0}motor_rated",
+        column("of_rated", "of its continuous torque", "", "%", "100*{0}rms/{0}continuous",
                lambda _, use: shown(use.rms_torque.use, PERCENT), "0", WHOLE),
         column("speed", "speed", "n_max", "rpm", "{0}speed", lambda _, use: shown(use.speed.value, RPM), "0"),
         column("of_speed", "of the motor's largest", "", "%", "100*{0}speed/{0}motor_nmax",

@@ -5,13 +5,12 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 
 from __future__ import annotations
 
-from engine.drivetrain.motor import CORNERS, Corners, Reserve
+from engine.drivetrain.motor import CORNERS, Corners, Motor, Reserve
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Quantity, Sheet, calc, check, constant
+from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import NOTHING, Said, exceeding
 from workbook.entries.units import RPM, shown
 
-RATED = "@motor_rated"
 RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"
 """colours in the plane of speed and torque"""
 
@@ -20,8 +19,9 @@ def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quant
     """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
     peak, fastest = "MAX(@tmax,0-@tmin)", [shown(n, RPM) for n in (reserve.speed.value, reserve.speed.limit)]
     return [
-        check("@ok_rms", f"{of}: RMS torque within the rated torque", f"@rms<={RATED}", reserve.rms_torque.ok,
-              says=exceeding("@rms", RATED, "Nm", reserve.rms_torque.value, reserve.rms_torque.limit).then(mends)),
+        check("@ok_rms", f"{of}: RMS torque within the continuous torque", "@rms<=@continuous", reserve.rms_torque.ok,
+              says=exceeding("@rms", "@continuous", "Nm", reserve.rms_torque.value, reserve.rms_torque.limit)
+              .then(mends)),
         check("@ok_peak", f"{of}: peak torque within the motor's", f"{peak}<=@motor_peak", reserve.peak_torque.ok,
               says=exceeding(peak, "@motor_peak", "Nm", reserve.peak_torque.value, reserve.peak_torque.limit)
               .then(mends)),
@@ -30,23 +30,42 @@ def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quant
     ]  # fmt: skip
 
 
+def continuous(motor: Motor, mean_speed: float) -> Quantity:
+    """Return the result of what the motor can give all the time at the mean speed of the cycle (rad/s)."""
+    return result("@continuous", "Continuous torque at the mean speed", "", "Nm", f"={continuous_at('@mean')}",
+                  float(motor.continuous(mean_speed)), source="T_0 − (T_0 − T_N) n/n_N, at least T_N")  # fmt: skip
+
+
+def continuous_at(speed: str) -> str:
+    """Return the formula of the continuous torque of the motor in use at a speed (rpm)."""
+    return f"MAX(@motor_rated,@motor_stall-(@motor_stall-@motor_rated)*{speed}/@motor_nn)"
+
+
 def limits_table(sheet: Sheet, corners: Corners, backward: str, falls: bool) -> None:
     """Declare the corners of the limits as the charts draw them; ``backward`` says whether the motor turns so too.
 
     Where the sheet knows motors whose peak torque ``falls``, it does by ``@fall`` (Nm/rpm) beyond ``@knee`` (rpm).
     """
-    right, outer, up = zip(*CORNERS, strict=True)
+    side, which, up = zip(*CORNERS, strict=True)
     begins = "IF(@fall=0,@motor_nmax,@knee)" if falls else "@motor_nmax"
+    first, second = shown(corners.bends, RPM)
+    sheet.rows(
+        calc("@bend1", "Speed at which the first limit bends", "", "rpm", f"=MIN(@motor_nn,{begins})",
+             first, source="of continuous and peak torque"),
+        calc("@bend2", "… the second", "", "rpm", f"=MIN(@motor_nmax,MAX(@motor_nn,{begins}))",
+             second),
+    )  # fmt: skip
     peak = f"(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))" if falls else "@motor_peak"
     sheet.table(
         "@limits", "Limits of the motor, as drawn in the charts", len(CORNERS),
-        constant("side", "right side", "", "", list(right)),
-        constant("outer", "at the largest speed", "", "", list(outer)),
+        constant("side", "side", "", "", list(side), source="1, −1 of speeds backward"),
+        constant("which", "which speed", "", "", list(which), source="3: the largest; 1, 2: where a limit bends"),
         constant("up", "upper side", "", "", list(up)),
         calc("rpm", "speed", "n", "rpm",
-             f"=IF([side]=1,1,IF({backward},0-1,0))*IF([outer]=1,@motor_nmax,{begins})", shown(corners.speed, RPM)),
+             f"=IF([side]<0,IF({backward},0-1,0),1)*CHOOSE([which]+1,0,@bend1,@bend2,@motor_nmax)",
+             shown(corners.speed, RPM)),
         calc("peak", "peak torque", "T_max", "Nm", f"=[up]*{peak}", corners.peak),
-        calc("rated", "continuous torque", "T_N", "Nm", f"=[up]*{RATED}", corners.rated),
+        calc("rated", "continuous torque", "", "Nm", f"=[up]*{continuous_at('ABS([rpm])')}", corners.continuous),
     )  # fmt: skip
 
 
@@ -65,7 +84,7 @@ def plane(speed: str, torque: str) -> Chart:
         Series("cycle", speed, torque),
         Series("RMS point", "[@point.rpm]", "[@point.torque]", points=True, marker="diamond", color=RMS_POINT),
         Series("peak torque and speed", "[@limits.rpm]", "[@limits.peak]", dashed=True, color=PEAK),
-        Series("rated torque", "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
+        Series("continuous torque", "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
     )
     return Chart(
         "Torque against speed of the motor", "motor speed n_m [rpm]", "motor torque T [Nm]", lines,

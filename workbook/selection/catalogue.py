@@ -19,13 +19,16 @@ Efficiency = Annotated[float, Field(gt=0, le=1, allow_inf_nan=False)]
 class MotorRow(Model):
     """One motor of the catalogue.
 
-    The peak torque holds up to ``max_speed``, or falls in a straight line from ``full_torque_to`` to ``end_torque``
-    at the largest speed.
+    The continuous torque falls from ``stall_torque`` to ``rated_torque`` at ``rated_speed``; empty ones count as the
+    rated torque and as the largest speed. The peak torque is given up to ``max_speed``, or falls in a straight line
+    from ``full_torque_to`` to ``end_torque`` there.
     """
 
     name: Name
     inertia: Positive  # kg cm²
+    stall_torque: Positive | None = None  # Nm
     rated_torque: Positive  # Nm
+    rated_speed: Positive | None = None  # rpm
     peak_torque: Positive  # Nm
     max_speed: Positive  # rpm
     full_torque_to: NotNegative | None = None  # rpm

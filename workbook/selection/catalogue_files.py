@@ -30,7 +30,9 @@ NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  #
 MOTOR_COLUMNS = {
     "name": "name",
     "inertia_kgcm2": "inertia",
+    "stall_torque_Nm": "stall_torque",
     "rated_torque_Nm": "rated_torque",
+    "rated_speed_rpm": "rated_speed",
     "peak_torque_Nm": "peak_torque",
     "max_speed_rpm": "max_speed",
     "full_torque_to_rpm": "full_torque_to",

@@ -45,6 +45,8 @@ def engine_motors(rows: Sequence[MotorRow]) -> Motors:
         figures(rows, "cost"),
         si(figures(rows, "full_torque_to"), RPM),
         figures(rows, "end_torque"),
+        figures(rows, "stall_torque"),
+        si(figures(rows, "rated_speed"), RPM),
     )
 
 
@@ -163,7 +165,7 @@ class Choosing:
     def _figures(self, m: int, r: int) -> Figures:
         g = self.grid
         rms = float(g.rms[m, r])
-        margin = shares_of(self.motors.rated_torque[m], g.rms[m, r])
+        margin = shares_of(np.array(1.0), g.uses[m, r])
         spare = reserve(self.load, g.pair(m, r), self.curve(m))
         peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
         return Figures(rms, float(margin), peak, speed, float(g.inertia_ratio[m, r]), spare)

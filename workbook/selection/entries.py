@@ -58,9 +58,9 @@ class Ranked(Products):
     inertia_ratio: Positive = Field(
         default=10.0, description="Largest inertia at the motor over the motor's of a usable pair"
     )
-    least_margin: Positive = Field(default=1.2, description="Least rated torque over RMS torque of a usable pair")
+    least_margin: Positive = Field(default=1.2, description="Least continuous torque over RMS torque of a usable pair")
     greatest_margin: Positive = Field(
-        default=10.0, description="Greatest rated torque over RMS torque of a usable pair"
+        default=10.0, description="Greatest continuous torque over RMS torque of a usable pair"
     )
     least_peak_margin: Positive = Field(
         default=1.1, description="Least peak torque of the motor over the largest torque of a usable pair"

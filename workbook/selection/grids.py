@@ -32,7 +32,8 @@ def grids(sheet: Sheet, view: Choosing) -> None:
          align="center")  # fmt: skip
     grid(sheet, view, "wanted", "What is wanted of a pair", ("on", "jmax"), within,
          view.spread(g.wanted_verdicts, LARGE), align="center")  # fmt: skip
-    grid(sheet, view, "share", "RMS torque of the motor over its rated torque", ("on", "rated", "jm"), share,
+    grid(sheet, view, "share", "RMS torque of the motor over its continuous torque",
+         ("on", "rated", "stall", "slope", "jm"), share,
          view.spread(g.uses, 0.0), format=DASH, scale=max(1.0, float(g.uses.max())))  # fmt: skip
     grid(sheet, view, "peak", "Peak torque of the motor [Nm]", ("on", "jm"), lambda c: if_on(c, peak_of(*pair(c))),
          view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
@@ -74,9 +75,10 @@ def grid(
 
 
 def share(c: int) -> str:
-    """Return the formula of the RMS torque of the motor of a row with a reducer, over its rated torque."""
+    """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
     inertia, ratio, _ = pair(c)
-    return if_on(c, f"{rms_of(inertia, ratio, f'[@reducers.mixed.{c}]', f'[@reducers.square.{c}]')}/[rated]")
+    rms = rms_of(inertia, ratio, f"[@reducers.mixed.{c}]", f"[@reducers.square.{c}]")
+    return if_on(c, f"{rms}/MAX([rated],[stall]-[slope]*[@reducers.mean.{c}])")
 
 
 def pair(c: int) -> tuple[str, str, str]:
@@ -144,7 +146,7 @@ MOTOR_COLUMNS = (
     ("peak", "peak torque", "Nm", "peak"),
     ("nmax", "largest speed", "rpm", "nmax"),
 )
-"""figures of a motor: column here, words, unit, column of the catalogue"""
+"""figures of every motor: column here, words, unit, column of the catalogue"""
 
 
 def motor_figures(view: Choosing) -> dict[str, tuple[str, str, list[Any]]]:
@@ -155,6 +157,8 @@ def motor_figures(view: Choosing) -> dict[str, tuple[str, str, list[Any]]]:
              for (name, label, unit, _), one in zip(MOTOR_COLUMNS, values, strict=True)}  # fmt: skip
     known, weight = weights(view, m.size, m.cost)
     return found | {
+        "stall": ("stall torque", "Nm", filled(m.stall, n)),
+        "slope": ("fall with speed", "Nm/rpm", filled((m.stall - m.rated_torque) / shown(m.falls_to, RPM), n)),
         "on": ("in use", "", filled(filled([], len(m.names), 1), n, 0)),
         "jmax": ("largest inertia", "kg m²", filled(m.inertia * view.given.inertia_ratio, n)),
         "smaller": ("smaller motors", "", filled(view.grid.smaller, n, 0)),
@@ -187,6 +191,13 @@ def motors(sheet: Sheet, view: Choosing) -> None:
         *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){made.get(name, '')},0)",
                known[name][2])
           for name, label, unit, column in MOTOR_COLUMNS),
+        calc("stall", "stall torque", "", "Nm", "=IF([on]=1,MAX([rated],INDEX([motors.stall],[k])*@left),0)",
+             known["stall"][2]),
+        calc("nn", "rated speed", "", "rpm",
+             "=IF([on]=1,IF(COUNT(INDEX([motors.nn],[k]))=1,INDEX([motors.nn],[k]),[nmax]),0)",
+             filled(shown(m.falls_to, RPM), n)),
+        calc("slope", "fall of the continuous torque", "", "Nm/rpm", "=IF([on]=1,([stall]-[rated])/[nn],0)",
+             known["slope"][2], scale=1.0),
         calc("knee", "peak torque up to", "", "rpm",
              "=IF([on]=1,IF(COUNT(INDEX([motors.knee],[k]))=1,INDEX([motors.knee],[k]),[nmax]),0)",
              filled(shown(m.knee, RPM), n)),
@@ -227,6 +238,8 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              "=IF([on]=1,INDEX([reducers.inertia],[k])/10000+@beside,0)", filled(g.beside_motor, n)),
         calc("j", "inertia at the motor", "", "kg m²", "=IF([on]=1,[jt]+@inertia/[i]^2,0)", filled(g.at_motor, n)),
         calc("n", "speed of the motor", "n", "rpm", "=@speed*[i]*30/PI()", filled(shown(g.speed, RPM), n)),
+        calc("mean", "mean speed of the motor", "", "rpm", "=@mean*[i]*30/PI()",
+             filled(shown(g.load.mean_speed / r.ratio, RPM), n)),
         calc("nmax", "largest input speed", "", "rpm", "=INDEX([reducers.nmax],[k])+0", filled(limits[0], n),
              source="0: no limit"),
         calc("tmax", "largest torque", "", "Nm", "=INDEX([reducers.tmax],[k])+0", filled(limits[1], n)),

@@ -23,7 +23,7 @@ def uses(sheet: Sheet, view: Choosing) -> None:
     for k in range(1, NAMED + 1):
         row, there = f"INDEX([motors.nmax],MAX(1,[@order.m.{k}]))", f"[@order.m.{k}]>0"
         point(sheet, k, f"=IF({there},[@best.n.{k}]/{row},0-1)",
-              f"=IF({there},IF([@best.margin.{k}]>0,1/[@best.margin.{k}],0),0-1)", view.used(k - 1))  # fmt: skip
+              f"=IF({there},[@best.share.{k}],0-1)", view.used(k - 1))  # fmt: skip
     point(sheet, 0, "=@own_speed/@held_nmax", "=@own_rms/@held_rated", view.own_use)
 
 
@@ -44,8 +44,8 @@ def chart(sheet: Sheet) -> None:
                              color="374151"))  # fmt: skip
     sheet.chart(
         Chart("What the best pairs use of their motors", "largest speed / motor's largest speed",
-              "RMS torque / rated torque", series,
-              "RMS torque over rated torque against speed over largest speed, of the best pairs and the drive's own",
+              "RMS torque / continuous torque", series,
+              "RMS torque over continuous torque against speed over largest speed, of the best pairs and the drive's",
               (0, None, None), (0, None, None)),
         column=13, row=5, width=8, height=24,
     )  # fmt: skip

@@ -1,6 +1,7 @@
 """The drive: reflected inertia, load, losses both ways, energy over a cycle, RMS in closed form, limits."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -249,7 +250,7 @@ def test_rms_counts_unequal_steps_by_their_time():
 
 
 def held(points, motor):
-    return reserve(motor, points.rms_torque, points.peak_torque, points.max_speed)
+    return reserve(motor, points.rms_torque, points.peak_torque, points.max_speed, points.max_speed / 3)
 
 
 def test_reserve_against_the_motors_limits():
@@ -261,19 +262,31 @@ def test_reserve_against_the_motors_limits():
     weak = Motor(0.0065, points.rms_torque, points.peak_torque * 0.999, points.max_speed * 0.999)
     assert [c.ok for c in held(points, weak)] == [True, False, False]
     assert all(c.ok for c in held(points, Motor(0.0065)))
-    assert reserve(MOTOR, 0.0, 0.0, 0.0).rms_torque.reserve == 0.0
+    assert reserve(MOTOR, 0.0, 0.0, 0.0, 0.0).rms_torque.reserve == 0.0
 
 
 @pytest.mark.parametrize(("lowest", "left"), [(0.0, 0.0), (-STANDSTILL / 2, 0.0), (-1.0, -300.0)])
 def test_limits_are_a_closed_line_on_the_sides_that_the_motor_turns_to(lowest, left):
     right, speed, peak, rated = MOTOR.corners(lowest)
-    assert speed.tolist() == [left, *[300.0] * 4, *[left] * 4]
-    assert peak.tolist() == [*[-160.0] * 3, *[160.0] * 4, -160.0, -160.0]
-    assert (rated / peak).tolist() == [60 / 160] * 9
-    assert right.tolist() == [False, *[True] * 4, *[False] * 4]
-    falling = MOTOR.corners(lowest, 100.0, 0.2)
-    assert falling.peak[[1, 2]].tolist() == [-160.0, -120.0]
-    assert falling.speed[[1, 2]].tolist() == [100.0, 300.0]
+    assert speed.tolist() == [*[left] * 3, 0.0, *[300.0] * 6, 0.0, *[left] * 4]
+    assert peak.tolist() == [*[160.0] * 7, *[-160.0] * 7, 160.0]
+    assert (rated / peak).tolist() == [60 / 160] * 15
+    assert right.tolist() == [False] * 4 + [True] * 6 + [False] * 5
+    falling = replace(MOTOR, stall_torque=90.0, rated_speed=200.0).corners(lowest, 100.0, 0.2)
+    assert falling.speed[3:7].tolist() == [0.0, 100.0, 200.0, 300.0]
+    assert falling.peak[3:7].tolist() == [160.0, 160.0, 140.0, 120.0]
+    assert falling.continuous[3:7].tolist() == [90.0, 75.0, 60.0, 60.0]
+    assert falling.continuous[7:11].tolist() == [-60.0, -60.0, -75.0, -90.0]
+
+
+def test_the_continuous_torque_is_a_line_from_stall_to_rated_torque():
+    hdt = Motor(0.02536, 48.4, 410.0, 2000.0, 116.5, 2000.0)
+    assert hdt.continuous(0.0) == 116.5
+    assert hdt.continuous(2000.0) == hdt.continuous(2500.0) == 48.4
+    assert hdt.continuous(-1000.0) == pytest.approx((116.5 + 48.4) / 2)
+    assert hdt.derated(0.5).continuous(500.0) == pytest.approx(0.5 * (0.75 * 116.5 + 0.25 * 48.4))
+    assert Motor(1.0, 10.0, stall_torque=8.0, rated_speed=100.0).continuous(0.0) == 10.0
+    assert math.isinf(Motor(1.0).continuous(5.0))
 
 
 @pytest.mark.parametrize(

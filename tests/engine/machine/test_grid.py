@@ -18,7 +18,8 @@ from engine.motion import Motion
 from tests.engine.machine.test_quadrature import points_of
 
 MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]), np.array([6.0, 90.0]),
-                np.array([5000.0, 4000.0]), size=np.array([3.0, np.nan]))  # fmt: skip
+                np.array([5000.0, 4000.0]), size=np.array([3.0, np.nan]),
+                stall_torque=np.array([np.nan, 55.0]), rated_speed=np.array([np.nan, 2500.0]))  # fmt: skip
 REDUCERS = Reducers(("three", "eight"), np.array([3.0, 8.0]), np.array([0.9, 0.75]), np.array([2e-5, 5e-4]),
                     np.array([1e4, 1e4]), np.array([1e4, 1e4]), size=1.0)  # fmt: skip
 WIDE = Wanted(1e9, 1e-9, 1e9, 1.0)
@@ -54,8 +55,9 @@ def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
     assert one.peak[motor, r] == pytest.approx(found.torque.peak, rel=1e-9)
     assert one.speed[r] == pytest.approx(found.speed.peak, rel=1e-12)
     assert one.inertia_ratio[motor, r] == pytest.approx(drive.train.drive.inertia_ratio, rel=1e-12)
-    limits = (float(each[motor]) for each in (MOTORS.rated_torque, MOTORS.peak_torque, MOTORS.max_speed))
-    of_motor = used(Motor(MOTORS.inertia[motor], *limits), found.speed.peak, points_of(drive).rms_torque)
+    m, points = MOTORS, points_of(drive)
+    limits = (float(each[motor]) for each in (m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to))
+    of_motor = used(Motor(m.inertia[motor], *limits), found.speed.peak, points.rms_torque, found.mean_speed)
     assert one.use(motor, r) == pytest.approx(of_motor, rel=1e-9)
 
 

@@ -120,7 +120,8 @@ def limits_of(rng, course):
         max(demand.torque.peak, 1e-3) * rng.uniform(0.8, 2),
         max(demand.speed.peak, 1e-3) * rng.uniform(0.8, 3),
     )
-    motor = Motor(1e-3, near(demand.rms_torque), peak, fastest)
+    rated, stall = near(demand.rms_torque), demand.rms_torque * rng.uniform(0.5, 4.0)
+    motor = Motor(1e-3, rated, peak, fastest, stall, rng.uniform(0.3, 1.0) * fastest)
     curve = TorqueCurve(np.array([0.0, 0.4 * fastest, fastest]), np.array([peak, peak, rng.uniform(0.2, 1) * peak]))
     reducer = ReducerLimits(near(demand.shaft_torque(1).peak), near(demand.mean_shaft_torque(1)), near(fastest))
     return Limits(motor, rng.choice([curve, None]), reducer)

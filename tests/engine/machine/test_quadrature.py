@@ -23,7 +23,7 @@ from engine.machine.course import Course, position, trimmed
 from engine.machine.demand import Demand
 from engine.machine.falling import Falling
 from engine.machine.limits import Judged, Limits, ReducerLimits
-from engine.machine.max_rate import shares
+from engine.machine.max_rate import by_rms, shares
 from engine.machine.quadrature import SHARES, WEIGHTS, Cycle, DrivePoints
 from engine.machine.rate import highest_rate
 from engine.machine.train import Train
@@ -188,12 +188,17 @@ def limits_near(points, drawn):
     return motor, ReducerLimits(near(points.size(behind)), near(points.cubic_mean(behind)), motor.max_speed)
 
 
+def falling(motor, drawn):
+    """The motor with a stall torque above its rated one."""
+    stall, speed = motor.rated_torque * drawn.uniform(1.0, 2.5), motor.max_speed * drawn.uniform(0.3, 1.0)
+    return replace(motor, stall_torque=stall, rated_speed=speed)
+
+
 def named(course, motor, reducer):
     """The highest speed of the abscissa by shares, at the speed of a course; 0 where a limit is not held at rest."""
     points = points_of(course)
     speed = points.size(points.speed) if course.train.linkage else course.fastest * points_ratio(course)
-    figures = motor.rated_torque, motor.peak_torque, motor.max_speed
-    each = shares(points, speed, figures, reducer, Falling())
+    each = shares(points, speed, motor, reducer, Falling())
     return min(one.highest(course.speed) for one in each.values())
 
 
@@ -212,6 +217,7 @@ def test_the_rate_that_is_entered_and_read_again_is_the_exact_one(request, numbe
     told = name_of(request, number)
     course, drawn = random_course(f"rate {told}", linked=number % 10 == 3), random.Random(f"limits {told}")
     motor, reducer = limits_near(points_of(course), drawn)
+    motor = falling(motor, drawn) if number % 2 else motor
     exact = highest_rate({"A": Judged(course, Limits(motor, None, reducer))}).speed
     rate = settled(course, motor, reducer)
     if exact == 0.0:
@@ -250,3 +256,22 @@ def test_a_lossy_screw_is_driven_down_and_holds_its_load():
     assert points.torque[down].mean() == pytest.approx(-0.139, abs=5e-4)
     assert points.torque[rest] == pytest.approx(0.0)
     assert (points.power >= -1e-12).all()
+
+
+# The continuous torque that falls with the mean speed
+
+
+@pytest.mark.parametrize("number", [*range(12), *nights(200)])
+def test_the_rate_by_a_falling_continuous_torque_is_on_the_safe_side_and_exact_where_it_is_entered(request, number):
+    course = random_course(f"continuous {name_of(request, number)}", linked=number % 4 == 3)
+    course = replace(course, train=replace(course.train, viscous=0.0))
+    points, drawn = points_of(course), random.Random(f"line {name_of(request, number)}")
+    rated, stall = (points.rms_torque * drawn.uniform(*ends) for ends in ((0.4, 1.2), (1.0, 3.0)))
+    motor = Motor(1e-3, rated, stall_torque=stall, rated_speed=points.size(points.speed))
+    rate = by_rms(points, motor).highest(course.speed)
+    exact = highest_rate({"A": Judged(course, Limits(motor))}).speed
+    assert 0.0 < rate <= exact * (1.0 + 2e-3)
+    for _ in range(8):
+        course = replace(course, speed=rate)
+        rate = by_rms(points_of(course), motor).highest(course.speed)
+    assert rate == pytest.approx(exact, rel=2e-3)

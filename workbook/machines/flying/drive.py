@@ -9,7 +9,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, exceeding
-from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
+from workbook.drive.motor import continuous, limit_checks, limits_table, plane, rms_point
 from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.flying.driving import ToolDrive
@@ -72,11 +72,12 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
                scale=size),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
                points.rms_torque, scale=size, source="√(Σ share T²), to 0.1 %"),
-        result("@margin", "Margin", "", "", "=IF(@rms>0,@motor_rated/@rms,0)", held.rms_torque.reserve,
-               source="T_N / T_rms"),
+        result("@margin", "Margin", "", "", "=IF(@rms>0,@continuous/@rms,0)", held.rms_torque.reserve,
+               source="continuous torque / T_rms"),
         result("@speed", "Motor speed, largest", "n", "rpm", "=fly_n*@i", shown(view.speed, RPM)),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
                shown(points.mean_speed, RPM), source="of |n| over the cycle"),
+        continuous(view.motor, points.mean_speed),
         result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])",
                float(view.left.min()), scale=max(size, view.motor.peak_torque), source="at the points"),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", "=MAX(MAX([@pt.S]),0-MIN([@pt.S]))",
@@ -150,6 +151,8 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         of("@i", "Reduction", "i", "", "reducer.i", ratio, "1/τ"),
         of("@eta", "Efficiency of the reducer", "η", "", "reducer.eta", efficiency),
         of("@motor_rated", "Rated torque of the motor", "T_N", "Nm", "motor.rated", motor.rated_torque),
+        of("@motor_stall", "Stall torque of the motor", "T_0", "Nm", "motor.stall", motor.stall_torque, "T_N at least"),
+        of("@motor_nn", "Speed of its rated torque", "n_N", "rpm", "motor.nn", shown(motor.rated_speed, RPM)),
         of("@motor_peak", "Peak torque of the motor", "T_max", "Nm", "motor.peak", motor.peak_torque),
         of("@motor_nmax", "Largest speed of the motor", "n_max", "rpm", "motor.nmax", shown(motor.max_speed, RPM)),
         of("@knee", "… up to which the peak torque holds", "n_1", "rpm", "motor.knee", shown(view.falling.knee, RPM)),

@@ -77,7 +77,8 @@ class ToolDrive:
     def motor(self) -> Motor:
         """The motor."""
         m, k = self.before.motors, self.pair[0]
-        return Motor(*(float(one[k]) for one in (m.inertia, m.rated_torque, m.peak_torque, m.max_speed)))
+        figures = m.inertia, m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to
+        return Motor(*(float(one[k]) for one in figures))
 
     @property
     def falling(self) -> Falling:
@@ -111,7 +112,7 @@ class ToolDrive:
     @property
     def reserve(self) -> Reserve:
         """What the cycle asks of the motor against its limits."""
-        return reserve(self.motor, self.points.rms_torque, self.peak, self.speed)
+        return reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
 
     @property
     def peak(self) -> float:
@@ -177,6 +178,8 @@ class ToolDrive:
             Figure("product", "mean of α S, driving", "W/s", mean("al", "S", DRIVES), mixed, turning * torque),
             Figure("product_back", "… driven", "W/s", mean("al", "S", DRIVEN), mixed_back, turning * torque),
             Figure("speed", "largest speed", "rad/s", "fly_w_max", self.asked.speed),
+            Figure("mean", "mean speed", "rad/s",
+                   "SUMPRODUCT([drive_pt.share],([drive_pt.w]^2)^0.5)", self.asked.mean_speed),
             Figure("smax", "largest torque", "Nm", "drive_smax", self.asked.torque, torque),
             Figure("smean", "mean torque", "Nm", "drive_smean", self.asked.mean_torque, torque),
             Figure("inertia", "inertia", "kg m²", "fly_j", self.asked.inertia),
@@ -188,7 +191,7 @@ class ToolDrive:
             Figure("held_jm", "its motor", "kg m²", "drive_jm", motor.inertia),
             Figure("held_i", "its reduction", "", "drive_i", ratio),
             Figure("held_eta", "its efficiency", "", "drive_eta", efficiency),
-            Figure("held_rated", "its rated torque", "Nm", "drive_motor_rated", motor.rated_torque),
+            Figure("held_rated", "its continuous torque", "Nm", "drive_continuous", self.reserve.rms_torque.limit),
             Figure("held_peak", "its peak torque", "Nm", "drive_motor_peak", motor.peak_torque),
             Figure("held_top", "peak torque demand", "Nm", "MAX(drive_tmax,0-drive_tmin)", self.peak,
                    self.motor_torque),

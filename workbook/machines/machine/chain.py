@@ -16,6 +16,8 @@ Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 """the name of one in the catalogue; empty where its figures are entered"""
+NEEDED = ("inertia", "rated_torque", "peak_torque", "max_speed")
+"""figures of a motor without a name"""
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
@@ -62,7 +64,13 @@ class AxisMotor(Model):
 
     name: Product = ""
     inertia: NotNegative | None = None  # kg cm²
-    rated_torque: Positive | None = None  # Nm
+    stall_torque: Positive | None = Field(
+        default=None, description="Continuous torque at standstill, in Nm; empty: the rated torque"
+    )
+    rated_torque: Positive | None = Field(default=None, description="Continuous torque at the rated speed, in Nm")
+    rated_speed: Positive | None = Field(
+        default=None, description="Speed of the rated torque, in rpm; empty: the largest speed"
+    )
     peak_torque: Positive | None = None  # Nm
     max_speed: Positive | None = None  # rpm
     holding: Literal["motor", "brake"] = "motor"
@@ -74,7 +82,7 @@ class AxisMotor(Model):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a figure that is missing of a motor without a name, and one hotter than its limit."""
-        for name in ("inertia", "rated_torque", "peak_torque", "max_speed"):
+        for name in NEEDED:
             if not self.name and getattr(self, name) is None:
                 yield DesignError(name, UNTOLD, "told", 1.0)
         for name in ("temperature", "rated_at"):

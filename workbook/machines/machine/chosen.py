@@ -13,7 +13,7 @@ from engine.machine.limits import ReducerLimits
 from workbook.book.declare import Quantity, calc, check, given
 from workbook.entries.texts import place_of
 from workbook.entries.units import KG_CM2, RPM, si
-from workbook.machines.machine.chain import UNTOLD, AxisMotor
+from workbook.machines.machine.chain import NEEDED, UNTOLD, AxisMotor
 from workbook.machines.machine.entries import Axis
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.entries import Products
@@ -21,7 +21,9 @@ from workbook.selection.entries import Products
 P = TypeVar("P", MotorRow, ReducerRow)
 MOTOR = (
     ("inertia", "inertia", "J_m", "kg cm²", "with its brake"),
-    ("rated_torque", "rated torque", "T_N", "Nm", ""),
+    ("stall_torque", "stall torque", "T_0", "Nm", "empty: the rated one"),
+    ("rated_torque", "rated torque", "T_N", "Nm", "continuous, at the rated speed"),
+    ("rated_speed", "rated speed", "n_N", "rpm", "empty: the largest speed"),
     ("peak_torque", "peak torque", "T_M,max", "Nm", ""),
     ("max_speed", "largest speed", "n_M,max", "rpm", ""),
 )
@@ -33,15 +35,22 @@ REDUCER = (
     ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
 )
-IN_USE = {"inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax"}
+IN_USE = {
+    "inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax",
+    "stall_torque": "@motor_stall", "rated_speed": "@motor_nn",
+}  # fmt: skip
 GEARED = {
     "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
     "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", "t2n"),
     "max_speed": ("@reducer_nmax", "nmax"),
 }  # fmt: skip
 """of each entry of a reducer: the cell that is used, and the column of the catalogue"""
-COLUMNS = {"inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax"}
+COLUMNS = {
+    "inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax",
+    "stall_torque": "stall", "rated_speed": "nn",
+}  # fmt: skip
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
+IN_USE_SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
 LIMITS = ("peak_torque", "mean_torque", "max_speed")
 SI_UNITS = {"kg cm²": "kg m²"}
 """of what is entered in others, for the formulas behind"""
@@ -54,18 +63,22 @@ def named(rows: Iterable[P], name: str) -> P | None:
 
 
 class MotorInUse(NamedTuple):
-    """The motor that a drive has, in the units of entries but for its inertia, in kg m²."""
+    """The motor that a drive has, in the units of entries but for its inertia, in kg m²; 0 if no speed is given."""
 
     row: int
     inertia: float
     rated_torque: float
     peak_torque: float
     max_speed: float
+    stall_torque: float
+    rated_speed: float
+    rated_given: float
 
     @property
     def motor(self) -> Motor:
         """The engine's motor."""
-        return Motor(self.inertia, self.rated_torque, self.peak_torque, si(self.max_speed, RPM))
+        fastest, rated = si(self.max_speed, RPM), si(self.rated_speed, RPM)
+        return Motor(self.inertia, self.rated_torque, self.peak_torque, fastest, self.stall_torque, rated)
 
 
 class ReducerInUse(NamedTuple):
@@ -98,9 +111,11 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
         raise ValueError(f"{axis.name} has no motor")
     found = named(products.motors, axis.motor.name)
     row = place_of(axis.motor.name, [row.name for row in products.motors]) + 1
-    told = MotorInUse(row, *(float(getattr(found or axis.motor, name)) for name in IN_USE))
-    rated = told.motor.derated(left_of(axis.motor)).rated_torque
-    return told._replace(inertia=si(told.inertia, KG_CM2), rated_torque=rated)
+    given, left = found or axis.motor, left_of(axis.motor)
+    inertia, rated, peak, fastest = (float(getattr(given, name)) for name in NEEDED)
+    stall = max(rated, given.stall_torque or 0.0) * left
+    speed = given.rated_speed or 0.0
+    return MotorInUse(row, si(inertia, KG_CM2), rated * left, peak, fastest, stall, speed or fastest, speed)
 
 
 def falling_of(name: str, products: Products) -> Falling:
@@ -188,17 +203,26 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
     rows += [
         calc("@derate", "Motor: share of the rated torque at the ambient temperature", "", "", f"={DERATING}", left,
              source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
+        calc("@nn_given", "Motor: rated speed as it is given", "", "rpm", f"={listed_motor('rated_speed')}+0",
+             motor.rated_given, source="0: not given"),
         *(calc(IN_USE[name], f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={motor_figure(name, unit)}",
-               getattr(motor, name), source="at its temperature" if name == "rated_torque" else "")
+               getattr(motor, name), source=IN_USE_SOURCES.get(name, ""))
           for name, words, symbol, unit, _ in MOTOR),
     ]  # fmt: skip
     return rows
 
 
+def listed_motor(name: str) -> str:
+    """Return the formula of a figure of the motor, of the catalogue or as entered."""
+    return f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))"
+
+
 def motor_figure(name: str, unit: str) -> str:
     """Return the formula of a figure of the motor in use."""
-    listed = f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))"
-    return f"{listed}*@derate" if name == "rated_torque" else in_si(f"{listed}+0", unit)
+    listed = listed_motor(name)
+    of = {"rated_torque": f"{listed}*@derate", "stall_torque": f"MAX(@motor_rated,{listed}*@derate)",
+          "rated_speed": "IF(@nn_given=0,@motor_nmax,@nn_given)"}  # fmt: skip
+    return of.get(name, in_si(f"{listed}+0", unit))
 
 
 def in_si(formula: str, unit: str) -> str:
@@ -208,9 +232,9 @@ def in_si(formula: str, unit: str) -> str:
 
 def told(number: int, called: str) -> Quantity:
     """Return the check that the motor is named, or entered."""
-    figures = ",".join(f"@own_motor_{name}" for name in IN_USE)
+    figures = ",".join(f"@own_motor_{name}" for name in NEEDED)
     return check("@ok_told", f"{called}: a motor is named or entered",
-                 f'OR(@motor_name<>"",COUNT({figures})={len(IN_USE)})', True, rule=f"axes.{number - 1}.motor:told",
+                 f'OR(@motor_name<>"",COUNT({figures})={len(NEEDED)})', True, rule=f"axes.{number - 1}.motor:told",
                  says=f'"{UNTOLD}"')  # fmt: skip
 
 

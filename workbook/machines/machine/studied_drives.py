@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.drivetrain.motor import continuous
 from engine.laws.base import Array
 from engine.machine.bus import Means, means
 from engine.machine.falling import Falling
@@ -140,6 +141,17 @@ class Studied:
         """Largest speeds (rpm)."""
         return self.turning(lambda base: base.speed)
 
+    @cached_property
+    def mean(self) -> Array:
+        """Mean speeds (rpm)."""
+        return self.turning(lambda base: base.points.mean_speed)
+
+    @property
+    def continuous(self) -> Array:
+        """What motors can give all the time at their mean speeds (Nm)."""
+        motor = self.motors_used
+        return continuous(motor["rated_torque"], motor["stall_torque"], motor["rated_speed"], self.mean)
+
     @property
     def at_motor(self) -> Array:
         """Inertia at the motor, without it (kg m²)."""
@@ -239,8 +251,9 @@ class Studied:
             "tmin": lambda: self.extremes.torque_low,
             "rms": lambda: self.rms,
             "speed": lambda: self.speed,
-            "mean": lambda: self.turning(lambda base: base.points.mean_speed),
-            "res_rms": lambda: shares_of(motor("rated_torque"), self.rms),
+            "mean": lambda: self.mean,
+            "continuous": lambda: self.continuous,
+            "res_rms": lambda: shares_of(self.continuous, self.rms),
             "res_peak": lambda: shares_of(motor("peak_torque"), self.extremes.peak),
             "res_speed": lambda: shares_of(motor("max_speed"), self.speed),
             "smax": lambda: self.behind,
@@ -259,7 +272,7 @@ class Studied:
     def _products(self) -> dict[str, Callable[[], Any]]:
         """The figures of motors and reducers themselves."""
         motor = {"motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
-                 "motor_nmax": "max_speed"}  # fmt: skip
+                 "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed"}  # fmt: skip
         reducer = {"reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia",
                    "reducer_peak": "peak_torque", "reducer_mean": "mean_torque",
                    "reducer_nmax": "max_speed"}  # fmt: skip
@@ -286,7 +299,7 @@ class Studied:
         linked = self.axis.given.mechanism and self.axis.given.mechanism.kind in LINKED
         closes = {"ok_back": lambda: told(self.axis.motion.closes)} if linked else {}
         return closes | {
-            "ok_rms": lambda: told(self.rms <= motor("rated_torque")),
+            "ok_rms": lambda: told(self.rms <= self.continuous),
             "ok_peak": lambda: told(self.extremes.peak <= motor("peak_torque")),
             "ok_speed": lambda: told(self.speed <= motor("max_speed")),
             "ok_curve": lambda: self.below_curve,

@@ -237,6 +237,10 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     axis["motor"] |= {
         "temperature": (None, 35.0, 20.0, 90.5, None, 60.0)[(i + k) % SIX], "rated_at": 25.0 + k, "limit": 150.0 + k,
     }  # fmt: skip
+    axis["motor"] |= {
+        "stall_torque": axis["motor"]["rated_torque"] * 1.6 if (i + k) % 2 else None,
+        "rated_speed": axis["motor"]["max_speed"] * 0.4 if (i + k) % 4 else None,
+    }  # fmt: skip
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 
 

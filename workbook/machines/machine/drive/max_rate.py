@@ -1,6 +1,6 @@
 """The highest rate of a drive in cells: what stands at any rate, what grows with its square, and where limits are met.
 
-With T_0 the torque without motion and I = T − T_0, a rate √x times the present one asks for T_0 + x I.
+With T_s the torque without motion and I = T − T_s, a rate √x times the present one asks for T_s + x I.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from engine.machine.max_rate import Share, squares
+from engine.machine.max_rate import Share, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
 from workbook.entries.units import RPM, shown
@@ -17,14 +17,15 @@ from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 NO_LIMIT = "–"
 NOTE = "exact at the rate that is entered; elsewhere to about 1 %"
 ABOUT = (
-    "Without motion a torque T_0 stands; I = T − T_0 grows with the square of the rate. At √x times the rate "
-    "the torque is T_0 + x I: of each limit, 1/x is the share that grows with the square of the rate that is used."
+    "Without motion a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times the rate "
+    "the torque is T_s + x I: of each limit, 1/x is the share that grows with the square of the rate that is used. "
+    "Of T_rms A + 2 B x + C x² = (M − D √x)², where √x ≤ (e + x/e)/2 is taken."
 )
 SPEEDS = ("motor speed", "reducer input speed")
 
 
 def grown(torque: str, limit: str) -> str:
-    """Return the formula of the largest share of a limit of torque: |I| over what T_0 leaves of it at each point."""
+    """Return the formula of the largest share of a limit of torque: |I| over what T_s leaves of it at each point."""
     now, none = f"[@pt.{torque}]", f"[@pt.{torque}0]"
     ways = f"({now}-{none})/({limit}-{none})", f"({none}-{now})/({limit}+{none})"
     return f"MAX({','.join(f'SUMPRODUCT(MAX({way}))' for way in ways)})"
@@ -32,7 +33,7 @@ def grown(torque: str, limit: str) -> str:
 
 USES = {
     "RMS torque": "IF(OR(@speed=0,[stands]>=[limit]),0,"
-    "(SQRT(@mixed^2+@grow*([limit]^2-[stands]^2))+@mixed)/([limit]^2-[stands]^2))",
+    "(SQRT(@half^2+@grow*([limit]*([limit]-@sink*@near)-@stand))+@half)/([limit]*([limit]-@sink*@near)-@stand))",
     "peak torque": grown("T", "@motor_peak"),
     "motor speed": "(@speed/[limit])^2",
     "reducer input speed": "IF([limit]=0,0,(@speed/[limit])^2)",
@@ -41,7 +42,7 @@ USES = {
     "torque below the curve": "MAX(MAX([@pt.uc]),MAX([@pt.ub]))",
 }
 LIMITS = {
-    "RMS torque": "@motor_rated", "peak torque": "@motor_peak", "motor speed": "@motor_nmax",
+    "RMS torque": "@line", "peak torque": "@motor_peak", "motor speed": "@motor_nmax",
     "reducer input speed": "@reducer_nmax", "reducer peak torque": "@reducer_peak",
     "reducer mean torque": "@reducer_mean", "torque below the curve": "@corner",
 }  # fmt: skip
@@ -71,12 +72,21 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the means that the highest rate hangs on, and up to which rate each limit is held."""
     points, size = view.points, view.scales.torque**2
     own, mixed, growing = squares(points)
+    stall, fall, near, half = line(points, view.driven.motor)
     sheet.heading("Workings: the highest rate", ABOUT)
     sheet.rows(
-        calc("@stand", "Mean of T_0²", "A", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
-        calc("@mixed", "Mean of T_0 I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
+        calc("@stand", "Mean of T_s²", "A", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
+        calc("@mixed", "Mean of T_s I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
              scale=size),
         calc("@grow", "Mean of I²", "C", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
+        calc("@line", "Continuous torque at no speed, of the line at the mean speed", "M", "Nm",
+             "=IF(@continuous>@motor_rated,@motor_stall,@motor_rated)", stall, source="T_N beyond n_N"),
+        calc("@sink", "Its fall from there to the mean speed", "D", "Nm", "=@line-@continuous", fall, scale=stall),
+        calc("@near", "Rate at which T_s alone would meet it, over the present one", "e", "",
+             "=IF(@sink>0,MIN(1,(@line-SQRT(@stand))/@sink),1)", near, source="1 at most"),
+        calc("@half", "What grows with x, and half the fall", "b", "Nm²",
+             "=@mixed+IF(@near>0,@sink*(@line/@near-@sink)/2,0)", half, scale=size + stall**2,
+             source="B + D (M/e − D)/2"),
         calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
              points.cubic_mean(view.load.standing_behind), scale=view.scales.behind),
     )  # fmt: skip

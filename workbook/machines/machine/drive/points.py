@@ -145,9 +145,9 @@ def standing(view: DriveView, ratio: str) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, and what grows with the rate below a curve."""
     points, load, size, of = view.points, view.load, view.scales, view.by_point
     columns = [
-        calc("S0", "output torque of the reducer, without inertia", "T_1,0", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
+        calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
              of(load.standing_behind), scale=size.behind, source="F_r/(η_2 φ')"),
-        calc("T0", "torque of the motor, without inertia", "T_0", "Nm", f"=IF({BRAKED},0,{LOSS1.format('[S0]')})",
+        calc("T0", "torque of the motor, without inertia", "T_s", "Nm", f"=IF({BRAKED},0,{LOSS1.format('[S0]')})",
              of(points.standing), scale=size.torque, source="T_1,0/(η_1 i_1)"),
     ]  # fmt: skip
     return [*columns, *(curve(view) if view.knows_falling else ())]

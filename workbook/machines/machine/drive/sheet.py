@@ -7,7 +7,7 @@ from engine.machine.quadrature import STANDSTILL
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount, exceeding
-from workbook.drive.motor import limit_checks, limits_table, plane, rms_point
+from workbook.drive.motor import continuous, limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine import chosen
@@ -135,8 +135,9 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
                source="i_1 φ' ẏ" if view.varies else "C_v h/t, through the ratio"),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
                shown(points.mean_speed, RPM), scale=size.rpm, source="of |n| over the cycle; with T_rms the RMS point"),
+        continuous(view.driven.motor, points.mean_speed),
         result("@res_rms", "Reserve of RMS torque", "", "",
-               "=IF(@rms>0,@motor_rated/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
+               "=IF(@rms>0,@continuous/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
         result("@res_peak", "Reserve of peak torque", "", "",
                "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
         result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),

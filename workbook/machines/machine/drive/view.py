@@ -137,9 +137,7 @@ class DriveView:
     @cached_property
     def shares(self) -> dict[str, Share]:
         """The share of each limit, by its name."""
-        motor = self.driven.motor
-        limits = motor.rated_torque, motor.peak_torque, motor.max_speed
-        return shares(self.points, self.speed, limits, self.driven.reducer.limits, self.driven.falling)
+        return shares(self.points, self.speed, self.driven.motor, self.driven.reducer.limits, self.driven.falling)
 
     @property
     def rate(self) -> float:
@@ -166,7 +164,7 @@ class DriveView:
     def reserve(self) -> Reserve:
         """What a cycle asks of the motor against its limits."""
         points = self.points
-        return reserve(self.driven.motor, points.rms_torque, points.size(points.torque), self.speed)
+        return reserve(self.driven.motor, points.rms_torque, points.size(points.torque), self.speed, points.mean_speed)
 
     @property
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
