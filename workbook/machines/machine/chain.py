@@ -64,13 +64,9 @@ class AxisMotor(Model):
 
     name: Product = ""
     inertia: NotNegative | None = None  # kg cm²
-    stall_torque: Positive | None = Field(
-        default=None, description="Continuous torque at standstill, in Nm; empty: the rated torque"
-    )
-    rated_torque: Positive | None = Field(default=None, description="Continuous torque at the rated speed, in Nm")
-    rated_speed: Positive | None = Field(
-        default=None, description="Speed of the rated torque, in rpm; empty: the largest speed"
-    )
+    stall_torque: Positive | None = None  # Nm
+    rated_torque: Positive | None = None  # Nm
+    rated_speed: Positive | None = None  # rpm
     peak_torque: Positive | None = None  # Nm
     max_speed: Positive | None = None  # rpm
     holding: Literal["motor", "brake"] = "motor"
