@@ -78,8 +78,13 @@ body:has(#live) { max-width: 112rem; }
 @media (max-width: 1200px) { .pictures { grid-template-columns: 1fr; } }
 button { margin: 0 .3rem; } td form { display: inline; }
 .entry label:first-child { display: inline-block; min-width: 15rem; }
+.gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr)); gap: 1rem; }
+.gallery img { max-width: 100%; }
+.sheet { font-size: 8pt; } .sheet h1 { font-size: 1.4rem; } .columns { display: grid; grid-template-columns: 2fr 3fr; }
+.sheet td, .sheet th { padding: .1rem .3rem .1rem 0; white-space: normal; }
+.sheet svg { max-height: 44mm; width: 100%; } .sheet .columns svg { max-height: 56mm; }
 @media print {
-  @page { margin: 16mm 14mm; }
+  @page { size: A4; margin: 12mm 14mm; } .screen { display: none; } .pictures { grid-template-columns: 1fr 1fr; }
   body { font-size: 9pt; margin: 0; padding: 0; max-width: none; }
   h2, h3, thead { break-after: avoid; } thead { display: table-header-group; } tr { break-inside: avoid; }
   a { color: inherit; text-decoration: none; }

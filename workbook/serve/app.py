@@ -3,30 +3,32 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import secrets
 import tempfile
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
-from tornado.web import Application
+from tornado.web import Application, HTTPError
 
 from workbook.build import write_text
 from workbook.errors import WriteError
 from workbook.intake import read_text
-from workbook.serve import fields, pages, studied
+from workbook.serve import fields, pages, sheet, studied
 from workbook.serve.controller import Controller, Export, Read
 from workbook.serve.folder import LARGEST, Folder, plain, state
 from workbook.serve.guarded import Guarded
 from workbook.serve.handler import REPORT, Page, built
 from workbook.serve.study import Begin, Cancel, NewStudy, Progress, Study, Vary
 from workbook.serve.work import Work
+from workbook.templates import TEMPLATES
 from workbook.writing.place import replace
 
-SCRIPTS = ("form.js", "live.js", "study.js", "text.js")
+STATIC = {name: name for name in ("form.js", "live.js", "study.js", "text.js")} | {"favicon.ico": "icon.svg"}
 
 
 class Home(Page):
@@ -104,13 +106,38 @@ class Enter(Page):
         self.finish(await self.work.beside(fields.entered, self.argument("name"), self.text(), *asked))
 
 
-class Script(Guarded):
-    """A script of a page."""
+class Print(Page):
+    """A description as a page to print."""
+
+    async def get(self, name: str) -> None:
+        """Show it."""
+        text = read_text(self.folder.file(name), "a description")
+        self.finish(await self.work.beside(sheet.page, name, text))
+
+
+class Picture(Page):
+    """The picture of a template in the gallery."""
+
+    async def get(self, name: str) -> None:
+        """Send it; it is drawn once."""
+        if name not in TEMPLATES:
+            raise HTTPError(404)
+        if name not in self.drawn:
+            self.drawn[name] = await self.work.beside(sheet.picture, name)
+        self.set_header("Content-Type", "image/svg+xml")
+        self.finish(self.drawn[name])
+
+    drawn: ClassVar[dict[str, str]] = {}
+
+
+class Static(Guarded):
+    """A script of a page, or the icon."""
 
     def get(self, name: str) -> None:
         """Send it."""
-        self.set_header("Content-Type", "text/javascript; charset=utf-8")
-        self.finish(Path(__file__).with_name(name).read_text(encoding="utf-8"))
+        file = Path(__file__).with_name(STATIC[name])
+        self.set_header("Content-Type", "image/svg+xml" if file.suffix == ".svg" else "text/javascript; charset=utf-8")
+        self.finish(file.read_text(encoding="utf-8"))
 
 
 class Save(Page):
@@ -195,6 +222,7 @@ def application(folder: Folder, token: str, hosts: list[str], work: Work) -> App
     shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
     routes = [
         (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
+        (r"/print/([^/]+)", Print), (r"/picture/([^/]+)\.svg", Picture),
         (r"/live", Live), (r"/fields", Fields), (r"/set", Enter),
         (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),
         (r"/vary/([^/]+)", Vary), (r"/study", NewStudy), (r"/study/([^/]+)", Study), (r"/begin", Begin),
@@ -202,7 +230,7 @@ def application(folder: Folder, token: str, hosts: list[str], work: Work) -> App
         (r"/controller/([^/]+)", Controller), (r"/export", Export), (r"/read", Read),
     ]  # fmt: skip
     handlers: list[Any] = [(path, page, shared) for path, page in routes]
-    handlers.append((f"/({'|'.join(SCRIPTS)})", Script))
+    handlers.append((f"/({'|'.join(map(re.escape, STATIC))})", Static))
     return Application(handlers, token=token, hosts=hosts, default_handler_class=Missing)
 
 

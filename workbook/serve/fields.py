@@ -141,7 +141,8 @@ def field(key: Key, place: Place, value: Any, wrong: str, data: dict[str, Any]) 
     known_ = [] if isinstance(value, bool) else choices(key, data)
     wide = 6 if key.expected.startswith("a number") else 12
     attributes = {"value": shown, "placeholder": default_of(key).strip('"'), "data-path": written(place),
-                  "size": f"{wide}", "aria-label": key.meaning, "title": key.expected, "spellcheck": "false"}  # fmt: skip
+                  "size": f"{wide}", "aria-label": key.meaning, "title": key.expected,
+                  "spellcheck": "false"}  # fmt: skip
     attributes |= {"aria-invalid": "true"} if wrong else {}
     if not known_:
         return e("input", type="text", **attributes)

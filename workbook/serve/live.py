@@ -68,16 +68,19 @@ def before(name: str, saved: str) -> Design | None:
 def panel(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:
     """Return the checks that fail, the charts, and the results in short with those of the saved design."""
     faults = [e("p", f"{counted(fault.key)}: {fault.said}") for fault in new.machine.design.faults]
-    failing: list[list[Content]] = [
-        [one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"
-    ]
+    fails = failing(new)
     return [
         *([e("h2", "Unfinished"), *faults] if faults else []),
         e("h2", "Checks that fail"),
-        table(("Sheet", "Check", "Where, and by how much"), failing, ()) if failing else e("p", "None: all are OK."),
+        table(("Sheet", "Check", "Where, and by how much"), fails, ()) if fails else e("p", "None: all are OK."),
         e("div", *pictures(new, old, found), css="pictures"),
-        e("h2", "Results, in short"), table(("", "Now", "Saved", "Unit"), results(new, old), (1, 2)),
+        e("h2", "Results, in short"), table(("", "Now", "Saved", "Change", "Unit"), results(new, old), (1, 2, 3)),
     ]  # fmt: skip
+
+
+def failing(new: Design) -> list[list[Content]]:
+    """Return a row for each check that fails: its sheet, what it is, where and by how much."""
+    return [[one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"]
 
 
 def results(new: Design, old: Design | None) -> list[list[Content]]:
@@ -88,9 +91,17 @@ def results(new: Design, old: Design | None) -> list[list[Content]]:
         sheet, _, axis = one.place.partition(": ")
         if sheet == TITLE:
             saved = known.get(key)
-            other = figure(saved.value) if saved is not None and saved.value != one.value else ""
-            rows.append([f"{axis}: {one.label}" if axis else one.label, figure(one.value), other, one.unit])
+            before = saved.value if saved is not None and saved.value != one.value else None
+            other, by = "" if before is None else figure(before), change(before, one.value)
+            rows.append([f"{axis}: {one.label}" if axis else one.label, figure(one.value), other, by, one.unit])
     return rows
+
+
+def change(before: object, now: object) -> str:
+    """Return by which share of it a number differs from another; nothing where that cannot be said."""
+    if not isinstance(before, int | float) or not isinstance(now, int | float) or not before:
+        return ""
+    return f"{100.0 * (now - before) / abs(before):+.3g} %"
 
 
 def pictures(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:

@@ -21,7 +21,7 @@ def home(folder: Folder, verdicts: Mapping[str, str], waiting: int) -> str:
     body = [
         e("h1", "motionbook"), e("p", str(folder.path), css="quiet"), *queue, e("h2", "Machines in this folder"),
         table(("File", "Changed", "Verdict", ""), rows, ()) if rows else e("p", "No description and no workbook yet."),
-        e("h2", "New machine"), new(),
+        e("h2", "New machine"), gallery(),
         e("h2", "Verify a workbook from elsewhere"), upload(),
         e("h2", "Compare two"), comparison([path.name for path in folder.files()]),
     ]  # fmt: skip
@@ -33,7 +33,7 @@ def row(path: Path, verdicts: Mapping[str, str]) -> list[Content]:
     changed = f"{datetime.fromtimestamp(path.stat().st_mtime).astimezone():%Y-%m-%d %H:%M}"
     if path.suffix.lower() == ".toml":
         links = [link(f"/edit/{path.name}", "Edit"), post("/build", path.name, "Build"),
-                 link(f"/vary/{path.name}", "Study")]  # fmt: skip
+                 link(f"/vary/{path.name}", "Study"), link(f"/print/{path.name}", "Print")]  # fmt: skip
         if is_study(path):
             links = [link(f"/study/{path.name}", "Study")]
     else:
@@ -50,10 +50,16 @@ def is_study(path: Path) -> bool:
     return any(line.startswith("[[vary]]") for line in path.read_text(encoding="utf-8", errors="replace").splitlines())
 
 
-def new() -> Element:
-    """Return the form that begins a machine."""
-    return form("/new", label("Kind", "template"), choice("template", [*TEMPLATES]), label("Name", "name"),
-                text("name", "my-machine"), button("Write a description"))  # fmt: skip
+def gallery() -> Element:
+    """Return the templates with their pictures, each with the form that begins a machine."""
+    cards = []
+    for name in TEMPLATES:
+        words = name.replace("-", " ").capitalize()
+        picture = e("img", src=f"/picture/{name}.svg", alt=f"{words}: its first chart", width="360", height="200")
+        named = e("input", type="text", name="name", value=name, required="required", **{"aria-label": "Name"})
+        begin = form("/new", hidden("template", name), named, button("New machine"))
+        cards.append(e("div", e("h3", words), picture, begin))
+    return e("div", *cards, css="gallery")
 
 
 def upload() -> Element:

@@ -19,11 +19,14 @@ from tests import cutting
 from tests.cutting import TEMPLATE
 from workbook.build import build, write_inputs
 from workbook.controllers.certificates import percent
-from workbook.differences.design import Design
+from workbook.differences.design import Design, read
 from workbook.reading.descriptions import read_machine
 from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
 from workbook.serve.guarded import COOKIE
+from workbook.serve.live import design
+from workbook.serve.sheet import short
+from workbook.templates import TEMPLATES
 
 SAVED = {"name": "cutting.toml", "as": "cutting.toml", "then": "build"}
 BOUNDARY = "----boundary"
@@ -118,6 +121,26 @@ def test_a_tampered_book_from_elsewhere_gets_the_report_of_the_command(server):
     assert f"{sheet}!{cell}" in report
     assert "the formula is not the one that was generated" in report
     assert not (server.root / "tampered.xlsx").exists()
+
+
+def test_the_gallery_has_a_picture_of_each_template(server):
+    home = server.ask("/").body.decode()
+    for name in TEMPLATES:
+        assert f'src="/picture/{name}.svg"' in home
+        picture = server.ask(f"/picture/{name}.svg")
+        assert (picture.code, picture.headers["Content-Type"]) == (200, "image/svg+xml")
+        assert [one.tag for one in fromstring(picture.body).iter() if one.tag.endswith("polyline")]
+    assert server.ask("/picture/nothing.svg").code == 404
+    assert server.ask("/favicon.ico").headers["Content-Type"] == "image/svg+xml"
+
+
+def test_the_page_to_print_has_the_results_of_the_design(server):
+    page = server.ask("/print/live.toml").body.decode()
+    found = read(server.root / "live.toml")
+    assert found.machine.title in page
+    for one in found.results().values():
+        if one.place.startswith("Summary"):
+            assert f">{short(figure(one.value))}<" in page
 
 
 def test_two_machines_are_compared(server):
@@ -240,6 +263,8 @@ def test_what_is_edited_is_shown_beside_it_with_the_figures_of_its_book(server):
     assert all(one.label in panel and one.says in panel for one in fails)
     shown = [one for one in found.results().values() if one.place.startswith("Summary")]
     assert all(f">{figure(one.value)}<" in panel for one in shown)
+    rate = design("live.toml", saved).machine.master.rate
+    assert f">{100.0 * (150.0 / rate - 1.0):+.3g} %<" in panel
     assert panel.count("<svg") >= 1
     assert "#aab2bd" in panel  # the saved design's lines, in grey
 
