@@ -220,6 +220,11 @@ def variants(press: Press) -> list[Press]:
     ]  # fmt: skip
 
 
+def too_weak(press: Press) -> Press:
+    """Return the press with motors that are too weak: a check of its drive FAILs."""
+    return press.model_copy(update={"motors": [Motor(name="M", torque=0.01)]})
+
+
 class Described(Template[Press]):
     """A template whose description stands beside this module."""
 

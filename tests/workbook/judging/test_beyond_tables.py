@@ -9,15 +9,16 @@ from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES
 
 UNDER = [("machine", "axis2"), ("machine", "axes"), ("actuator-sizing", "drive1_parts"), ("actuator-sizing", "motors")]
+NIGHT = [pytest.param(*place, marks=pytest.mark.nightly) for place in UNDER]
 
 
-@pytest.mark.parametrize(("name", "table"), UNDER)
-def test_what_stands_under_the_last_row_is_named(name, table, tmp_path):
-    machine = described(written(small(name), tmp_path / "machine.toml"))
+@pytest.mark.parametrize(("name", "table"), [("press", "axis1"), ("press", "motors"), *NIGHT])
+def test_what_stands_under_the_last_row_is_named(name, table, press, tmp_path):
+    machine = press.machine if name == "press" else described(written(small(name), tmp_path / "machine.toml"))
     build(machine, tmp_path / "book.xlsx")
     assert not any("nothing reads" in note for note in verify(tmp_path / "book.xlsx").notes)
     place = TEMPLATES[machine.template].declare(machine).blocks[table]
-    entry = next(q for q in place.quantities if q.role == "input" and q.format)
+    entry = next(q for q in place.quantities if q.role == "input" and (name == "press" or q.format))
     book = openpyxl.load_workbook(tmp_path / "book.xlsx")
     cell = book[place.sheet.title].cell(place.row + place.size, place.columns[entry.name], 7.0)
     book.save(tmp_path / "edited.xlsx")

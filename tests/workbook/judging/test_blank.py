@@ -7,30 +7,21 @@ from openpyxl.formatting.rule import Rule
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
 
-from tests.workbook.composed import small
-from tests.workbook.judging.hands import Known
-from workbook.build import build, inputs
+from workbook.build import inputs
 
 TABLE = "axis1"
 
 
-@pytest.fixture(scope="module")
-def book(tmp_path_factory):
-    path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(small(cycle=12), path)
-    return Known(path)
-
-
 @pytest.fixture
-def opened(book):
-    return book.opened()
+def opened(press):
+    return press.opened()
 
 
-def said(book, opened):
+def said(press, opened):
     """What is said of how a changed book looks: findings, and notices."""
-    path = book.path.with_name("changed.xlsx")
+    path = press.path.with_name("changed.xlsx")
     opened.save(path)
-    return book.seen(path)
+    return press.seen(path)
 
 
 def hiding(formula):
@@ -51,24 +42,24 @@ def without(sheet, row):
     return taken
 
 
-def changed(book, opened, formula):
+def changed(press, opened, formula):
     """Give the phases a rule of another formula, by the declared one; return the sheet and its first row."""
-    row = book.declared.blocks[TABLE].row
+    row = press.declared.blocks[TABLE].row
     sheet = opened["Timing"]
     (cells, old), = without(sheet, row)  # fmt: skip
     sheet.conditional_formatting.add(cells, hiding(formula(old, row)))
-    return said(book, opened)
+    return said(press, opened)
 
 
-def test_the_declared_rule_is_known(book, opened):
-    report = said(book, opened)
+def test_the_declared_rule_is_known(press, opened):
+    report = said(press, opened)
     assert (report.findings, report.notices) == ([], [])
-    assert inputs(book.path)[1] == []
+    assert inputs(press.path)[1] == []
 
 
-def test_a_rule_that_is_gone_is_a_notice(book, opened):
-    without(opened["Timing"], book.declared.blocks[TABLE].row)
-    report = said(book, opened)
+def test_a_rule_that_is_gone_is_a_notice(press, opened):
+    without(opened["Timing"], press.declared.blocks[TABLE].row)
+    report = said(press, opened)
     assert report.findings == []
     assert [n.expected for n in report.notices] == ["a rule that leaves unused rows blank"]
 
@@ -83,24 +74,24 @@ def test_a_rule_that_is_gone_is_a_notice(book, opened):
         lambda old, row: f"$K{row}>1",
     ],
 )
-def test_a_changed_rule_is_found_with_the_cells_that_it_may_hide(formula, book, opened):
-    report = changed(book, opened, formula)
-    places = {p.address.a1 for p in book.pairs(lambda p: p.cell.block.name == TABLE)}
+def test_a_changed_rule_is_found_with_the_cells_that_it_may_hide(formula, press, opened):
+    report = changed(press, opened, formula)
+    places = {p.address.a1 for p in press.pairs(lambda p: p.cell.block.name == TABLE)}
     assert {f.kind for f in report.findings} == {"shown"}
     assert {f.cell for f in report.findings} <= places
     assert len(report.notices) == 1
 
 
-def test_the_declared_condition_hides_no_input_and_no_other_table(book, opened):
-    row, sheet = book.declared.blocks[TABLE].row, opened["Timing"]
+def test_the_declared_condition_hides_no_input_and_no_other_table(press, opened):
+    row, sheet = press.declared.blocks[TABLE].row, opened["Timing"]
     (cells, old), = without(sheet, row)  # fmt: skip
     sheet.conditional_formatting.add(f"{cells} C{row}:C{row + 3}", hiding(old))
-    found = said(book, opened).findings
+    found = said(press, opened).findings
     assert found
     assert {f.cell for f in found} <= {f"C{row + n}" for n in range(4)}
 
 
-def test_openpyxl_keeps_it(book, tmp_path):
-    workbook = openpyxl.load_workbook(book.path)
+def test_openpyxl_keeps_it(press, tmp_path):
+    workbook = openpyxl.load_workbook(press.path)
     workbook.save(tmp_path / "kept.xlsx")
     assert inputs(tmp_path / "kept.xlsx")[1] == []

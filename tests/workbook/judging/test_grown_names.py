@@ -6,23 +6,19 @@ import openpyxl
 import pytest
 from openpyxl.utils import get_column_letter, quote_sheetname
 
-from tests.workbook.composed import small
-from workbook.build import build
 from workbook.errors import MotionbookError
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
 
 ROOM = ((1, 0), (0, 1), (5, 0), (0, 3), (1, 1))
 AWAY = ((0, 0), (0, 0), (300, 0), (0, 40))
-EDITS = 8
+EDITS = 24
 
 
-@pytest.fixture(scope="module")
-def book(tmp_path_factory):
+@pytest.fixture
+def book(press):
     """The smallest book there is."""
-    path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(small(), path)
-    return path
+    return press.path
 
 
 def renamed(book, path, name, cells, away):

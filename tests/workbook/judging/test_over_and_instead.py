@@ -9,8 +9,8 @@ from openpyxl.chart import ScatterChart
 from openpyxl.drawing.spreadsheet_drawing import AnchorMarker, TwoCellAnchor
 from openpyxl.formatting.rule import DataBarRule, IconSetRule
 
-from tests import cutting
 from tests.workbook.judging.hands import WORKBOOK, Known, repacked
+from tests.workbook.press import too_weak
 from workbook.build import build
 from workbook.errors import ReadError
 from workbook.reading.files import open_book
@@ -20,10 +20,10 @@ MAIN = "http://schemas.openxmlformats.org/drawingml/2006/main"
 
 
 @pytest.fixture(scope="module")
-def failing(tmp_path_factory):
-    """A small book of the cutting machine with a motor too weak."""
+def failing(press, tmp_path_factory):
+    """A book of a press whose motors are too weak."""
     path = tmp_path_factory.mktemp("failing") / "book.xlsx"
-    build(cutting.too_weak(), path)
+    build(too_weak(press.machine), path)
     return Known(path)
 
 
@@ -151,12 +151,15 @@ def renamed(known, path, names):
 
 
 def test_names_of_two_sheets_exchanged_are_found(failing, tmp_path):
-    findings, _ = said(failing, renamed(failing, tmp_path / "a.xlsx", {"TVP": "CIC", "CIC": "TVP"}))
-    assert findings == {("shown", "CIC", "A1"), ("shown", "TVP", "A1")}
+    findings, _ = said(failing, renamed(failing, tmp_path / "a.xlsx", {"Motors": "Timing", "Timing": "Motors"}))
+    assert findings == {("shown", "Timing", "A1"), ("shown", "Motors", "A1")}
 
 
 def test_another_name_of_a_sheet_is_a_notice(failing, tmp_path):
-    assert said(failing, renamed(failing, tmp_path / "a.xlsx", {"TVP": "Trapez"})) == (set(), {("Trapez", "Trapez")})
+    assert said(failing, renamed(failing, tmp_path / "a.xlsx", {"Motors": "Other"})) == (
+        set(),
+        {("Other", "Other")},
+    )
 
 
 # lines of charts
@@ -164,7 +167,7 @@ def test_another_name_of_a_sheet_is_a_notice(failing, tmp_path):
 
 def test_another_line_under_a_declared_name_is_found_and_one_of_its_own_is_taste(edited):
     def second(workbook, name):
-        chart = workbook["Timing"]._charts[1]
+        chart = workbook["Drive MC01"]._charts[1]
         line = copy.deepcopy(chart.series[0])
         line.yVal.numRef.f = "Timing!$A$1:$A$3"
         if name:
@@ -177,7 +180,7 @@ def test_another_line_under_a_declared_name_is_found_and_one_of_its_own_is_taste
 
 def test_a_line_that_is_not_drawn_is_a_notice(edited):
     def bare(workbook):
-        look = workbook["Timing"]._charts[1].series[0].graphicalProperties.line
+        look = workbook["Drive MC01"]._charts[1].series[0].graphicalProperties.line
         look.solidFill, look.noFill = None, True
 
-    assert edited(bare) == (set(), {("Timing", "not drawn")})
+    assert edited(bare) == (set(), {("Drive MC01", "not drawn")})

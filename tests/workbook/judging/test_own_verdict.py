@@ -9,7 +9,7 @@ import pytest
 
 from tests.mutation.bench import sized
 from tests.tiers import by_day
-from tests.workbook.press import Motor
+from tests.workbook.press import too_weak
 from workbook.build import build
 from workbook.judging.many import exit_code
 from workbook.judging.one import Outcome
@@ -22,7 +22,7 @@ from workbook.templates import TEMPLATES
 def failing(press, tmp_path_factory):
     """A sound workbook of a press whose motors are too weak."""
     path = tmp_path_factory.mktemp("failing") / "failing.xlsx"
-    build(press.machine.model_copy(update={"motors": [Motor(name="M", torque=0.01)]}), path)
+    build(too_weak(press.machine), path)
     return path
 
 
