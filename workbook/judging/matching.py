@@ -146,6 +146,12 @@ class Match:
                     for ours, theirs in zip(corners(one), corners(other), strict=True):
                         yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
 
+    def leads_out(self, address: Address) -> bool:
+        """Whether the formula in a cell of the file begins or ends a reference at a cell of no block."""
+        formula = self.file.contents.formulas.get(address)
+        areas = (one for one in formula.arguments if isinstance(one, Area)) if formula is not None else ()
+        return any(corner not in self._held_index for area in areas for corner in corners(area))
+
     def strays(self) -> set[Address]:
         """Return the cells outside of all blocks, and no heading of theirs, to which some formula refers."""
         contents, places = self.file.contents, self._places

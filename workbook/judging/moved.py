@@ -62,7 +62,7 @@ def put_back(file: BookFile, layout: Book) -> list[Finding]:
 def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
     """Yield empty cells of a table of which formulas say that they are elsewhere, with how far."""
     for pair in match.pairs if empty and match.strays() else ():
-        if not pair.declared_formula or not is_formula(pair.held) or pair.held == pair.cell.content:
+        if not pair.declared_formula or pair.held == pair.cell.content or not match.leads_out(pair.address):
             continue
         for (name, i, j), there in match.apart(pair):
             place = match.file.places.get(name)
