@@ -11,6 +11,9 @@ from hypothesis import settings
 
 import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer it makes
 from tests import tiers
+from tests.workbook.judging.hands import Known
+from tests.workbook.press import registered
+from workbook.build import build
 from workbook.cli import main
 
 HERE = Path(__file__).parent
@@ -64,3 +67,12 @@ def motionbook(monkeypatch, capsys):
         return left.value.code, said.out, said.err
 
     return run
+
+
+@pytest.fixture(scope="module")
+def press(tmp_path_factory):
+    """A small book as built, of a press; its template is known while a module's tests run."""
+    path = tmp_path_factory.mktemp("press") / "book.xlsx"
+    with registered() as machine:
+        build(machine, path)
+        yield Known(path)

@@ -7,9 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.workbook.composed import small
-from workbook.build import build
-
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
 FULL = Path("/dev/full")
 VERSION = "echo LibreOffice 99.9"
@@ -26,6 +23,7 @@ def run(arguments, unbuffered="", **streams):
 @posix
 @pytest.mark.parametrize("unbuffered", ["", "1"])
 @pytest.mark.parametrize("arguments", PRINTING, ids=" ".join)
+@pytest.mark.sample(3)
 def test_a_reader_that_leaves_does_not_change_the_verdict(arguments, unbuffered):
     read, write = os.pipe()
     os.close(read)
@@ -37,6 +35,7 @@ def test_a_reader_that_leaves_does_not_change_the_verdict(arguments, unbuffered)
 @posix
 @pytest.mark.parametrize("unbuffered", ["", "1"])
 @pytest.mark.parametrize("arguments", PRINTING, ids=" ".join)
+@pytest.mark.sample(3)
 def test_what_cannot_be_printed_is_told_with_2(arguments, unbuffered):
     with FULL.open("w") as full:
         done = run(arguments, unbuffered, stdout=full, stderr=subprocess.PIPE, text=True)
@@ -71,13 +70,11 @@ def test_a_folder_that_is_gone_is_told_in_a_line(arguments, tmp_path):
     [(does, "libreoffice", 2, "libreoffice gave no values to compare") for does in ("exit 1", "kill -9 $$", VERSION)]
     + [(VERSION, "all", 0, "Not compared by libreoffice")],
 )
-def test_a_witness_that_fails_is_no_verdict(does, asked, code, said, tmp_path):
-    build(small(), tmp_path / "book.xlsx")
+def test_a_witness_that_fails_is_no_verdict(does, asked, code, said, press, motionbook, monkeypatch, tmp_path):
     failing = tmp_path / "soffice"
     failing.write_text(f"#!/bin/sh\n{does}\n")
     failing.chmod(0o755)
-    environment = os.environ | {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    command = [sys.executable, "-m", "workbook", "verify", str(tmp_path / "book.xlsx"), "--with", asked]
-    done = subprocess.run(command, env=environment, check=False, timeout=120, capture_output=True, text=True)
-    assert done.returncode == code
-    assert said in f"{done.stdout}{done.stderr}"
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    found, *told = motionbook("verify", press.path, "--with", asked)
+    assert found == code
+    assert said in "".join(told)

@@ -2,8 +2,6 @@
 
 import pytest
 
-from tests.workbook.judging.hands import Known
-from tests.workbook.press import registered
 from workbook.build import build
 
 
@@ -16,12 +14,3 @@ def build_book():
         return path
 
     return made
-
-
-@pytest.fixture(scope="module")
-def press(tmp_path_factory):
-    """A small book as built, of a press; its template is known while a module's tests run."""
-    path = tmp_path_factory.mktemp("press") / "book.xlsx"
-    with registered() as machine:
-        build(machine, path)
-        yield Known(path)

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests import cutting
+from tests.mutation.bench import sized
 from tests.workbook.composed import committed_as
 from workbook.build import build, inputs
 from workbook.entries.rules import field_at
@@ -127,8 +128,7 @@ def test_case_is_passed_over(name):
 
 @pytest.fixture(scope="module")
 def small():
-    machine = cutting.described()
-    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})})
+    return cutting.small(cycle=12)
 
 
 def test_law_codes_and_the_axis_of_selection_are_found_without_regard_to_case(small, tmp_path):
@@ -162,7 +162,7 @@ def test_a_sheet_takes_a_law_and_an_axis_in_any_case(small, tmp_path):
 def test_a_text_that_reads_as_a_value_stays_the_text_that_is_typed(name, tmp_path):
     """Programs keep 4711, 3-4 or 1E5 in a cell of the format of texts, and make a number or a date of it elsewhere."""
     template = TEMPLATES[name]
-    machine = read_machine(template.description)
+    machine = sized(template)
     build(machine, tmp_path / "book.xlsx")
     book = openpyxl.load_workbook(tmp_path / "book.xlsx")
     texts = 0
@@ -176,13 +176,13 @@ def test_a_text_that_reads_as_a_value_stays_the_text_that_is_typed(name, tmp_pat
     assert texts >= 5
 
 
-@pytest.mark.parametrize(("name", "key"), [
-    ("motion-composer", "axes.*.group"), ("motion-composer", "title"), ("motion-composer", "laws.OWN.name"),
+@pytest.mark.parametrize(("name", "key", "value"), [
+    *(("press", key, value) for key in ("title", "motors.*.name") for value in ("#N/A", "#ref!", "#DIV/0!")),
+    ("motion-composer", "laws.OWN.name", "#N/A"),
 ])  # fmt: skip
-@pytest.mark.parametrize("value", ["#N/A", "#ref!", "#DIV/0!"])
-def test_an_error_value_is_no_text(name, key, value, tmp_path):
+def test_an_error_value_is_no_text(name, key, value, press, tmp_path):
     """Pasted, it would go through every formula that shows the text."""
-    template, machine = committed_as(name)
+    template, machine = (press.template, press.machine) if name == "press" else committed_as(name)
     build(machine, tmp_path / "book.xlsx")
     block, q = next((b, q) for b in template.declare(machine).blocks.values() for q in b.quantities if q.key == key)
     book = openpyxl.load_workbook(tmp_path / "book.xlsx")

@@ -10,7 +10,7 @@ import openpyxl
 import pytest
 import yaml
 
-from tests import cutting
+from tests.workbook.composed import small
 from workbook.build import build
 
 ROOT = Path(__file__).parents[3]
@@ -21,9 +21,9 @@ def books(tmp_path_factory):
     """A folder with a sound book, one with an edited formula, and a file that is none."""
     folder = tmp_path_factory.mktemp("pipeline") / "books"
     folder.mkdir()
-    build(cutting.small(cycle=12, law=4, own_law=4), folder / "sound.xlsx")
+    build(small(), folder / "sound.xlsx")
     book = openpyxl.load_workbook(folder / "sound.xlsx")
-    sheet, cell = book.defined_names["drive1_tmax"].attr_text.replace("$", "").replace("'", "").split("!")
+    sheet, cell = book.defined_names["axis1_position"].attr_text.replace("$", "").replace("'", "").split("!")
     book[sheet][cell] = "=1+1"
     book.save(folder / "edited.xlsx")
     (folder / "broken.xlsx").write_bytes(b"PK")
@@ -62,7 +62,7 @@ def test_sarif_names_file_cell_and_kind_of_each_finding(ran):
     assert "sound.xlsx" not in by_file or {r["level"] for r in by_file["sound.xlsx"]} == {"warning"}
     assert [r["ruleId"] for r in by_file["broken.xlsx"]] == ["unreadable"]
     (edited,) = [r for r in by_file["edited.xlsx"] if r["ruleId"] == "formula"]
-    assert edited["locations"][0]["logicalLocations"][0]["fullyQualifiedName"].startswith("Drive MC01!")
+    assert edited["locations"][0]["logicalLocations"][0]["fullyQualifiedName"].startswith("Timing!")
     assert edited["level"] == "error"
 
 

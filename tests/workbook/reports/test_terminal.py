@@ -3,20 +3,16 @@
 import json
 import os
 import shutil
-import sys
 import tomllib
 
 import pytest
 from rich.console import Console
 
-from tests import cutting
 from workbook import cli
-from workbook.build import build
 from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
-from workbook.reading.descriptions import write_machine
 from workbook.reports import console, summary
 from workbook.reports.terminal import say, say_data, shown
 from workbook.visible import visible
@@ -71,19 +67,9 @@ def test_reports_are_not_obeyed(tmp_path, capsys):
     assert ":warning:" in printed
 
 
-@pytest.fixture(scope="module")
-def book(tmp_path_factory):
-    machine = cutting.small(cycle=4, law=4, own_law=4)
-    path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(machine, path)
-    path.with_suffix(".toml").write_text(write_machine(machine), encoding="utf-8")
-    return path
-
-
 @posix
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.sample(3)
-def test_names_of_files_are_not_obeyed(name, book, monkeypatch, capsys, tmp_path):
+def test_names_of_files_are_not_obeyed(name, press, motionbook, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     for name_, stream in (("OUT", False), ("ERR", True)):  # as on a terminal, with its status line
         shown_on = Console(stderr=stream, force_terminal=True, width=500, color_system=None)
@@ -91,21 +77,16 @@ def test_names_of_files_are_not_obeyed(name, book, monkeypatch, capsys, tmp_path
             if hasattr(module, name_):
                 monkeypatch.setattr(module, name_, shown_on)
     tmp_path.joinpath(name).parent.mkdir(exist_ok=True)  # one of the names has a slash
-    shutil.copy(book, f"{name}.xlsx")
+    shutil.copy(press.path, f"{name}.xlsx")
     commands = [
         ["inputs", f"{name}.xlsx", "-o", f"{name}.toml"], ["inputs", f"{name}.xlsx", "-o", f"{name}.toml"],
         ["build", f"{name}.none"], ["verify", f"{name}.none", f"{name}.no"], ["verify", f"{name}.none"],
         ["regenerate", f"{name}.xlsx", "-o", f"{name}.xlsx"], ["inputs", f"{name}.xlsx", "-o", f"{name}/x.toml"],
     ]  # fmt: skip
     for arguments in commands:
-        monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
-        capsys.readouterr()
-        with pytest.raises(SystemExit) as left:
-            cli.main()
-        out, err = capsys.readouterr()
+        code, out, err = motionbook(*arguments)
         said = without_status(out + err)
-        assert left.value.code in (0, 2), said
-        assert "Traceback" not in said
+        assert code in (0, 2), said
         assert "failed inside" not in said
         assert visible(name) in said
         assert [line for line in said.splitlines() if not line.isprintable()] == []
@@ -128,37 +109,28 @@ MISUSED = [
 
 
 @pytest.mark.parametrize("arguments", MISUSED, ids=lambda words: " ".join(words).encode("unicode_escape").decode())
-def test_a_misused_command_is_told_in_one_line(arguments, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
-    with pytest.raises(SystemExit) as left:
-        cli.main()
-    out, err = capsys.readouterr()
-    assert (left.value.code, out) == (2, "")
+def test_a_misused_command_is_told_in_one_line(arguments, motionbook):
+    code, out, err = motionbook(*arguments)
+    assert (code, out) == (2, "")
     (line,) = err.splitlines()
     assert line.isprintable()
     assert line.endswith("See --help.")
 
 
-def test_help_is_shown_where_nothing_is_asked(monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["motionbook"])
-    with pytest.raises(SystemExit) as left:
-        cli.main()
-    out, err = capsys.readouterr()
-    assert left.value.code == 2
+def test_help_is_shown_where_nothing_is_asked(motionbook):
+    code, out, err = motionbook()
+    assert code == 2
     assert "verify" in out + err
 
 
 @pytest.mark.parametrize("fault", [RuntimeError("[/red]\x1b"), RecursionError("deep"), MemoryError()])
-def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, monkeypatch, capsys, tmp_path):
+def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, motionbook, monkeypatch, tmp_path):
     def fail(*_, **__):
         raise fault
 
     monkeypatch.setattr(make.making, "described", fail)
-    monkeypatch.setattr(sys, "argv", ["motionbook", "build", "-o", str(tmp_path / "book.xlsx")])
-    with pytest.raises(SystemExit) as left:
-        cli.main()
-    out, err = capsys.readouterr()
-    assert (left.value.code, out) == (2, "")
+    code, out, err = motionbook("build", "-o", tmp_path / "book.xlsx")
+    assert (code, out) == (2, "")
     (line,) = err.splitlines()
     assert line.startswith("motionbook failed inside")
     assert line.isprintable()

@@ -9,9 +9,7 @@ from socketserver import StreamRequestHandler, ThreadingTCPServer
 import openpyxl
 import pytest
 
-from tests import cutting as cutting_machine
 from workbook.book.address import Address
-from workbook.build import build
 from workbook.errors import WitnessError
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
@@ -47,14 +45,6 @@ def port():
         server.shutdown()
 
 
-@pytest.fixture(scope="module")
-def cutting(tmp_path_factory):
-    """A small book of the cutting machine."""
-    path = tmp_path_factory.mktemp("cutting") / "book.xlsx"
-    build(cutting_machine.small(), path)
-    return path
-
-
 def with_picture(book, path, address):
     """A copy of a book with a picture on a sheet that is linked to an address."""
     with zipfile.ZipFile(book) as archive:
@@ -81,9 +71,9 @@ def with_picture(book, path, address):
 
 
 @pytest.mark.parametrize("name", [name for name in WITNESSES if WITNESSES[name]().version()])
-def test_no_witness_fetches_what_a_book_links_to(name, port, cutting, tmp_path):
+def test_no_witness_fetches_what_a_book_links_to(name, port, press, tmp_path):
     address, asked = port
-    assert verify(with_picture(cutting, tmp_path / "b.xlsx", address), [name]).findings == []
+    assert verify(with_picture(press.path, tmp_path / "b.xlsx", address), [name]).findings == []
     assert asked == []
 
 

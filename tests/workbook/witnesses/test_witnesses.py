@@ -1,64 +1,23 @@
 """Each witness agrees with the engine, and notices a corrupted formula and, where it reads them, corrupted values."""
 
-import re
-import zipfile
-
 import pytest
 
-from tests import cutting as cutting_machine
 from tests.mutation.bench import smaller
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build
-from workbook.build import inputs as read_inputs
 from workbook.errors import MotionbookError, WitnessError
-from workbook.judging.matching import Match
 from workbook.judging.verify import verify
-from workbook.reading.files import open_book
 from workbook.reports.console import verdict
-from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
-
-
-@pytest.fixture(scope="module", params=by_day(DESCRIBED, COMPOSED))
-def book(request, tmp_path_factory):
-    """A small book of each template."""
-    path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    _, machine = committed_as(request.param)
-    build(smaller(machine), path)
-    return path
-
-
-def a_result(book):
-    """Where a book has a number that a formula computes, and which."""
-    file = open_book(book)
-    declared = TEMPLATES[file.value(file.places["book_template"].cell(0, 0))].declare(read_inputs(book)[0])
-    for pair in Match(file, declared).pairs:
-        if pair.declared_formula and isinstance(pair.cell.expected, float) and pair.cell.expected != 0:
-            return pair.address, pair.cell.expected
-    raise AssertionError(f"{book}: no formula computes a number")
-
-
-def changed(book, path, address, pattern, replacement):
-    """A copy of ``book`` with ``pattern`` replaced within one cell's XML."""
-    number = open_book(book).workbook.sheetnames.index(address.sheet) + 1
-    with zipfile.ZipFile(book) as old, zipfile.ZipFile(path, "w") as new:
-        for name in old.namelist():
-            data = old.read(name)
-            if name == f"xl/worksheets/sheet{number}.xml":
-                cell = re.search(rb'<c r="%s".*?</c>' % address.a1.encode(), data)[0]
-                other, count = re.subn(pattern, replacement, cell)
-                assert count == 1
-                data = data.replace(cell, other)
-            new.writestr(name, data)
-    return path
-
 
 COMPUTING = [name for name in WITNESSES if name != "saved"]
 
 
-def test_the_witnesses_agree_and_say_their_versions(book):
-    report = verify(book, list(WITNESSES))
+@pytest.mark.parametrize("name", by_day(DESCRIBED, COMPOSED))
+def test_the_witnesses_agree_and_say_their_versions(name, tmp_path):
+    build(smaller(committed_as(name)[1]), tmp_path / "book.xlsx")
+    report = verify(tmp_path / "book.xlsx", list(WITNESSES))
     assert report.findings == []
     assert [ran.name for ran in report.witnesses] == list(WITNESSES)
     assert [ran.name for ran in report.witnesses if ran.version is None] == []
@@ -66,9 +25,9 @@ def test_the_witnesses_agree_and_say_their_versions(book):
     assert report.compared == report.declared > 1000
 
 
-def test_each_witness_computes_a_corrupted_formula_and_is_not_misled_by_the_saved_value(book, tmp_path):
-    address, right = a_result(book)
-    path = changed(book, tmp_path / "b.xlsx", address, rb"<f>(.*?)</f>", rb"<f>1.25*(\1)</f>")
+def test_each_witness_computes_a_corrupted_formula_and_is_not_misled_by_the_saved_value(press, tmp_path):
+    address, right = (pair := press.a_number()).address, pair.cell.expected
+    path = press.changed(tmp_path / "b.xlsx", address, rb"<f>(.*?)</f>", rb"<f>1.25*(\1)</f>")
     report = verify(path, list(WITNESSES))
     found = [f for f in report.findings if (f.sheet, f.cell) == (address.sheet, address.a1)]
     assert found[0].kind == "formula"
@@ -77,40 +36,28 @@ def test_each_witness_computes_a_corrupted_formula_and_is_not_misled_by_the_save
     assert len(report.witnesses) == len(WITNESSES)
 
 
-def test_a_corrupted_saved_value_misleads_no_witness_and_is_found_beside_each(book, tmp_path):
+def test_a_corrupted_saved_value_misleads_no_witness_and_is_found_beside_each(press, tmp_path):
     """LibreOffice has its say in the test above: the saved value that it must not take is the right one there."""
-    address, right = a_result(book)
-    path = changed(book, tmp_path / "b.xlsx", address, rb"(<v ?>).*?(</v>)", rb"\g<1>%a\g<2>" % (1.25 * right))
+    address, right = (pair := press.a_number()).address, pair.cell.expected
+    path = press.changed(tmp_path / "b.xlsx", address, rb"(<v ?>).*?(</v>)", rb"\g<1>%a\g<2>" % (1.25 * right))
     report = verify(path, [name for name in WITNESSES if name != "libreoffice"])
     (found,) = report.findings
     assert (found.kind, found.witness, found.expected, found.cell) == ("saved", "saved", right, address.a1)
     assert found.computed == pytest.approx(1.25 * right, rel=1e-12)
 
 
-@pytest.fixture(scope="module")
-def cutting(tmp_path_factory):
-    """A small book of the cutting machine."""
-    path = tmp_path_factory.mktemp("cutting") / "book.xlsx"
-    build(cutting_machine.small(), path)
-    return path
-
-
-def test_saved_refuses_a_file_that_was_never_calculated(cutting, tmp_path):
-    import openpyxl
-
+def test_saved_refuses_a_file_that_was_never_calculated(press, tmp_path):
     path = tmp_path / "b.xlsx"
-    openpyxl.load_workbook(cutting).save(path)
+    press.opened().save(path)
     report = verify(path, ["pycel", "saved"])
     assert [f.kind for f in report.findings] == ["witness"]
     assert "no saved values" in report.findings[0].computed
 
 
-def test_each_witness_computes_a_book_that_a_program_saved_without_values(cutting, tmp_path):
+def test_each_witness_computes_a_book_that_a_program_saved_without_values(press, tmp_path):
     """Saved by openpyxl, an empty cell with a style says that it is a number: to read it as 0 would be another book."""
-    import openpyxl
-
     path = tmp_path / "b.xlsx"
-    opened = openpyxl.load_workbook(cutting)
+    opened = press.opened()
     opened.save(path)
     report = verify(path, [name for name in COMPUTING if WITNESSES[name]().version()])
     assert [f for f in report.findings if f.witness in COMPUTING] == []
@@ -121,7 +68,7 @@ def test_each_witness_computes_a_book_that_a_program_saved_without_values(cuttin
     [(["all"], []), (["pycel", "formualizer"], ["witness"]), (["all", "formualizer"], ["witness"]),
      (["formualizer"], ["witness"])],
 )  # fmt: skip
-def test_a_witness_that_fails_counts_where_it_was_named_or_no_other_computed(names, kinds, cutting, monkeypatch):
+def test_a_witness_that_fails_counts_where_it_was_named_or_no_other_computed(names, kinds, press, monkeypatch):
     """Those that ``all`` finds on a machine judge without it, and it is named."""
 
     def fails(*_):
@@ -130,20 +77,18 @@ def test_a_witness_that_fails_counts_where_it_was_named_or_no_other_computed(nam
     few = {name: WITNESSES[name] for name in ("pycel", "formualizer", "saved")}
     monkeypatch.setattr("workbook.judging.verify.WITNESSES", few)
     monkeypatch.setattr(few["formualizer"], "values", fails)
-    report = verify(cutting, names)
+    report = verify(press.path, names)
     assert [(f.kind, f.cell) for f in report.findings] == [(kind, "formualizer") for kind in kinds]
     assert ("Not compared by formualizer: it failed" in verdict(report)) == (not kinds)
 
 
-def test_an_unknown_witness_is_refused(cutting):
+def test_an_unknown_witness_is_refused(press):
     with pytest.raises(MotionbookError, match="expected " + ", ".join(WITNESSES)):
-        verify(cutting, ["excel"])
+        verify(press.path, ["excel"])
 
 
-def test_error_values_volatile_and_other_functions_in_own_cells_are_no_finding(cutting, tmp_path):
-    import openpyxl
-
-    opened = openpyxl.load_workbook(cutting)
+def test_error_values_volatile_and_other_functions_in_own_cells_are_no_finding(press, tmp_path):
+    opened = press.opened()
     sheet = opened.create_sheet("Mine")
     sheet["A1"], sheet["A2"], sheet["A3"], sheet["A4"] = "=1/0", "=Timing!D8*2", "#REF!", "=NOW()"
     opened.save(tmp_path / "b.xlsx")
@@ -153,12 +98,12 @@ def test_error_values_volatile_and_other_functions_in_own_cells_are_no_finding(c
 
 
 @pytest.mark.parametrize(("names", "kinds"), [(["pycel", "formualizer"], []), (["formualizer"], ["witness"])])
-def test_a_workbook_too_large_for_one_witness_is_compared_by_the_others(names, kinds, book, monkeypatch):
+def test_a_workbook_too_large_for_one_witness_is_compared_by_the_others(names, kinds, press, monkeypatch):
     def refused(_: bytes) -> None:
         raise RuntimeError("Unsupported feature: formula cell count limit in workbook")
 
     monkeypatch.setattr("workbook.witnesses.formualizer.formualizer.recalculate_xlsx_bytes", refused)
-    report = verify(book, names)
+    report = verify(press.path, names)
     assert [finding.kind for finding in report.findings] == kinds
     (ran,) = [one for one in report.witnesses if one.name == "formualizer"]
     assert (ran.answered, ran.why) == (False, "formualizer takes no workbook of so many formula cells")
