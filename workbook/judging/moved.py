@@ -16,7 +16,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.book.formula import REFERENCE, TOKEN, corner, unquoted
 from workbook.judging.layout import titled
-from workbook.judging.matching import Match, Pair, is_formula
+from workbook.judging.matching import Match, Pair
 from workbook.judging.report import LAYOUT, Finding
 from workbook.reading.files import BookFile, find_places
 from workbook.reading.package import tag
