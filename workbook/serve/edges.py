@@ -65,6 +65,7 @@ def phases(text: str, begin: int, end: int) -> Iterator[tuple[int, int]]:
 def add_handles(svg: Element, scales: Scales, lines: list[Line], found: list[Edge], shifts: dict[str, float]) -> None:
     """Add a handle to the timing diagram for each edge, on the line of its axis."""
     drawn = {line.name: line for line in lines}
+    svg.set("role", "group")
     for edge in found:
         line = drawn.get(edge.axis)
         if line is None:

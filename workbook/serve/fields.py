@@ -36,11 +36,8 @@ def form(name: str, text: str, part: str) -> str:
     options = [e("option", called(one, data), value=written(one), **({"selected": "selected"} if one == chosen else {}))
                for one in parts]  # fmt: skip
     said = faults(name, text, data)
-    body = [e("label", "Part ", e("select", *options, id="part"))]
-    for one in tables:
-        if part_of(one.place) == chosen:
-            body += rows(one, said, data)
-    return markup(body)
+    shown = [row for one in tables if part_of(one.place) == chosen for row in rows(one, said, data)]
+    return markup([e("label", "Part ", e("select", *options, id="part")), e("div", *shown)])
 
 
 def entered(name: str, text: str, path: str, do: str, value: str) -> str:

@@ -8,16 +8,22 @@ function at(path) {
   return [...form.querySelectorAll("input")].find((one) => one.dataset.path === path);
 }
 
+/** The names of the parts: while they are the same, the choice of one stays, with the keys that are typed in it. */
+function names(parent) {
+  return [...parent.querySelectorAll("option[value^='[']")].map((one) => one.text).join("\n");
+}
+
 function fill(words) {
   const focused = document.activeElement;
   const typed = form.contains(focused) && focused.dataset.path ? { path: focused.dataset.path, value: focused.value } : null;
   const begun = typed && focused.value !== focused.defaultValue;
-  const chosen = form.contains(focused) && focused.id;
   const top = form.scrollTop;
-  form.innerHTML = words;
+  const fresh = document.createElement("div");
+  fresh.innerHTML = words;
+  if (names(fresh) && names(fresh) === names(form)) form.lastChild.replaceWith(fresh.lastChild);
+  else form.replaceChildren(...fresh.childNodes);
   form.scrollTop = top;
-  part = document.getElementById("part")?.value ?? part;
-  if (chosen) document.getElementById(chosen)?.focus({ preventScroll: true });
+  part = form.querySelector("select")?.value ?? part;
   const field = typed && at(typed.path);
   if (!field) return;
   field.focus({ preventScroll: true });

@@ -161,4 +161,5 @@ def select() -> Element:
     """Return what can be asked of a result."""
     words = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",
              "at most": "at most", "off": "no constraint"}  # fmt: skip
-    return e("select", *(e("option", said, value=key) for key, said in words.items()), name="what")
+    return e("select", *(e("option", said, value=key) for key, said in words.items()), name="what",
+             **{"aria-label": "What is asked of it"})  # fmt: skip

@@ -1,95 +1,27 @@
 """motionbook in the browser: each page by a person's steps, and what strangers must not be able to do."""
 
-import http.client
 import json
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import time
-from functools import partial
-from urllib.parse import urlencode
 from xml.etree.ElementTree import fromstring
 
 import openpyxl
 import pytest
 
-from tests import cutting
 from tests.cutting import TEMPLATE
-from workbook.build import build, write_inputs
 from workbook.controllers.certificates import percent
 from workbook.differences.design import Design, read
 from workbook.reading.descriptions import read_machine
 from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
-from workbook.serve.guarded import COOKIE
 from workbook.serve.live import design
 from workbook.serve.sheet import short
 from workbook.templates import TEMPLATES
 
 SAVED = {"name": "cutting.toml", "as": "cutting.toml", "then": "build"}
-BOUNDARY = "----boundary"
-ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
-
-
-class Answer:
-    """What the server answered."""
-
-    def __init__(self, response):
-        self.code, self.headers, self.body = response.status, response.headers, response.read()
-
-
-class Server:
-    """The command, serving a folder with the cutting machine in small tables."""
-
-    def __init__(self, root, host, token):
-        self.root, self.host, self.token = root, host, token
-
-    def ask(self, path, body=None, cookie=None, origin=None, **headers):
-        """Ask as the browser does; a body is posted."""
-        headers = {"Cookie": f"{COOKIE}={self.token if cookie is None else cookie}", "Host": self.host} | headers
-        if body is not None:
-            headers["Origin"] = origin or f"http://{self.host}"
-            headers.setdefault("Content-Type", "application/x-www-form-urlencoded")
-        connection = http.client.HTTPConnection(self.host, timeout=300)
-        connection.request("GET" if body is None else "POST", path, body, headers)
-        answer = Answer(connection.getresponse())
-        connection.close()
-        return answer
-
-    def form(self, **fields):
-        return urlencode(fields, doseq=True)
-
-    def upload(self, path, field, name, data, **fields):
-        part = f'--{BOUNDARY}\r\nContent-Disposition: form-data; name="'
-        head = "".join(f'{part}{key}"\r\n\r\n{value}\r\n' for key, value in fields.items())
-        head += f'{part}{field}"; filename="{name}"\r\n\r\n'
-        body = head.encode() + data + f"\r\n--{BOUNDARY}--\r\n".encode()
-        return self.ask(path, body, **{"Content-Type": f"multipart/form-data; boundary={BOUNDARY}"})
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    """The command, running."""
-    root = tmp_path_factory.mktemp("serve") / "machines"
-    root.mkdir()
-    (root.parent / "secret.toml").write_text("outside")
-    machine = cutting.small(cycle=12, law=4, own_law=4)
-    write_inputs(machine, root / "cutting.toml")
-    write_inputs(machine, root / "live.toml")
-    build(machine, root / "cutting.xlsx")
-    command = [sys.executable, "-u", "-m", "workbook", "serve", str(root), "--no-browse"]
-    heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # tests in the background ignore Ctrl+C
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, preexec_fn=heard) as process:
-        found = ADDRESS.match(process.stdout.readline())
-        yield Server(root, found[1], found[2])
-        process.send_signal(signal.SIGINT)
-        try:
-            assert process.wait(20) == 0
-        finally:
-            process.kill()
-
 
 # --- a person's steps
 

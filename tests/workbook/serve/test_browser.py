@@ -1,0 +1,180 @@
+"""The pages in the system's Chromium, by a person's steps; nothing leaves the host, nothing shuts anybody out."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from urllib.parse import urlsplit
+
+import openpyxl
+import pytest
+
+from workbook.reading.descriptions import read_machine
+from workbook.serve.live import design
+
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+SMALL = "\n[sizes]\ncycle = 12\nlaw = 4\nown_law = 4\n"
+SERIOUS = ("serious", "critical")
+NARROW, WIDE = 1024, 1600
+LONG = 60_000  # ms: a workbook is built, or verified
+
+try:
+    from axe_playwright_python.sync_playwright import Axe
+    from playwright.sync_api import expect, sync_playwright
+except ImportError:
+    CHROMIUM = None
+
+if CHROMIUM is None and "CI" not in os.environ:
+    pytest.skip("Chromium, or the Python package playwright, is not on this machine", allow_module_level=True)
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with sync_playwright() as driver:
+        one = driver.chromium.launch(executable_path=CHROMIUM)
+        yield one
+        one.close()
+
+
+@pytest.fixture
+def page(browser, server):
+    """A page that opened the printed address; at the end no request has left the host, and no error was logged."""
+    context = browser.new_context(viewport={"width": WIDE, "height": 1000})
+    context.set_default_timeout(LONG)
+    said, asked = [], []
+    context.on("request", lambda request: asked.append(urlsplit(request.url).netloc))
+    context.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
+    context.on("weberror", lambda error: said.append(str(error.error)))
+    one = context.new_page()
+    one.goto(f"http://{server.host}/?token={server.token}")
+    yield one
+    context.close()
+    assert set(asked) == {server.host}
+    assert said == []
+
+
+def opened(page, server, path):
+    """Go to a page, and wait for what its script fetches."""
+    page.goto(f"http://{server.host}{path}")
+    if path.startswith("/edit"):
+        page.wait_for_selector("#live table")
+        page.wait_for_selector("#form input")
+
+
+def text_of(page):
+    return page.locator("#text").input_value()
+
+
+def shown(page, words):
+    """Wait until the panel has these words."""
+    expect(page.locator("#live")).to_contain_text(words, timeout=LONG)
+
+
+def verified(page, server, path):
+    """The report of a workbook from elsewhere."""
+    opened(page, server, "/")
+    page.set_input_files("#book", path)
+    page.locator("form[action='/upload'] button").click()
+    page.wait_for_selector("h2")
+    return page.locator("body").inner_text()
+
+
+def test_a_new_machine_is_dragged_built_verified_and_exported(page, server, tmp_path):
+    page.locator(".gallery > div", has_text="Machine").first.get_by_label("Name").fill("mine")
+    page.locator(".gallery > div", has_text="Machine").first.get_by_role("button").click()
+    page.wait_for_selector("#live .edge")
+    page.locator("#text").fill(re.sub(r"(?s)\[selection\].*?\n\n", "", text_of(page)) + SMALL)
+    shown(page, "Highest rate")
+    edge = page.locator('.edge[data-edge="MC02 135"]')
+    box = edge.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] / 2 + 6, box["y"], steps=4)
+    page.mouse.up()
+    expect(page.locator("#undo")).to_be_enabled()
+    stop = design("mine.toml", text_of(page)).machine.axes[1].phases[0].stop
+    assert 136.0 <= stop <= 160.0
+    page.get_by_role("button", name="Save and build").click()
+    with page.expect_download() as book:
+        page.get_by_role("link", name="Download").click()
+    book.value.save_as(tmp_path / "mine.xlsx")
+    assert read_machine(server.root / "mine.toml").axes[1].phases[0].stop == stop
+    assert "None: every formula cell computes what the engine computes" in verified(
+        page, server, tmp_path / "mine.xlsx"
+    )
+    opened(page, server, "/controller/mine.xlsx")
+    page.select_option("#axis", "MC02")
+    page.select_option("#target", "siemens")
+    page.get_by_role("button", name="Export").click()
+    with page.expect_download() as file:
+        page.get_by_role("link", name="Download").click()
+    file.value.save_as(tmp_path / "browser.scl")
+    command = ["export", server.root / "mine.xlsx", "--axis", "MC02", "--to", "siemens", "-o", tmp_path / "command.scl"]
+    subprocess.run([sys.executable, "-m", "workbook", *map(str, command)], check=True, capture_output=True)
+    assert (tmp_path / "browser.scl").read_bytes() == (tmp_path / "command.scl").read_bytes()
+
+
+def test_a_tampered_book_has_its_cell_named(page, server, tmp_path):
+    book = openpyxl.load_workbook(server.root / "cutting.xlsx")
+    sheet, cell = book.defined_names["drive1_tmax"].attr_text.replace("$", "").replace("'", "").split("!")
+    book[sheet][cell] = "=1+1"
+    book.save(tmp_path / "tampered.xlsx")
+    assert f"{sheet}!{cell}" in verified(page, server, tmp_path / "tampered.xlsx")
+
+
+def test_a_design_is_edited_by_the_keyboard_alone(page, server):
+    shutil.copy(server.root / "live.toml", server.root / "keys.toml")
+    opened(page, server, "/edit/keys.toml")
+    before = text_of(page)
+    tabbed(page, "#part")
+    page.keyboard.type("master")
+    field = '#form input[aria-label="Production rate"]'
+    page.wait_for_selector(field)
+    tabbed(page, field)
+    page.keyboard.press("Control+A")
+    page.keyboard.type("150")
+    page.keyboard.press("Enter")
+    expect(page.locator("#text")).to_have_value(re.compile(r"rate = 150\.0"))
+    tabbed(page, ".edge")
+    value = page.locator(".edge:focus").get_attribute("aria-valuenow")
+    page.keyboard.press("ArrowRight")
+    expect(page.locator(".edge:focus")).to_have_attribute("aria-valuenow", f"{float(value) + 1:g}", timeout=LONG)
+    for _ in range(2):
+        page.keyboard.press("Control+Z")
+    assert text_of(page) == before
+    page.keyboard.press("Control+Y")
+    assert "rate = 150.0" in text_of(page)
+    tabbed(page, "button[value=edit]")
+    page.keyboard.press("Enter")
+    page.wait_for_url("**/edit/keys.toml")
+    assert read_machine(server.root / "keys.toml").master.rate == 150.0
+
+
+def tabbed(page, selector):
+    """Press Tab until an element is focused that a selector finds."""
+    for _ in range(400):
+        if page.evaluate("selector => document.activeElement.matches(selector)", selector):
+            return
+        page.keyboard.press("Tab")
+    raise AssertionError(f"Tab does not reach {selector}")
+
+
+PAGES = ("/", "/edit/live.toml", "/controller/cutting.xlsx", "/vary/live.toml", "/print/live.toml")
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_a_page_fits_narrow_and_wide_windows_and_shuts_nobody_out(page, server, path):
+    for width in (NARROW, WIDE):
+        page.set_viewport_size({"width": width, "height": 900})
+        opened(page, server, path)
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+    found = Axe().run(page).response["violations"]
+    assert [(one["id"], one["nodes"][0]["html"]) for one in found if one["impact"] in SERIOUS] == []
+
+
+def test_a_design_prints_as_one_page(page, server):
+    opened(page, server, "/print/live.toml")
+    pdf = page.pdf(prefer_css_page_size=True)
+    assert re.findall(rb"/Type\s*/Pages\b.*?/Count (\d+)|/Count (\d+).*?/Type\s*/Pages\b", pdf, re.S)
+    assert len(re.findall(rb"/Type\s*/Page\b", pdf)) == 1
