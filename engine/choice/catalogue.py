@@ -94,7 +94,8 @@ class Motors:
 @dataclass(frozen=True)
 class Reducers:
     """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), largest input speed (rad/s), output
-    torque and mean output torque (Nm), infinite where not given; size (kg) and cost, NaN where not given.
+    torque and mean output torque (Nm), infinite where not given; size (kg) and cost, NaN where not given; the no-load
+    torque at the input (Nm).
 
     A single number stands for all. Raises ValueError for lengths that differ, i not above 0, η not above 0 and
     at most 1, or J_T below 0 (that names the reducer).
@@ -109,10 +110,11 @@ class Reducers:
     max_mean_torque: Array = field(default_factory=no_limit)
     size: Array = field(default_factory=not_given)
     cost: Array = field(default_factory=not_given)
+    no_load: Array = field(default_factory=lambda: np.array(0.0))
 
     def __post_init__(self) -> None:
         positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque")
-        _columns(self, "reducer", positive, ("inertia",), ("size", "cost"))
+        _columns(self, "reducer", positive, ("inertia", "no_load"), ("size", "cost"))
         _require_each("reducer", self.names, "efficiency", self.efficiency <= 1.0, self.efficiency, "at most 1")
 
     @cached_property

@@ -23,16 +23,18 @@ class Drive:
     ``method`` physical: each stage's losses count against the motor where it drives and help it where the
     load drives (at rest, as if it drove). ``document``: S4's, inertia and torque behind a stage always over η.
     ``holding``: who holds the load at rest; S4 counts no torque there, as with a brake.
-    Raises ValueError for a negative inertia or another word.
+    ``no_load`` is the torque (Nm) at the motor's shaft that opposes its rotation, whatever the load.
+    Raises ValueError for a negative inertia or no-load torque, or another word.
     """
 
     mechanism: Mechanism
     motor_inertia: float
     method: Method = "physical"
     holding: Holding = "motor"
+    no_load: float = 0.0
 
     def __post_init__(self) -> None:
-        require_not_negative("motor", inertia=self.motor_inertia)
+        require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load)
         require_method(self.method)
         if self.holding not in get_args(Holding):
             raise ValueError(f"holding is {self.holding!r}; expected 'motor' or 'brake'")
@@ -62,13 +64,12 @@ class Drive:
     def torque(self, acceleration: ArrayLike, direction: ArrayLike) -> Array:
         """Return the motor's torque (Nm) at accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1).
 
-        T_m = J_m ω̇ + T(0), T(k) = J_k ω̇_k + f T(k + 1)/i, f = 1/η where power flows to the load, η where it
+        T_m = J_m ω̇ + T_nl + T(0), T(k) = J_k ω̇_k + f T(k + 1)/i, f = 1/η where power flows to the load, η where it
         flows back. Source: S1, 'Feeding group', C_m = (J_m/τ) ω̇_r + τ (C_r + J_tot ω̇_r), and
         S4, T_m = T_R + J_T θ̈_m, where f is always 1/η.
         """
         own = self.motor_inertia * self.mechanism.ratio * np.asarray(acceleration, dtype=np.float64)
-        found: Array = self.torques(acceleration, direction)[0] + own
-        return found
+        return np.asarray(self.torques(acceleration, direction)[0] + own + self.no_load * np.asarray(direction))
 
     def _held(self, torque: Array, direction: ArrayLike) -> Array:
         """Return a torque as it is, or none at rest where a brake holds."""

@@ -39,16 +39,16 @@ class CutCycle(Cycle):
         return self.standing
 
 
-def train_of(cut: Cut, load: Load, pair: tuple[float, float, float] = (0.0, 1.0, 1.0)) -> Train:
+def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Train:
     """Return the tool's shaft with a load J_L (kg m²), T_L (Nm) behind a motor and its reducer.
 
-    ``pair`` is J_M + J_T (kg m²), i and η.
+    ``pair`` is J_M + J_T (kg m²), i, η and the no-load torque of the reducer (Nm).
     """
-    inertia, ratio, efficiency = pair
+    inertia, ratio, efficiency, no_load = pair
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)
     shaft = Part("shaft", load.inertia, 1)
     rollers = KINDS["feed rollers"].of(Load(0.0, load.torque / radius), radius, 1.0, [stage], [shaft])
-    return Train(Drive(rollers, inertia))
+    return Train(Drive(rollers, inertia, no_load=no_load))
 
 
 def cycle_of(cut: Cut, train: Train) -> CutCycle:

@@ -87,7 +87,12 @@ class Stretch:
             return self.force.at(load)
         turning = self.train.shaft(load, self.within)
         weights = self.weights[shaft]
-        return np.asarray(weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration)
+        found = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
+        return np.asarray(found + self.no_load(shaft))
+
+    def no_load(self, shaft: int) -> float:
+        """Return the torque (Nm) of the motor's shaft that opposes its rotation, whatever the load; 0 of another."""
+        return self.train.drive.no_load * self.going if shaft == 0 else 0.0
 
     def power(self, u: Array) -> Array:
         """Return the power (W) at the motor's shaft."""
@@ -101,7 +106,8 @@ class Stretch:
             return None
         ratio = self.train.drive.mechanism.stages[-1].ratio
         weights = self.weights[shaft]
-        return force_curve(self.piece, self.speed, self.force, weights.force / ratio, weights.inertia * ratio)
+        share, level = weights.force / ratio, self.no_load(shaft)
+        return force_curve(self.piece, self.speed, self.force, share, weights.inertia * ratio, level)
 
     def crossings(self, shaft: int) -> list[float]:
         """Return where the torque of a shaft changes its sign."""
@@ -126,11 +132,13 @@ def evaluated(curve: Curve, u: Array) -> Array:
     return value
 
 
-def force_curve(piece: MotionPiece, speed: float, force: Force, share: float = 1.0, inertia: float = 0.0) -> Curve:
-    """Return ``share`` · F + ``inertia`` · ÿ as a curve over u."""
+def force_curve(
+    piece: MotionPiece, speed: float, force: Force, share: float = 1.0, inertia: float = 0.0, more: float = 0.0
+) -> Curve:
+    """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u."""
     velocity = position(piece).derivative()
     acceleration = velocity.derivative()
-    level, c = share * force.level, share * force.viscous * speed
+    level, c = share * force.level + more, share * force.viscous * speed
     m = (share * force.mass + inertia) * speed**2
     both = [*(m * c2 for c2 in acceleration.c), 0.0]
     polynomial = [c * c1 + other for c1, other in zip(velocity.c, both, strict=True)]

@@ -48,20 +48,29 @@ class Curve(NamedTuple):
     fall: float
 
 
-def reserve(load: PointLoad, pair: tuple[float, float, float], curve: Curve) -> float:
-    """Return the least that is left below a motor's curve at the points (Nm), for J, i and η."""
+class Pair(NamedTuple):
+    """A motor with a reducer: J (kg m²) of what turns with the motor, i, η, no-load torque (Nm)."""
+
+    inertia: float
+    ratio: float
+    efficiency: float
+    no_load: float = 0.0
+
+
+def reserve(load: PointLoad, pair: Pair, curve: Curve) -> float:
+    """Return the least that is left below a motor's curve at the points (Nm), for J, i, η and no-load torque."""
     return curve.peak - max(float(load.peak(gears(*pair))[0]), falling(load, pair, curve))
 
 
-def falling(load: PointLoad, pair: tuple[float, float, float], curve: Curve) -> float:
+def falling(load: PointLoad, pair: Pair, curve: Curve) -> float:
     """Return the largest |T| + f (n − n_1) at the points (Nm): what they ask of the falling part of a curve."""
-    torque, speed = load.torques(gears(*pair))[0], pair[1] * load.points.speed
+    torque, speed = load.torques(gears(*pair))[0], pair.ratio * load.points.speed
     return float((np.abs(torque) + curve.fall * (speed - curve.knee)).max())
 
 
-def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike) -> Gears:
-    """Return motors with their reducers in a line: J (kg m²), i, η."""
-    each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency)))
+def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> Gears:
+    """Return motors with their reducers in a line: J (kg m²), i, η, no-load torque (Nm)."""
+    each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency, no_load)))
     lined = [one.reshape(-1) for one in each]
     return Gears(*lined)
 
@@ -95,13 +104,15 @@ class Grid:
 
     @cached_property
     def gears(self) -> Gears:
-        """J, i and η of each pair, motor by motor."""
-        return gears(self.inertias, 1.0 / self.reducers.ratio, self.reducers.efficiency)
-
-    def pair(self, motor: int, reducer: int) -> tuple[float, float, float]:
-        """Return J, i and η of a pair."""
+        """J, i, η and no-load torque of each pair, motor by motor."""
         r = self.reducers
-        return float(self.inertias[motor, reducer]), 1.0 / float(r.ratio[reducer]), float(r.efficiency[reducer])
+        return gears(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)
+
+    def pair(self, motor: int, reducer: int) -> Pair:
+        """Return J, i, η and no-load torque of a pair."""
+        _, ratio, efficiency, no_load = self.gears
+        own = (float(one.reshape(self.inertias.shape)[motor, reducer]) for one in (ratio, efficiency, no_load))
+        return Pair(float(self.inertias[motor, reducer]), *own)
 
     @cached_property
     def rms(self) -> Array:

@@ -280,12 +280,17 @@ class DrivePoints:
         """Torque of the motor (Nm); none where a brake holds."""
         inertia, ratio = self._drive
         found = self.load.at_motor(self.load.behind) + inertia * ratio * self.load.turning
-        return np.where(self.load.braked, 0.0, found)
+        return np.where(self.load.braked, 0.0, found) + self.no_load
 
     @cached_property
     def standing(self) -> Array:
         """Torque of the motor without motion (Nm)."""
-        return np.where(self.load.braked, 0.0, self.load.at_motor(self.load.standing_behind))
+        return np.where(self.load.braked, 0.0, self.load.at_motor(self.load.standing_behind)) + self.no_load
+
+    @property
+    def no_load(self) -> Array:
+        """Torque that opposes the motor's rotation, whatever the load (Nm)."""
+        return self.load.train.drive.no_load * self.load.direction
 
     @property
     def speed(self) -> Array:

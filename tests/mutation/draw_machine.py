@@ -105,7 +105,8 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         }
         for i in range(drawn.randint(0, room))
     ]  # fmt: skip
-    axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1)))}
+    axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1))),
+                       "no_load_torque": drawn.choice((0.0, 10 ** drawn.uniform(-3, 3)))}  # fmt: skip
     axis["motor"] = {
         "inertia": drawn.choice((0.0, drawn.uniform(0, 500))), "rated_torque": 10 ** drawn.uniform(-3, 6),
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),

@@ -11,7 +11,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import BEST, Choosing
-from workbook.selection.formulas import rms_of, torque_of, whole
+from workbook.selection.formulas import rms_of, through, torque_of, whole
 
 DASH = '0.0##;-0.0##;"–"'
 
@@ -86,10 +86,20 @@ def order_table(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
+OF_REDUCER = (
+    ("i", "reduction", "i", ""),
+    ("out", "of a torque that drives", "", ""),
+    ("back", "of one that is driven", "", ""),
+    ("own", "no-load torque", "T_nl", "Nm"),
+)
+"""columns of the workings: name, words, symbol, unit"""
+
+
 def figures(view: Choosing) -> list[Quantity]:
     """Return the columns of a pair's figures, and of what it leaves below its motor's curve."""
     pairs, m, g = view.ranked[:BEST], view.motors, view.grid
     each = [g.pair(*pair) for pair in pairs]
+    own = zip(*((one.ratio, *through(one.ratio, one.efficiency), one.no_load) for one in each), strict=True)
     fall = np.maximum(0.0, -shown(m.slope, PER_RPM))
 
     def of(values: Any) -> list[float]:
@@ -98,14 +108,15 @@ def figures(view: Choosing) -> list[Quantity]:
     def motor(name: str) -> str:
         return there(f"INDEX([@motors.{name}],MAX(1,[m]))")
 
-    beyond = f"(({torque_of('[j]', '[i]', '[eta]')})^2)^0.5+[fall]*([i]*@n-[knee])"
+    beyond = f"(({torque_of('[j]', '[i]', '[out]', '[back]', '[own]')})^2)^0.5+[fall]*([i]*@n-[knee])"
     asked = [falling(view.load, one, view.curve(m)) for one, (m, _) in zip(each, pairs, strict=True)]
     scale = max([*(abs(one.peak) for one in view.listed), *map(abs, asked), 1e-3])
     return [
         calc("j", "inertia with the motor", "J", "kg m²",
-             there("INDEX([@motors.jm],MAX(1,[m]))+INDEX([@reducers.jt],MAX(1,[r]))"), of([one[0] for one in each])),
-        calc("i", "reduction", "i", "", there("INDEX([@reducers.i],MAX(1,[r]))"), of([one[1] for one in each])),
-        calc("eta", "efficiency", "η", "", there("INDEX([@reducers.eta],MAX(1,[r]))"), of([one[2] for one in each])),
+             there("INDEX([@motors.jm],MAX(1,[m]))+INDEX([@reducers.jt],MAX(1,[r]))"),
+             of([one.inertia for one in each])),
+        *(calc(name, label, symbol, unit, there(f"INDEX([@reducers.{name}],MAX(1,[r]))"), of(values))
+          for (name, label, symbol, unit), values in zip(OF_REDUCER, list(own) or [()] * 4, strict=True)),
         calc("mixed", "mean of α S, with losses", "", "W/s", there("INDEX([@reducers.mixed],MAX(1,[r]))"),
              of([float(view.mixed[k]) for _, k in pairs]), scale=view.shaft.product),
         calc("square", "mean square torque of the load at the motor", "", "N²m²",

@@ -53,12 +53,13 @@ FALLING = RowRule("falling", "OR(COUNT([knee])=0,[knee]+0<[nmax])", "knee", "pea
 
 
 class ReducerRow(Model):
-    """One reducer of the catalogue; an inertia that is not given counts as 0, a limit that is not given as none."""
+    """One reducer of the catalogue; inertia and no-load torque that are not given count as 0, a limit as none."""
 
     name: Name
     reduction: Positive  # ω_M/ω_L
     efficiency: Efficiency
     inertia: NotNegative | None = None  # kg cm², at the motor's shaft
+    no_load_torque: NotNegative | None = None  # Nm, at the motor's shaft: T_012
     max_speed: Positive | None = None  # rpm, of the input
     max_torque: Positive | None = None  # Nm, of the output
     mean_torque: Positive | None = None  # Nm, of the output: T2N

@@ -46,6 +46,7 @@ REDUCER_COLUMNS = {
     "reduction": "reduction",
     "efficiency": "efficiency",
     "inertia_at_input_kgcm2": "inertia",
+    "no_load_torque_Nm": "no_load_torque",
     "max_input_speed_rpm": "max_speed",
     "max_output_torque_Nm": "max_torque",
     "max_mean_torque_Nm": "mean_torque",

@@ -48,6 +48,7 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> Sh
         column("reducers", n, "i", "reduction", "reduction", "i", format="0.0##"),
         column("reducers", n, "eta", "efficiency", "efficiency", "η", format="0.0##"),
         column("reducers", n, "inertia", "inertia", "inertia at the input", "J_T", "kg cm²", format="0.0####"),
+        column("reducers", n, "t012", "no_load_torque", "no-load torque at the input", "T_012", "Nm", format="0.0##"),
         column("reducers", n, "nmax", "max_speed", "largest input speed", "", "rpm", format="0.##"),
         column("reducers", n, "tmax", "max_torque", "largest output torque", "T_2B", "Nm", format="0.0##"),
         column("reducers", n, "t2n", "mean_torque", "largest mean output torque", "T_2N", "Nm", format="0.0##"),

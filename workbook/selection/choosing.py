@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from engine.choice import Motors, Reducers
 from engine.laws.base import Array
 from engine.machine.grid import RANKS, Curve, Grid, Used, Wanted, gears, reserve
-from engine.machine.point_load import shares_of
+from engine.machine.point_load import Gears, shares_of
 from workbook.book.rows import filled
 from workbook.entries.units import KG_CM2, RPM, shown, si
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -62,6 +62,7 @@ def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
         figures(rows, "mean_torque", missing=math.inf),
         figures(rows, "mass"),
         figures(rows, "cost"),
+        figures(rows, "no_load_torque", missing=0.0),
     )
 
 
@@ -102,14 +103,18 @@ class Choosing:
     @cached_property
     def mixed(self) -> Array:
         """The mean of α S before each reducer, with its losses (W/s)."""
-        asked, eta = self.shaft.values, self.reducers.efficiency
-        return np.asarray(asked["product"] / eta + asked["product_back"] * eta)
+        return self.load.mixed(self._reducers)
 
     @cached_property
     def square(self) -> Array:
         """The mean square of the load's torque at the motor before each reducer (N²m²)."""
-        asked, eta = self.shaft.values, self.reducers.efficiency
-        return np.asarray((asked["square"] / eta**2 + asked["square_back"] * eta**2) / self.reducers.reduction**2)
+        return self.load.square(self._reducers)
+
+    @property
+    def _reducers(self) -> Gears:
+        """The reducers without a motor."""
+        r = self.reducers
+        return gears(0.0, r.reduction, r.efficiency, r.no_load)
 
     @property
     def pairs(self) -> int:
@@ -196,7 +201,7 @@ class Choosing:
         """The pair that the drive has."""
         held, inertia = self.held, self.held("j")
         ratio, motor = held("i"), held("jm")
-        rms = float(self.load.rms(gears(inertia, ratio, held("eta")))[0])
+        rms = float(self.load.rms(gears(inertia, ratio, held("eta"), held("no_load")))[0])
         inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
         margin = held("rated") / rms if rms else 0.0
         return Figures(rms, margin, held("top"), shown(ratio * self.load.speed, RPM), inertias, held("spare"))

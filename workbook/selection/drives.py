@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from typing import Any
 
 from engine.laws.base import Array
+from engine.machine.grid import gears
 from engine.machine.quadrature import COUNT
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import RPM, shown
 from workbook.selection.choosing import AS_ENTERED, Choosing
+from workbook.selection.formulas import MIXED, SQUARE
 
 
 def drives_table(sheet: Sheet, view: Choosing) -> None:
@@ -48,8 +50,14 @@ def chosen(sheet: Sheet, view: Choosing) -> None:
 
 
 def held(view: Choosing) -> Sequence[Quantity]:
-    """Return the names of the motor and the reducer of the drive."""
+    """Return what the drive's reducer makes of the load, and the names of motor and reducer."""
+    own, load = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}, view.load
+    pair = gears(0.0, *(view.held(name) for name in ("i", "eta", "no_load")))
     return [
+        calc("@held_mixed", "Mean of α S at its motor, with losses", "", "W/s", f"={MIXED.format(**own)}",
+             float(load.mixed(pair)[0]), scale=view.shaft.product),
+        calc("@held_square", "Mean square torque at its motor, without inertia", "", "N²m²",
+             f"={SQUARE.format(**own)}", float(load.square(pair)[0]), scale=view.shaft.torque**2),
         calc("@held_motor", "Its motor", "", "",
              f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', view.held_motor, align="left"),
         calc("@held_reducer", "Its reducer", "", "",
@@ -73,9 +81,10 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         *named(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,
                scale=max(float(shown(load.speed.max(), RPM)), 1e-3)),
         calc("driving", "where it drives the load", "", "Nm", "=IF(@by_power*[S]*[dir]<0,0,[S])", of(load.driving),
-             scale=behind, source="else the load drives the motor"),
+             scale=behind),
+        calc("driven", "where the load drives the motor", "", "Nm", "=[S]-[driving]", of(load.driven), scale=behind),
     )  # fmt: skip
-    names = {in_scope(f"@{name}", sheet.scope): name for name in ("al", "S", "n", "driving")}
+    names = {in_scope(f"@{name}", sheet.scope): name for name in ("dir", "al", "n", "driving", "driven")}
     sheet.book.name(in_scope("@points", sheet.scope), **names)
 
 

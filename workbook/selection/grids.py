@@ -11,7 +11,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import Choosing
-from workbook.selection.formulas import MIXED, SQUARE, peak_of, rms_of
+from workbook.selection.formulas import MIXED, SQUARE, peak_of, rms_of, through
 
 LARGE = "large"
 """beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing"""
@@ -76,14 +76,14 @@ def grid(
 
 def share(c: int) -> str:
     """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
-    inertia, ratio, _ = pair(c)
+    inertia, ratio, *_ = pair(c)
     rms = rms_of(inertia, ratio, f"[@reducers.mixed.{c}]", f"[@reducers.square.{c}]")
     return if_on(c, f"{rms}/MAX([rated],[stall]-[slope]*[@reducers.mean.{c}])")
 
 
-def pair(c: int) -> tuple[str, str, str]:
-    """Return J, i and η of the motor of a row with a reducer, as formulas."""
-    return f"([jm]+[@reducers.jt.{c}])", f"[@reducers.i.{c}]", f"[@reducers.eta.{c}]"
+def pair(c: int) -> list[str]:
+    """Return J, i, 1/(η i), η/i and no-load torque of the motor of a row with a reducer, as formulas."""
+    return [f"([jm]+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))]
 
 
 def if_on(c: int, formula: str) -> str:
@@ -225,6 +225,7 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     r, g, n = view.reducers, view.grid, view.rooms[1]
     known, weight = weights(view, r.size, r.cost)
+    out, back = through(r.reduction, r.efficiency)
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
     limits = [np.where(np.isfinite(one), one, 0.0) for one in given]
     sheet.table(
@@ -236,6 +237,10 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         calc("eta", "efficiency", "η", "", "=INDEX([reducers.eta],[k])+0", filled(r.efficiency, n)),
         calc("jt", "it, and parts beside the motor", "", "kg m²",
              "=IF([on]=1,INDEX([reducers.inertia],[k])/10000+@beside,0)", filled(g.beside_motor, n)),
+        calc("out", "of a torque that drives, at the motor", "", "", "=IF([on]=1,1/[eta]/[i],0)", filled(out, n),
+             source="1/(η i)"),
+        calc("back", "of one that is driven", "", "", "=IF([on]=1,[eta]/[i],0)", filled(back, n), source="η/i"),
+        calc("own", "no-load torque", "T_nl", "Nm", "=INDEX([reducers.t012],[k])+0", filled(r.no_load, n)),
         calc("j", "inertia at the motor", "", "kg m²", "=IF([on]=1,[jt]+@inertia/[i]^2,0)", filled(g.at_motor, n)),
         calc("n", "speed of the motor", "n", "rpm", "=@speed*[i]*30/PI()", filled(shown(g.speed, RPM), n)),
         calc("mean", "mean speed of the motor", "", "rpm", "=@mean*[i]*30/PI()",
@@ -249,10 +254,11 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(α_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
-        calc("mixed", "mean of α S, with losses", "", "W/s", f"=IF([on]=1,{MIXED.format(eta='[eta]')},0)",
-             filled(view.mixed, n), scale=view.shaft.product),
+        calc("mixed", "mean of α S, with losses", "", "W/s",
+             f"=IF([on]=1,{MIXED.format(eta='[eta]', i='[i]', own='[own]')},0)", filled(view.mixed, n),
+             scale=view.shaft.product),
         calc("square", "mean square torque of the load at the motor", "", "N²m²",
-             f"=IF([on]=1,{SQUARE.format(eta='[eta]', i='[i]')},0)", filled(view.square, n),
+             f"=IF([on]=1,{SQUARE.format(eta='[eta]', i='[i]', own='[own]')},0)", filled(view.square, n),
              scale=view.shaft.torque**2),
         *weighed("reducers", filled(known, n, 0), filled(weight, n)),
     )  # fmt: skip

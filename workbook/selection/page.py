@@ -10,7 +10,7 @@ from workbook.selection.best import best_table, order_table
 from workbook.selection.choosing import Choosing
 from workbook.selection.drives import chosen, drives_table, known, points_table
 from workbook.selection.entries import UNCHOSEN
-from workbook.selection.formulas import MIXED, SQUARE, rms_of, whole
+from workbook.selection.formulas import rms_of, whole
 from workbook.selection.grids import grids, products
 from workbook.selection.uses import chart, uses
 
@@ -127,8 +127,7 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
 def own_pair(view: Choosing) -> list[Quantity]:
     """Return what the drive's pair does."""
     own, torque = view.own, max(view.own.peak, 1e-3)
-    mixed, square = f"({MIXED.format(eta='@held_eta')})", SQUARE.format(eta="@held_eta", i="@held_i")
-    rms = rms_of("@held_j", "@held_i", mixed, square)
+    rms = rms_of("@held_j", "@held_i", "@held_mixed", "@held_square")
     return [
         result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms}", own.rms, scale=torque,
                source="that of the drive's sheet"),

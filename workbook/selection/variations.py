@@ -53,6 +53,7 @@ def reducer(i: int, k: int) -> dict[str, Any]:
         "reduction": (1.5 + 0.2 * k) * 1.45**i,
         "efficiency": 0.98 - 0.01 * ((i + k) % 5),
         "inertia": None if (i + k) % 3 == 2 else 0.0002 * (1 + i) + 0.00003 * k,
+        "no_load_torque": 0.02 * i if (i + k) % 3 else None,
         "max_speed": None if (i + k) % 4 == 1 else 2500.0 + 400 * ((i + k) % 3),
         "max_torque": None if (i + k) % 4 == 2 else 150.0 * 2.5 ** ((i + 2 * k) % 5),
         "mass": 1.5 + 0.7 * i if (i + k) % 5 != 4 else None,

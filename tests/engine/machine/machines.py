@@ -76,7 +76,8 @@ def train_of(rng, kind, method="physical", lossless=False):
         low, high = (0.0, 0.3) if KINDS[kind].travels else (0.0, radians(90))
     windows = [Window(rng.uniform(0, TURN), rng.uniform(0, TURN), rng.uniform(-100, 100),
                       rng.choice(["always", "moving"])) for _ in range(rng.randint(0, 2))]  # fmt: skip
-    drive = Drive(mechanism, rng.uniform(0, 2e-3), method, rng.choice(["motor", "brake"]))
+    inertia = rng.uniform(0, 2e-3)
+    drive = Drive(mechanism, inertia, method, rng.choice(["motor", "brake"]), 200.0 * inertia if gears else 0.0)
     return Train(drive, linkage, rng.choice([0.0, rng.uniform(0, 100)]), tuple(windows)), low, high
 
 
@@ -135,5 +136,5 @@ def operated(course, x):
             speed, acceleration = speed * m.stages[k].ratio, acceleration * m.stages[k].ratio
         torque = torque + m.on_shaft(k) * acceleration
         ratio = m.stages[k - 1].ratio
-    torque = torque + drive.motor_inertia * acceleration
+    torque = torque + drive.motor_inertia * acceleration + drive.no_load * going
     return speed, np.where((going == 0) & (drive.holding == "brake"), 0.0, torque)

@@ -209,7 +209,7 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
 
 
 def friction_work(one):
-    """Work of all that resists in a cycle (J), from the motion's closed forms and the way alone."""
+    """Work of all that resists in a cycle (J), from the motion's closed forms and the way alone; of T_nl by ∫|ω|."""
     train, w, total = one.train, one.speed, 0.0
     load = train.drive.mechanism.load
     for stretch in one.stretches:
@@ -227,7 +227,7 @@ def friction_work(one):
         per = phase.scale / phase.duration * w
         square = integral(lambda xi, p=phase: p.law.v(xi) ** 2, edges)
         viscous += train.viscous * per**2 * square * phase.duration / w
-    return total + viscous
+    return total + viscous + train.drive.no_load * Demand(one).mean_speed * one.time
 
 
 @machines(4)

@@ -11,7 +11,7 @@ from engine.drivetrain import KINDS, Drive, Load, Motor, Part, Stage
 from engine.laws import Dwell, law
 from engine.machine.course import Course
 from engine.machine.demand import Demand
-from engine.machine.grid import RANKS, Curve, Grid, Wanted, reserve, used
+from engine.machine.grid import RANKS, Curve, Grid, Pair, Wanted, reserve, used
 from engine.machine.point_load import PointLoad, Points
 from engine.machine.train import Train, Window
 from engine.motion import Motion
@@ -21,18 +21,18 @@ MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]
                 np.array([5000.0, 4000.0]), size=np.array([3.0, np.nan]),
                 stall_torque=np.array([np.nan, 55.0]), rated_speed=np.array([np.nan, 2500.0]))  # fmt: skip
 REDUCERS = Reducers(("three", "eight"), np.array([3.0, 8.0]), np.array([0.9, 0.75]), np.array([2e-5, 5e-4]),
-                    np.array([1e4, 1e4]), np.array([1e4, 1e4]), size=1.0)  # fmt: skip
+                    np.array([1e4, 1e4]), np.array([1e4, 1e4]), size=1.0, no_load=np.array([0.0, 0.3]))  # fmt: skip
 WIDE = Wanted(1e9, 1e-9, 1e9, 1.0)
 BESIDE = Part("coupling", 3e-5, 0)
 MOTION = Motion.from_edges(np.radians([0, 30, 120, 200, 330, 360]), [0, 0.05, 0, -0.05, 0],
                            [Dwell(), law("MTP"), Dwell(), law("CIC"), Dwell()])  # fmt: skip
 
 
-def course(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0):
+def course(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0, no_load=0.0):
     """A screw with friction and a force that drives it back, behind a reducer."""
     parts = [BESIDE, Part("reducer", reducer, 0), Part("pulley", 2e-4, 1)]
     screw = KINDS["lead screw"].of(Load(20.0, 90.0, 40.0), 50.0, 0.7, [Stage("reducer", ratio, efficiency)], parts)
-    train = Train(Drive(screw, inertia), windows=(Window(0.5, 2.5, -600.0),))
+    train = Train(Drive(screw, inertia, no_load=no_load), windows=(Window(0.5, 2.5, -600.0),))
     return Course(train, MOTION, 12.0)
 
 
@@ -48,7 +48,8 @@ def grid(wanted=WIDE):
 @pytest.mark.parametrize("reducer", [0, 1])
 def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
     one, r = grid(), reducer
-    drive = course(MOTORS.inertia[motor], REDUCERS.reduction[r], REDUCERS.efficiency[r], REDUCERS.inertia[r])
+    own = (float(each[r]) for each in (REDUCERS.reduction, REDUCERS.efficiency, REDUCERS.inertia, REDUCERS.no_load))
+    drive = course(MOTORS.inertia[motor], *own)
     found = Demand(drive)
     assert one.rms[motor, r] == pytest.approx(points_of(drive).rms_torque, rel=1e-9)
     assert one.rms[motor, r] == pytest.approx(found.rms_torque, rel=1e-3)
@@ -95,18 +96,19 @@ def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_o
 
 
 class Held:
-    """A load of two points: torque (Nm) that it is driven with, or that drives it, and the speed there (rad/s)."""
+    """A load of points: torque (Nm) that it is driven with, or that drives it, and the speed there (rad/s)."""
 
     def __init__(self, acceleration, driving, driven, speed):
-        self.points = Points(*(np.array(one) for one in (acceleration, driving, driven, speed)))
+        self.points = Points(*(np.array(one) for one in (acceleration, driving, driven, speed, np.sign(speed))))
         self.torques, self.peak = PointLoad.torques.__get__(self), PointLoad.peak.__get__(self)
 
 
 def test_the_reserve_is_what_is_left_below_the_curve_at_the_points():
-    """80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30; of a load that drives η/i of its torque."""
+    """80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30; of a load that drives η/i of its torque; T_nl less."""
     part = Held([10.0, 0.0], [20.0, 20.0], [0.0, 0.0], [150.0, 150.0])
-    gears = 1.0, 1.0, 1.0
+    gears = Pair(1.0, 1.0, 1.0)
     assert reserve(part, gears, Curve(80.0, 150.0, 0.2)) == pytest.approx(50.0)
     assert reserve(part, gears, Curve(80.0, 100.0, 0.2)) == pytest.approx(40.0)
     held = Held([0.0], [0.0], [-20.0], [0.0])
-    assert reserve(held, (1.0, 2.0, 0.5), Curve(80.0, 1.0, 0.0)) == pytest.approx(75.0)
+    assert reserve(held, Pair(1.0, 2.0, 0.5, 3.0), Curve(80.0, 1.0, 0.0)) == pytest.approx(75.0)
+    assert reserve(part, gears._replace(no_load=3.0), Curve(80.0, 150.0, 0.2)) == pytest.approx(47.0)

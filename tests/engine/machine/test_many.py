@@ -13,6 +13,7 @@ from engine.motion.pieces import motion_pieces
 from tests.engine.machine.machines import course_of
 
 INERTIA, RATIO, ETA = np.array([1e-3, 5e-3, 0.0, 2e-2]), np.array([3.0, 8.0, 12.0, 1.0]), np.array([0.9, 0.6, 1.0, 0.8])
+NO_LOAD = np.array([0.0, 0.4, 0.02, 3.0])
 LIMITS = Limits(np.array([5.0, 80.0, 9.0, 300.0]), np.full(4, 30.0), np.array([0.0, 0.1, 0.0, 0.5]))
 
 
@@ -37,15 +38,14 @@ def test_each_is_what_its_points_say(number, monkeypatch):
     drive = course.train.drive
     first, *others = drive.mechanism.stages
     monkeypatch.setattr("engine.machine.point_load.AT_ONCE", 2 * load.place.size)
-    found = Many(PointLoad(load, 0.0, 0.0, 0.0), Gears(INERTIA, RATIO, ETA), LIMITS)
+    found = Many(PointLoad(load, 0.0, 0.0, 0.0), Gears(INERTIA, RATIO, ETA, NO_LOAD), LIMITS)
     works = found.works(course.time)
     for k in range(len(INERTIA)):
         stage = replace(first, ratio=RATIO[k], efficiency=ETA[k], back_efficiency=None)
         parts = tuple(part for part in drive.mechanism.parts if part.shaft)
         mechanism = replace(drive.mechanism, stages=(stage, *others), parts=parts)
-        own = replace(
-            load, train=replace(load.train, drive=replace(drive, mechanism=mechanism, motor_inertia=INERTIA[k]))
-        )
+        other = replace(drive, mechanism=mechanism, motor_inertia=INERTIA[k], no_load=NO_LOAD[k])
+        own = replace(load, train=replace(load.train, drive=other))
         expected = alone(DrivePoints(own), [one[k] for one in LIMITS], course.time)
         here = [*(values[k] for values in found.extremes), works.driving[k], works.regenerated[k]]
         assert here == pytest.approx(expected, rel=1e-11, abs=1e-9 * max(map(abs, expected)))

@@ -123,7 +123,7 @@ def charts(sheet: Sheet) -> None:
 
 def in_use(sheet: Sheet, view: ToolDrive) -> None:
     """Declare the figures of the motor and the reducer in use."""
-    (m, r), motor, (inertia, ratio, efficiency) = view.pair, view.motor, view.gears
+    (m, r), motor, (inertia, ratio, efficiency, no_load) = view.pair, view.motor, view.gears
     ranked, place = view.before.ranked, (view.before.proposed or 0) + 1
     sheet.heading("Motor and reducer in use")
 
@@ -150,6 +150,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         calc("@j", "Both", "J", "kg m²", "=@jm+@jt", inertia),
         of("@i", "Reduction", "i", "", "reducer.i", ratio, "1/τ"),
         of("@eta", "Efficiency of the reducer", "η", "", "reducer.eta", efficiency),
+        of("@no_load", "No-load torque of the reducer", "T_nl", "Nm", "reducer.own", no_load, "opposes the rotation"),
         of("@motor_rated", "Rated torque of the motor", "T_N", "Nm", "motor.rated", motor.rated_torque),
         of("@motor_stall", "Stall torque of the motor", "T_0", "Nm", "motor.stall", motor.stall_torque, "T_N at least"),
         of("@motor_nn", "Speed of its rated torque", "n_N", "rpm", "motor.nn", shown(motor.rated_speed, RPM)),
@@ -221,8 +222,8 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
              source="T_L + J_L ω̇_L"),
         result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)),
                scale=shown(view.speed, RPM), source="ω_L/τ"),
-        result("T", "torque of the motor", "T", "Nm", "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]",
-               of(drive.torque), scale=view.motor_torque, source="τ T*/η + J ω̇/τ; τ T* η where the load drives"),
+        result("T", "torque of the motor", "T", "Nm", "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]+@no_load*[dir]",
+               of(drive.torque), scale=view.motor_torque, source="τ T*/η + J ω̇/τ ± T_nl; τ T* η where the load drives"),
         calc("share", "share of the cycle", "", "",
              "=[g]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/fly_tc", of(load.share, 0.0), scale=1.0,
              source="what it counts in a mean"),

@@ -11,6 +11,7 @@ from engine.drivetrain.motor import Corners, Motor, Reserve, reserve
 from engine.flying.points import CutCycle, cycle_of, furthest, train_of
 from engine.laws.base import Array
 from engine.machine.falling import Falling
+from engine.machine.grid import Pair
 from engine.machine.point_load import PointLoad
 from engine.machine.quadrature import DrivePoints, LoadPoints
 from workbook.book.rows import filled
@@ -69,8 +70,8 @@ class ToolDrive:
         return named[0], named[1]
 
     @property
-    def gears(self) -> tuple[float, float, float]:
-        """J_M + J_T (kg m²), i and η of the pair."""
+    def gears(self) -> Pair:
+        """J_M + J_T (kg m²), i, η and no-load torque of the pair."""
         return self.before.grid.pair(*self.pair)
 
     @cached_property
@@ -107,7 +108,7 @@ class ToolDrive:
     @property
     def speed(self) -> float:
         """The largest speed of the motor (rad/s)."""
-        return self.gears[1] * self.machine.cut.max_angular_speed
+        return self.gears.ratio * self.machine.cut.max_angular_speed
 
     @property
     def reserve(self) -> Reserve:
@@ -123,7 +124,7 @@ class ToolDrive:
     def balance(self) -> float:
         """τ/τ_opt; 0 of a load that does not move. Source: S5, eq. (18), step 7."""
         task = self.before.grid.task
-        inertia, ratio, efficiency = self.gears
+        inertia, ratio, efficiency, _ = self.gears
         return 1.0 / (ratio * float(best_ratio(task, inertia, efficiency))) if task.moves else 0.0
 
     @property
@@ -158,7 +159,7 @@ class ToolDrive:
     @property
     def motor_torque(self) -> float:
         """The scale of torques of the motor (Nm)."""
-        return max(self.peak, self.torque / self.gears[1], LEAST)
+        return max(self.peak, self.torque / self.gears.ratio, LEAST)
 
     def _shaft(self, figures: list[Figure]) -> Shaft:
         turning = max(float(np.abs(self.asked.load.turning).max()), self.machine.scales.angular_acceleration)
@@ -168,15 +169,19 @@ class ToolDrive:
     @cached_property
     def choosing(self) -> Choosing:
         """The choice of motor and reducer, with the pair in use."""
-        own, mixed, mixed_back, square, square_back = self.asked.squares
+        own, mixed, mixed_back, square, square_back, *ways = self.asked.squares
         turning, torque, (m, r) = self.before.shaft.turning, self.torque, self.pair
-        motor, (inertia, ratio, efficiency) = self.motor, self.gears
+        motor, (inertia, ratio, efficiency, no_load) = self.motor, self.gears
         figures = [
             Figure("own", "mean of α²", "rad²/s⁴", mean("al", "al"), own, turning**2),
             Figure("square", "mean of S², driving", "Nm²", mean("S", "S", DRIVES), square, torque**2),
             Figure("square_back", "… driven", "Nm²", mean("S", "S", DRIVEN), square_back, torque**2),
             Figure("product", "mean of α S, driving", "W/s", mean("al", "S", DRIVES), mixed, turning * torque),
             Figure("product_back", "… driven", "W/s", mean("al", "S", DRIVEN), mixed_back, turning * torque),
+            Figure("way", "share of the cycle in motion", "", mean("dir", "dir"), ways[0]),
+            Figure("way_turning", "mean of α d", "rad/s²", mean("al", "dir"), ways[1], turning),
+            Figure("way_behind", "mean of S d, driving", "Nm", mean("S", "dir", DRIVES), ways[2], torque),
+            Figure("way_back", "… driven", "Nm", mean("S", "dir", DRIVEN), ways[3], torque),
             Figure("speed", "largest speed", "rad/s", "fly_w_max", self.asked.speed),
             Figure("mean", "mean speed", "rad/s",
                    "SUMPRODUCT([drive_pt.share],([drive_pt.w]^2)^0.5)", self.asked.mean_speed),
@@ -191,6 +196,7 @@ class ToolDrive:
             Figure("held_jm", "its motor", "kg m²", "drive_jm", motor.inertia),
             Figure("held_i", "its reduction", "", "drive_i", ratio),
             Figure("held_eta", "its efficiency", "", "drive_eta", efficiency),
+            Figure("held_no_load", "its no-load torque", "Nm", "drive_no_load", no_load),
             Figure("held_rated", "its continuous torque", "Nm", "drive_continuous", self.reserve.rms_torque.limit),
             Figure("held_peak", "its peak torque", "Nm", "drive_motor_peak", motor.peak_torque),
             Figure("held_top", "peak torque demand", "Nm", "MAX(drive_tmax,0-drive_tmin)", self.peak,

@@ -95,6 +95,7 @@ class Reducer(Model):
     ratio: Annotated[Positive, EmptyCell()] = 1.0  # motor over mechanism
     efficiency: Annotated[Efficiency, EmptyCell()] = 1.0
     inertia: NotNegative = 0.0  # kg cm², at the motor's shaft
+    no_load_torque: NotNegative = 0.0  # Nm, at the motor's shaft
     peak_torque: Positive | None = None  # Nm, behind it
     mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed
     max_speed: Positive | None = None  # rpm, of the input

@@ -31,6 +31,7 @@ REDUCER = (
     ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
     ("efficiency", "efficiency", "η_1", "", "1 if empty"),
     ("inertia", "inertia at the input", "J_G", "kg cm²", ""),
+    ("no_load_torque", "no-load torque at the motor's shaft", "T_nl", "Nm", "opposes the rotation"),
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit"),
     ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
@@ -41,6 +42,7 @@ IN_USE = {
 }  # fmt: skip
 GEARED = {
     "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
+    "no_load_torque": ("@no_load", "t012"),
     "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", "t2n"),
     "max_speed": ("@reducer_nmax", "nmax"),
 }  # fmt: skip
@@ -88,6 +90,7 @@ class ReducerInUse(NamedTuple):
     ratio: float
     efficiency: float
     inertia: float
+    no_load_torque: float
     peak_torque: float
     mean_torque: float
     max_speed: float
@@ -138,11 +141,11 @@ def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
     row = place_of(e.name, [one.name for one in products.reducers]) + 1
     if found:
         inertia = si(found.inertia or 0.0, KG_CM2)
-        return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.max_torque or 0.0,
-                            found.mean_torque or 0.0, found.max_speed or 0.0)  # fmt: skip
+        return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.no_load_torque or 0.0,
+                            found.max_torque or 0.0, found.mean_torque or 0.0, found.max_speed or 0.0)  # fmt: skip
     inertia = si(e.inertia, KG_CM2)
-    return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.peak_torque or 0.0, e.mean_torque or 0.0,
-                        e.max_speed or 0.0)  # fmt: skip
+    return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.no_load_torque, e.peak_torque or 0.0,
+                        e.mean_torque or 0.0, e.max_speed or 0.0)  # fmt: skip
 
 
 def entries(axis: Axis, key: str) -> list[Quantity]:

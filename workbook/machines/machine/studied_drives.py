@@ -90,7 +90,7 @@ class Studied:
         """Motors with their reducers."""
         used = self.reducers_used
         inertia = self.motors_used["inertia"] + self.beside
-        return Gears(*self._lined(inertia, used["ratio"], used["efficiency"]))
+        return Gears(*self._lined(inertia, used["ratio"], used["efficiency"], used["no_load_torque"]))
 
     @property
     def beside(self) -> Array:
@@ -274,6 +274,7 @@ class Studied:
         motor = {"motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
                  "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed"}  # fmt: skip
         reducer = {"reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia",
+                   "no_load": "no_load_torque",
                    "reducer_peak": "peak_torque", "reducer_mean": "mean_torque",
                    "reducer_nmax": "max_speed"}  # fmt: skip
         found: dict[str, Callable[[], Any]] = {}

@@ -1,7 +1,7 @@
 """What a drive's cycle asks for behind its reducer, whatever that and the motor are: on the sheet of the drive.
 
-With J all that turns with the motor, T = J i α + f S/i, f = 1/η where S drives the load and η where the load drives it:
-the squares of T are sums of five means of α and S, over the points of the cycle.
+With J all that turns with the motor, T = J i α + f S/i + T_nl d, f = 1/η where S drives the load and η where the load
+drives it, d the direction: the squares of T are sums of means of α, S and d over the points of the cycle.
 Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 """
 
@@ -40,11 +40,11 @@ def turns_of(view: DriveView) -> float:
 
 
 def means(sheet: Sheet, view: DriveView) -> None:
-    """Declare the five means over the cycle, and what else hangs on no motor and no reducer."""
+    """Declare the means over the cycle, and what else hangs on no motor and no reducer."""
     if not asks(view):
         return
     driven, load, alpha, behind = view.driven, load_of(view), turning(view), view.scales.behind
-    own, mixed, mixed_back, square, square_back = load.squares
+    own, mixed, mixed_back, square, square_back, *ways = load.squares
 
     column, by = ("al", "") if view.varies else ("a", "@i2*")
 
@@ -66,6 +66,13 @@ def means(sheet: Sheet, view: DriveView) -> None:
              scale=alpha * behind),
         calc("@ask_product_back", "… where the load drives it", "", "W/s", mean(BACK, column, by), mixed_back,
              scale=alpha * behind),
+        calc("@ask_way", "Share of the cycle in motion", "⟨d²⟩", "", "=SUMPRODUCT([@pt.share],[@pt.dir],[@pt.dir])",
+             ways[0], source="d: 1 forward, −1 backward"),
+        calc("@ask_way_turning", "Mean of α d", "⟨αd⟩", "rad/s²",
+             f"={by}SUMPRODUCT([@pt.share],[@pt.{column}],[@pt.dir])", ways[1], scale=alpha),
+        calc("@ask_way_behind", "Mean of S d where it drives the load", "⟨Sd⟩", "Nm", mean(DRIVES, "dir"), ways[2],
+             scale=behind),
+        calc("@ask_way_back", "… where the load drives it", "", "Nm", mean(BACK, "dir"), ways[3], scale=behind),
         calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
         calc("@ask_turns", "Acceleration of that shaft over the one that the points have", "", "",
              "=1" if view.varies else "=@i2+0", turns_of(view), source="the load's, of a constant ratio"),
@@ -87,7 +94,7 @@ def shaft_of(view: DriveView) -> Shaft:
 def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
     """Return what the sheet of a drive has of the shaft behind its reducer, and of its motor."""
     d, alpha, behind, torque = view.driven, turning(view), view.scales.behind, view.scales.torque
-    own, mixed, mixed_back, square, square_back = load.squares
+    own, mixed, mixed_back, square, square_back, *ways = load.squares
     top, motor = view.reserve.peak_torque.value, d.motor_used
     spare, left = "@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top
     if view.knows_falling:
@@ -98,6 +105,10 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
         Figure("square_back", "… driven", "Nm²", "@ask_square_back", square_back, behind**2),
         Figure("product", "mean of α S, driving", "W/s", "@ask_product", mixed, alpha * behind),
         Figure("product_back", "… driven", "W/s", "@ask_product_back", mixed_back, alpha * behind),
+        Figure("way", "share of the cycle in motion", "", "@ask_way", ways[0]),
+        Figure("way_turning", "mean of α d", "rad/s²", "@ask_way_turning", ways[1], alpha),
+        Figure("way_behind", "mean of S d, driving", "Nm", "@ask_way_behind", ways[2], behind),
+        Figure("way_back", "… driven", "Nm", "@ask_way_back", ways[3], behind),
         Figure("speed", "largest speed", "rad/s", "@ask_speed", load.speed),
         Figure("mean", "mean speed", "rad/s", "@mean*PI()/30/@i1", load.mean_speed),
         Figure("smax", "largest torque", "Nm", "@smax", load.torque, behind),
@@ -112,6 +123,7 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
         Figure("held_jm", "its motor", "kg m²", "@jm", motor.inertia),
         Figure("held_i", "its reduction", "", "@i1", d.reducer.ratio),
         Figure("held_eta", "its efficiency", "", "@eta1", d.reducer.efficiency),
+        Figure("held_no_load", "its no-load torque", "Nm", "@no_load", d.reducer.no_load_torque),
         Figure("held_rated", "its continuous torque", "Nm", "@continuous", view.reserve.rms_torque.limit),
         Figure("held_peak", "its peak torque", "Nm", "@motor_peak", motor.peak_torque),
         Figure("held_top", "peak torque demand", "Nm", "MAX(@tmax,0-@tmin)", top, torque),

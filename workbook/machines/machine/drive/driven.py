@@ -139,7 +139,8 @@ class Driven:
     @cached_property
     def drive(self) -> Drive:
         """The motor on it."""
-        return Drive(self.mechanism, self.motor_used.inertia, self.given.method, self.holding)
+        used = self.motor_used.inertia, self.given.method, self.holding, self.reducer.no_load_torque
+        return Drive(self.mechanism, *used)
 
     @property
     def train(self) -> Train:

@@ -136,8 +136,8 @@ def torques(view: DriveView, load: LoadPoints, turning: Ratio, of: Column) -> li
              f"={LOSS2.format('[F]')}/{turning.ratio}+@j1*{turning.acceleration}", of(load.behind), scale=size.behind,
              source="F/(η_2 φ') + J_p φ̈"),
         result("T", "torque of the motor", "T", "Nm",
-               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*{turning.motor_acceleration})", of(DrivePoints(load).torque),
-               scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈"),
+               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*{turning.motor_acceleration}+@no_load*[dir])",
+               of(DrivePoints(load).torque), scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈ ± T_nl"),
     ]  # fmt: skip
 
 
@@ -147,8 +147,9 @@ def standing(view: DriveView, ratio: str) -> list[Quantity]:
     columns = [
         calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
              of(load.standing_behind), scale=size.behind, source="F_r/(η_2 φ')"),
-        calc("T0", "torque of the motor, without inertia", "T_s", "Nm", f"=IF({BRAKED},0,{LOSS1.format('[S0]')})",
-             of(points.standing), scale=size.torque, source="T_1,0/(η_1 i_1)"),
+        calc("T0", "torque of the motor, without inertia", "T_s", "Nm",
+             f"=IF({BRAKED},0,{LOSS1.format('[S0]')}+@no_load*[dir])",
+             of(points.standing), scale=size.torque, source="T_1,s/(η_1 i_1) ± T_nl"),
     ]  # fmt: skip
     return [*columns, *(curve(view) if view.knows_falling else ())]
 
