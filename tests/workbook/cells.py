@@ -4,6 +4,7 @@ import io
 from pathlib import Path
 
 import openpyxl
+from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
 from workbook.judging.carried import not_carried
@@ -23,10 +24,19 @@ def opened(book, model):
     return openpyxl.load_workbook(io.BytesIO(archive.zipped(parts(book, model))))
 
 
-def model_of(template, book):
-    """The model of the descriptions of a book, by the entries that it has."""
-    keys = {q.key for block in book.blocks.values() for q in block.quantities if q.role == "input"}
-    return next((other.model for key, other in template.others.items() if key in keys), template.model)
+def in_memory(book):
+    """What is computed of a declared book, as openpyxl would read it of the file: cells and names, no looks."""
+    workbook = openpyxl.Workbook()
+    workbook.remove(workbook.active)
+    for sheet in book.sheets:
+        page = workbook.create_sheet(sheet.title)
+        cells = [(cell.row, cell.column, cell.content) for block in sheet.blocks for cell in block.cells()]
+        for row, column, content in (*((text.row, text.column, text.text) for text in sheet.texts), *cells):
+            if content not in ("", None):
+                page.cell(row, column).value = content
+    for name, target in book.names():
+        workbook.defined_names[name] = DefinedName(name, attr_text=target)
+    return workbook
 
 
 KEPT = 6  # layouts: a test file has a few, and those of other files may go
@@ -37,8 +47,8 @@ class Layout:
 
     known: dict[tuple, "Layout"] = {}  # noqa: RUF012 - one memory for all
 
-    def __init__(self, template, book):
-        written = opened(book, model_of(template, book))
+    def __init__(self, book):
+        written = in_memory(book)
         self.match = Match(BookFile(Path("book.xlsx"), written, find_places(written)), book)
         self.model = PycelModel(written)
 
@@ -47,7 +57,7 @@ class Layout:
         """The layout of a book, made anew where no earlier book has the very same formulas, names and blocks."""
         blocks = tuple((b.name, b.sheet.title, b.row, b.column, b.size) for b in book.blocks.values())
         key = (template.name, tuple(formulas.items()), tuple(book.names()), blocks)
-        found = cls.known.pop(key, None) or cls(template, book)
+        found = cls.known.pop(key, None) or cls(book)
         cls.known[key] = found  # the latest is last
         if len(cls.known) > KEPT:
             del cls.known[next(iter(cls.known))]
@@ -86,7 +96,7 @@ def disagreeing(template, machine):
 def disagreeing_in(template, machine, evaluate):
     """The same by another program, which is given the workbook as openpyxl reads it."""
     book = template.declare(machine)
-    written = opened(book, model_of(template, book))
+    written = in_memory(book)
     return compared(Match(BookFile(Path("book.xlsx"), written, find_places(written)), book), book, evaluate(written))
 
 

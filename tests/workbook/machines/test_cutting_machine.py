@@ -170,7 +170,7 @@ def test_it_finds_a_pair_of_its_catalogues():
 
 @pytest.mark.parametrize("radius", [1e-9, 1e-6, 1e-3])  # mm
 @pytest.mark.parametrize("resists", ["always", "moving"])
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 def test_rollers_next_to_nothing_verify_clean(radius, resists, tmp_path):
     rollers = {"kind": "feed rollers", "roller_radius": radius, "efficiency": 1.0}
     force = {"windows": [{"start": 0.0, "stop": 360.0, "force": 500.0, "resists": resists}]}

@@ -164,6 +164,7 @@ def test_the_saw_has_no_mean_speed_and_needs_its_stroke():
 
 @pytest.mark.parametrize("law", MOVING)
 @pytest.mark.parametrize("length", [180.0, 900.0])
+@pytest.mark.sample(6)
 def test_pycel_agrees_with_the_engine_in_every_cell(law, length):
     machine = entries(law=law, product_length=length)
     machine["laws"]["OWN"]["pieces"] = RISING
@@ -209,5 +210,6 @@ def test_entries_that_cannot_be_get_one_line(changed, line):
 
 
 @pytest.mark.parametrize("book", [TEMPLATE.book, SAW.with_suffix(".xlsx")], ids=lambda path: path.stem)
+@pytest.mark.sample(1)
 def test_the_committed_books_verify(book):
     assert verify(book).findings == []

@@ -62,6 +62,7 @@ def test_the_book_shows_the_unit_of_its_abscissa_and_no_time(over):
 
 
 @pytest.mark.parametrize("over", ["°", "rad", "mm", "s"])
+@pytest.mark.sample(2)
 def test_every_cell_is_the_engines_and_what_is_entered_comes_back(over):
     """Handed over at speed, open, later, elsewhere; a turning axis beside it, a switch, a clearance, an export."""
     phases = (("PO5", 20.0, 30.0, 0.3), ("LIN", 20.0, 30.0), ("PO5", -30.0, 30.0), ("PO5", 4.0, 10.0, -0.1, 0.02))
@@ -142,6 +143,7 @@ def test_an_axis_that_does_not_come_back(closes, verdict):
 
 @pytest.mark.parametrize(("closes", "verdict"), [("position", "FAIL"), ("open", "OK")])
 @pytest.mark.parametrize("master", [None, {"rate": 60.0}])
+@pytest.mark.sample(2)
 def test_what_is_open_has_no_joint_across_the_end_of_its_cycle(closes, verdict, master):
     """From speed to speed: a line up, another down, which meet in the cycle and not across its end."""
     laws = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
@@ -161,6 +163,7 @@ def test_an_open_axis_begins_with_what_is_entered_and_ends_at_rest():
 
 
 @pytest.mark.parametrize("master", [{"rate": 100.0}, {"cycle": 100.0}])
+@pytest.mark.sample(1)
 def test_an_open_axis_with_a_drive_fails_by_name(master, tmp_path):
     data = description(TO_AND_FRO, unit="mm", closes="open", **DRIVE) | {"master": master}
     data["sizes"] |= {"cycle": 200}  # samples that tell the peak of the bus

@@ -42,6 +42,7 @@ def machine(name, rate=60.0, **motor):
 
 @pytest.mark.parametrize("name", [*AXES])
 @pytest.mark.parametrize("number", [*range(1), *nights(60)])
+@pytest.mark.sample(2)
 def test_the_rate_below_a_curve_is_that_of_an_exact_search(request, number, name):
     """Where the sheet names it, entered and read again: of a constant ratio to 0.2 %. Behind a ratio that changes a
     peak may lie between points, where the curve falls with the speed too: to 2 %, measured 1.5 %."""
@@ -85,6 +86,7 @@ def test_at_the_highest_rate_the_torque_is_below_the_curve_and_above_it_is_not(n
 
 
 @pytest.mark.parametrize("name", ["constant", "crank"])
+@pytest.mark.sample(1)
 def test_the_reserve_is_that_of_the_samples_of_the_sheet(name):
     """Samples and points each miss a little of what is asked for most."""
     given = machine(name).model_dump()
@@ -99,6 +101,7 @@ def test_the_reserve_is_that_of_the_samples_of_the_sheet(name):
 
 
 @pytest.mark.parametrize("name", ["constant", "crank"])
+@pytest.mark.sample(1)
 def test_a_level_motor_is_judged_as_in_a_book_that_knows_no_other(name):
     known = machine(name).model_dump()
     known["axes"][0]["motor"] |= {"name": "Level"}
@@ -145,6 +148,7 @@ ODD = {
 
 
 @pytest.mark.parametrize("odd", ODD)
+@pytest.mark.sample(3)
 def test_an_odd_curve_in_a_book_that_knows_one_is_judged_alike(odd, tmp_path):
     cells, verdict = ODD[odd]
     path = tmp_path / "falling.xlsx"
@@ -157,6 +161,7 @@ def test_an_odd_curve_in_a_book_that_knows_one_is_judged_alike(odd, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["constant", "crank"])
+@pytest.mark.sample(1)
 def test_every_mutant_of_the_new_cells_is_found(name):
     """Faults in the formulas of the curve, of the share of it, of the reserve and the check."""
     given = machine(name).model_dump()

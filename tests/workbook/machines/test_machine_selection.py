@@ -133,6 +133,7 @@ def test_a_machine_without_the_entry_has_no_sheet_and_its_drives_no_more_cells()
 
 
 @pytest.mark.parametrize(("axes", "row", "name"), [(None, 1, "b2"), ([driven(*RISE)], 0, "a1")], ids=["two", "one"])
+@pytest.mark.sample(1)
 def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes, row, name, tmp_path):
     """Its book is one of an unfinished design: nothing is refused, and what was entered stays."""
     build(machine(axes=axes, axis=name), tmp_path / "book.xlsx")

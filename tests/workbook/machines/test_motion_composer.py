@@ -203,6 +203,7 @@ def test_every_check_of_the_motion_that_can_fail_does_so_in_some_variant():
 
 
 @pytest.mark.parametrize("seed", range(25))
+@pytest.mark.sample(6)
 def test_random_motions_agree_with_the_engine(seed):
     assert disagreeing(MACHINE, drawn(random.Random(seed)))[0] == []
 
@@ -247,5 +248,6 @@ def test_a_stale_example_is_found(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("path", [DESCRIPTION, *EXAMPLES], ids=lambda p: p.stem)
+@pytest.mark.sample(1)
 def test_the_committed_books_verify(path):
     assert verify(path.with_suffix(".xlsx")).findings == []

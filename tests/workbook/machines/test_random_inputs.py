@@ -124,7 +124,7 @@ def drive(dice, seed):
 
 
 @pytest.mark.parametrize("seed", range(60))
-@pytest.mark.sample(20)
+@pytest.mark.sample(8)
 def test_pycel_agrees_with_the_engine_in_every_cell(seed):
     wrong, count = disagreeing(TEMPLATE, machine(seed))
     assert wrong == []
@@ -145,6 +145,7 @@ def by_formualizer(written):
 
 
 @pytest.mark.parametrize("seed", range(100, 103))
+@pytest.mark.sample(1)
 def test_formualizer_agrees_with_the_engine_in_every_cell(seed):
     assert disagreeing_in(TEMPLATE, machine(seed), by_formualizer)[0] == []
 
