@@ -18,7 +18,7 @@ MANY, RUNS = 6000, 10  # mutants of a template in a night, and the tests among w
 WHOLE = 2  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 
-every_template = pytest.mark.parametrize("name", by_day(DESCRIBED, "machine", COMPOSED))
+every_template = pytest.mark.parametrize("name", by_day(DESCRIBED, COMPOSED))
 
 
 @cache

@@ -5,7 +5,7 @@ import re
 import openpyxl
 import pytest
 
-from tests.workbook.composed import DESCRIBED, committed_as
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
 from workbook.build import build, inputs
@@ -37,8 +37,9 @@ def defaulted(name):
     return found
 
 
-CASES = [(name, *place) for name in DESCRIBED for key, place in defaulted(name).items()
-         if name == "motion-composer" or not key.startswith("laws.")]  # fmt: skip
+CASES = [pytest.param(name, *place, marks=[] if name == COMPOSED else pytest.mark.nightly)
+         for name in DESCRIBED for key, place in defaulted(name).items()
+         if name == COMPOSED or not key.startswith("laws.")]  # fmt: skip
 
 
 @pytest.mark.parametrize(("name", "block", "column"), CASES)

@@ -13,6 +13,7 @@ from tests.mutation.machines import machine
 from tests.tiers import by_day, nights, seed
 from tests.workbook import office
 from tests.workbook.cells import disagreeing, entered
+from tests.workbook.composed import COMPOSED, DESCRIBED
 from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, committed, inputs
 from workbook.judging.matching import is_formula
@@ -27,7 +28,7 @@ DAY, MACHINES = 7, 16  # random machines of each layout, the same every day
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 
 
-@pytest.fixture(scope="module", params=by_day([*TEMPLATES, STATIONS], "machine"))
+@pytest.fixture(scope="module", params=by_day([*DESCRIBED, STATIONS], COMPOSED))
 def layout(request):
     return smaller(read_machine(FOLDER / f"{request.param}.toml"))
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
-from workbook.book.quantity import Quantity, calc, check
+from workbook.book.quantity import WANTED, Quantity, calc, check
 from workbook.book.sentence import Sentence, entered, first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
@@ -120,7 +120,7 @@ def beside(q: Quantity, limit: Limit) -> Quantity:
     """Return the message beside a single cell: its note, or what is expected."""
     cell = f"[{q.name}.{q.name}]"
     formula = f"=IF({limit.holds(cell)},{quoted(q.source)},{said(q.label, cell, limit)})"
-    label = f"{q.label}: what is expected"
+    label = f"{q.label}{WANTED}"
     return Quantity(f"{q.name}{EXPECTED}", label, "", "", "sentence", formula, q.source, align="left")
 
 

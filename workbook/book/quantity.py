@@ -12,6 +12,8 @@ from workbook.book.sentence import Said, Sentence, quoted
 HOLDS, FAILS = "", "not met"
 SAYS, WHERE = "_says", ": where, and by how much"
 """behind the name of a check, and behind its label: the cell that says where it fails"""
+WANTED = ": what is expected"
+"""behind the label of an entry: the message beside it"""
 
 FLOOR = 1e-3
 """of the unit: that much of most quantities is next to nothing"""
@@ -62,8 +64,8 @@ class Quantity:
 
     @property
     def beside(self) -> str:
-        """The label that stands in its row: of a sentence that of its check."""
-        return self.label.removesuffix(WHERE)
+        """The label that stands in its row: of a sentence that of its check, of a message that of its entry."""
+        return self.label.removesuffix(WHERE).removesuffix(WANTED)
 
     @property
     def floor(self) -> float:

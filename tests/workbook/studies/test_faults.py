@@ -23,13 +23,19 @@ from workbook.studies.folder import Parts
 from workbook.studies.run import run
 
 GOALS = {"minimise": ["drive1_rms"]}
-VARIED = (laws("MTP", "CUB", "CIC"), stops(80, 120, 60))
+VARIED = (laws("MTP", "CUB", "CIC"), stops(80, 120, 12))
+DESIGNS, PART = 36, 12
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="signals and limits of POSIX")
 
 
 def command(*arguments, **options):
     told = [sys.executable, "-m", "workbook", "study", *map(str, arguments), "--unverified"]
     return subprocess.run(told, capture_output=True, text=True, check=False, encoding="utf-8", **options)
+
+
+def parts_of(plan, results):
+    """Where a study keeps its parts, of some designs each."""
+    return Parts(results, plan.digest, plan.space.size, PART)
 
 
 def studied(plan, parts, told=lambda count, before: None, workers=HERE, resume=False):
@@ -52,8 +58,8 @@ def stop_after(parts):
 
 def test_a_study_goes_on_from_its_complete_parts_and_counts_nothing_twice(tmp_path):
     plan = planned(tmp_path, *VARIED, **GOALS)
-    whole = studied(plan, Parts(tmp_path / "whole.csv", plan.digest, plan.space.size))
-    parts = Parts(tmp_path / "cut.csv", plan.digest, plan.space.size)
+    whole = studied(plan, parts_of(plan, tmp_path / "whole.csv"))
+    parts = parts_of(plan, tmp_path / "cut.csv")
     with pytest.raises(KeyboardInterrupt):
         studied(plan, parts, stop_after(2))
     (tmp_path / "cut.csv.parts" / "part-00000002.csv").write_text("half of a par")  # without what says it is whole
@@ -62,14 +68,14 @@ def test_a_study_goes_on_from_its_complete_parts_and_counts_nothing_twice(tmp_pa
     again = studied(plan, parts, lambda count, before: fresh.append((count, before)), resume=True)
     assert again == whole
     assert [before for _, before in fresh] == [True, True, False]
-    assert sum(count for count, _ in fresh) == again.designs == 180
+    assert sum(count for count, _ in fresh) == again.designs == DESIGNS
 
 
 def test_a_search_goes_on_from_its_complete_parts_to_the_same_end(tmp_path):
     way = {"kind": "evolution", "designs": 90, "seed": 5}
     plan = planned(tmp_path, stops(80, 120), way=way, **GOALS)
-    whole = studied(plan, Parts(tmp_path / "whole.csv", plan.digest, plan.space.size))
-    parts = Parts(tmp_path / "cut.csv", plan.digest, plan.space.size)
+    whole = studied(plan, parts_of(plan, tmp_path / "whole.csv"))
+    parts = parts_of(plan, tmp_path / "cut.csv")
     with pytest.raises(KeyboardInterrupt):
         studied(plan, parts, stop_after(3))
     assert studied(plan, parts, resume=True) == whole
@@ -79,25 +85,25 @@ def test_a_search_goes_on_from_its_complete_parts_to_the_same_end(tmp_path):
 @pytest.mark.parametrize("damaged", [b"", b"half of a par", None])
 def test_a_part_whose_rows_are_not_those_written_is_worked_out_again(damaged, tmp_path):
     plan = planned(tmp_path, *VARIED, **GOALS)
-    parts = Parts(tmp_path / "cut.csv", plan.digest, plan.space.size)
+    parts = parts_of(plan, tmp_path / "cut.csv")
     with pytest.raises(KeyboardInterrupt):
         studied(plan, parts, stop_after(2))
     rows = parts.rows(1)
     before = rows.read_bytes()
     rows.unlink() if damaged is None else rows.write_bytes(damaged)
     assert parts.complete() == {0}
-    assert studied(plan, parts, resume=True).designs == 180
+    assert studied(plan, parts, resume=True).designs == DESIGNS
     assert rows.read_bytes() == before
 
 
 def test_what_else_lies_in_the_folder_of_parts_does_no_harm_and_stays(tmp_path):
     plan = planned(tmp_path, *VARIED, **GOALS)
-    parts = Parts(tmp_path / "r.csv", plan.digest, plan.space.size)
+    parts = parts_of(plan, tmp_path / "r.csv")
     parts.folder.mkdir()
     own = [parts.folder / name for name in ("part-mine.json", "part-1.txt", "notes.txt", "part-00000000.csv.bak")]
     for one in own:
         one.write_text("mine")
-    assert studied(plan, parts).designs == 180
+    assert studied(plan, parts).designs == DESIGNS
     parts.remove()
     assert sorted(parts.folder.iterdir()) == sorted(own)
 
@@ -133,7 +139,7 @@ def test_sobols_designs_are_the_same_however_they_are_parted(tmp_path):
 
 def test_a_second_study_in_the_folder_is_refused_and_so_is_another_ones_folder(tmp_path):
     plan = planned(tmp_path, *VARIED, **GOALS)
-    parts = Parts(tmp_path / "r.csv", plan.digest, plan.space.size)
+    parts = parts_of(plan, tmp_path / "r.csv")
     with parts.opened(False, False), pytest.raises(WriteError, match="another study is at work"):
         studied(plan, parts)
     with pytest.raises(WriteError, match="0 complete parts of this study; --resume goes on"):
@@ -148,20 +154,21 @@ def test_no_room_to_write_is_a_line_and_the_study_goes_on_when_there_is(tmp_path
     import resource
 
     study = written(tmp_path, *VARIED, **GOALS)
-    small = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))  # noqa: E731 - for the child alone
+    small = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))  # noqa: E731 - for the child alone
     done = command(study, "--jobs", 1, cwd=tmp_path, preexec_fn=small)
     assert done.returncode == 2
     assert len(done.stderr.splitlines()) == 1
     assert "cannot be written: File too large" in done.stderr
     assert not (tmp_path / "study.csv").exists()
     assert command(study, "--jobs", 1, "--resume", cwd=tmp_path).returncode == 0
-    assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 181
+    assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == DESIGNS + 1
 
 
 def test_a_command_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, capsys):
     from workbook.commands import study as command_
 
     study, results = written(tmp_path, *VARIED, **GOALS), tmp_path / "r.csv"
+    monkeypatch.setattr("workbook.studies.pace.MOST_ROWS", PART)
     monkeypatch.setattr(command_, "run", lambda plan, parts, workers, told: run(plan, parts, HERE, stop_after(2)))
     with pytest.raises(KeyboardInterrupt):
         command_.study(study, results, None, 1, False, None, True, False)
@@ -213,7 +220,7 @@ def test_a_command_killed_while_it_writes_its_results_goes_on(tmp_path, monkeypa
 
 def test_parts_that_nobody_owns_are_not_taken_for_a_studys_own(tmp_path):
     plan = planned(tmp_path, laws("MTP", "CUB"), **GOALS)
-    parts = Parts(tmp_path / "r.csv", plan.digest, plan.space.size)
+    parts = parts_of(plan, tmp_path / "r.csv")
     whole = studied(plan, parts)
     (parts.folder / "study.json").unlink()  # as of a folder that was being removed
     (parts.folder / "part-00000007.json").write_text((parts.folder / "part-00000000.json").read_text())
@@ -265,10 +272,10 @@ class Killing:
 @POSIX
 def test_a_worker_that_is_killed_in_the_middle_costs_no_design(tmp_path):
     plan = planned(tmp_path, *VARIED, **GOALS)
-    whole = studied(plan, Parts(tmp_path / "whole.csv", plan.digest, plan.space.size))
+    whole = studied(plan, parts_of(plan, tmp_path / "whole.csv"))
     with pool(2, None) as workers:
         killing = Killing(workers)
-        found = studied(plan, Parts(tmp_path / "cut.csv", plan.digest, plan.space.size), workers=killing)
+        found = studied(plan, parts_of(plan, tmp_path / "cut.csv"), workers=killing)
     assert killing.killed
     assert found == whole
 
@@ -313,7 +320,7 @@ def until_ready(address):
 
 @POSIX
 def test_a_scheduler_that_goes_is_a_line_and_another_ones_workers_complete_the_study(tmp_path):
-    study = written(tmp_path, laws("MTP", "CUB"), stops(80, 120, 300), **GOALS)
+    study = written(tmp_path, laws("MTP", "CUB"), stops(80, 120, 150), **GOALS)
     with cluster(tmp_path) as (address, processes):
         until_ready(address)
         told = [sys.executable, "-m", "workbook", "study", str(study), "--unverified", "--scheduler", address]
@@ -327,7 +334,7 @@ def test_a_scheduler_that_goes_is_a_line_and_another_ones_workers_complete_the_s
     assert f"the scheduler {address} is gone" in said
     done = command(study, "--jobs", 1, "--resume", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 601
+    assert len((tmp_path / "study.csv").read_text(encoding="utf-8").splitlines()) == 301
 
 
 @POSIX

@@ -10,6 +10,8 @@ import openpyxl
 import pytest
 
 from tests.mutation.bench import smaller
+from tests.tiers import by_day
+from tests.workbook.composed import COMPOSED, DESCRIBED
 from tests.workbook.writing.displayed import Displayed
 from workbook.book.rows import as_rows
 from workbook.judging.compare import TOLERANCE
@@ -27,13 +29,13 @@ GENERAL = 9  # digits after the first that Excel shows of a number without a for
 MOST = 12  # characters in a column of the usual width; longer numbers would be shown as ####
 
 
-@pytest.fixture(scope="module", params=[*TEMPLATES, "indexing-overlap-stations"])
+@pytest.fixture(scope="module", params=by_day([*DESCRIBED, "indexing-overlap-stations"], COMPOSED, "indexing-overlap"))
 def shown(request):
     """A small book as declared, as openpyxl reads it and as formulon shows it."""
     machine = smaller(read_machine(FOLDER / f"{request.param}.toml"))
     template = TEMPLATES[machine.template]
     book = template.declare(machine)
-    content = archive.zipped(parts(book, template.model))
+    content = archive.zipped(parts(book, type(machine)))
     with Displayed(content) as displayed:
         yield book, openpyxl.load_workbook(io.BytesIO(content)), displayed
 
@@ -61,7 +63,6 @@ def says(text, value, number_format, peak):
     return abs(float(text) - value) <= (1 + 1e-6) * step(number_format, text) + TOLERANCE * peak
 
 
-@pytest.mark.sample(1)
 def test_each_text_reads_back_as_its_value_to_the_shown_digits(shown):
     book, opened, displayed = shown
     wrong, count = [], 0
