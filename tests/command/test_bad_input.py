@@ -9,6 +9,7 @@ import openpyxl
 import pytest
 
 from tests import cutting
+from tests.workbook import composed
 from workbook.build import build
 from workbook.reading import files
 from workbook.reading.descriptions import read_machine, write_machine
@@ -40,9 +41,7 @@ def contents(folder):
 
 @pytest.fixture(scope="module")
 def layout():
-    machine = cutting.described()
-    sizes = machine.sizes.model_copy(update={"cycle": 12, "law": 4, "own_law": 4})
-    return machine.model_copy(update={"sizes": sizes})
+    return composed.small()
 
 
 @pytest.fixture(scope="module")
@@ -147,11 +146,11 @@ def test_whole_numbers_are_numbers(tmp_path):
 
 
 CELLS = {
-    "text for a number": ("timing_rate", "timing_rate", 0, "fast", ["'fast'", "expected a number greater than 0"]),
-    "logical value": ("timing_rate", "timing_rate", 0, True, ["TRUE", "expected a number"]),
-    "unknown law": ("axis2", "law", 1, "MPT", ["'MPT'", "expected MTP"]),
-    "number for a name": ("axes", "name", 1, 12, ["found 12", "expected a text"]),
-    "error value": ("timing_rate", "timing_rate", 0, "#DIV/0!", ["#DIV/0!", "expected a number"]),
+    "text for a number": ("timing_cycle", "timing_cycle", 0, "fast", ["'fast'", "expected a number greater than 0"]),
+    "logical value": ("timing_cycle", "timing_cycle", 0, True, ["TRUE", "expected a number"]),
+    "unknown law": ("axis1", "law", 1, "MPT", ["'MPT'", "expected MTP"]),
+    "number for a name": ("axes", "name", 0, 12, ["found 12", "expected a text"]),
+    "error value": ("timing_cycle", "timing_cycle", 0, "#DIV/0!", ["#DIV/0!", "expected a number"]),
 }  # fmt: skip
 TRIED = [(name, "inputs") for name in CELLS] + [("unknown law", "verify"), ("unknown law", "regenerate")]
 

@@ -212,7 +212,7 @@ def settled(course, motor, reducer):
     return rate
 
 
-@pytest.mark.parametrize("number", [*range(20), *nights(200)])
+@pytest.mark.parametrize("number", [*range(6), *nights(200)])
 def test_the_rate_that_is_entered_and_read_again_is_the_exact_one(request, number):
     told = name_of(request, number)
     course, drawn = random_course(f"rate {told}", linked=number % 10 == 3), random.Random(f"limits {told}")
@@ -261,7 +261,7 @@ def test_a_lossy_screw_is_driven_down_and_holds_its_load():
 # The continuous torque that falls with the mean speed
 
 
-@pytest.mark.parametrize("number", [*range(12), *nights(200)])
+@pytest.mark.parametrize("number", [*range(4), *nights(200)])
 def test_the_rate_by_a_falling_continuous_torque_is_on_the_safe_side_and_exact_where_it_is_entered(request, number):
     course = random_course(f"continuous {name_of(request, number)}", linked=number % 4 == 3)
     course = replace(course, train=replace(course.train, viscous=0.0))

@@ -35,7 +35,7 @@ def table(template, machine):
 
 
 @pytest.mark.parametrize(("name", "number"), ALL)
-@pytest.mark.sample(6)
+@pytest.mark.sample(3)
 def test_the_table_is_the_course_that_a_controller_is_given(name, number):
     template, machine = committed_as(name, number)
     meant = template.axes(machine)[number - 1]
@@ -49,7 +49,7 @@ def test_the_table_is_the_course_that_a_controller_is_given(name, number):
 
 
 @pytest.mark.parametrize("name", AXES)
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_a_book_with_it_agrees_and_comes_back(name):
     template, machine = committed_as(name, AXES[name])
     wrong, _ = disagreeing(template, machine)
