@@ -29,7 +29,7 @@ def forced(*windows, phases=RISE, **entries):
 def test_no_result_hangs_on_the_samples():
     axis = forced((10, 70, 900.0, "moving"), (300, 45, -250.0, "always"), shift=33.3,
                   reducer={"ratio": 3.0, "efficiency": 0.9})  # fmt: skip
-    few, many = (computed(TEMPLATE, small([axis], cycle=cycle)) for cycle in (12, 720))
+    few, many = (computed(TEMPLATE, small([axis], cycle=cycle)) for cycle in (12, 90))
     for name in FIGURES:
         assert few(f"drive1_{name}") == many(f"drive1_{name}"), name
     assert entered(TEMPLATE, small([axis])) == (small([axis]), [])
