@@ -46,7 +46,7 @@ def laws_sheet(
 
 def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
     """Declare the table of laws: name, coefficients, values at both ends."""
-    ends = meeting(laws) if hands_over else []
+    ends, reaches = meeting(laws) if hands_over else [], [reach(one.law) for one in laws]
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
         formulas = [one.own(one.page.coefficient(name)) for one in laws]
@@ -88,7 +88,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         end("a", "acceleration", "last"),
         *(calc(name, f"{word} position", f"s_{end.lower()}", "",
                [one.own(one.page.reached(end)) for one in laws],
-               [reach(one.law)[i] for one in laws], scale=1.0)
+               [one[i] for one in reaches], scale=1.0)
           for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
         *ends,
     )  # fmt: skip

@@ -119,12 +119,15 @@ def plot(
 
 def draw(svg: Element, line: Line, x: Array, y: Array, colour: str) -> None:
     """Draw a line, or its points, at their places in the picture."""
-    places = [(f"{one:.1f}", f"{other:.1f}") for one, other in zip(x, y, strict=True)]
+    places = [f"{one:.1f},{other:.1f}" for one, other in zip(x.tolist(), y.tolist(), strict=True)]
     if line.points:
-        for one, other in places:
+        for one, _, other in (place.partition(",") for place in places):
             SubElement(svg, "circle", {"cx": one, "cy": other, "r": "3", "fill": colour})
     else:
-        points = " ".join(map(",".join, places))
+        heights = np.round(y, 1)
+        bends = np.ones(len(places), dtype=bool)
+        bends[1:-1] = (heights[1:-1] != heights[:-2]) | (heights[1:-1] != heights[2:])
+        points = " ".join(place for place, bend in zip(places, bends.tolist(), strict=True) if bend)
         SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element, tostring
 
 import numpy as np
@@ -14,7 +14,7 @@ from engine.laws.base import Array
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book
 from workbook.book.summary import TITLE
-from workbook.differences.design import Design
+from workbook.differences.design import Design, Figure, Key
 from workbook.errors import MotionbookError
 from workbook.reading.descriptions import checked, counted, parsed, template_named
 from workbook.reports.differences import figure
@@ -37,6 +37,20 @@ class Drawn(NamedTuple):
     lines: list[Line]
 
 
+class Shown(Design):
+    """A design with its charts."""
+
+    @cached_property
+    def charts(self) -> list[tuple[tuple[str, str], Drawn]]:
+        """The charts of its book, by the titles of the sheet and their own."""
+        return list(charts_of(self.book))
+
+    @cached_property
+    def figures(self) -> dict[Key, Figure]:
+        """Its results."""
+        return self.results()
+
+
 def fragment(name: str, text: str, saved: str) -> str:
     """Return the HTML beside a description: what it comes to, with the lines of the saved one in grey."""
     try:
@@ -48,16 +62,16 @@ def fragment(name: str, text: str, saved: str) -> str:
 
 
 @lru_cache(KEPT)
-def design(name: str, text: str) -> Design:
+def design(name: str, text: str) -> Shown:
     """Return the design that a text describes. Raises InputError or ReadError for one that describes none."""
     path = Path(name)
     data = parsed(text, path)
     template = template_named(data.get("template"), "template")
     machine = checked(template, data, counted)
-    return Design(path, machine, template.declare(machine))
+    return Shown(path, machine, template.declare(machine))
 
 
-def before(name: str, saved: str) -> Design | None:
+def before(name: str, saved: str) -> Shown | None:
     """Return the saved design, None where its text describes none."""
     try:
         return design(name, saved)
@@ -65,7 +79,7 @@ def before(name: str, saved: str) -> Design | None:
         return None
 
 
-def panel(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:
+def panel(new: Shown, old: Shown | None, found: list[Edge]) -> list[Element]:
     """Return the checks that fail, the charts, and the results in short with those of the saved design."""
     faults = [e("p", f"{counted(fault.key)}: {fault.said}") for fault in new.machine.design.faults]
     fails = failing(new)
@@ -78,16 +92,16 @@ def panel(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:
     ]  # fmt: skip
 
 
-def failing(new: Design) -> list[list[Content]]:
+def failing(new: Shown) -> list[list[Content]]:
     """Return a row for each check that fails: its sheet, what it is, where and by how much."""
     return [[one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"]
 
 
-def results(new: Design, old: Design | None) -> list[list[Content]]:
+def results(new: Shown, old: Shown | None) -> list[list[Content]]:
     """Return a row for each result of the sheet Summary, with that of the saved design where it differs."""
-    known = old.results() if old else {}
+    known = old.figures if old else {}
     rows: list[list[Content]] = []
-    for key, one in new.results().items():
+    for key, one in new.figures.items():
         sheet, _, axis = one.place.partition(": ")
         if sheet == TITLE:
             saved = known.get(key)
@@ -104,46 +118,54 @@ def change(before: object, now: object) -> str:
     return f"{100.0 * (now - before) / abs(before):+.3g} %"
 
 
-def pictures(new: Design, old: Design | None, found: list[Edge]) -> list[Element]:
+def pictures(new: Shown, old: Shown | None, found: list[Edge]) -> list[Element]:
     """Return the timing diagram with handles at edges, the charts that an edit changes, else the first of the book."""
-    known = {(title, one.chart.title): one.lines for title, one in charts(old.book)} if old else {}
-    all_ = [(one, known.get((title, one.chart.title), one.lines)) for title, one in charts(new.book)]
+    known = {title: one.lines for title, one in old.charts} if old else {}
+    all_ = [(one, changed(one.lines, known.get(title))) for title, one in new.charts]
     shifts = {axis.name: axis.shift for axis in getattr(new.machine, "axes", [])} if found else {}
-    all_.sort(key=lambda both: not (both[0].chart.lanes or differ(both[0].lines, both[1])))
+    all_.sort(key=lambda both: not (both[0].chart.lanes or both[1]))
     drawn = []
-    for one, lines in all_[:CHARTS]:
+    for one, before in all_[:CHARTS]:
         chart = one.chart
-        svg = plot(chart.title, (chart.x, chart.y), one.lines, (False, chart.log_y), before=lines)
+        svg = plot(chart.title, (chart.x, chart.y), one.lines, (False, chart.log_y), before=before)
         if chart.lanes:
-            add_handles(svg, scales([*one.lines, *lines]), one.lines, found, shifts)
+            add_handles(svg, scales([*one.lines, *before]), one.lines, found, shifts)
         drawn.append(svg)
     return drawn
 
 
-def charts(book: Book) -> Iterator[tuple[str, Drawn]]:
-    """Yield the charts of a book that have lines, each once and with the title of its sheet."""
+def charts_of(book: Book) -> Iterator[tuple[tuple[str, str], Drawn]]:
+    """Yield the charts of a book that have lines, each once, by the titles of its sheet and its own."""
     seen: set[tuple[Series, ...]] = set()
     for sheet in book.sheets:
         for chart, *_ in sheet.charts:
             lines = [line(book, chart, one) for one in chart.series]
             drawn = [one for one in lines if one.x.size]
             if drawn and chart.series not in seen:
-                yield sheet.title, Drawn(chart, drawn)
+                yield (sheet.title, chart.title), Drawn(chart, drawn)
             seen.add(chart.series)
 
 
 def line(book: Book, chart: Chart, series: Series) -> Line:
     """Return a line of a chart: the points of which both figures are numbers, on an axis of powers above 0."""
-    x, y = (np.array([number(one) for one in book.values(column)]) for column in (series.x, series.y))
-    shown: Array = np.isfinite(x) & np.isfinite(y) & ((y > 0.0) | (not chart.log_y))
+    x, y = (numbers(book.values(column)) for column in (series.x, series.y))
+    shown = np.isfinite(x) & np.isfinite(y) & ((y > 0.0) | (not chart.log_y))
     block = book.blocks.get(series.name.removeprefix("="))
     name = str(block.quantities[0].value) if block is not None and series.name.startswith("=") else series.name
     return Line(name, x[shown], y[shown], series.points)
 
 
-def number(value: object) -> float:
-    """Return the number that a cell has; NaN where it has none."""
-    return float(value) if isinstance(value, int | float) else float("nan")
+def numbers(values: list[Any]) -> Array:
+    """Return the numbers that cells have; NaN where one has none."""
+    try:
+        return np.array(values, dtype=float)
+    except ValueError:  # a text among them
+        return np.array([one if isinstance(one, int | float) else np.nan for one in values], dtype=float)
+
+
+def changed(lines: list[Line], others: list[Line] | None) -> list[Line]:
+    """Return the lines as they were before, none of a chart in which no line changed or which is new."""
+    return others if others is not None and differ(lines, others) else []
 
 
 def differ(lines: list[Line], others: list[Line]) -> bool:

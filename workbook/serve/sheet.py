@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from xml.etree.ElementTree import Element, tostring
 
-from workbook.differences.design import Design
 from workbook.entries.machine import Machine
 from workbook.reports.page import Content, document, e, table
-from workbook.serve.live import design, failing, pictures, results
+from workbook.serve.live import Shown, design, failing, pictures, results
 from workbook.template import FOLDER
 
 KNOWN = ("number", "revision", "author", "date")
@@ -39,7 +38,7 @@ def page(name: str, text: str) -> str:
     return document(machine.title, [e("div", *body, css="sheet")])
 
 
-def figures(shown: Design) -> tuple[Element, list[Element]]:
+def figures(shown: Shown) -> tuple[Element, list[Element]]:
     """Return the results of the whole machine, and the table of those that each axis has, a row an axis."""
     whole: list[list[Content]] = []
     of: dict[str, dict[str, Content]] = {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import os
 import sys
 from collections.abc import Callable
@@ -13,7 +14,8 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from workbook.errors import MotionbookError
-from workbook.serve.jobs import Jobs, limit_memory
+from workbook.latest import remember
+from workbook.serve.jobs import POSIX, Jobs, limit_memory
 from workbook.serve.live import fragment
 
 LONGEST = 600.0
@@ -22,6 +24,8 @@ PATIENCE = 20.0
 """seconds of a panel beside what is edited"""
 
 
+REMEMBERED = 48
+"""things of each kind that the process for what is edited remembers: those of two of the largest books"""
 T = TypeVar("T")
 
 
@@ -56,8 +60,7 @@ class Work:
     async def beside(self, function: Callable[..., T], *arguments: Any) -> T:
         """Return what a function gives in the process beside the server; raise WorkError where it takes too long."""
         if self._editing is None:
-            limit = limit_memory if os.name == "posix" else None
-            self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=limit)
+            self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=prepared)
         try:
             found = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
             return await asyncio.wait_for(found, PATIENCE)
@@ -86,7 +89,7 @@ class Work:
         process = await asyncio.create_subprocess_exec(
             sys.executable, "-m", "workbook", *arguments, stdin=asyncio.subprocess.DEVNULL,
             stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT, env=os.environ | {"COLUMNS": "120"},
-            cwd=folder, preexec_fn=limit_memory if os.name == "posix" else None,
+            cwd=folder, preexec_fn=limit_memory if POSIX else None,
         )  # fmt: skip
         self._running.add(process)
         try:
@@ -105,3 +108,12 @@ class Work:
             process.kill()
         self._end_editing()
         self.jobs.stop()
+
+
+def prepared() -> None:
+    """Prepare the process for what is edited: it remembers what an edit leaves as it is."""
+    if POSIX:
+        limit_memory()
+    remember(REMEMBERED)
+    gc.freeze()
+    gc.set_threshold(100_000, 10, 10)

@@ -146,8 +146,8 @@ def test_a_design_is_edited_by_the_keyboard_alone(page, server):
     page.keyboard.press("Control+Y")
     assert "rate = 150.0" in text_of(page)
     tabbed(page, "button[value=edit]")
-    page.keyboard.press("Enter")
-    page.wait_for_url("**/edit/keys.toml")
+    with page.expect_navigation():
+        page.keyboard.press("Enter")
     assert read_machine(server.root / "keys.toml").master.rate == 150.0
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+from workbook.book.again import again
 from workbook.book.declare import FIRST, Book, Quantity, calc, constant, result
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import DEGREE, shown
@@ -22,7 +25,8 @@ RATES = (
 def cycle_sheets(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare a sheet for each axis."""
     for one in axes:
-        cycle_sheet(book, machine, one, len(axes) + len(machine.lanes) - one.axis.number)
+        floor = len(axes) + len(machine.lanes) - one.axis.number
+        again(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
 
 
 def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 
 from engine.timing import turn_time
+from workbook.book.again import again
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
 from workbook.drive.in_short import NO_DRIVE, InShort, axes_in_short
@@ -12,7 +14,9 @@ from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.entries.texts import place_of
 from workbook.entries.units import PER_MINUTE, shown, si
-from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.latest import latest
+from workbook.laws.sampling import Pieces
+from workbook.laws.shelf import LAW_SIZES, shelf_of
 from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.check import check
@@ -46,12 +50,11 @@ from workbook.template import Other, Template, finish
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
+    shelf = shelf_of(given.laws, given.sizes, bool(given.laws.of("LIN")))
     machine = Whole(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    rows = [AxisRows(machine, axis, shelf.stack) for axis in machine.axes]
-    drives = {one.axis.number: DriveView(one, Driven(one.axis, given))
-              for one in rows if one.axis.given.mechanism and one.axis.given.motor}  # fmt: skip
+    both = [driven(machine, axis, shelf.stack) for axis in machine.axes]
+    rows, drives = [one for one, _ in both], {one.axis.number: view for one, view in both if view}
     bus = Mains(list(drives.values()), given.power)
     sheet = summary_sheet(
         book,
@@ -72,8 +75,7 @@ def declare(given: AnyMachine) -> Book:
     book.name("axes", axis_name="name")
     for one in rows:
         if view := drives.get(one.axis.number):
-            drive_sheet(book, view)
-            name_points(book, view)
+            again(book, "drive sheets", (view, machine.near), partial(driven_sheet, book, view))
     clearances_sheet(book, [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)])
     power_sheet(book, bus)
     if given.selection.axis is not None:
@@ -88,6 +90,27 @@ def declare(given: AnyMachine) -> Book:
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, ("S1", "S3", "S4"))
+
+
+def driven(machine: Whole, axis: MovingAxis, stack: Pieces) -> tuple[AxisRows, DriveView | None]:
+    """Return an axis at its place in the book, and its drive; those of the latest book where they are the same."""
+    given = machine.machine
+    others = type(given), *(getattr(given, name) for name in type(given).model_fields if name != "axes")
+    rest = latest("machines", others, lambda: others)
+
+    def made() -> tuple[AxisRows, DriveView | None]:
+        one = AxisRows(machine, axis, stack)
+        return one, DriveView(one, Driven(axis, given)) if axis.given.mechanism and axis.given.motor else None
+
+    one, view = latest("drives", (axis, rest), made)
+    one.machine = machine
+    return one, view
+
+
+def driven_sheet(book: Book, view: DriveView) -> None:
+    """Declare the sheet of a drive, with the names of what others look up there."""
+    drive_sheet(book, view)
+    name_points(book, view)
 
 
 def pace(machine: Whole) -> list[Quantity]:

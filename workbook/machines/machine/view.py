@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import permutations
 from typing import Any, Literal
 
@@ -19,6 +19,7 @@ from workbook.entries.abscissa import ANGLE, Abscissa, in_unit
 from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, Real, shown, si
+from workbook.latest import latest
 from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.clearance import ENDS, MOST_CLEARANCES, ClearanceEntry
@@ -178,7 +179,13 @@ class Whole:
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
         self.machine, self.over = machine, machine.over
         both = zip(machine.axes_turned, machine.axes, strict=True)
-        self.axes = [MovingAxis(a, i, library, self.speed, typed, self.over) for i, (a, typed) in enumerate(both, 1)]
+        speed, over = self.speed, self.over
+        self.axes = [
+            latest(
+                "axes", (i, id(library), speed, over, a, typed), partial(MovingAxis, a, i, library, speed, typed, over)
+            )
+            for i, (a, typed) in enumerate(both, 1)
+        ]  # of these very laws: cells find them by what they are, not by what they equal
         each = zip(machine.switches_turned, machine.switches, strict=True)
         self.lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(each, 1)]
 
