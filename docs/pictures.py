@@ -1,4 +1,4 @@
-"""Make the pictures of README and docs from the committed workbooks; needs LibreOffice and pdftoppm.
+"""Make the pictures of README and docs: of the committed workbooks by LibreOffice and pdftoppm, of pages by Chromium.
 
 .venv/bin/python -m docs.pictures
 .venv/bin/python -m docs.pictures --all    (a contact sheet of every page of every workbook, not committed)
@@ -12,6 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from docs import browsing
 from docs.contact import contact
 from tests.functions.calc import Calc
 from workbook.functions import oxt
@@ -50,7 +51,7 @@ def printed(name: str, folder: Path) -> Path:
 
 
 def main(wanted: list[str]) -> None:
-    """Cut each picture, or those that are named, out of a page of its book."""
+    """Make each picture, or those that are named."""
     with tempfile.TemporaryDirectory() as folder:
         for name, book, page, left, top, width, height in PICTURES:
             if wanted and name not in wanted:
@@ -60,6 +61,7 @@ def main(wanted: list[str]) -> None:
             command = ["pdftoppm", "-png", "-singlefile", "-r", RESOLUTION, "-f", page, "-l", page, *cut]
             subprocess.run([*map(str, command), str(pdf), str(HERE / Path(name).stem)], check=True)
             print(f"Made {HERE / name}")
+    browsing.main(wanted)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ from workbook.reports.page import Content, e, table
 from workbook.selection.entries import COMMITTED
 from workbook.serve.live import design
 from workbook.serve.tables import Place, Table, changed, part_of, tables_of, written
+from workbook.studies.paths import written as counted
 
 EITHER = re.compile(r", | or ")
 PHRASES = ("a ", "7 ")
@@ -85,7 +86,7 @@ def rows(of: Table, said: dict[str, str], data: dict[str, Any]) -> list[Element]
     else:
         listed = section.path.endswith(".*")
         does = ("Add",) if of.entries is None else ("Copy", "Remove") if listed else ("Remove",) if place else ()
-        heading = [e("h3", ".".join(place) or "machine", " ", *(button(place, word) for word in does))]
+        heading = [e("h3", counted(place) or "machine", " ", *(button(place, word) for word in does))]
     if of.entries is None:
         return heading
     message = said.get(".".join(place), "")
@@ -109,21 +110,23 @@ def line(key: Key, place: Place, value: Any, said: dict[str, str], data: dict[st
 
 
 def grid(key: Key, place: Place, entries: list[Any], said: dict[str, str], data: dict[str, Any]) -> list[Element]:
-    """Return the rows of a list, a field for each of their entries."""
+    """Return the rows of a list, a field for each of their entries, last those that a row may be without."""
+    columns = sorted(enumerate(key.rows), key=lambda column: column[1].default is None and not column[1].required)
     lines: list[list[Content]] = []
     wrong = [words for path, words in said.items() if f"{path}.".startswith(f"{'.'.join(place)}.")]
     for k, row in enumerate(entries):
         cells: list[Content] = []
-        for n, one in enumerate(key.rows):
+        for n, one in columns:
             pair = isinstance(row, list)  # a time of being on may be a pair of numbers
             value = row[n] if pair and n < len(row) else None if pair else row.get(one.name)
             way = (*place, str(k), str(n) if pair else one.name)
             cells.append(field(one, way, value, said.get(".".join(way), ""), data))
         lines.append([*cells, e("span", *(button((*place, str(k)), word) for word in ("Copy", "Remove")))])
-    heads = [f"{one.meaning}" + (f" [{one.unit}]" if one.unit else "") for one in key.rows]
+    heads = [e("span", f"{one.name} [{one.unit}]" if one.unit else one.name, title=one.meaning) for _, one in columns]
     add = [] if entries else [button((*place, "0"), "Add")]
     inside = [e("div", table((*heads, ""), lines, ()), css="wide")] if lines else []
-    return [e("h4", f"{key.meaning} ", *add), *inside, *(e("p", words, css="disagrees") for words in wrong)]
+    heading = e("h4", f"{key.name} ", *add, title=key.meaning)
+    return [heading, *inside, *(e("p", words, css="disagrees") for words in wrong)]
 
 
 def button(place: Place, word: str) -> Element:

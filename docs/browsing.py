@@ -1,0 +1,77 @@
+"""Make the pictures of the pages in the browser for docs/browser.md; needs Chromium.
+
+.venv/bin/python -m docs.browsing
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from playwright.sync_api import Page, sync_playwright
+
+from workbook.template import FOLDER
+
+HERE = Path(__file__).parent
+ADDRESS = re.compile(r"http://\S+")
+SIZE = {"width": 1440, "height": 900}
+LONG = 300_000
+"""ms: a study is worked out"""
+
+
+def design(page: Page, root: str) -> None:
+    """Show an axis in the form, and what comes of an edge that is moved."""
+    page.goto(f"{root}/edit/machine.toml")
+    page.wait_for_selector("#live .edge")
+    page.select_option("#part", '["axes", "1"]')
+    edge = page.locator('.edge[data-edge="MC02 135"]')
+    edge.focus()
+    for value in range(136, 142):
+        page.keyboard.press("ArrowRight")
+        page.wait_for_selector(f'.edge[data-edge="MC02 {value}"]')
+    page.wait_for_load_state("networkidle")
+    page.locator("#form").evaluate("form => form.scrollTop = form.querySelector('h4').offsetTop - form.offsetTop")
+
+
+def study(page: Page, root: str) -> None:
+    """Show the front of the study in docs."""
+    page.goto(f"{root}/study/study.toml")
+    page.get_by_role("button", name="Begin").click()
+    page.wait_for_selector("#study svg")
+
+
+PICTURES = {"browser-edit.png": design, "browser-study.png": study}
+
+
+def main(wanted: list[str]) -> None:
+    """Take each picture, or those that are named, of a folder that is served."""
+    shown = {name: show for name, show in PICTURES.items() if not wanted or name in wanted}
+    if not shown:
+        return
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
+        shutil.copy(FOLDER / "machine.toml", folder)
+        text = (HERE / "study.toml").read_text(encoding="utf-8")
+        Path(folder, "study.toml").write_text(text.replace("../templates/", ""), encoding="utf-8")
+        command = [sys.executable, "-u", "-m", "workbook", "serve", folder, "--no-browse"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+            found = ADDRESS.search(server.stdout.readline() if server.stdout else "")
+            address = found[0] if found else ""
+            browser = driver.chromium.launch(executable_path=shutil.which("chromium") or shutil.which("google-chrome"))
+            page = browser.new_page(viewport=SIZE)  # type: ignore[arg-type]
+            page.set_default_timeout(LONG)
+            page.goto(address)
+            for name, show in shown.items():
+                show(page, address.partition("/?")[0])
+                page.screenshot(path=HERE / name)
+                print(f"Made {HERE / name}")
+            browser.close()
+            server.send_signal(signal.SIGINT)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
