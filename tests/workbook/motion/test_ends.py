@@ -90,7 +90,7 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases(tmp_path):
 
 
 @pytest.mark.parametrize("law", ["ACS", "CUB", "SCV", "PO7", "HAC"])
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 def test_what_is_mirrored_comes_to_the_same(law):
     phases = [(law if name == "PO5" else name, lift, d) for name, lift, d in STEP]
     one, other = of(composed(phases)), of(composed([(name, -lift, d) for name, lift, d in phases]))
@@ -171,6 +171,7 @@ def test_a_velocity_that_is_entered_beside_a_dwell_or_where_a_law_has_none_fails
         ([("LIN", 20.0, 360.0), ("PO5", -20.0, 1e-3)], "OK"),
     ],
 )
+@pytest.mark.sample(3)
 def test_straight_lines_and_single_phases(phases, smooth):
     value = of(composed(phases))
     assert (value("axis1_smooth"), value("axis1_meets")) == (smooth, "OK")
@@ -187,6 +188,7 @@ def test_a_jump_between_straight_lines_names_both_slopes():
 
 
 @pytest.mark.parametrize("seed", range(100, 103))
+@pytest.mark.sample(2)
 def test_no_sample_is_beyond_the_extremes_of_its_phases(seed):
     machine = drawn(seed)
     machine = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 720})})

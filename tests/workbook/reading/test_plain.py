@@ -63,6 +63,7 @@ def parts() -> list[tuple[str, bytes]]:
     return found
 
 
+@pytest.mark.sample(60)
 @pytest.mark.parametrize(("name", "data"), parts(), ids=lambda value: value if isinstance(value, str) else "")
 def test_a_sheet_of_ours_is_plain_but_for_arrays_and_taken_as_the_parser_takes_it(
     name: str, data: bytes, unread: pytest.MonkeyPatch

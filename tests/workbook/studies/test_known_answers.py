@@ -103,12 +103,12 @@ def test_the_front_is_what_comparing_each_with_each_leaves():
 
 def test_the_front_of_a_study_is_that_of_all_its_designs(tmp_path):
     goals = ["drive1_rms", "drive1_pair_mass", "drive1_speed"]
-    vary = (laws("MTP", "CUB"), stops(80, 120, 40), MOTORS, REDUCERS)
+    vary = (laws("MTP", "CUB"), stops(80, 120, 8), MOTORS, REDUCERS)
     found = best(tmp_path, *vary, minimise=goals, constraints=FREE)
     plan = planned(tmp_path, *vary, minimise=goals, constraints=FREE)
     table = Evaluator(plan).table(0, plan.space.columns(0, plan.space.size))
     points = np.column_stack([table.results[name] for name in goals])
     some = np.flatnonzero(~np.isnan(points).any(axis=1))
     expected = points[some[front(points[some])]]
-    assert found.designs == 2 * 40 * 19 * 16
+    assert found.designs == 2 * 8 * 19 * 16
     assert [[one.results[name] for name in goals] for one in found.best] == expected.tolist()

@@ -122,6 +122,7 @@ def columns(book):
     return found
 
 
+@pytest.mark.sample(6)
 def test_each_range_of_a_chart_is_saved_with_its_numbers(made):
     path, book = made
     declared, count = columns(book), 0
