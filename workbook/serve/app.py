@@ -28,7 +28,7 @@ from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 from workbook.writing.place import replace
 
-STATIC = {name: name for name in ("form.js", "live.js", "study.js", "text.js")} | {"favicon.ico": "icon.svg"}
+STATIC = {name: name for name in ("form.js", "home.js", "live.js", "study.js", "text.js")} | {"favicon.ico": "icon.svg"}
 
 
 class Home(Page):
@@ -56,11 +56,7 @@ class New(Page):
     async def post(self) -> None:
         """Write it, under a name that is free, and edit it."""
         path = self.folder.free(f"{self.argument('name')}.toml")
-        done = await self.work.run("new", self.argument("template"), "-o", path)
-        if done.code:
-            self.finish(pages.printed("New machine", done.text, "not written"))
-        else:
-            self.redirect(f"/edit/{path.name}")
+        await self.made("New machine", path, "new", self.argument("template"))
 
 
 class Edit(Page):
@@ -72,7 +68,7 @@ class Edit(Page):
         if not study:
             self.finish(pages.editor(name, read_text(path, "a description"), state(path)))
             return
-        asked, number = self.folder.file(study), int(self.get_query_argument("pick"))
+        asked, number = self.folder.file(study), studied.place_of(self.get_query_argument("pick"))
         text = await self.work.beside(studied.picked, asked, asked.with_suffix(".json"), number)
         said = f"Design {number} of {study}, beside the saved {name}. It is not saved yet."
         self.finish(pages.editor(name, text, state(path), said, f"{asked.stem}-{number}.toml"))
@@ -180,7 +176,36 @@ class Verify(Page):
     async def post(self) -> None:
         """Answer with the report."""
         path = self.folder.file(self.argument("name"))
-        await self.reported(path, path.name)
+        more = [pages.post("/inputs", path.name, "Edit what is entered"),
+                pages.post("/regenerate", path.name, "Build anew")]  # fmt: skip
+        await self.reported(path, path.name, *more)
+
+
+class Inputs(Page):
+    """What was entered in a workbook of the folder."""
+
+    async def post(self) -> None:
+        """Write it as a description, under a name that is free, and edit it."""
+        path = self.folder.file(self.argument("name"))
+        await self.made(path.name, self.folder.free(f"{path.stem}.toml"), "inputs", path)
+
+
+class Regenerate(Page):
+    """A workbook of the folder, built anew by today's formulas."""
+
+    async def post(self) -> None:
+        """Build it under a name that is free."""
+        path = self.folder.file(self.argument("name"))
+        await self.made(path.name, self.folder.free(f"{path.stem}.xlsx"), "regenerate", path)
+
+
+class Short(Page):
+    """What a description comes to, in a line for the first page."""
+
+    async def get(self, name: str) -> None:
+        """Answer with the line."""
+        text = read_text(self.folder.file(name), "a description")
+        self.finish(await self.work.beside(sheet.in_short, name, text))
 
 
 class Upload(Page):
@@ -222,6 +247,7 @@ def application(folder: Folder, token: str, hosts: list[str], work: Work) -> App
     shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
     routes = [
         (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
+        (r"/inputs", Inputs), (r"/regenerate", Regenerate), (r"/short/([^/]+)", Short),
         (r"/print/([^/]+)", Print), (r"/picture/([^/]+)\.svg", Picture),
         (r"/live", Live), (r"/fields", Fields), (r"/set", Enter),
         (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),

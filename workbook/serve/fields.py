@@ -45,7 +45,10 @@ def entered(name: str, text: str, path: str, do: str, value: str) -> str:
     """Return the text with what was entered in a field at a path, or done by a button beside it."""
     data = parsed(text, Path(name))
     template = template_named(data.get("template"), "template")
-    place = json.loads(path)
+    try:
+        place = json.loads(path)
+    except ValueError:
+        place = None
     if not isinstance(place, list) or not place or not all(isinstance(part, str) for part in place):
         raise InputError([f"{path!r}: expected the names of an entry"])
     return changed(text, template.name, data, tuple(place), do, value)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 from typing import Any
+from xml.etree.ElementTree import Element
 
 from tornado.httputil import HTTPFile
 
@@ -53,14 +54,24 @@ class Page(Guarded):
             raise WriteError("no file came; choose one first")
         return files[0]
 
-    async def reported(self, path: Path, name: str) -> None:
-        """Verify a workbook and answer with its report."""
+    async def made(self, title: str, path: Path, *command: str | Path) -> None:
+        """Run a command that writes a file; edit it where it is a description, else offer it."""
+        done = await self.work.run(*command, "-o", path)
+        if done.code:
+            self.finish(pages.printed(title, done.text, "not written"))
+        elif path.suffix == ".toml":
+            self.redirect(f"/edit/{path.name}")
+        else:
+            self.finish(pages.printed(title, done.text, "", pages.link(f"/file/{path.name}", "Download")))
+
+    async def reported(self, path: Path, name: str, *links: Element) -> None:
+        """Verify a workbook and answer with its report, links above it."""
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder) / REPORT
             done = await self.work.run("verify", path, "--report", report)
             text = report.read_text(encoding="utf-8") if report.exists() else ""
         self.verdicts[name] = pages.VERDICTS.get(done.code, "cannot be read")
-        self.finish(pages.framed(text) if text else pages.printed(name, done.text, self.verdicts[name]))
+        self.finish(pages.framed(text, *links) if text else pages.printed(name, done.text, self.verdicts[name]))
 
 
 async def built(work: Work, folder: Folder, path: Path) -> tuple[Done, Path]:

@@ -20,10 +20,11 @@ def home(folder: Folder, verdicts: Mapping[str, str], waiting: int) -> str:
     queue = [e("p", f"{waiting} commands run or wait for their turn.", css="quiet")] if waiting else []
     body = [
         e("h1", "motionbook"), e("p", str(folder.path), css="quiet"), *queue, e("h2", "Machines in this folder"),
-        table(("File", "Changed", "Verdict", ""), rows, ()) if rows else e("p", "No description and no workbook yet."),
+        table(("File", "Changed", "In short", "Verdict", ""), rows, ()) if rows else e("p", "No machine yet."),
         e("h2", "New machine"), gallery(),
         e("h2", "Verify a workbook from elsewhere"), upload(),
         e("h2", "Compare two"), comparison([path.name for path in folder.files()]),
+        e("script", src="/home.js", type="module"),
     ]  # fmt: skip
     return document("motionbook", body)
 
@@ -42,7 +43,9 @@ def row(path: Path, verdicts: Mapping[str, str]) -> list[Content]:
             link(f"/controller/{path.name}", "Controller"),
             link(f"/file/{path.name}", "Download"),
         ]
-    return [path.name, changed, verdicts.get(path.name, "–"), e("span", *links)]
+    described = path.suffix.lower() == ".toml" and not is_study(path)
+    short = e("span", css="quiet", **({"data-short": path.name} if described else {}))
+    return [path.name, changed, short, verdicts.get(path.name, "–"), e("span", *links)]
 
 
 def is_study(path: Path) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from xml.etree.ElementTree import Element, tostring
 
 from workbook.entries.machine import Machine
+from workbook.errors import MotionbookError
 from workbook.reports.page import Content, document, e, table
 from workbook.serve.live import Shown, design, failing, pictures, results
 from workbook.template import FOLDER
@@ -13,6 +14,8 @@ KNOWN = ("number", "revision", "author", "date")
 """what identifies a machine beside its title"""
 LINES = 6
 """checks that fail, in sentences; more are counted"""
+FIRST = 3
+"""results in a line"""
 DRAWN, FEWER, MANY = 4, 2, 12
 """charts below the table of axes, and how many where it is longer than this"""
 
@@ -61,6 +64,18 @@ def short(value: str) -> str:
     except ValueError:
         return value
     return f"{number:,.0f}" if abs(number) >= 1000.0 else f"{number:.4g}"
+
+
+def in_short(name: str, text: str) -> str:
+    """Return in a line the first results of a description, and how many checks fail."""
+    try:
+        shown = design(name, text)
+    except MotionbookError as error:
+        return str(error).partition("\n")[0]
+    whole = [f"{label} {short(str(value))} {unit}".rstrip() for label, value, _, _, unit in results(shown, None)
+             if ": " not in str(label)]  # fmt: skip
+    fails = len(failing(shown))
+    return "; ".join([*whole[:FIRST], f"{fails} checks FAIL" if fails else "all checks OK"])
 
 
 def picture(template: str) -> str:

@@ -178,6 +178,13 @@ def linked(said: list[Element], links: list[str]) -> list[Element]:
     return said
 
 
+def place_of(text: str) -> int:
+    """Return the place of a design among the best."""
+    if not text.isdecimal():
+        raise InputError([f"{text!r}: expected the place of a design"])
+    return int(text)
+
+
 def picked(path: Path, results: Path, number: int) -> str:
     """Return the description of one of the best designs of a study: the text of its base with other entries."""
     plan, found = found_in(path, results)

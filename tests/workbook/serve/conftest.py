@@ -5,6 +5,7 @@ import re
 import signal
 import subprocess
 import sys
+from contextlib import contextmanager
 from functools import partial
 from urllib.parse import urlencode
 
@@ -26,7 +27,7 @@ class Answer:
 
 
 class Server:
-    """The command, serving a folder with the cutting machine in small tables."""
+    """The command as a browser asks it."""
 
     def __init__(self, root, host, token):
         self.root, self.host, self.token = root, host, token
@@ -54,16 +55,9 @@ class Server:
         return self.ask(path, body, **{"Content-Type": f"multipart/form-data; boundary={BOUNDARY}"})
 
 
-@pytest.fixture(scope="module")
-def server(tmp_path_factory):
-    """The command, running."""
-    root = tmp_path_factory.mktemp("serve") / "machines"
-    root.mkdir()
-    (root.parent / "secret.toml").write_text("outside")
-    machine = cutting.small(cycle=12, law=4, own_law=4)
-    write_inputs(machine, root / "cutting.toml")
-    write_inputs(machine, root / "live.toml")
-    build(machine, root / "cutting.xlsx")
+@contextmanager
+def serving(root):
+    """The command, running on a folder; Ctrl+C ends it."""
     command = [sys.executable, "-u", "-m", "workbook", "serve", str(root), "--no-browse"]
     heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # tests in the background ignore Ctrl+C
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, preexec_fn=heard) as process:
@@ -74,3 +68,17 @@ def server(tmp_path_factory):
             assert process.wait(20) == 0
         finally:
             process.kill()
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    """The command, running on a folder with the cutting machine in small tables."""
+    root = tmp_path_factory.mktemp("serve") / "machines"
+    root.mkdir()
+    (root.parent / "secret.toml").write_text("outside")
+    machine = cutting.small(cycle=12, law=4, own_law=4)
+    write_inputs(machine, root / "cutting.toml")
+    write_inputs(machine, root / "live.toml")
+    build(machine, root / "cutting.xlsx")
+    with serving(root) as running:
+        yield running

@@ -20,6 +20,7 @@ from workbook.reports.study import figure as figure_of
 from workbook.serve.live import design
 from workbook.serve.sheet import short
 from workbook.templates import TEMPLATES
+from workbook.writing.same import same_book
 
 SAVED = {"name": "cutting.toml", "as": "cutting.toml", "then": "build"}
 
@@ -73,6 +74,27 @@ def test_the_page_to_print_has_the_results_of_the_design(server):
     for one in found.results().values():
         if one.place.startswith("Summary"):
             assert f">{short(figure(one.value))}<" in page
+
+
+def test_a_verified_book_is_taken_into_edit_and_built_anew(server):
+    report = server.ask("/verify", server.form(name="cutting.xlsx")).body.decode()
+    assert 'action="/inputs"' in report
+    assert 'action="/regenerate"' in report
+    done = server.ask("/inputs", server.form(name="cutting.xlsx"))
+    entered = read_machine(server.root / done.headers["Location"].removeprefix("/edit/"))
+    assert entered == read_machine(server.root / "live.toml")
+    page = server.ask("/regenerate", server.form(name="cutting.xlsx")).body.decode()
+    name = re.search(r'href="/file/([^"]+)"', page)[1]
+    assert same_book(server.root / name, server.root / "cutting.xlsx")
+
+
+def test_the_first_page_tells_each_description_in_short(server):
+    assert 'data-short="live.toml"' in server.ask("/").body.decode()
+    found = read(server.root / "live.toml")
+    rate = next(one for one in found.results().values() if one.label == "Production rate")
+    said = server.ask("/short/live.toml").body.decode()
+    assert said.startswith(f"Production rate {rate.value:g} cycles/min; ")
+    assert said.endswith("all checks OK" if all(one.value == "OK" for one in found.checks().values()) else "FAIL")
 
 
 def test_two_machines_are_compared(server):

@@ -1,0 +1,102 @@
+"""What nobody may do to the server: fill it, stop it, or leave its work behind."""
+
+import asyncio
+import io
+import os
+import socket
+import time
+import zipfile
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+from tests import cutting
+from tests.workbook.serve.conftest import serving
+from workbook.build import write_inputs
+from workbook.serve.work import Done, Work
+
+RATE = "master.rate"
+LONG = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": RATE,
+        "values": "30 to 60 in 1000000", "vary": RATE}  # fmt: skip
+
+
+def test_an_upload_of_a_gigabyte_is_refused_before_it_is_sent(server):
+    host, _, port = server.host.partition(":")
+    head = (f"POST /upload HTTP/1.1\r\nHost: {server.host}\r\nOrigin: http://{server.host}\r\n"
+            f"Cookie: motionbook={server.token}\r\nContent-Length: {10**9}\r\n\r\n")  # fmt: skip
+    with socket.create_connection((host, int(port)), timeout=20) as connection:
+        connection.sendall(head.encode())
+        assert b"200 OK" not in connection.recv(1000)
+    assert server.ask("/").code == 200
+
+
+def test_a_zip_bomb_is_told_and_harms_nobody(server):
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as file:
+        file.writestr("xl/workbook.xml", bytes(300_000_000))
+    answer = server.upload("/upload", "book", "bomb.xlsx", packed.getvalue()).body.decode()
+    assert "Cannot be read" in answer
+    assert server.ask("/").code == 200
+
+
+def test_a_hundred_commands_wait_for_their_turn(monkeypatch):
+    running, most = [0], []
+
+    async def slow(self, arguments, folder):
+        running[0] += 1
+        most.append((running[0], self.waiting))
+        await asyncio.sleep(0.001)
+        running[0] -= 1
+        return Done(0, arguments[0])
+
+    async def all_at_once():
+        work = Work(2)
+        return await asyncio.gather(*(work.run(f"{k}") for k in range(100))), work.waiting
+
+    monkeypatch.setattr(Work, "_run", slow)
+    done, waiting = asyncio.run(all_at_once())
+    assert [one.text for one in done] == [f"{k}" for k in range(100)]
+    assert max(count for count, _ in most) == 2
+    assert max(count for _, count in most) == 98
+    assert waiting == 0
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="the processes of a machine are listed in /proc")
+def test_a_study_ends_with_the_server_and_its_parts_stay(tmp_path):
+    write_inputs(cutting.small(cycle=12, law=4, own_law=4), tmp_path / "long.toml")
+    with serving(tmp_path) as server:
+        server.ask("/study", server.form(name="long.toml", **LONG))
+        while not [*tmp_path.glob("*.parts/part-*.json")]:
+            assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
+            time.sleep(0.2)
+        (session,) = {os.getsid(pid) for pid in pids() if b"long-study.toml" in words_of(pid)}
+        assert len(of_session(session)) >= 1
+    for _ in range(50):
+        if not of_session(session):
+            break
+        time.sleep(0.1)
+    assert of_session(session) == []
+    assert [*tmp_path.glob("*.parts/part-*.json")]
+
+
+def pids():
+    """The processes of this machine."""
+    return [int(process.name) for process in Path("/proc").iterdir() if process.name.isdigit()]
+
+
+def words_of(pid):
+    """The words with which a process was called; none of one that has ended."""
+    with suppress(OSError):
+        return Path(f"/proc/{pid}/cmdline").read_bytes()
+    return b""
+
+
+def of_session(session):
+    """The processes of a session that have not ended: a study and its workers."""
+    found = []
+    for pid in pids():
+        with suppress(OSError):
+            if os.getsid(pid) == session and words_of(pid):
+                found.append(pid)
+    return found
