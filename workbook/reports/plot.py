@@ -118,17 +118,17 @@ def plot(
 
 
 def draw(svg: Element, line: Line, x: Array, y: Array, colour: str) -> None:
-    """Draw a line, or its points, at their places in the picture."""
-    places = [f"{one:.1f},{other:.1f}" for one, other in zip(x.tolist(), y.tolist(), strict=True)]
+    """Draw a line, or its points, at their places in the picture; a level stretch goes by its ends."""
     if line.points:
-        for one, _, other in (place.partition(",") for place in places):
-            SubElement(svg, "circle", {"cx": one, "cy": other, "r": "3", "fill": colour})
-    else:
-        heights = np.round(y, 1)
-        bends = np.ones(len(places), dtype=bool)
-        bends[1:-1] = (heights[1:-1] != heights[:-2]) | (heights[1:-1] != heights[2:])
-        points = " ".join(place for place, bend in zip(places, bends.tolist(), strict=True) if bend)
-        SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
+        for one, other in zip(x.tolist(), y.tolist(), strict=True):
+            SubElement(svg, "circle", {"cx": f"{one:.1f}", "cy": f"{other:.1f}", "r": "3", "fill": colour})
+        return
+    height = np.round(y, 1)
+    bends = np.ones(len(height), dtype=bool)
+    bends[1:-1] = (height[1:-1] != height[:-2]) | (height[1:-1] != height[2:])
+    flat = np.stack([x[bends], height[bends]], axis=1).ravel().tolist()
+    points = " ".join(["%.1f,%.1f"] * (len(flat) // 2)) % tuple(flat)
+    SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
 
 
 def grid(svg: Element, across: Scale, up: Scale, labels: tuple[str, str]) -> None:
