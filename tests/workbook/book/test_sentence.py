@@ -29,3 +29,9 @@ def test_what_holds_up_to_an_amount_is_never_told_above_it(value, text):
     told = float(bound("@highest", value, "", "").said)
     assert told == pytest.approx(float(text), rel=2e-6)
     assert told <= value
+
+
+@pytest.mark.parametrize("value", [200.0, 0.1, 12.5, 3000.0])
+def test_an_amount_of_one_decimal_is_told_whole_on_both_sides_of_its_rounding(value):
+    told = {bound("@highest", value * (1 + error), "", "").said for error in (-1e-9, 0.0, 1e-9)}
+    assert told == {f"{value:g}"}
