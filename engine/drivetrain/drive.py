@@ -23,8 +23,9 @@ class Drive:
     ``method`` physical: each stage's losses count against the motor where it drives and help it where the
     load drives (at rest, as if it drove). ``document``: S4's, inertia and torque behind a stage always over η.
     ``holding``: who holds the load at rest; S4 counts no torque there, as with a brake.
-    ``no_load`` is the torque (Nm) at the motor's shaft that opposes its rotation, whatever the load.
-    Raises ValueError for a negative inertia or no-load torque, or another word.
+    ``no_load`` is the torque (Nm) at the motor's shaft that opposes its rotation, whatever the load;
+    ``copper`` are the losses of its winding over the square of its torque, P_N/T_N² (W/(Nm)²).
+    Raises ValueError for what is negative, or another word.
     """
 
     mechanism: Mechanism
@@ -32,9 +33,10 @@ class Drive:
     method: Method = "physical"
     holding: Holding = "motor"
     no_load: float = 0.0
+    copper: float = 0.0
 
     def __post_init__(self) -> None:
-        require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load)
+        require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load, copper=self.copper)
         require_method(self.method)
         if self.holding not in get_args(Holding):
             raise ValueError(f"holding is {self.holding!r}; expected 'motor' or 'brake'")

@@ -178,7 +178,7 @@ class Part(NamedTuple):
     begin: float
 
     def power(self, t: Array) -> Array:
-        """Return the power (W) at the motor's shaft."""
+        """Return the power (W) of the motor."""
         return self.stretch.power((t - self.begin) * self.stretch.speed)
 
 
@@ -257,7 +257,7 @@ def _time(course: Course, stretch: Stretch, u: float) -> float:
 
 
 def _begins(course: Course) -> list[float]:
-    return [_time(course, stretch, stretch.low) for stretch in course.stretches]
+    return [_time(course, one, u) for one in course.stretches for u in (one.low, *one.turns)]
 
 
 def _placed(course: Course) -> list[tuple[float, Course, Stretch]]:

@@ -95,8 +95,14 @@ class Stretch:
         return self.train.drive.no_load * self.going if shaft == 0 else 0.0
 
     def power(self, u: Array) -> Array:
-        """Return the power (W) at the motor's shaft."""
-        return np.asarray(self.torque(u) * self.motor_speed(u))
+        """Return the power (W) of the motor, with the losses of its winding: T ω + (P_N/T_N²) T²."""
+        torque = self.torque(u)
+        return np.asarray(torque * (self.motor_speed(u) + self.train.drive.copper * torque))
+
+    @property
+    def turns(self) -> list[float]:
+        """Where the power of the motor changes its sign: copper losses do that where its torque does not."""
+        return crossed(self.power, self.low, self.high, self.nodes) if self.train.drive.copper else []
 
     def curve(self, shaft: int = 0) -> Curve | None:
         """Return the torque of a shaft as a curve over u, which has a ladder; None behind a ratio that changes."""

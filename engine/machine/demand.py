@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -77,7 +78,7 @@ class Demand:
 
     @cached_property
     def power(self) -> Bounds:
-        """Power (W) at the motor's shaft."""
+        """Power (W) of the motor, with the losses of its winding."""
         return _bounds((one, u, one.power(u)) for one in self.stretches for u in (_searched(one, one.power),))
 
     @cached_property
@@ -97,9 +98,10 @@ class Demand:
 
     @cached_property
     def energy(self) -> Energy:
-        """Energy at the motor's shaft over the cycle."""
+        """Energy of the motor over the cycle, with the losses of its winding."""
         scale = self.torque.peak * self.speed.peak
-        each = [integral(one.power, one.low, one.high, scale) / one.speed for one in self.stretches]
+        parts = [(one, *ends) for one in self.stretches for ends in pairwise([one.low, *one.turns, one.high])]
+        each = [integral(one.power, low, high, scale) / one.speed for one, low, high in parts]
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))
 
     def mean_shaft_torque(self, shaft: int) -> float:

@@ -19,11 +19,12 @@ from engine.machine.quadrature import TIED
 
 
 class Limits(NamedTuple):
-    """Peak torque of each motor (Nm), the speed up to which it holds (rad/s), its fall beyond (Nm s)."""
+    """Peak torque of each motor (Nm), up to which speed (rad/s), its fall beyond (Nm s), copper losses (W/(Nm)²)."""
 
     peak: Array
     knee: Array
     fall: Array
+    copper: Array
 
 
 class Extremes(NamedTuple):
@@ -56,19 +57,20 @@ class Many:
     gears: Gears
     limits: Limits
 
-    def _parts(self) -> Iterator[tuple[slice, Array, Array]]:
-        """Yield some of them at a time, with their torques (Nm) and speeds (rad/s): motors down, points across."""
+    def _parts(self) -> Iterator[tuple[slice, Array, Array, Array]]:
+        """Yield some at a time, with their torques (Nm), speeds (rad/s) and powers (W): motors down, points across."""
         speed = self.load.load.speed.ravel()
         for some in self.gears.parts(speed.size):
             one = Gears(*(values[some] for values in self.gears))
-            yield some, self.load.torques(one), one.ratio[:, None] * speed
+            torque, fast = self.load.torques(one), one.ratio[:, None] * speed
+            yield some, torque, fast, torque * (fast + self.limits.copper[some, None] * torque)
 
     @cached_property
     def extremes(self) -> Extremes:
         """Peaks over the cycle."""
         place, found = self.load.load.place, []
-        for some, torque, speed in self._parts():
-            power, (peak, knee, fall) = torque * speed, (values[some, None] for values in self.limits)
+        for some, torque, speed, power in self._parts():
+            peak, knee, fall, _ = (values[some, None] for values in self.limits)
             left = peak - fall * np.maximum(0.0, np.abs(speed) - knee) - np.abs(torque)
             each = (-tops(-torque, place), tops(torque, place), -tops(-power, place), tops(power, place))
             found.append((*each, left.min(axis=1)))
@@ -77,7 +79,7 @@ class Many:
     def works(self, time: float) -> Works:
         """Return the work of each over a cycle of so long (s)."""
         share = self.load.load.share.ravel() * time
-        each = [[np.maximum(way * t * n, 0.0) @ share for way in (1.0, -1.0)] for _, t, n in self._parts()]
+        each = [[np.maximum(way * power, 0.0) @ share for way in (1.0, -1.0)] for *_, power in self._parts()]
         return Works(*(np.concatenate(values) for values in zip(*each, strict=True)))
 
 

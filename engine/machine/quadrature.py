@@ -299,8 +299,8 @@ class DrivePoints:
 
     @property
     def power(self) -> Array:
-        """Power at the motor's shaft (W)."""
-        return self.torque * self.speed
+        """Power of the motor (W), with the losses of its winding."""
+        return self.torque * (self.speed + self.load.train.drive.copper * self.torque)
 
     def mean(self, values: Array) -> float:
         """Return the mean of a quantity over the cycle."""

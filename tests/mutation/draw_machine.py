@@ -112,6 +112,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
         "holding": drawn.choice(("motor", "brake")), "temperature": drawn.choice((None, drawn.uniform(-20, 110))),
         "rated_at": drawn.uniform(20, 60), "limit": drawn.uniform(120, 200),
+        "copper_losses": drawn.choice((None, 10 ** drawn.uniform(-4, 1))),
         "stall_torque": drawn.choice((None, 10 ** drawn.uniform(-3, 6))),
         "rated_speed": drawn.choice((None, 10 ** drawn.uniform(-2, 7))),
     }  # fmt: skip

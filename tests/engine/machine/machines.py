@@ -77,7 +77,8 @@ def train_of(rng, kind, method="physical", lossless=False):
     windows = [Window(rng.uniform(0, TURN), rng.uniform(0, TURN), rng.uniform(-100, 100),
                       rng.choice(["always", "moving"])) for _ in range(rng.randint(0, 2))]  # fmt: skip
     inertia = rng.uniform(0, 2e-3)
-    drive = Drive(mechanism, inertia, method, rng.choice(["motor", "brake"]), 200.0 * inertia if gears else 0.0)
+    drive = Drive(mechanism, inertia, method, rng.choice(["motor", "brake"]), 200.0 * inertia if gears else 0.0,
+                  500.0 * inertia if len(gears) == 1 else 0.0)  # fmt: skip
     return Train(drive, linkage, rng.choice([0.0, rng.uniform(0, 100)]), tuple(windows)), low, high
 
 
@@ -138,3 +139,8 @@ def operated(course, x):
         ratio = m.stages[k - 1].ratio
     torque = torque + drive.motor_inertia * acceleration + drive.no_load * going
     return speed, np.where((going == 0) & (drive.holding == "brake"), 0.0, torque)
+
+
+def electric(drive, speed, torque):
+    """Power of a motor with the losses of its winding."""
+    return speed * torque + drive.copper * torque**2

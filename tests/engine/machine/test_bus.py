@@ -14,7 +14,7 @@ from engine.machine.course import Course
 from engine.machine.demand import Demand
 from engine.machine.train import Train
 from engine.motion import Motion
-from tests.engine.machine.machines import course_of, operated
+from tests.engine.machine.machines import course_of, electric, operated
 from tests.tiers import nights, seed
 
 TURN = 2 * pi
@@ -41,7 +41,7 @@ def dense(courses, efficiency, n=200001):
         begin = one.motion.edges[0]
         x = begin + (t * one.speed - one.shift - begin) % one.motion.total
         speed, torque = operated(one, x)
-        power = speed * torque
+        power = electric(one.train.drive, speed, torque)
         rows.append(np.where(power > 0, power / efficiency, power * efficiency))
     return t, np.array(rows)
 

@@ -19,7 +19,7 @@ from engine.machine.train import Train, Window
 from engine.mechanisms.registry import DIRECT
 from engine.motion import Motion, Phase
 from tests.engine.integrals import integral
-from tests.engine.machine.machines import SIZES, course_of, sampled
+from tests.engine.machine.machines import SIZES, course_of, electric, sampled
 from tests.engine.profiles import thirds
 from tests.engine.sizing import Sizing
 from tests.tiers import nights, seed
@@ -192,7 +192,7 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
     one = drawn(request, number)
     found, rows = Demand(one), sampled(one)
     _, speed, torque = (np.concatenate(column) for column in zip(*rows, strict=True))
-    power = speed * torque
+    power = electric(one.train.drive, speed, torque)
     for bounds, values in ((found.speed, speed), (found.torque, torque), (found.power, power)):
         scale = np.abs(values).max()
         assert bounds.highest.value == pytest.approx(values.max(), rel=2e-3, abs=2e-3 * scale)
@@ -201,7 +201,8 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
         assert bounds.lowest.value <= values.min() + 1e-8 * scale
     squares = sum(np.trapezoid(t**2, x) for x, _, t in rows)
     assert found.rms_torque == pytest.approx(math.sqrt(squares / one.motion.total), rel=2e-4)
-    driving = sum(np.trapezoid(np.maximum(s * t, 0), x) for x, s, t in rows) / one.speed
+    drive = one.train.drive
+    driving = sum(np.trapezoid(np.maximum(electric(drive, s, t), 0), x) for x, s, t in rows) / one.speed
     assert found.energy.driving == pytest.approx(driving, rel=2e-4, abs=1e-5 * np.abs(power).max() * one.time)
 
 
@@ -209,7 +210,7 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
 
 
 def friction_work(one):
-    """Work of all that resists in a cycle (J), from the motion's closed forms and the way alone; of T_nl by ∫|ω|."""
+    """Work of all that resists in a cycle (J), from the motion's closed forms and the way alone; that of the motor by means."""
     train, w, total = one.train, one.speed, 0.0
     load = train.drive.mechanism.load
     for stretch in one.stretches:
@@ -227,7 +228,8 @@ def friction_work(one):
         per = phase.scale / phase.duration * w
         square = integral(lambda xi, p=phase: p.law.v(xi) ** 2, edges)
         viscous += train.viscous * per**2 * square * phase.duration / w
-    return total + viscous + train.drive.no_load * Demand(one).mean_speed * one.time
+    found, drive = Demand(one), train.drive
+    return total + viscous + (drive.no_load * found.mean_speed + drive.copper * found.rms_torque**2) * one.time
 
 
 @machines(4)

@@ -14,12 +14,13 @@ from tests.engine.machine.machines import course_of
 
 INERTIA, RATIO, ETA = np.array([1e-3, 5e-3, 0.0, 2e-2]), np.array([3.0, 8.0, 12.0, 1.0]), np.array([0.9, 0.6, 1.0, 0.8])
 NO_LOAD = np.array([0.0, 0.4, 0.02, 3.0])
-LIMITS = Limits(np.array([5.0, 80.0, 9.0, 300.0]), np.full(4, 30.0), np.array([0.0, 0.1, 0.0, 0.5]))
+LIMITS = Limits(np.array([5.0, 80.0, 9.0, 300.0]), np.full(4, 30.0), np.array([0.0, 0.1, 0.0, 0.5]),
+                np.array([0.0, 0.5, 20.0, 0.01]))  # fmt: skip
 
 
 def alone(points, limits, time):
     """What the points of one drive say."""
-    power, (top, knee, fall) = points.power, limits
+    power, (top, knee, fall, _) = points.power, limits
     reserve = Falling(knee, fall).reserve(top, points.torque, points.speed).min()
     works = [points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0)]
     ends = [-points.top(-points.torque), points.top(points.torque), -points.top(-power), points.top(power)]
@@ -44,7 +45,9 @@ def test_each_is_what_its_points_say(number, monkeypatch):
         stage = replace(first, ratio=RATIO[k], efficiency=ETA[k], back_efficiency=None)
         parts = tuple(part for part in drive.mechanism.parts if part.shaft)
         mechanism = replace(drive.mechanism, stages=(stage, *others), parts=parts)
-        other = replace(drive, mechanism=mechanism, motor_inertia=INERTIA[k], no_load=NO_LOAD[k])
+        other = replace(
+            drive, mechanism=mechanism, motor_inertia=INERTIA[k], no_load=NO_LOAD[k], copper=LIMITS.copper[k]
+        )
         own = replace(load, train=replace(load.train, drive=other))
         expected = alone(DrivePoints(own), [one[k] for one in LIMITS], course.time)
         here = [*(values[k] for values in found.extremes), works.driving[k], works.regenerated[k]]

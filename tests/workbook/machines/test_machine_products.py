@@ -28,7 +28,8 @@ def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
                               reducer={"name": REDUCER.name, "ratio": 99.0})])  # fmt: skip
     told = small([driven(*PHASES, motor=FIGURES,
                              reducer={"ratio": REDUCER.reduction, "efficiency": REDUCER.efficiency,
-                                      "inertia": REDUCER.inertia, "peak_torque": REDUCER.max_torque,
+                                      "inertia": REDUCER.inertia, "no_load_torque": REDUCER.no_load_torque,
+                                      "peak_torque": REDUCER.max_torque,
                                       "max_speed": REDUCER.max_speed})])  # fmt: skip
     one, other = computed(TEMPLATE, named), computed(TEMPLATE, told)
     for name in ("jtot", "tmax", "tmin", "rms", "speed", "smax", "res_rms", "res_peak", "res_speed", "ok_rms"):

@@ -173,7 +173,7 @@ def test_every_mutant_of_the_new_cells_is_found():
     sheet = bench.declared.blocks["drive1_viscous"].sheet.title
     places = {(c.row, c.column) for c in bench.declared.cells()
               if c.block.sheet.title == sheet and c.quantity.name.removeprefix("drive1_") in names}  # fmt: skip
-    sample = [one for one in bench.orchard.sample(6000, 7) if one.address.sheet == sheet]
+    sample = [one for one in bench.orchard.sample(7000, 7) if one.address.sheet == sheet]
     mutants = [one for one in sample if (one.address.row, one.address.column) in places]
     assert len(mutants) > 50
     assert [str(v.mutant) for v in examined(bench, mutants, []) if not v.found(False) and not v.equivalent] == []

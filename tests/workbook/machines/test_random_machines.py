@@ -127,6 +127,7 @@ def test_without_losses_the_motor_does_the_work_of_what_resists(request, number)
     data = one_axis(told(request, number))
     axis = data["axes"][0]
     axis["mechanism"]["efficiency"] = axis["reducer"]["efficiency"] = 1.0
+    axis["reducer"]["no_load_torque"], axis["motor"]["copper_losses"] = 0.0, None
     made = valid(data)
     value = computed(TEMPLATE, made)
     driving, back = value("drive1_energy"), value("drive1_returned")

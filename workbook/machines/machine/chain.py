@@ -69,6 +69,9 @@ class AxisMotor(Model):
     rated_speed: Positive | None = None  # rpm
     peak_torque: Positive | None = None  # Nm
     max_speed: Positive | None = None  # rpm
+    copper_losses: NotNegative | None = Field(
+        default=None, description="Losses of its winding at the rated torque, in kW; empty: none are counted"
+    )
     holding: Literal["motor", "brake"] = "motor"
     temperature: Temperature | None = Field(
         default=None, description="Around it, in °C, where that lowers its rated torque; empty: as rated"

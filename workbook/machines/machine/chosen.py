@@ -12,7 +12,7 @@ from engine.machine.falling import Falling
 from engine.machine.limits import ReducerLimits
 from workbook.book.declare import Quantity, calc, check, given
 from workbook.entries.texts import place_of
-from workbook.entries.units import KG_CM2, RPM, si
+from workbook.entries.units import KG_CM2, KW, RPM, shown, si
 from workbook.machines.machine.chain import NEEDED, UNTOLD, AxisMotor
 from workbook.machines.machine.entries import Axis
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -65,7 +65,10 @@ def named(rows: Iterable[P], name: str) -> P | None:
 
 
 class MotorInUse(NamedTuple):
-    """The motor that a drive has, in the units of entries but for its inertia, in kg m²; 0 if no speed is given."""
+    """The motor that a drive has, in the units of entries but for its inertia, in kg m²; 0 if no speed is given.
+
+    ``copper`` are its losses over the square of its torque (W/(Nm)²).
+    """
 
     row: int
     inertia: float
@@ -75,6 +78,7 @@ class MotorInUse(NamedTuple):
     stall_torque: float
     rated_speed: float
     rated_given: float
+    copper: float
 
     @property
     def motor(self) -> Motor:
@@ -118,7 +122,8 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
     inertia, rated, peak, fastest = (float(getattr(given, name)) for name in NEEDED)
     stall = max(rated, given.stall_torque or 0.0) * left
     speed = given.rated_speed or 0.0
-    return MotorInUse(row, si(inertia, KG_CM2), rated * left, peak, fastest, stall, speed or fastest, speed)
+    copper = si(axis.motor.copper_losses or 0.0, KW) / rated**2
+    return MotorInUse(row, si(inertia, KG_CM2), rated * left, peak, fastest, stall, speed or fastest, speed, copper)
 
 
 def falling_of(name: str, products: Products) -> Falling:
@@ -166,6 +171,10 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
         ]  # fmt: skip
     motor = axis.motor
     rows.append(
+        given("@losses_rated", "Copper losses of the motor at the rated torque", "P_Cu", "kW",
+              motor.copper_losses if motor else None, f"{key}.motor.copper_losses", source="empty: none are counted")
+    )  # fmt: skip
+    rows.append(
         given("@holding", "At rest the load is held by", "", "", motor.holding if motor else None,
               f"{key}.motor.holding", source="the motor, or a brake")
     )  # fmt: skip
@@ -211,6 +220,9 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
         *(calc(IN_USE[name], f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={motor_figure(name, unit)}",
                getattr(motor, name), source=IN_USE_SOURCES.get(name, ""))
           for name, words, symbol, unit, _ in MOTOR),
+        calc("@copper", "Motor: copper losses over the square of the torque", "", "kW/N²m²",
+             "=IF(@losses_rated*@motor_rated=0,0,@losses_rated/(@motor_rated/@derate)^2)", shown(motor.copper, KW),
+             source="P_Cu/T_N²"),
     ]  # fmt: skip
     return rows
 

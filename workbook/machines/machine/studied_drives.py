@@ -103,7 +103,7 @@ class Studied:
 
     def _at_rates(self) -> Iterator[tuple[NDArray[np.intp], float, Many]]:
         """Yield which designs are at a rate, its time of a cycle (s), and their motors on the load."""
-        names = ("peak_torque", "knee", "fall")
+        names = ("peak_torque", "knee", "fall", "copper")
         limits = self._lined(*(self.motors_used[name] for name in names), self.gears.ratio)[:-1]
         places = self._lined(self.rates.places, self.gears.ratio)[0]
         for k, load in enumerate(self.loads):

@@ -241,6 +241,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     axis["motor"] |= {
         "stall_torque": axis["motor"]["rated_torque"] * 1.6 if (i + k) % 2 else None,
         "rated_speed": axis["motor"]["max_speed"] * 0.4 if (i + k) % 4 else None,
+        "copper_losses": (None, 2e-5, 30.0)[(i + k) % 3],
     }  # fmt: skip
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 

@@ -140,7 +140,7 @@ class Driven:
     def drive(self) -> Drive:
         """The motor on it."""
         used = self.motor_used.inertia, self.given.method, self.holding, self.reducer.no_load_torque
-        return Drive(self.mechanism, *used)
+        return Drive(self.mechanism, *used, self.motor_used.copper)
 
     @property
     def train(self) -> Train:

@@ -19,8 +19,8 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
     sheet.table(
         "@cycle", "The drive over the cycle", len(torque),
         result("torque", "torque of the motor", "T", "Nm", line("T"), torque, scale=size.torque),
-        result("power", "power of the motor", "P", "kW", f"=[torque]*{speed}", shown(power, KW), scale=size.power,
-               source="T ω"),
+        result("power", "power of the motor", "P", "kW", f"=[torque]*{speed}+@copper*[torque]^2",
+               shown(power, KW), scale=size.power, source="T ω + P_Cu (T/T_N)²"),
         *shaft(view),
         constant("k", "sample", "k", "", list(range(len(torque)))),
         calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),@at,1)",

@@ -90,10 +90,11 @@ class DriveView:
     def sampled(self) -> tuple[Array, Array]:
         """The motor's torque (Nm) and its power (W) at the samples: of a constant ratio at the speed that it has."""
         torque, axis = self.between.of(self.points.torque), self.driven.axis
+        lost = self.driven.motor_used.copper * torque**2
         if self.varies:
-            return torque, torque * self.between.of(self.points.speed)
+            return torque, torque * self.between.of(self.points.speed) + lost
         moving = axis.motion.at_speed(axis.told(self.one.machine.samples).x, axis.speed)
-        return torque, torque * self.driven.mechanism.ratio * moving.v
+        return torque, torque * self.driven.mechanism.ratio * moving.v + lost
 
     def of_intervals(self, figure: Any, spare: Any = None) -> list[Any]:
         """Return a figure of each interval; spare rows have that of the last, or another."""
@@ -203,7 +204,7 @@ class DriveView:
         load, points = self.load, self.points
         torque = max(float(np.abs(points.torque).max()), LEAST)
         rpm = max(shown(self.speed, RPM), LEAST)
-        power = max(shown(torque * max(self.speed, LEAST), KW), LEAST)
+        power = max(shown(torque * (max(self.speed, LEAST) + self.driven.motor_used.copper * torque), KW), LEAST)
         behind = max(float(np.abs(load.behind).max()), LEAST)
         force = max(float(np.abs(load.force).max()), LEAST)
         return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.driven.course.time, LEAST))
