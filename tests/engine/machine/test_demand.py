@@ -210,7 +210,7 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
 
 
 def friction_work(one):
-    """Work of all that resists in a cycle (J), from the motion's closed forms and the way alone; that of the motor by means."""
+    """Work of all that resists in a cycle (J), by closed forms and the way alone; in the motor itself by means."""
     train, w, total = one.train, one.speed, 0.0
     load = train.drive.mechanism.load
     for stretch in one.stretches:
