@@ -97,12 +97,17 @@ def test_the_first_page_tells_each_description_in_short(server):
     assert said.endswith("all checks OK" if all(one.value == "OK" for one in found.checks().values()) else "FAIL")
 
 
-def test_two_machines_are_compared(server):
+def test_two_machines_are_compared_as_by_the_command(server):
     text = (server.root / "cutting.toml").read_text(encoding="utf-8")
     (server.root / "other.toml").write_text(text.replace("lift = 80.0", "lift = 84.0"), encoding="utf-8")
     page = server.ask("/compare", server.form(old="cutting.toml", new="other.toml")).body.decode()
-    assert "MC03" in page
-    assert "84" in page
+    files = [str(server.root / name) for name in ("cutting.toml", "other.toml")]
+    ran = subprocess.run([sys.executable, "-m", "workbook", "diff", *files, "--json"], capture_output=True, check=False)
+    changes = [one for kind in json.loads(ran.stdout).values() if isinstance(kind, list) for one in kind]
+    assert any("MC03" in one["place"] for one in changes)
+    for one in changes:
+        assert f">{figure(one['old'])}<" in page
+        assert f">{figure(one['new'])}<" in page
 
 
 def test_an_axis_is_exported_as_by_the_command_and_read_back(server, tmp_path):
