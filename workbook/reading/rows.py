@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
+from xml.etree.ElementTree import Element, SubElement
 
 from openpyxl.utils import column_index_from_string
 
@@ -68,12 +69,13 @@ def corner(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
 
 class Rows:
     """What one worksheet holds, as expat tells it: its ``written`` cells in order, the ``looks`` of rows, by number,
-    and where in the part's bytes the rows lie."""
+    the ``fonts`` within texts, by row and column, and where in the part's bytes the rows lie."""
 
     def __init__(self, name: str, count: Count, prefix: str) -> None:
         self.name, self.count, self.prefix = name, count, prefix
         self.written: list[Written] = []
         self.looks: dict[int, dict[str, str]] = {}
+        self.fonts: dict[tuple[int, int], list[Element]] = {}
         self.span = (0, 0)
         self.met = False  # the element that all rows stand in
         self.leave: Callable[[str], None] = lambda tag: None  # what is called at the end of a row
@@ -142,6 +144,10 @@ class Rows:
                 raise self._damaged(f"<{name}> in a row")
         elif tag in self.own or MAIN in attributes.values():
             raise self._damaged(f"<{name}> inside of <{path[-1]}>")
+        if name == "rPr":
+            self.fonts.setdefault((self.row, self.column), []).append(Element(name))
+        elif path and path[-1] == "rPr" and path[0] == "c":
+            SubElement(self.fonts[self.row, self.column][-1], name, attributes)
         path.append(name)
         if len(path) > MOST_DEPTH:
             raise Refusal(f"{self.name} is nested more than {MOST_DEPTH} deep")

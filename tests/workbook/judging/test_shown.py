@@ -4,6 +4,8 @@ import copy
 import re
 
 import pytest
+from openpyxl.cell.rich_text import CellRichText, TextBlock
+from openpyxl.cell.text import InlineFont
 from openpyxl.formatting.rule import CellIsRule, DataBarRule, FormulaRule, IconSetRule, Rule
 from openpyxl.styles import Alignment, Font, GradientFill, PatternFill
 from openpyxl.styles.colors import Color
@@ -330,6 +332,15 @@ def test_a_part_of_a_text_in_white_or_struck_out_is_found(book):
         rich = b"<si><r><t>Largest </t></r><r><rPr>%s</rPr><t>torque</t></r></si>" % font
         report = book.with_parts({"xl/sharedStrings.xml": sub(rb"<si><t>Largest torque</t></si>", rich)})
         assert spots(report.findings) == {"Drive!B14"}
+
+
+def test_a_part_in_white_of_a_text_written_in_its_cell_is_found(book):
+    def change(workbook):
+        label = book.cell(workbook, "peak", 0, -2)
+        label.value = CellRichText("Largest ", TextBlock(InlineFont(color=colour, b=True), "torque"))
+
+    for colour, places in (("FFFFFFFF", {"Drive!B14"}), ("FF000000", set())):
+        assert spots(book.edited(change).findings) == places
 
 
 def test_a_palette_of_its_own_and_colours_of_a_theme_in_other_spellings_count(book, failing):

@@ -138,12 +138,14 @@ def fonts_within(match: Match) -> dict[Address, list[Any]]:
     """Return the fonts of parts of texts, by the cells that show them."""
     found: dict[Address, list[Any]] = {}
     inspected = match.file.inspected
-    if inspected is None or not inspected.fonts:
+    if inspected is None:
         return found
     made: Any = InlineFont.from_tree
     fonts: dict[int, list[Any]] = {n: [made(one) for one in held] for n, held in inspected.fonts.items()}
     for title, rows in inspected.sheets.items():
-        for cell in rows.written:
+        for (row, column), held in rows.fonts.items():
+            found[Address(title, row, column)] = [made(one) for one in held]
+        for cell in rows.written if fonts else ():
             if cell.kind == "s" and cell.how is None and int(cell.value or -1) in fonts:
                 found[Address(title, cell.row, cell.column)] = fonts[int(cell.value or -1)]
     return found
