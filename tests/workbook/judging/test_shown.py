@@ -334,13 +334,13 @@ def test_a_part_of_a_text_in_white_or_struck_out_is_found(book):
         assert spots(report.findings) == {"Drive!B14"}
 
 
-def test_a_part_in_white_of_a_text_written_in_its_cell_is_found(book):
+@pytest.mark.parametrize(("colour", "places"), [("FFFFFFFF", {"Drive!B14"}), ("FF000000", set())])
+def test_a_part_in_white_of_a_text_written_in_its_cell_is_found(colour, places, book):
     def change(workbook):
         label = book.cell(workbook, "peak", 0, -2)
         label.value = CellRichText("Largest ", TextBlock(InlineFont(color=colour, b=True), "torque"))
 
-    for colour, places in (("FFFFFFFF", {"Drive!B14"}), ("FF000000", set())):
-        assert spots(book.edited(change).findings) == places
+    assert spots(book.edited(change).findings) == places
 
 
 def test_a_palette_of_its_own_and_colours_of_a_theme_in_other_spellings_count(book, failing):
@@ -610,6 +610,10 @@ def test_a_chart_that_shows_something_else_is_found(old, new, book):
     assert spots(drawn(book, (old, new)).findings) == {"Drive!B38"}
 
 
+def in_ink(colour):
+    return b"<txPr><p><pPr><defRPr><solidFill>%s</solidFill></defRPr></pPr></p></txPr>" % colour
+
+
 @pytest.mark.parametrize(
     ("old", "new"),
     [
@@ -617,6 +621,8 @@ def test_a_chart_that_shows_something_else_is_found(old, new, book):
         (rb"<xVal>", b"<trendline><trendlineType val='linear'/></trendline><xVal>"), (rb">Both<", b">Beide<"),
         (rb'<srgbClr val="0072B2"|<a:srgbClr val="0072B2"', b'<a:srgbClr val="FFFFFF"'),
         (rb'tickLblPos val="low"', b'tickLblPos val="none"'), (rb"<plotVisOnly", b"<view3D/><plotVisOnly"),
+        (rb"<crossAx ", in_ink(b'<srgbClr val="FFFFFF"/>') + b"<crossAx "),
+        (rb"<crossAx ", in_ink(b'<schemeClr val="bg1"/>') + b"<crossAx "),
     ],
 )  # fmt: skip
 def test_a_chart_that_shows_less_or_more_is_a_notice(old, new, book):

@@ -31,6 +31,8 @@ PLAIN = frozenset([
     "shade", "tint", "avLst", "prstGeom", "xfrm", "gapWidth", "legendEntry15", "layoutTarget",
 ])  # fmt: skip
 """the elements by which programs write an XY chart; what is none of them is told"""
+GROUNDS = ("bg1", "lt1")
+"""the theme's colours of a page"""
 
 
 class Line(NamedTuple):
@@ -94,11 +96,13 @@ def chart(match: Match, at: Address, root: Element, number: int) -> Drawn:
     lines = [line(match, at.sheet, one) for group in groups for one in group if tag(one) == "ser"]
     odd = sorted({tag(one) for one in root.iter()} - PLAIN - {tag(group) for group in groups})
     texts = [one for one in root.iter() if tag(one) == "dLbl" and child(one, "tx") is not None]
+    faint = [one for one in root.iter() if tag(one) in ("defRPr", "rPr") and clear(one)]
     others = [one for name, one in axes.items() if name not in ids[:2]]
     return Drawn(
         named(match, at.sheet, child(shown, "title")), tuple(tag(group) for group in groups), lines, (first, second),
         others, value(shown, "plotVisOnly", "1") not in ("0", "false"),
-        (*odd, *(["labels of their own"] if texts else [])), at, number,
+        (*odd, *(["labels of their own"] if texts else []), *(["texts that cannot be seen"] if faint else [])),
+        at, number,
     )  # fmt: skip
 
 
@@ -145,12 +149,17 @@ def first(element: Element, *names: str) -> Element | None:
 
 def seen(series: Element) -> bool:
     """Whether a line, or signs at its points, are drawn so that they can be seen on white."""
-    stroke = child(series, "spPr", "ln")
-    colour = child(stroke, "solidFill", "srgbClr")
+    return not clear(child(series, "spPr", "ln")) or value(child(series, "marker"), "symbol", "none") != "none"
+
+
+def clear(paint: Element | None) -> bool:
+    """Whether a line or a text is painted with nothing, or in a colour that cannot be seen on white."""
+    colour, themed = (child(paint, "solidFill", name) for name in ("srgbClr", "schemeClr"))
+    if themed is not None:
+        return themed.get("val") in GROUNDS and not len(themed)
     ink = parsed(colour.get("val", "")) if colour is not None else None
-    clear = colour is not None and int(value(colour, "alpha") or 100_000) < 10_000
-    bare = child(stroke, "noFill") is not None or clear or (ink is not None and contrast(ink, WHITE) < UNSEEN)
-    return not bare or value(child(series, "marker"), "symbol", "none") != "none"
+    faint = colour is not None and int(value(colour, "alpha") or 100_000) < 10_000
+    return child(paint, "noFill") is not None or faint or (ink is not None and contrast(ink, WHITE) < UNSEEN)
 
 
 def source(data: Element | None) -> str:
