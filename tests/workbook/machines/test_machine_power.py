@@ -84,6 +84,17 @@ def test_the_peaks_of_each_drive_are_those_of_its_power():
         assert KW * value(f"drive{k + 1}_pmax") == pytest.approx(supply.mains_peak * POWER.efficiency, rel=5e-3)
 
 
+def test_a_short_movement_in_a_long_cycle_has_its_exact_power_on_the_bus():
+    """80 mm by CIC in 0.06 s of 10 s, between samples of the cycle: the bus of one drive is the drive alone."""
+    made = machine([driven((10.3, 12.46, 80.0, "CIC"), (200.0, 202.16, -80.0, "CIC"))])
+    made = made.model_copy(update={"master": made.master.model_copy(update={"rate": 6.0})})
+    value, exact = computed(TEMPLATE, made), together(made).supply(True)
+    assert KW * value("bus_mains_peak") == pytest.approx(exact.mains_peak, rel=5e-3)
+    assert value("bus_alone") == pytest.approx(value("bus_mains_peak"), rel=1e-12)
+    assert KW * value("bus_mains") == pytest.approx(exact.mains_mean, rel=0.03)
+    assert value("bus_year") == pytest.approx(value("power_year"), rel=1e-12)
+
+
 def test_one_drive_is_its_own_bus():
     value = computed(TEMPLATE, machine(AXES[:1]))
     for name, column in (("mains_peak", "peak"), ("mains", "mains"), ("resistor_peak", "burnt")):
