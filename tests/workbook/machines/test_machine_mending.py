@@ -21,12 +21,13 @@ def failing(rate):
     return {q.label: q.said for _, q in book.checks if q.value == "FAIL" and "Drive" in q.label}
 
 
-@pytest.mark.parametrize("rate", [230.0, 600.0])
-def test_a_limit_that_is_broken_tells_the_rate_at_which_all_hold(rate):
+@pytest.mark.parametrize(("rate", "bound"), [(240.0, 1e-3), (600.0, 1e-2)])
+def test_a_limit_that_is_broken_tells_the_rate_at_which_all_hold(rate, bound):
+    """As the sheet says: exact at the rate entered, elsewhere to about 1 %."""
     told = failing(rate)
     assert told
     rates = {float(re.search(r"; the drive holds all up to ([\d.]+) cycles/min$", said)[1]) for said in told.values()}
     (most,) = rates
     assert most < rate
-    assert failing(most) == {}
-    assert failing(most * 1.001)
+    assert failing(most * (1 - bound)) == {}
+    assert failing(most * (1 + bound))
