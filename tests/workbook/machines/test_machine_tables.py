@@ -1,5 +1,6 @@
 """Drives by a table of positions, in cells: against a constant ratio, energy, other samples; what is no table."""
 
+import math
 import random
 
 import pytest
@@ -31,6 +32,14 @@ def test_cells_agree_with_the_engine_and_entries_come_back():
     wrong, _ = disagreeing(TEMPLATE, machine)
     assert wrong == []
     assert entered(TEMPLATE, machine) == (machine, [])
+
+
+def test_six_points_of_a_crank_once_out_and_back_give_results():
+    crank = table(*((30.0 * k, 15.0 - 20.0 * math.cos(math.radians(30.0 * k))) for k in range(1, 7)))
+    made = small(linked(*PHASES, mechanism=crank, **LOSSY), positions=6)
+    wrong, _ = disagreeing(TEMPLATE, made)
+    assert wrong == []
+    assert computed(TEMPLATE, made)("drive1_rms") > 0.0
 
 
 @pytest.mark.nightly
