@@ -15,7 +15,9 @@ from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
+from workbook.judging.matching import Match
 from workbook.judging.moved import put_back
+from workbook.judging.own import carried_over
 from workbook.judging.report import OK
 from workbook.reading.descriptions import (
     checked,
@@ -128,15 +130,35 @@ def with_catalogues(machine: Machine, choice: Products, named: dict[str, Path | 
 
 def inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
+    match, machine, notes = entered(path)
+    return machine, notes + not_carried(match, machine.template)
+
+
+def entered(path: Path) -> tuple[Match, Machine, list[str]]:
+    """Return a workbook with what belongs into its cells, what was entered, and lines on entries that are no values."""
     file = open_book(path)
     entries = Entries(file, agreed, put_back)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
-    notes += entries.beyond
-    notes += not_carried(file, entries.template.declare(machine), entries.template.name)
+    match = Match(file, entries.template.declare(machine))
     machine.laws.built_as({})
     machine.built_as({})
-    return machine, notes
+    return match, machine, notes + entries.beyond
+
+
+def regenerate(path: Path, output: Path, overwrite: bool = False) -> tuple[list[str], list[str]]:
+    """Build a workbook anew from what was entered into an old one, with what its engineer added.
+
+    Returns in lines what is not carried over, and the checks that do not hold. Raises as :func:`build` does.
+    """
+    match, machine, notes = entered(path)
+    template = TEMPLATES[machine.template]
+    require_possible(template, machine, counted)
+    with collector_paused():
+        book = template.declare(machine)
+        own = carried_over(match, book)
+        save(book, type(machine), output, overwrite, require_readable, own)
+    return notes + not_carried(match, machine.template, own), failing(book)
 
 
 def write_inputs(machine: Machine, path: Path, overwrite: bool = False) -> None:

@@ -105,7 +105,7 @@ def entered(template, machine):
     written = opened(template.declare(machine), type(machine))
     file = BookFile(Path("book.xlsx"), written, find_places(written))
     back = Entries(file, agreed).machine()
-    return back, not_carried(file, template.declare(back), template.name)
+    return back, not_carried(Match(file, template.declare(back)), template.name)
 
 
 def compared(match, book, values):

@@ -59,13 +59,12 @@ def entered(book: Path) -> tuple[str, list[str]]:
 
 
 def regenerate(book: Path, output: Path, force: bool) -> None:
-    """Build a workbook anew from what was entered into an old one."""
+    """Build a workbook anew from what was entered into an old one, and what its engineer added."""
     refuse_itself(output, book)
     refuse_suffix(output)
     refuse_existing(output, force)
     with ERR.status(shown(f"Regenerating {book} …")):
-        machine, notes = making.inputs(book)
-        failing = making.build(machine, output, overwrite=force)
+        notes, failing = making.regenerate(book, output, force)
     show_notes(notes)
     say(OUT, f"Built {output.absolute()}")
     show_failing(failing)

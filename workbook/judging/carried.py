@@ -1,4 +1,4 @@
-"""What ``inputs`` and ``regenerate`` leave behind: they carry what was entered, and nothing else."""
+"""What ``inputs`` and ``regenerate`` leave behind: all but what was entered, and what of one's own keeps its place."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from openpyxl.cell.cell import Cell
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
-from workbook.book.declare import Book, Sheet
+from workbook.book.declare import Sheet
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.shown.charts import paired
@@ -20,18 +20,19 @@ from workbook.judging.shown.looks import Looks
 from workbook.judging.shown.rules import Rules
 from workbook.judging.shown.seen import Told, seen
 from workbook.judging.structure import structure
-from workbook.reading.files import BookFile
+from workbook.writing.own import NOTHING, Own
 
 MOST = 3  # cells that a line names
 DRAWN = {"pictures": re.compile(rb"<(?:\w+:)?pic[ >]"), "shapes and text boxes": re.compile(rb"<(?:\w+:)?sp[ >]")}
 """what drawings hold besides charts, by the elements (ISO/IEC 29500-1, 20.5.2)"""
 
 
-def not_carried(file: BookFile, declared: Book, template: str) -> list[str]:
-    """Return a line for each foreign sheet, and for each sheet with formulas that are not the generated ones."""
-    match = Match(file, declared)
+def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
+    """Return in lines what a file has that is neither an entry nor ``own``, what is carried over besides."""
+    file = match.file
     ours = {pair.address.sheet for pair in match.pairs}
-    foreign = [title for title in file.workbook.sheetnames if title not in ours]
+    kept = {sheet.title for sheet in own.sheets}
+    foreign = [title for title in file.workbook.sheetnames if title not in ours | kept]
     lines = [f"the sheet {title!r} is not carried over: it is none of the generated ones" for title in foreign]
     report = Report(file.path, template)
     structure(match, report)
@@ -40,27 +41,36 @@ def not_carried(file: BookFile, declared: Book, template: str) -> list[str]:
         if found.kind != "missing":
             edited.setdefault(found.sheet, []).append(found.cell)
     added: dict[str, list[str]] = {}
+    taken = {(cell.parent.title, cell.coordinate) for cell, _ in own.cells}
     for address in file.contents.formula_cells:
-        if address.sheet in ours and address not in match.addresses:
+        there = address.sheet in ours | kept and address not in match.addresses
+        if there and (address.sheet, address.a1) not in taken:
             added.setdefault(address.sheet, []).append(address.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
     lines += [f"formulas added on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in added.items()]
-    return lines + own_things(match, ours)
+    return lines + own_things(match, ours, own)
 
 
-def own_things(match: Match, ours: set[str]) -> list[str]:
-    """Return a line for each kind of thing that someone put on a generated sheet beside its cells, and for names."""
+def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
+    """Return a line for each kind of thing that someone put on a generated sheet beside its cells, and for names.
+
+    What is ``own`` is carried over, and left out.
+    """
     lines, known = [], known_rules(match)
+    taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in match.file.workbook.worksheets:
         if sheet.title in ours:
-            for what, where in on_sheet(match, sheet, known).items():
+            for what, cells in on_sheet(match, sheet, known).items():
+                where = [a1 for a1 in cells if (sheet.title, a1) not in taken]
                 if where:
                     lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
     declared = {name.casefold() for name, _ in match.declared.names()}
+    declared |= {name.name.casefold() for name in own.names}
     names = [name for name in match.file.workbook.defined_names if name.casefold() not in declared]
-    own = [name for name in names if not name.startswith("_xl")]
-    if own:
-        lines.append(f"names of your own are not carried over: {listed(own)}")
+    if left := [name for name in names if not name.startswith("_xl")]:
+        lines.append(f"names of your own are not carried over: {listed(left)}")
+    lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets
+              if match.file.inspected and match.file.inspected.drawings.get(sheet.title)]  # fmt: skip
     lines += [f"{what} are not carried over: {count} in all" for what, count in drawn_in(match.file.path).items()]
     return lines
 

@@ -64,6 +64,8 @@ class Cells:
 
     def span(self) -> str:
         """Return the range that the cells cover."""
+        if not self._rows:
+            return "A1"
         columns = [column for cells in self._rows.values() for column in (min(cells), max(cells))]
         first, last = get_column_letter(min(columns)), get_column_letter(max(columns))
         return f"{first}{min(self._rows)}:{last}{max(self._rows)}"

@@ -25,6 +25,7 @@ from workbook.book.formats import number_format, sample
 from workbook.entries import rules
 from workbook.writing import archive, caches, charts, heights, pages, style
 from workbook.writing.cells import Cells, Strings
+from workbook.writing.own import NOTHING, Own, add
 from workbook.writing.place import refuse_existing, replace
 from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, widths
 
@@ -41,20 +42,22 @@ CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
 def save(
-    book: Book, model: type[BaseModel], path: Path, overwrite: bool = False, check: Callable[[Path], None] | None = None
-) -> None:
+    book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
+    check: Callable[[Path], None] | None = None, own: Own = NOTHING,
+) -> None:  # fmt: skip
     """Save a book, each formula with its value: beside the target first, then renamed onto it.
 
-    ``check`` may refuse the file that stands beside. Raises WriteError where ``path`` exists and ``overwrite`` is not
-    given, or cannot be written.
+    ``check`` may refuse the file that stands beside; ``own`` is what an engineer had added to an older book. Raises
+    WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written.
     """
     refuse_existing(path, overwrite)
-    pack(parts(book, model), path, overwrite, check)
+    pack(parts(book, model, own=own), path, overwrite, check)
 
 
 def parts(
-    book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = ""
-) -> dict[str, bytes]:
+    book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = "",
+    own: Own = NOTHING,
+) -> dict[str, bytes]:  # fmt: skip
     """Return the parts of the file: openpyxl writes all but the cells and the values that charts keep.
 
     ``names`` are defined instead of the book's own; a formula that holds ``dynamic`` is marked as a dynamic array.
@@ -65,6 +68,7 @@ def parts(
     if names is None:
         names = (DefinedName(name, attr_text=target) for name, target in book.names())
     workbook.defined_names.update({defined.name: defined for defined in names})
+    add(own, workbook, cells, strings)
     draft = io.BytesIO()
     workbook.save(draft)
     made = archive.unzipped(draft.getvalue())

@@ -1,0 +1,73 @@
+"""What an engineer has added to a book comes along when it is built anew."""
+
+import openpyxl
+import pytest
+from openpyxl.comments import Comment
+from openpyxl.styles import Font
+from openpyxl.workbook.defined_name import DefinedName
+
+from tests import cutting
+from workbook.build import build, entered, regenerate
+from workbook.judging.carried import not_carried
+from workbook.judging.own import carried_over
+from workbook.judging.verify import verify
+
+
+@pytest.fixture(scope="module")
+def edited(tmp_path_factory):
+    """A book with a sheet, cells beside a table, a note, a name and two things that cannot come along."""
+    path = tmp_path_factory.mktemp("edited") / "old.xlsx"
+    build(cutting.small(cycle=12, law=4, own_law=4), path)
+    workbook = openpyxl.load_workbook(path)
+    mine = workbook.create_sheet("Costs")
+    mine["A1"], mine["A2"], mine["B2"] = "Energy", "=Summary!D14*2", 0.25
+    mine["A1"].font, mine["B2"].number_format = Font(bold=True, color="0000FF"), "0.00%"
+    mine.column_dimensions["A"].width = 33
+    mine.merge_cells("D1:E1")
+    timing = workbook["Timing"]
+    timing["AL43"], timing["AL44"] = "my margin", "=D43+Costs!B2"
+    timing["D43"].comment = Comment("as on the machine in Bologna", "A. Rossi")
+    workbook.defined_names["my_share"] = DefinedName("my_share", attr_text="Costs!$B$2")
+    timing["AL45"] = "=[other.xlsx]Sheet1!A1"
+    workbook.save(path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def anew(edited):
+    """The path of the book built anew, and what is told of it."""
+    path = edited.with_name("new.xlsx")
+    return path, *regenerate(edited, path)
+
+
+def test_sheets_cells_notes_and_names_of_ones_own_come_along(anew):
+    workbook = openpyxl.load_workbook(anew[0])
+    mine, timing = workbook["Costs"], workbook["Timing"]
+    assert [mine[a].value for a in ("A1", "A2", "B2")] == ["Energy", "=Summary!D14*2", 0.25]
+    assert (mine["A1"].font.b, mine["A1"].font.color.rgb, mine["B2"].number_format) == (True, "000000FF", "0.00%")
+    assert (mine.column_dimensions["A"].width, str(mine.merged_cells)) == (33, "D1:E1")
+    assert [timing[a].value for a in ("AL43", "AL44")] == ["my margin", "=D43+Costs!B2"]
+    assert timing["D43"].comment.text == "as on the machine in Bologna"
+    assert workbook.defined_names["my_share"].attr_text == "Costs!$B$2"
+
+
+def test_what_does_not_come_along_is_named(anew):
+    path, notes, _ = anew
+    assert openpyxl.load_workbook(path)["Timing"]["AL45"].value is None
+    assert notes == ["formulas added on the sheet 'Timing' are not carried over: AL45"]
+
+
+def test_the_new_book_verifies_as_a_fresh_one_with_cells_of_ones_own(anew):
+    report = verify(anew[0])
+    assert report.findings == []
+    assert report.own == ["Costs!A2", "Timing!AL44"]
+
+
+def test_cells_stay_behind_where_the_tables_of_their_sheet_lie_otherwise(edited):
+    match, machine, _ = entered(edited)
+    larger = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"phases": 12})})
+    own = carried_over(match, cutting.TEMPLATE.declare(larger))
+    assert [cell.coordinate for cell, _ in own.cells] == ["A1", "A2", "B2"]
+    assert own.notes == ()
+    told = not_carried(match, "machine", own)
+    assert [line for line in told if "'Timing'" in line and ("AL43" in line or "notes" in line)] != []
