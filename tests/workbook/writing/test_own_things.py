@@ -6,21 +6,21 @@ from openpyxl.comments import Comment
 from openpyxl.styles import Font
 from openpyxl.workbook.defined_name import DefinedName
 
-from tests import cutting
-from workbook.build import build, entered, regenerate
+from workbook.build import entered, regenerate
 from workbook.judging.carried import not_carried
 from workbook.judging.own import carried_over
 from workbook.judging.verify import verify
 
+DOUBLE = "='Drive MC01'!D7*2"
+
 
 @pytest.fixture(scope="module")
-def edited(tmp_path_factory):
-    """A book with a sheet, cells beside a table, a note, a name and two things that cannot come along."""
+def edited(press, tmp_path_factory):
+    """A book with a sheet, cells beside a table, a note, a name, and a formula that cannot come along."""
     path = tmp_path_factory.mktemp("edited") / "old.xlsx"
-    build(cutting.small(cycle=12, law=4, own_law=4), path)
-    workbook = openpyxl.load_workbook(path)
+    workbook = openpyxl.load_workbook(press.path)
     mine = workbook.create_sheet("Costs")
-    mine["A1"], mine["A2"], mine["B2"] = "Energy", "=Summary!D14*2", 0.25
+    mine["A1"], mine["A2"], mine["B2"] = "Energy", DOUBLE, 0.25
     mine["A1"].font, mine["B2"].number_format = Font(bold=True, color="0000FF"), "0.00%"
     mine.column_dimensions["A"].width = 33
     mine.merge_cells("D1:E1")
@@ -43,7 +43,7 @@ def anew(edited):
 def test_sheets_cells_notes_and_names_of_ones_own_come_along(anew):
     workbook = openpyxl.load_workbook(anew[0])
     mine, timing = workbook["Costs"], workbook["Timing"]
-    assert [mine[a].value for a in ("A1", "A2", "B2")] == ["Energy", "=Summary!D14*2", 0.25]
+    assert [mine[a].value for a in ("A1", "A2", "B2")] == ["Energy", DOUBLE, 0.25]
     assert (mine["A1"].font.b, mine["A1"].font.color.rgb, mine["B2"].number_format) == (True, "000000FF", "0.00%")
     assert (mine.column_dimensions["A"].width, str(mine.merged_cells)) == (33, "D1:E1")
     assert [timing[a].value for a in ("AL43", "AL44")] == ["my margin", "=D43+Costs!B2"]
@@ -63,11 +63,11 @@ def test_the_new_book_verifies_as_a_fresh_one_with_cells_of_ones_own(anew):
     assert report.own == ["Costs!A2", "Timing!AL44"]
 
 
-def test_cells_stay_behind_where_the_tables_of_their_sheet_lie_otherwise(edited):
+def test_cells_stay_behind_where_the_tables_of_their_sheet_lie_otherwise(edited, press):
     match, machine, _ = entered(edited)
     larger = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"phases": 12})})
-    own = carried_over(match, cutting.TEMPLATE.declare(larger))
+    own = carried_over(match, press.template.declare(larger))
     assert [cell.coordinate for cell, _ in own.cells] == ["A1", "A2", "B2"]
     assert own.notes == ()
-    told = not_carried(match, "machine", own)
+    told = not_carried(match, "press", own)
     assert [line for line in told if "'Timing'" in line and ("AL43" in line or "notes" in line)] != []
