@@ -114,6 +114,17 @@ def new(
     describe.new(template, output, force)
 
 
+@app.command("new-template")
+def new_template(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="What your kind of machine is called, such as hoist.")],
+    output: Annotated[Path | None, to("FOLDER", "The folder to make; else motionbook-NAME, here.")] = None,
+) -> None:
+    """Write a package with a template of your own, to be changed: it installs, builds, verifies and tests itself."""
+    from workbook.commands import describe
+
+    describe.new_template(name, output)
+
+
 @app.command()
 def schema(
     template: Annotated[

@@ -43,7 +43,8 @@ class Template(Generic[M]):
     machine the layout that a file has by its defined names, where the number of sheets depends on the description;
     ``fixed`` returns by key the entries that such a layout tells and no cell holds. ``axes`` are the motions that a
     controller can be given, ``switches`` what it is to turn on and off meanwhile. ``others`` are other ways to tell a
-    machine, by the key of the entry that only they have. ``scaling`` gives results without a
+    machine, by the key of the entry that only they have. ``folder`` has the description to begin with and its book,
+    called as the template. ``scaling`` gives results without a
     book, of many designs at once. ``truths`` returns a line for each result of which the exact one is farther from the
     sheet's than that states, ``rates`` the lines on highest rates alone.
     """
@@ -62,6 +63,7 @@ class Template(Generic[M]):
     truths: Callable[[M], list[str]] = lambda machine: []
     rates: Callable[[M], list[str]] = lambda machine: []
     others: Mapping[str, Other[M]] = field(default_factory=dict)
+    folder: Path = FOLDER
 
     def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:
         """To another process a template goes by its name."""
@@ -87,13 +89,13 @@ class Template(Generic[M]):
 
     @property
     def description(self) -> Path:
-        """The committed machine description."""
-        return FOLDER / f"{self.name}.toml"
+        """The machine description to begin with."""
+        return self.folder / f"{self.name}.toml"
 
     @property
     def book(self) -> Path:
-        """The committed workbook."""
-        return FOLDER / f"{self.name}.xlsx"
+        """The workbook of that description."""
+        return self.folder / f"{self.name}.xlsx"
 
 
 def has(data: Any, key: str) -> bool:

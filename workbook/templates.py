@@ -1,7 +1,10 @@
-"""The register of templates, each imported when it is asked for."""
+"""The register of templates, each imported when it is asked for: those of motionbook, and those of other packages."""
 
+import sys
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from importlib import import_module
+from importlib.metadata import EntryPoint, entry_points
 from typing import TypeAlias
 
 from workbook.entries.machine import Machine
@@ -14,6 +17,8 @@ MODULES = {
     "motion-laws": "laws",
 }
 """where each template is declared, under workbook/machines/"""
+GROUP = "motionbook.templates"
+"""the group of entry points by which packages bring their own"""
 
 
 AnyTemplate: TypeAlias = Template[Machine]
@@ -23,16 +28,41 @@ AnyTemplate: TypeAlias = Template[Machine]
 class Register(Mapping[str, AnyTemplate]):
     """The templates by name."""
 
+    @cached_property
+    def others(self) -> dict[str, AnyTemplate]:
+        """Load the templates of other packages, once; say in a line which of them cannot be used."""
+        found: dict[str, AnyTemplate] = {}
+        for point in entry_points(group=GROUP):
+            try:
+                found[point.name] = loaded(point, MODULES.keys() | found.keys())
+            except Exception as error:  # whatever another package does, the rest works
+                print(f"The template {point.name!r} of {point.value} cannot be used: {error}", file=sys.stderr)
+        return found
+
     def __getitem__(self, name: str) -> AnyTemplate:
         """Return a template; raise KeyError where there is none of that name."""
+        if name not in MODULES:
+            return self.others[name]
         template: AnyTemplate = import_module(f"workbook.machines.{MODULES[name]}.template").TEMPLATE
         return template
 
     def __iter__(self) -> Iterator[str]:
-        return iter(MODULES)
+        yield from (*MODULES, *self.others)
 
     def __len__(self) -> int:
-        return len(MODULES)
+        return len(MODULES) + len(self.others)
+
+
+def loaded(point: EntryPoint, taken: set[str]) -> AnyTemplate:
+    """Return the template of an entry point; raise ValueError where it is none, or its name is taken."""
+    template = point.load()
+    if not isinstance(template, Template):
+        raise ValueError(f"it is a {type(template).__name__}; expected a Template")
+    if template.name != point.name:
+        raise ValueError(f"it calls itself {template.name!r}; expected the name of its entry point")
+    if point.name in taken:
+        raise ValueError("another template has that name")
+    return template
 
 
 TEMPLATES = Register()

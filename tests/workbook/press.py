@@ -225,15 +225,10 @@ def too_weak(press: Press) -> Press:
     return press.model_copy(update={"motors": [Motor(name="M", torque=0.01)]})
 
 
-class Described(Template[Press]):
-    """A template whose description stands beside this module."""
-
-    description = Path(__file__).with_suffix(".toml")
-
-
-TEMPLATE = Described(
-    "press", Press, declare, variants, {"phases": ("axis1", 0), "cycle": ("cycle1", 1), "motors": ("motors", 0)}
-)
+TEMPLATE = Template(
+    "press", Press, declare, variants, {"phases": ("axis1", 0), "cycle": ("cycle1", 1), "motors": ("motors", 0)},
+    folder=Path(__file__).parent,
+)  # fmt: skip
 
 
 @contextmanager

@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import json
+import re
+from keyword import iskeyword
 from pathlib import Path
 
+import workbook
 from workbook.build import write_text
 from workbook.described import schema as schemas
 from workbook.described.commented import commented
-from workbook.errors import ReadError
+from workbook.errors import InputError, ReadError, WriteError
 from workbook.intake import odd, read_text
 from workbook.reading.descriptions import template_named
 from workbook.reports.terminal import OUT, say, say_data
+from workbook.templates import TEMPLATES
 from workbook.writing.place import refuse_existing, refuse_one_for_two, replace
 
 ARGUMENT = "TEMPLATE"
+STARTER = Path(workbook.__file__).parent / "starter"
+NAME = re.compile(r"[a-z][a-z0-9_]{0,30}")
 
 
 def new(template: str, output: Path | None, force: bool) -> None:
@@ -31,6 +37,32 @@ def new(template: str, output: Path | None, force: bool) -> None:
         replace(beside, lambda draft: write_text(draft, made), force)
     replace(target, lambda draft: write_text(draft, commented(chosen, f"./{beside.name}")), force)
     say(OUT, f"Wrote {target.absolute()}, and {beside.name} beside it, from which an editor completes its keys")
+
+
+def new_template(name: str, folder: Path | None) -> None:
+    """Write a package with a template of one's own: the hoist, called otherwise."""
+    if not NAME.fullmatch(name) or iskeyword(name):
+        raise InputError([f"NAME: found {name!r}; expected small letters, digits and _, beginning with a letter"])
+    if name in TEMPLATES:
+        raise InputError([f"NAME: a template is named {name!r}; expected another name"])
+    target = folder or Path(f"motionbook-{name}")
+    if target.exists():
+        raise WriteError(f"{target}: exists; expected a folder to be made")
+    texts = {path.name: path.read_text(encoding="utf-8") for path in sorted(STARTER.iterdir()) if path.is_file()}
+    try:
+        target.mkdir(parents=True)
+        for file, text in texts.items():
+            write_text(target / renamed(file, name), renamed(text, name))
+    except OSError as error:
+        raise WriteError(f"{target}: {error.strerror}") from error
+    say(
+        OUT, f"Wrote {target.absolute()}; python -m pip install -e {target}, then motionbook build {target}/{name}.toml"
+    )
+
+
+def renamed(text: str, name: str) -> str:
+    """Return a text on the hoist as one on another machine."""
+    return text.replace("hoist", name).replace("Hoist", name.title().replace("_", ""))
 
 
 def holds(path: Path, text: str) -> bool:
