@@ -31,7 +31,7 @@ REDUCER = (
     ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
     ("efficiency", "efficiency", "η_1", "", "1 if empty"),
     ("inertia", "inertia at the input", "J_G", "kg cm²", ""),
-    ("no_load_torque", "no-load torque at the motor's shaft", "T_nl", "Nm", "opposes the rotation"),
+    ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation"),
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit"),
     ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),

@@ -141,6 +141,7 @@ def name_points(book: Book, view: DriveView) -> None:
     if asks(view):
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
+    book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
     book.name(f"drive{i}_cycle", **{f"drive{i}_P": "power"})
     book.name(f"cycle{i}", **{f"cycle{i}_{name}": name for name in "pv"})
 

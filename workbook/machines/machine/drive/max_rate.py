@@ -17,9 +17,9 @@ from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 NO_LIMIT = "–"
 NOTE = "exact at the rate that is entered; elsewhere to about 1 %"
 ABOUT = (
-    "Without motion a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times the rate "
-    "the torque is T_s + x I: of each limit, 1/x is the share that grows with the square of the rate that is used. "
-    "Of T_rms A + 2 B x + C x² = (M − D √x)², where √x ≤ (e + x/e)/2 is taken."
+    "At rest a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times the rate the "
+    "torque is T_s + x I; of each limit, 1/x is the share that grows so and is used. T_rms meets its limit where "
+    "A + 2 B x + C x² = (M − D √x)², with √x ≤ (e + x/e)/2."
 )
 SPEEDS = ("motor speed", "reducer input speed")
 
@@ -79,11 +79,11 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
         calc("@mixed", "Mean of T_s I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
              scale=size),
         calc("@grow", "Mean of I²", "C", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
-        calc("@line", "Continuous torque at no speed, of the line at the mean speed", "M", "Nm",
+        calc("@line", "Continuous torque at no speed", "M", "Nm",
              "=IF(@continuous>@motor_rated,@motor_stall,@motor_rated)", stall, source="T_N beyond n_N"),
-        calc("@sink", "Its fall from there to the mean speed", "D", "Nm", "=@line-@continuous", fall, scale=stall),
-        calc("@near", "Rate at which T_s alone would meet it, over the present one", "e", "",
-             "=IF(@sink>0,MIN(1,(@line-SQRT(@stand))/@sink),1)", near, source="1 at most"),
+        calc("@sink", "Its fall to that at the mean speed", "D", "Nm", "=@line-@continuous", fall, scale=stall),
+        calc("@near", "Rate at which T_s alone is as large", "e", "",
+             "=IF(@sink>0,MIN(1,(@line-SQRT(@stand))/@sink),1)", near, source="over the present one, at most 1"),
         calc("@half", "What grows with x, and half the fall", "b", "Nm²",
              "=@mixed+IF(@near>0,@sink*(@line/@near-@sink)/2,0)", half, scale=size + stall**2,
              source="B + D (M/e − D)/2"),

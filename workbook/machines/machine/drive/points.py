@@ -68,7 +68,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         constant("w", "counts", "", "", list(WEIGHTS) * view.rows),
         *motion(view),
         *([position(view)] if view.varies else []),
-        calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX([@iv.dir],[iv]))", of(load.direction),
+        calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX(@up,[iv]))", of(load.direction),
              format="0"),
         calc("R", "resisting force", "F_r", force_unit(view),
              "=INDEX([@iv.steady],[iv])+[dir]*INDEX([@iv.friction],[iv])", of(load.resisting), scale=size.force,
