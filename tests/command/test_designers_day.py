@@ -29,7 +29,10 @@ reducer = { ratio = 4.0, efficiency = 0.95 }
 [[axes]]
 name = "Jaw"
 group = "Sealing"
-phases = [ { start = 165.0, stop = 215.0, lift = 36.0, law = "CIC" }, { start = 290.0, stop = 345.0, lift = -36.0, law = "CIC" } ]
+phases = [
+  { start = 165.0, stop = 215.0, lift = 36.0, law = "CIC" },
+  { start = 290.0, stop = 345.0, lift = -36.0, law = "CIC" },
+]
 mechanism = { kind = "crank-slider", crank_radius = 32.0, rod_length = 150.0, start = 6.0, efficiency = 0.92 }
 load = { mass = 9.0, friction = 0.08, windows = [ { start = 215.0, stop = 285.0, force = 350.0 } ] }
 motor = { inertia = 3.5, rated_torque = 5.0, peak_torque = 15.0, max_speed = 4500.0 }
@@ -38,7 +41,10 @@ reducer = { ratio = 7.0, efficiency = 0.94 }
 [[axes]]
 name = "Pusher"
 group = "Filling"
-phases = [ { start = 30.0, stop = 95.0, lift = 65.0, law = "MTP" }, { start = 110.0, stop = 170.0, lift = -65.0, law = "MTP" } ]
+phases = [
+  { start = 30.0, stop = 95.0, lift = 65.0, law = "MTP" },
+  { start = 110.0, stop = 170.0, lift = -65.0, law = "MTP" },
+]
 mechanism = { kind = "lead screw", lead = 16.0, efficiency = 0.88 }
 load = { mass = 6.0, friction = 0.06 }
 motor = { inertia = 0.9, rated_torque = 2.0, peak_torque = 6.0, max_speed = 5000.0 }
@@ -58,7 +64,10 @@ reducer = { ratio = 5.0, efficiency = 0.95 }
 [[axes]]
 name = "Knife"
 group = "Cutting"
-phases = [ { start = 220.0, stop = 250.0, lift = 28.0, law = "MTP" }, { start = 255.0, stop = 285.0, lift = -28.0, law = "MTP" } ]
+phases = [
+  { start = 220.0, stop = 250.0, lift = 28.0, law = "MTP" },
+  { start = 255.0, stop = 285.0, lift = -28.0, law = "MTP" },
+]
 mechanism = { kind = "rack and pinion", pinion_diameter = 40.0, efficiency = 0.93 }
 load = { mass = 2.2, slope = 90.0 }
 motor = { inertia = 0.8, rated_torque = 2.0, peak_torque = 7.0, max_speed = 6000.0 }
